@@ -1,0 +1,82 @@
+/// Field: the one idea of Fieldfab. A scalar function of a point in millimetres: negative inside, zero on the surface.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "fieldfab/core/geometry.h"
+#include "fieldfab/core/interval.h"
+
+namespace fieldfab {
+
+/// A batch of points as three arrays (structure of arrays), mm. The arrays need no alignment and are only read.
+struct Points {
+  const float* x = nullptr;
+  const float* y = nullptr;
+  const float* z = nullptr;
+  std::size_t count = 0;
+
+  /// The `length` points from `first` on.
+  [[nodiscard]] Points part(std::size_t first, std::size_t length) const { return {x + first, y + first, z + first, length}; }
+};
+
+/// Where a batch of gradients is written: d/dx, d/dy, d/dz, each `count` floats.
+struct Gradients {
+  float* dx = nullptr;
+  float* dy = nullptr;
+  float* dz = nullptr;
+};
+
+class Field;
+/// Fields are immutable and shared; every member may be called from many threads at once.
+using FieldPtr = std::shared_ptr<const Field>;
+
+/// What a Field is needed for inside a box.
+enum class Purpose {
+  value,      ///< the restricted Field gives bit for bit the same values, gradients and signs (Keeter Alg. 3.3)
+  occupancy,  ///< only the sign has to be the same: more can be pruned (Boolean pruning, Keeter Alg. 3.4)
+};
+
+/// A Field confined to a box: its interval there, and a Field, often cheaper, that answers alike inside that box.
+struct Restriction {
+  Interval range;
+  FieldPtr field;  ///< never null; may be the same Field where nothing could be gained
+};
+
+/// A solid, as the sign and value of a function. Points with value < 0 are inside; 0, above and NaN are not.
+class Field : public std::enable_shared_from_this<Field> {
+ public:
+  virtual ~Field() = default;
+
+  /// Writes the value at each point to `out` (`points.count` floats). Never throws; NaN is a value.
+  virtual void values(const Points& points, float* out) const noexcept = 0;
+
+  /// Writes the value and the gradient at each point. Where the function has a crease (min, max, abs) the gradient is that of
+  /// one of its sides: the side that gives the value, the first argument's on a tie.
+  virtual void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept = 0;
+
+  /// An interval that holds every value that values() yields for points of `box` (rounded to float).
+  [[nodiscard]] virtual Interval interval(const Box& box) const noexcept = 0;
+
+  /// The interval over `box` and a Field that gives the same answers at every point of `box` (see Purpose).
+  /// Outside of `box` that Field means nothing. The default is this Field itself.
+  [[nodiscard]] virtual Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const;
+
+  /// A box that holds the solid, where the Field knows one from its making; Box::everything() otherwise. See solid_bounds().
+  [[nodiscard]] virtual Box known_bounds() const noexcept { return Box::everything(); }
+
+  /// Rough cost of one value, in arithmetic operations: for choosing batch and block sizes and for statistics.
+  [[nodiscard]] virtual std::size_t cost() const noexcept { return 1; }
+
+  /// The value at one point: values() for a batch of one.
+  [[nodiscard]] float value(const Vec3& point) const noexcept;
+  /// The gradient at one point.
+  [[nodiscard]] Vec3 gradient(const Vec3& point) const noexcept;
+
+ protected:
+  Field() = default;
+  Field(const Field&) = default;
+  Field& operator=(const Field&) = default;
+};
+
+}  // namespace fieldfab

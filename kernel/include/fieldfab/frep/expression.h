@@ -1,0 +1,96 @@
+/// Expressions: immutable graphs of operations in which equal parts are one part (hash-consing; Keeter 3.4, 3.5).
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fieldfab/frep/opcode.h"
+
+namespace fieldfab::frep {
+
+struct Node;
+
+/// A node of an expression graph, held by reference count. Two expressions of the same form are the same node, so == is one
+/// comparison and costs nothing. Safe to make, copy and drop from many threads. Any depth: nothing here recurses.
+class Expression {
+ public:
+  /// A constant. Throws Error(bad_input) where `value` is NaN or infinite. -0 becomes 0.
+  Expression(double value);  // NOLINT(google-explicit-constructor): numbers are expressions
+  Expression(const Expression& other) noexcept;
+  Expression(Expression&& other) noexcept;
+  Expression& operator=(Expression other) noexcept;
+  ~Expression();
+
+  static Expression x();
+  static Expression y();
+  static Expression z();
+  /// op(a), op(a, b): exactly this node, deduplicated, with nothing folded or simplified.
+  static Expression make(Opcode op, const Expression& a);
+  static Expression make(Opcode op, const Expression& a, const Expression& b);
+
+  [[nodiscard]] Opcode opcode() const noexcept;
+  /// The value of a constant; 0 for any other node.
+  [[nodiscard]] double constant() const noexcept;
+  /// The first or second argument (index 0 or 1, below arity()).
+  [[nodiscard]] Expression argument(int index) const;
+  [[nodiscard]] int arity() const noexcept { return info(opcode()).arity; }
+
+  /// Two names of one node.
+  bool operator==(const Expression& other) const noexcept { return node_ == other.node_; }
+  /// An address for hashing; the same for equal expressions while any of them lives.
+  [[nodiscard]] const Node* id() const noexcept { return node_; }
+
+ private:
+  explicit Expression(const Node* node) noexcept : node_(node) {}
+  const Node* node_;
+};
+
+/// Every node once, each after its arguments (a topological order, the same for the same expression): `order.back()` is the root.
+struct Flat {
+  struct Entry {
+    Opcode op;
+    double constant;       ///< where op is constant
+    std::uint32_t a, b;    ///< indices of the arguments; 0 where there is none
+  };
+  std::vector<Entry> order;
+};
+Flat flatten(const Expression& root);
+
+/// Nodes of the graph, with x, y, z and constants where they occur.
+std::size_t node_count(const Expression& root);
+
+/// The expression with x, y and z replaced (the map operation of Appendix A). Shared parts are rewritten once.
+Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z);
+
+/// An expression with the same value wherever the original is a number: constants folded (in double precision), identities
+/// (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits; nothing may become NaN by it.
+Expression simplify(const Expression& root);
+
+// The operators of arithmetic, simplified as they are made where both sides are constants or one is a neutral element.
+Expression operator+(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a, const Expression& b);
+Expression operator*(const Expression& a, const Expression& b);
+Expression operator/(const Expression& a, const Expression& b);
+Expression operator-(const Expression& a);
+Expression min(const Expression& a, const Expression& b);
+Expression max(const Expression& a, const Expression& b);
+Expression pow(const Expression& a, const Expression& b);
+Expression atan2(const Expression& y, const Expression& x);
+Expression mod(const Expression& a, const Expression& b);
+Expression compare(const Expression& a, const Expression& b);
+Expression sin(const Expression& a);
+Expression cos(const Expression& a);
+Expression tan(const Expression& a);
+Expression asin(const Expression& a);
+Expression acos(const Expression& a);
+Expression atan(const Expression& a);
+Expression abs(const Expression& a);
+Expression square(const Expression& a);
+Expression sqrt(const Expression& a);
+Expression exp(const Expression& a);
+Expression ln(const Expression& a);
+Expression floor(const Expression& a);
+Expression ceil(const Expression& a);
+
+}  // namespace fieldfab::frep

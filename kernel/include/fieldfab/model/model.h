@@ -1,0 +1,29 @@
+/// MODEL files: anything a Field can come from, chosen by the file's extension.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "fieldfab/field/field.h"
+#include "fieldfab/frep/expression.h"
+#include "fieldfab/core/progress.h"
+
+namespace fieldfab {
+
+/// A solid read from a file.
+struct Model {
+  FieldPtr field;
+  std::string kind;                              ///< "f-rep" or "asdf"
+  std::optional<frep::Expression> expression;    ///< where it came from text
+  std::optional<double> voxel;                   ///< where the file has a resolution of its own
+};
+
+/// Reads .math, .vm, .frep or .asdf. Throws io, or bad_input (also for an extension no reader knows, with a list of those known).
+Model load_model(const std::filesystem::path& path);
+
+/// The region to work in: `wanted` where given (checked), else what solid_bounds() finds, a little grown. Throws bad_input for
+/// an empty solid, and for an unbounded one, naming the axes and asking for --bounds.
+Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress = Progress::none());
+
+}  // namespace fieldfab

@@ -1,0 +1,22 @@
+#include "fieldfab/field/field.h"
+
+namespace fieldfab {
+
+Restriction Field::restricted(const Box& box, Purpose /*purpose*/) const { return {interval(box), shared_from_this()}; }
+
+float Field::value(const Vec3& point) const noexcept {
+  const Eigen::Vector3f p = point.cast<float>();
+  float out = 0;
+  values({&p.x(), &p.y(), &p.z(), 1}, &out);
+  return out;
+}
+
+Vec3 Field::gradient(const Vec3& point) const noexcept {
+  const Eigen::Vector3f p = point.cast<float>();
+  Eigen::Vector3f slope;
+  float out = 0;
+  gradients({&p.x(), &p.y(), &p.z(), 1}, &out, {&slope.x(), &slope.y(), &slope.z()});
+  return slope.cast<double>();
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,211 @@
+#include "fieldfab/frep/expression.h"
+
+#include <array>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <mutex>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::frep {
+
+struct Node {
+  Opcode op;
+  double constant;
+  const Node* a;
+  const Node* b;
+  std::size_t hash;
+  mutable std::atomic<std::uint32_t> references{1};
+};
+
+namespace {
+
+std::size_t mix(std::size_t seed, std::size_t value) {
+  seed ^= value + 0x9e3779b97f4a7c15ULL + (seed << 6) + (seed >> 2);
+  return seed * 0xff51afd7ed558ccdULL;
+}
+
+struct Key {
+  Opcode op;
+  double constant;
+  const Node* a;
+  const Node* b;
+  [[nodiscard]] std::size_t hash() const {
+    std::size_t seed = mix(static_cast<std::size_t>(op), std::bit_cast<std::uint64_t>(constant));
+    seed = mix(seed, reinterpret_cast<std::uintptr_t>(a));
+    seed = mix(seed, reinterpret_cast<std::uintptr_t>(b));
+    return seed ^ (seed >> 32);
+  }
+};
+
+struct HashNode {
+  using is_transparent = void;
+  std::size_t operator()(const Node* node) const { return node->hash; }
+  std::size_t operator()(const std::pair<Key, std::size_t>& key) const { return key.second; }
+};
+
+struct EqualNode {
+  using is_transparent = void;
+  bool operator()(const Node* one, const Node* other) const { return one == other; }
+  bool operator()(const std::pair<Key, std::size_t>& key, const Node* node) const { return (*this)(node, key); }
+  bool operator()(const Node* node, const std::pair<Key, std::size_t>& key) const {
+    return node->op == key.first.op && node->constant == key.first.constant && node->a == key.first.a && node->b == key.first.b;
+  }
+};
+
+/// All living nodes, in shards so that threads seldom wait for each other. A count goes from 1 to 0 only under its shard's lock,
+/// hence a node that is found here is alive.
+class UniqueNodes {
+ public:
+  const Node* find_or_make(const Key& key) {
+    const std::size_t hash = key.hash();
+    Shard& shard = shard_of(hash);
+    const std::lock_guard lock(shard.mutex);
+    if (const auto found = shard.nodes.find(std::pair(key, hash)); found != shard.nodes.end()) {
+      (*found)->references.fetch_add(1, std::memory_order_relaxed);
+      return *found;
+    }
+    const Node* node = new Node{key.op, key.constant, key.a, key.b, hash};
+    if (key.a != nullptr) key.a->references.fetch_add(1, std::memory_order_relaxed);
+    if (key.b != nullptr) key.b->references.fetch_add(1, std::memory_order_relaxed);
+    shard.nodes.insert(node);
+    return node;
+  }
+
+  /// Drops one reference; frees what nobody holds any more, with a list of its own in place of recursion.
+  void release(const Node* node) {
+    std::vector<const Node*> falling{node};
+    while (!falling.empty()) {
+      const Node* next = falling.back();
+      falling.pop_back();
+      if (next == nullptr || !drop(next)) continue;
+      falling.push_back(next->a);
+      falling.push_back(next->b);
+      delete next;
+    }
+  }
+
+ private:
+  struct Shard {
+    std::mutex mutex;
+    std::unordered_set<const Node*, HashNode, EqualNode> nodes;
+  };
+
+  /// True when the last reference went and the node is out of the table.
+  bool drop(const Node* node) {
+    std::uint32_t count = node->references.load(std::memory_order_relaxed);
+    while (count > 1)
+      if (node->references.compare_exchange_weak(count, count - 1, std::memory_order_acq_rel)) return false;
+    Shard& shard = shard_of(node->hash);
+    const std::lock_guard lock(shard.mutex);
+    if (node->references.fetch_sub(1, std::memory_order_acq_rel) > 1) return false;
+    shard.nodes.erase(node);
+    return true;
+  }
+
+  Shard& shard_of(std::size_t hash) { return shards_[(hash >> 20) % shards_.size()]; }
+
+  std::array<Shard, 32> shards_;
+};
+
+UniqueNodes& unique_nodes() {
+  // Never destroyed: expressions held by static objects may outlive any order of destruction.
+  static auto* nodes = new UniqueNodes;
+  return *nodes;
+}
+
+}  // namespace
+
+Expression::Expression(double value) : node_(nullptr) {
+  if (!std::isfinite(value)) throw Error(ErrorKind::bad_input, "", "a constant must be a finite number");
+  if (value == 0) value = 0;  // one zero, so that -0 and 0 are one node
+  node_ = unique_nodes().find_or_make({Opcode::constant, value, nullptr, nullptr});
+}
+
+Expression::Expression(const Expression& other) noexcept : node_(other.node_) {
+  if (node_ != nullptr) node_->references.fetch_add(1, std::memory_order_relaxed);
+}
+
+Expression::Expression(Expression&& other) noexcept : node_(std::exchange(other.node_, nullptr)) {}
+
+Expression& Expression::operator=(Expression other) noexcept {
+  std::swap(node_, other.node_);
+  return *this;
+}
+
+Expression::~Expression() {
+  if (node_ != nullptr) unique_nodes().release(node_);
+}
+
+Expression Expression::x() { return Expression(unique_nodes().find_or_make({Opcode::x, 0, nullptr, nullptr})); }
+Expression Expression::y() { return Expression(unique_nodes().find_or_make({Opcode::y, 0, nullptr, nullptr})); }
+Expression Expression::z() { return Expression(unique_nodes().find_or_make({Opcode::z, 0, nullptr, nullptr})); }
+
+Expression Expression::make(Opcode op, const Expression& a) {
+  if (info(op).arity != 1) throw Error(ErrorKind::internal, "Expression::make", "this operation does not take one argument");
+  return Expression(unique_nodes().find_or_make({op, 0, a.node_, nullptr}));
+}
+
+Expression Expression::make(Opcode op, const Expression& a, const Expression& b) {
+  if (info(op).arity != 2) throw Error(ErrorKind::internal, "Expression::make", "this operation does not take two arguments");
+  return Expression(unique_nodes().find_or_make({op, 0, a.node_, b.node_}));
+}
+
+Opcode Expression::opcode() const noexcept { return node_->op; }
+double Expression::constant() const noexcept { return node_->constant; }
+
+Expression Expression::argument(int index) const {
+  const Node* node = index == 0 ? node_->a : node_->b;
+  node->references.fetch_add(1, std::memory_order_relaxed);
+  return Expression(node);
+}
+
+Flat flatten(const Expression& root) {
+  Flat flat;
+  std::unordered_map<const Node*, std::uint32_t> place;
+  std::vector<const Node*> stack{root.id()};
+  while (!stack.empty()) {
+    const Node* node = stack.back();
+    if (place.contains(node)) {
+      stack.pop_back();
+      continue;
+    }
+    const bool wait_a = node->a != nullptr && !place.contains(node->a);
+    const bool wait_b = node->b != nullptr && !place.contains(node->b);
+    if (wait_b) stack.push_back(node->b);
+    if (wait_a) stack.push_back(node->a);  // pushed last, so arguments come in the order they are written
+    if (wait_a || wait_b) continue;
+    stack.pop_back();
+    const auto at = [&](const Node* argument) { return argument == nullptr ? 0U : place.at(argument); };
+    place.emplace(node, static_cast<std::uint32_t>(flat.order.size()));
+    flat.order.push_back({node->op, node->constant, at(node->a), at(node->b)});
+  }
+  return flat;
+}
+
+std::size_t node_count(const Expression& root) { return flatten(root).order.size(); }
+
+Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z) {
+  const Flat flat = flatten(root);
+  std::vector<Expression> made;
+  made.reserve(flat.order.size());
+  for (const Flat::Entry& entry : flat.order) {
+    switch (info(entry.op).arity) {
+      case 1: made.push_back(Expression::make(entry.op, made[entry.a])); break;
+      case 2: made.push_back(Expression::make(entry.op, made[entry.a], made[entry.b])); break;
+      default:
+        if (entry.op == Opcode::constant)
+          made.emplace_back(entry.constant);
+        else
+          made.push_back(entry.op == Opcode::x ? x : entry.op == Opcode::y ? y : z);
+    }
+  }
+  return made.back();
+}
+
+}  // namespace fieldfab::frep

@@ -1,0 +1,61 @@
+#include "fieldfab/frep/opcode.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace fieldfab::frep {
+namespace {
+
+constexpr std::array<OpcodeInfo, opcode_count> table{{
+    {0, 'f', "const", ""},     {0, 'X', "var-x", "x"},     {0, 'Y', "var-y", "y"},     {0, 'Z', "var-z", "z"},
+    {1, 's', "sin", "sin"},    {1, 'c', "cos", "cos"},     {1, 't', "tan", "tan"},     {1, 'S', "asin", "asin"},
+    {1, 'C', "acos", "acos"},  {1, 'T', "atan", "atan"},   {1, 'b', "abs", "abs"},     {1, 'q', "square", "square"},
+    {1, 'r', "sqrt", "sqrt"},  {1, 'n', "neg", "-"},       {1, 'x', "exp", "exp"},     {1, 'l', "ln", "ln"},
+    {1, 'd', "floor", "floor"}, {1, 'u', "ceil", "ceil"},
+    {2, '+', "add", "+"},      {2, '-', "sub", "-"},       {2, '*', "mul", "*"},       {2, '/', "div", "/"},
+    {2, 'i', "min", "min"},    {2, 'a', "max", "max"},     {2, 'p', "pow", "^"},       {2, 'A', "atan2", "atan2"},
+    {2, '%', "mod", "mod"},    {2, 'k', "compare", "compare"},
+}};
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+const OpcodeInfo& info(Opcode op) { return table[static_cast<std::size_t>(op)]; }
+
+float apply(Opcode op, float a, float b) {
+  switch (op) {
+    case Opcode::constant:
+    case Opcode::x:
+    case Opcode::y:
+    case Opcode::z: return a;
+    case Opcode::sine: return std::sin(a);
+    case Opcode::cosine: return std::cos(a);
+    case Opcode::tangent: return std::tan(a);
+    case Opcode::arcsine: return std::asin(a);
+    case Opcode::arccosine: return std::acos(a);
+    case Opcode::arctangent: return std::atan(a);
+    case Opcode::absolute: return std::fabs(a);
+    case Opcode::square: return a * a;
+    case Opcode::square_root: return std::sqrt(a);
+    case Opcode::negate: return -a;
+    case Opcode::exponential: return std::exp(a);
+    case Opcode::logarithm: return std::log(a);
+    case Opcode::floor: return std::floor(a);
+    case Opcode::ceiling: return std::ceil(a);
+    case Opcode::add: return a + b;
+    case Opcode::subtract: return a - b;
+    case Opcode::multiply: return a * b;
+    case Opcode::divide: return a / b;
+    case Opcode::minimum: return a != a || b != b ? nan : (a <= b ? a : b);
+    case Opcode::maximum: return a != a || b != b ? nan : (a >= b ? a : b);
+    case Opcode::power: return std::pow(a, b);
+    case Opcode::arctangent2: return std::atan2(a, b);
+    case Opcode::modulo: return a - b * std::floor(a / b);
+    case Opcode::compare: return a != a || b != b ? nan : static_cast<float>((a > b) - (a < b));
+  }
+  return nan;
+}
+
+}  // namespace fieldfab::frep
