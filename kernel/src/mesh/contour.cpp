@@ -1,0 +1,26 @@
+// Contouring in three steps: an octree of leaf cells, the curves in which the surface crosses the faces between them, and a fan of
+// triangles from a vertex inside each cell to the closed loops of curves around it. docs/contouring.md has the proof.
+#include "fieldfab/mesh/contour.h"
+
+#include "contour_cells.h"
+#include "contour_curves.h"
+#include "contour_octree.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab {
+
+TriangleMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
+  using namespace contouring;
+  const Lattice lattice(bounds, wanted.voxel);
+  ContourSettings settings = wanted;
+  if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
+  const FieldPtr solid = intersect(field.shared_from_this(), box_field(bounds));
+
+  const Octree octree(*solid, lattice, settings, progress);
+  progress.report(0.8, "tracing curves");
+  const Curves curves = trace_curves(*solid, lattice, octree, settings.features, progress);
+  progress.report(0.9, "filling cells");
+  return fill_cells(*solid, lattice, octree, curves, settings, progress);
+}
+
+}  // namespace fieldfab

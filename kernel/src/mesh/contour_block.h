@@ -1,0 +1,30 @@
+/// One block: sampled, its sign changes located, its cells merged.
+#pragma once
+
+#include <optional>
+
+#include "contour_octree.h"
+
+namespace fieldfab::contouring {
+
+/// What the surface in a cube comes to, for merging it with its seven siblings.
+struct Patch {
+  std::uint8_t corners = 0;             ///< as in Leaf; 0 or 255 where there is no surface in the cube
+  std::vector<SurfacePoint> points;     ///< all crossings in the closed cube
+  Vec3 vertex = Vec3::Zero();
+  [[nodiscard]] bool uniform() const { return corners == 0 || corners == 255; }
+};
+
+/// A sampled block; `whole` where all of it is one patch (then `block.leafs` is empty until it is known how far it merges).
+struct SampledBlock {
+  Block block;
+  std::optional<Patch> whole;
+};
+
+/// Samples `field` (the solid restricted to the block) at the block's 9x9x9 lattice points and merges its cells.
+SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings);
+
+/// Whether one vertex in `cell`, and one on each of its faces, reproduces all `points` to `max_error`; sets `vertex`.
+bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex);
+
+}  // namespace fieldfab::contouring

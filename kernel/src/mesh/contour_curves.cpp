@@ -1,0 +1,268 @@
+#include "contour_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab::contouring {
+namespace {
+
+/// A vertex on the rim of a face. Going round the rim counter-clockwise as seen from above the face, sides are numbered from 0.
+struct RimPoint {
+  std::uint32_t lower, upper;
+  std::uint32_t vertex;
+  std::uint8_t axis;
+  std::uint8_t side;
+  bool leaving;  ///< going round, the rim passes from inside the solid to outside here
+};
+
+/// The faces that meet in an edge along axis a, as pairs of the four cells around it: cell 0 below on both other axes u, v;
+/// 1 above on u; 2 above on both; 3 above on v. With the side of the face that the edge is on, and whether the rim runs along +a.
+struct EdgeFace {
+  int lower, upper, normal_offset, side;
+  bool forward;
+};
+constexpr std::array<EdgeFace, 4> faces_of_edge{{{0, 1, 1, 1, true}, {1, 2, 2, 0, true}, {3, 2, 1, 3, false}, {0, 3, 2, 2, false}}};
+
+class CurveTracer {
+ public:
+  CurveTracer(const Field& solid, const Lattice& lattice, const Octree& octree, Progress& progress)
+      : solid_(solid), lattice_(lattice), octree_(octree), progress_(progress) {}
+
+  Curves run(bool features) {
+    collect_rim_points();
+    sort_by_face();
+    join_rim_points();
+    if (features) bend_curves();
+    return std::move(out_);
+  }
+
+ private:
+  struct BlockPoints {
+    std::vector<SurfacePoint> points;
+    std::vector<std::array<float, 3>> positions;
+    std::vector<RimPoint> rim;  // vertex counted from the block's first
+  };
+
+  void collect_rim_points() {
+    const auto& blocks = octree_.blocks();
+    std::vector<BlockPoints> found(blocks.size());
+    parallel_for(blocks.size(), [&](std::size_t i) {
+      if (i % 64 == 0) progress_.check();
+      found[i] = points_of(blocks[i]);
+    });
+    std::size_t points = 0, rim = 0;
+    for (const BlockPoints& block : found) points += block.points.size(), rim += block.rim.size();
+    out_.points.reserve(points);
+    out_.positions.reserve(points);
+    rim_.reserve(rim);
+    for (BlockPoints& block : found) {
+      const auto first = static_cast<std::uint32_t>(out_.points.size());
+      out_.points.insert(out_.points.end(), block.points.begin(), block.points.end());
+      out_.positions.insert(out_.positions.end(), block.positions.begin(), block.positions.end());
+      for (RimPoint& point : block.rim) {
+        point.vertex += first;
+        rim_.push_back(point);
+      }
+      block = {};
+    }
+  }
+
+  BlockPoints points_of(const Block& block) const {
+    BlockPoints found;
+    const auto neighbours = octree_.lower_neighbours(block);
+    for (const Crossing& crossing : block.crossings) {
+      const int a = crossing.axis, u = (a + 1) % 3, v = (a + 2) % 3;
+      std::array<std::uint32_t, 4> cells{};
+      for (int quadrant = 0; quadrant < 4; ++quadrant) {
+        std::array<int, 3> cell{crossing.lower[0], crossing.lower[1], crossing.lower[2]};
+        if (quadrant == 0 || quadrant == 3) --cell[static_cast<std::size_t>(u)];
+        if (quadrant == 0 || quadrant == 1) --cell[static_cast<std::size_t>(v)];
+        cells[static_cast<std::size_t>(quadrant)] = leaf_at(neighbours, cell);
+      }
+      // An edge inside a leaf, or inside the face between two, is not an edge of the cells.
+      int distinct = 1;
+      for (std::size_t i = 1; i < 4; ++i) distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) == cells.begin() + static_cast<std::ptrdiff_t>(i);
+      if (distinct < 3) continue;
+
+      const auto vertex = static_cast<std::uint32_t>(found.points.size());
+      found.points.push_back(crossing.point);
+      found.positions.push_back(on_edge(block, crossing));
+      for (const EdgeFace& face : faces_of_edge) {
+        const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)], upper = cells[static_cast<std::size_t>(face.upper)];
+        if (lower == upper) continue;
+        found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((a + face.normal_offset) % 3),
+                             static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});
+      }
+    }
+    return found;
+  }
+
+  static std::uint32_t leaf_at(const std::array<const Block*, 8>& neighbours, std::array<int, 3> cell) {
+    unsigned which = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (cell[axis] < 0) {
+        which |= 1U << axis;
+        cell[axis] += block_side;
+      }
+    const Block* block = neighbours[which];
+    const std::uint16_t leaf = block == nullptr ? Block::no_leaf : block->leaf_of[Block::cell(cell[0], cell[1], cell[2])];
+    if (leaf == Block::no_leaf)
+      throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
+    return block->first_leaf + leaf;
+  }
+
+  [[nodiscard]] std::array<float, 3> on_edge(const Block& block, const Crossing& crossing) const {
+    std::array<float, 3> position{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int32_t index = block.lower[axis] + crossing.lower[axis];
+      const double plane = lattice_.plane(static_cast<int>(axis), index);
+      if (axis != crossing.axis) {
+        position[axis] = static_cast<float>(plane);
+        continue;
+      }
+      const double next = lattice_.plane(static_cast<int>(axis), index + 1), margin = lattice_.margin();
+      position[axis] = static_cast<float>(std::clamp(static_cast<double>(crossing.point.position[static_cast<int>(axis)]), plane + margin, next - margin));
+    }
+    return position;
+  }
+
+  /// Brings the points of each face together: a counting sort by the lower leaf, then the few of one leaf among themselves.
+  void sort_by_face() {
+    std::vector<std::uint32_t> start(octree_.leafs().size() + 1, 0);
+    for (const RimPoint& point : rim_) ++start[point.lower + 1];
+    for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    std::vector<RimPoint> sorted(rim_.size());
+    std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+    for (const RimPoint& point : rim_) sorted[next[point.lower]++] = point;
+    for (std::size_t i = 0; i + 1 < start.size(); ++i)
+      std::sort(sorted.begin() + start[i], sorted.begin() + start[i + 1], [](const RimPoint& one, const RimPoint& other) {
+        return one.upper != other.upper ? one.upper < other.upper : one.side < other.side;
+      });
+    rim_ = std::move(sorted);
+  }
+
+  void join_rim_points() {
+    out_.curves.reserve(rim_.size() / 2);
+    std::vector<std::size_t> ambiguous;  // first rim point of each face with four
+    for (std::size_t first = 0, last = 0; first < rim_.size(); first = last) {
+      while (last < rim_.size() && rim_[last].lower == rim_[first].lower && rim_[last].upper == rim_[first].upper) ++last;
+      if (last - first == 2 && rim_[first].leaving != rim_[first + 1].leaving)
+        join(rim_[first], rim_[first + 1]);
+      else if (last - first == 4)
+        join_ambiguous(first);
+      else
+        throw Error(ErrorKind::internal, "contour", "a face has an impossible number of crossings");
+    }
+  }
+
+  void join(const RimPoint& one, const RimPoint& other) {
+    const RimPoint& leaving = one.leaving ? one : other;
+    const RimPoint& entering = one.leaving ? other : one;
+    out_.curves.push_back({one.lower, one.upper, leaving.vertex, entering.vertex, no_vertex, one.axis});
+  }
+
+  /// Two curves across one face: what the centre belongs to is joined, the two corners of the other kind are cut off.
+  void join_ambiguous(std::size_t first) {
+    const FaceRectangle face = rectangle(rim_[first].lower, rim_[first].upper, rim_[first].axis);
+    const bool centre_inside = solid_.value(face.box.centre()) < 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const RimPoint& point = rim_[first + i];
+      if (point.leaving == centre_inside) join(point, rim_[first + (i + 1) % 4]);
+    }
+  }
+
+  struct FaceRectangle {
+    Box box;  ///< flat along the face's axis
+    int u, v; ///< the other two axes
+  };
+  [[nodiscard]] FaceRectangle rectangle(std::uint32_t lower, std::uint32_t upper, int axis) const {
+    const Leaf& below = octree_.leafs()[lower];
+    const Leaf& above = octree_.leafs()[upper];
+    Box box = intersection(lattice_.cube(below.lower, below.level), lattice_.cube(above.lower, above.level));
+    return {box, (axis + 1) % 3, (axis + 2) % 3};
+  }
+
+  /// Gives a curve a bend where the tangent lines at its ends meet, if the surface passes closer there than on the straight line:
+  /// so sharp edges cross faces where they do.
+  void bend_curves() {
+    std::vector<std::optional<std::array<float, 3>>> bend(out_.curves.size());
+    constexpr std::size_t chunk = 4096;
+    parallel_for((out_.curves.size() + chunk - 1) / chunk, [&](std::size_t part) {
+      progress_.check();
+      std::vector<std::size_t> which;
+      std::vector<Vec3> places;
+      const std::size_t last = std::min(out_.curves.size(), (part + 1) * chunk);
+      for (std::size_t i = part * chunk; i < last; ++i)
+        if (const auto place = propose_bend(out_.curves[i])) {
+          which.push_back(i);
+          places.push_back(*place);
+        }
+      if (which.empty()) return;
+      const std::size_t count = which.size();
+      std::vector<float> x(2 * count), y(2 * count), z(2 * count), value(2 * count);
+      for (std::size_t i = 0; i < count; ++i) {
+        const FaceCurve& curve = out_.curves[which[i]];
+        const auto& p = out_.positions[curve.from];
+        const auto& q = out_.positions[curve.to];
+        x[i] = static_cast<float>(places[i].x()), x[count + i] = 0.5F * (p[0] + q[0]);
+        y[i] = static_cast<float>(places[i].y()), y[count + i] = 0.5F * (p[1] + q[1]);
+        z[i] = static_cast<float>(places[i].z()), z[count + i] = 0.5F * (p[2] + q[2]);
+      }
+      solid_.values({x.data(), y.data(), z.data(), 2 * count}, value.data());
+      for (std::size_t i = 0; i < count; ++i)
+        if (std::abs(value[i]) < 0.5F * std::abs(value[count + i])) bend[which[i]] = {x[i], y[i], z[i]};
+    });
+    for (std::size_t i = 0; i < bend.size(); ++i)
+      if (bend[i]) {
+        out_.curves[i].bend = static_cast<std::uint32_t>(out_.bends.size());
+        out_.bends.push_back(*bend[i]);
+      }
+  }
+
+  [[nodiscard]] std::optional<Vec3> propose_bend(const FaceCurve& curve) const {
+    // Cells with several patches are filled from straight curves only.
+    if (!is_simple(octree_.leafs()[curve.lower].corners) || !is_simple(octree_.leafs()[curve.upper].corners)) return std::nullopt;
+    const SurfacePoint& from = out_.points[curve.from];
+    const SurfacePoint& to = out_.points[curve.to];
+    if (from.normal.dot(to.normal) > 0.9999F) return std::nullopt;
+    const FaceRectangle face = rectangle(curve.lower, curve.upper, curve.axis);
+    const int u = face.u, v = face.v;
+    const Eigen::Vector2d p(from.position[u], from.position[v]), q(to.position[u], to.position[v]);
+    const Eigen::Vector2d n(from.normal[u], from.normal[v]), m(to.normal[u], to.normal[v]);
+    const double cross = n.x() * m.y() - n.y() * m.x();
+    if (std::abs(cross) < 1e-3 * n.norm() * m.norm() || cross == 0) return std::nullopt;
+    const double a = n.dot(p), b = m.dot(q);
+    const Eigen::Vector2d bend((a * m.y() - b * n.y()) / cross, (n.x() * b - m.x() * a) / cross);
+    const double margin = lattice_.margin();
+    const Box inner = face.box.grown(-margin);
+    if (!(bend.x() >= inner.lower[u] && bend.x() <= inner.upper[u] && bend.y() >= inner.lower[v] && bend.y() <= inner.upper[v]))
+      return std::nullopt;
+    const Eigen::Vector2d along = q - p, off = bend - p;
+    const double length = along.norm();
+    if (std::abs(along.x() * off.y() - along.y() * off.x()) < 1e-3 * length * length) return std::nullopt;  // as good as straight
+    Vec3 place;
+    place[curve.axis] = face.box.lower[curve.axis];
+    place[u] = bend.x();
+    place[v] = bend.y();
+    return place;
+  }
+
+  const Field& solid_;
+  const Lattice& lattice_;
+  const Octree& octree_;
+  Progress& progress_;
+  Curves out_;
+  std::vector<RimPoint> rim_;
+};
+
+}  // namespace
+
+Curves trace_curves(const Field& solid, const Lattice& lattice, const Octree& octree, bool features, Progress& progress) {
+  return CurveTracer(solid, lattice, octree, progress).run(features);
+}
+
+}  // namespace fieldfab::contouring
