@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
@@ -21,6 +22,7 @@ struct CellCurve {
 struct Piece {
   std::vector<Position> vertices;
   std::vector<Triangle> triangles;
+  std::vector<Wish> wishes;
 };
 
 constexpr std::uint32_t first_new = 1U << 31;
@@ -29,7 +31,7 @@ class CellFiller {
  public:
   CellFiller(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves, const ContourSettings& settings,
              Piece& piece)
-      : solid_(solid), lattice_(lattice), octree_(octree), curves_(curves), flat_(0.5 * settings.max_error), piece_(piece) {}
+      : solid_(solid), lattice_(lattice), octree_(octree), curves_(curves), flat_(0.5 * settings.max_error), features_(settings.features), piece_(piece) {}
 
   /// Fills one leaf, given the curves on its faces.
   void fill(const Leaf& leaf, std::span<CellCurve> around) {
@@ -56,8 +58,10 @@ class CellFiller {
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
   [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const { return static_cast<std::uint32_t>(curves_.positions.size()) + bend; }
 
+  static Position to_floats(const Vec3& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}; }
+
   std::uint32_t add(const Vec3& position) {
-    piece_.vertices.push_back({static_cast<float>(position.x()), static_cast<float>(position.y()), static_cast<float>(position.z())});
+    piece_.vertices.push_back(to_floats(position));
     return first_new + static_cast<std::uint32_t>(piece_.vertices.size() - 1);
   }
 
@@ -103,14 +107,19 @@ class CellFiller {
   void fill_fan(const Leaf& leaf, std::span<const CellCurve> loop) {
     const Box cell = box(leaf);
     Vec3 vertex = leaf.vertex;
+    std::optional<Position> wish;
     if (leaf.level == 0) {
       std::vector<SurfacePoint>& points = scratch_;
       points.clear();
       for (const CellCurve& curve : loop) points.push_back(curves_.points[curve.from]);
-      vertex = place_vertex(points, cell).position;
+      const PlacedVertex inside = place_vertex(points, cell);
+      vertex = inside.position;
+      if (const PlacedVertex beyond = place_vertex(points, cell.grown(lattice_.voxel())); features_ && beyond.error < 0.5 * inside.error)
+        wish = to_floats(beyond.position);
     }
     const Box inner = cell.grown(-lattice_.margin());
     const std::uint32_t apex = add(vertex.cwiseMax(inner.lower).cwiseMin(inner.upper));
+    if (wish) piece_.wishes.push_back({apex, *wish});
     for (const CellCurve& curve : loop) {
       if (curve.bend == no_vertex) {
         piece_.triangles.push_back({apex, curve.to, curve.from});
@@ -196,7 +205,8 @@ class CellFiller {
   const Lattice& lattice_;
   const Octree& octree_;
   const Curves& curves_;
-  const double flat_;
+  const double flat_;    ///< how far a loop may be from a plane to be filled without a vertex inside, mm
+  const bool features_;
   Piece& piece_;
   std::vector<SurfacePoint> scratch_;
 };
@@ -226,6 +236,8 @@ TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree
       if (start[i] < start[i + 1]) filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
   });
 
+  std::vector<Wish> wishes = curves.wishes;
+  for (Wish& wish : wishes) wish.vertex += static_cast<std::uint32_t>(curves.positions.size());
   TriangleMesh mesh;
   mesh.vertices = curves.positions;
   mesh.vertices.insert(mesh.vertices.end(), curves.bends.begin(), curves.bends.end());
@@ -241,9 +253,11 @@ TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree
         if (vertex >= first_new) vertex = vertex - first_new + offset;
       mesh.triangles.push_back(triangle);
     }
+    for (const Wish& wish : piece.wishes) wishes.push_back({wish.vertex - first_new + offset, wish.target});
     mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
     piece = {};
   }
+  grant(wishes, lattice.voxel(), mesh, progress);
   return mesh;
 }
 

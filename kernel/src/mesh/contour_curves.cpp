@@ -147,7 +147,6 @@ class CurveTracer {
 
   void join_rim_points() {
     out_.curves.reserve(rim_.size() / 2);
-    std::vector<std::size_t> ambiguous;  // first rim point of each face with four
     for (std::size_t first = 0, last = 0; first < rim_.size(); first = last) {
       while (last < rim_.size() && rim_[last].lower == rim_[first].lower && rim_[last].upper == rim_[first].upper) ++last;
       if (last - first == 2 && rim_[first].leaving != rim_[first + 1].leaving)
@@ -167,60 +166,73 @@ class CurveTracer {
 
   /// Two curves across one face: what the centre belongs to is joined, the two corners of the other kind are cut off.
   void join_ambiguous(std::size_t first) {
-    const FaceRectangle face = rectangle(rim_[first].lower, rim_[first].upper, rim_[first].axis);
-    const bool centre_inside = solid_.value(face.box.centre()) < 0;
+    const FaceCurve face{rim_[first].lower, rim_[first].upper, 0, 0, no_vertex, rim_[first].axis};
+    const bool centre_inside = solid_.value(rectangle(face).centre()) < 0;
     for (std::size_t i = 0; i < 4; ++i) {
       const RimPoint& point = rim_[first + i];
       if (point.leaving == centre_inside) join(point, rim_[first + (i + 1) % 4]);
     }
   }
 
-  struct FaceRectangle {
-    Box box;  ///< flat along the face's axis
-    int u, v; ///< the other two axes
-  };
-  [[nodiscard]] FaceRectangle rectangle(std::uint32_t lower, std::uint32_t upper, int axis) const {
-    const Leaf& below = octree_.leafs()[lower];
-    const Leaf& above = octree_.leafs()[upper];
-    Box box = intersection(lattice_.cube(below.lower, below.level), lattice_.cube(above.lower, above.level));
-    return {box, (axis + 1) % 3, (axis + 2) % 3};
+  /// The face that a curve crosses: flat along the curve's axis.
+  [[nodiscard]] Box rectangle(const FaceCurve& curve) const {
+    const Leaf& below = octree_.leafs()[curve.lower];
+    const Leaf& above = octree_.leafs()[curve.upper];
+    return intersection(lattice_.cube(below.lower, below.level), lattice_.cube(above.lower, above.level));
   }
 
   /// Gives a curve a bend where the tangent lines at its ends meet, if the surface passes closer there than on the straight line:
-  /// so sharp edges cross faces where they do.
+  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend begins halfway and wishes to go there.
   void bend_curves() {
-    std::vector<std::optional<std::array<float, 3>>> bend(out_.curves.size());
+    struct Bend {
+      std::size_t curve;
+      Vec3 place;
+    };
     constexpr std::size_t chunk = 4096;
-    parallel_for((out_.curves.size() + chunk - 1) / chunk, [&](std::size_t part) {
+    std::vector<std::vector<Bend>> accepted((out_.curves.size() + chunk - 1) / chunk);
+    parallel_for(accepted.size(), [&](std::size_t part) {
       progress_.check();
-      std::vector<std::size_t> which;
-      std::vector<Vec3> places;
-      const std::size_t last = std::min(out_.curves.size(), (part + 1) * chunk);
-      for (std::size_t i = part * chunk; i < last; ++i)
-        if (const auto place = propose_bend(out_.curves[i])) {
-          which.push_back(i);
-          places.push_back(*place);
-        }
-      if (which.empty()) return;
-      const std::size_t count = which.size();
+      std::vector<Bend> proposed;
+      for (std::size_t i = part * chunk; i < std::min(out_.curves.size(), (part + 1) * chunk); ++i)
+        if (const auto place = propose_bend(out_.curves[i])) proposed.push_back({i, *place});
+      if (proposed.empty()) return;
+      const std::size_t count = proposed.size();
       std::vector<float> x(2 * count), y(2 * count), z(2 * count), value(2 * count);
       for (std::size_t i = 0; i < count; ++i) {
-        const FaceCurve& curve = out_.curves[which[i]];
-        const auto& p = out_.positions[curve.from];
-        const auto& q = out_.positions[curve.to];
-        x[i] = static_cast<float>(places[i].x()), x[count + i] = 0.5F * (p[0] + q[0]);
-        y[i] = static_cast<float>(places[i].y()), y[count + i] = 0.5F * (p[1] + q[1]);
-        z[i] = static_cast<float>(places[i].z()), z[count + i] = 0.5F * (p[2] + q[2]);
+        const Vec3 middle = middle_of(out_.curves[proposed[i].curve]);
+        x[i] = static_cast<float>(proposed[i].place.x()), x[count + i] = static_cast<float>(middle.x());
+        y[i] = static_cast<float>(proposed[i].place.y()), y[count + i] = static_cast<float>(middle.y());
+        z[i] = static_cast<float>(proposed[i].place.z()), z[count + i] = static_cast<float>(middle.z());
       }
       solid_.values({x.data(), y.data(), z.data(), 2 * count}, value.data());
       for (std::size_t i = 0; i < count; ++i)
-        if (std::abs(value[i]) < 0.5F * std::abs(value[count + i])) bend[which[i]] = {x[i], y[i], z[i]};
+        if (std::abs(value[i]) < 0.5F * std::abs(value[count + i])) accepted[part].push_back(proposed[i]);
     });
-    for (std::size_t i = 0; i < bend.size(); ++i)
-      if (bend[i]) {
-        out_.curves[i].bend = static_cast<std::uint32_t>(out_.bends.size());
-        out_.bends.push_back(*bend[i]);
+    for (const auto& part : accepted)
+      for (const Bend& bend : part) {
+        FaceCurve& curve = out_.curves[bend.curve];
+        curve.bend = static_cast<std::uint32_t>(out_.bends.size());
+        const Box inner = rectangle(curve).grown(-lattice_.margin());
+        const int u = (curve.axis + 1) % 3, v = (curve.axis + 2) % 3;
+        const auto within = [&](int axis) { return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis]; };
+        if (within(u) && within(v)) {
+          out_.bends.push_back(to_floats(bend.place));
+        } else {
+          out_.wishes.push_back({curve.bend, to_floats(bend.place)});
+          out_.bends.push_back(to_floats(middle_of(curve)));
+        }
       }
+  }
+
+  static std::array<float, 3> to_floats(const Vec3& p) {
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  }
+
+  /// Halfway along the straight line between a curve's ends; strictly inside the face, since the ends lie on different sides of it.
+  [[nodiscard]] Vec3 middle_of(const FaceCurve& curve) const {
+    const auto& p = out_.positions[curve.from];
+    const auto& q = out_.positions[curve.to];
+    return 0.5 * (Vec3(p[0], p[1], p[2]) + Vec3(q[0], q[1], q[2]));
   }
 
   [[nodiscard]] std::optional<Vec3> propose_bend(const FaceCurve& curve) const {
@@ -229,25 +241,21 @@ class CurveTracer {
     const SurfacePoint& from = out_.points[curve.from];
     const SurfacePoint& to = out_.points[curve.to];
     if (from.normal.dot(to.normal) > 0.9999F) return std::nullopt;
-    const FaceRectangle face = rectangle(curve.lower, curve.upper, curve.axis);
-    const int u = face.u, v = face.v;
+    const int u = (curve.axis + 1) % 3, v = (curve.axis + 2) % 3;
     const Eigen::Vector2d p(from.position[u], from.position[v]), q(to.position[u], to.position[v]);
     const Eigen::Vector2d n(from.normal[u], from.normal[v]), m(to.normal[u], to.normal[v]);
     const double cross = n.x() * m.y() - n.y() * m.x();
     if (std::abs(cross) < 1e-3 * n.norm() * m.norm() || cross == 0) return std::nullopt;
     const double a = n.dot(p), b = m.dot(q);
     const Eigen::Vector2d bend((a * m.y() - b * n.y()) / cross, (n.x() * b - m.x() * a) / cross);
-    const double margin = lattice_.margin();
-    const Box inner = face.box.grown(-margin);
-    if (!(bend.x() >= inner.lower[u] && bend.x() <= inner.upper[u] && bend.y() >= inner.lower[v] && bend.y() <= inner.upper[v]))
-      return std::nullopt;
     const Eigen::Vector2d along = q - p, off = bend - p;
     const double length = along.norm();
     if (std::abs(along.x() * off.y() - along.y() * off.x()) < 1e-3 * length * length) return std::nullopt;  // as good as straight
-    Vec3 place;
-    place[curve.axis] = face.box.lower[curve.axis];
+    const Box face = rectangle(curve);
+    Vec3 place = face.lower;
     place[u] = bend.x();
     place[v] = bend.y();
+    if (!face.grown(lattice_.voxel()).contains(place)) return std::nullopt;
     return place;
   }
 

@@ -1,0 +1,260 @@
+// Operations that work on values: set operations, offset, shell, blend, morph. Those that move points are in maps.cpp.
+#include "fieldfab/field/operations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "chunk.h"
+#include "fieldfab/core/error.h"
+
+namespace fieldfab {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+
+float least(float a, float b) { return a != a || b != b ? nan : (a <= b ? a : b); }
+float greatest(float a, float b) { return a != a || b != b ? nan : (a >= b ? a : b); }
+Interval least(const Interval& a, const Interval& b) {
+  return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
+}
+Interval greatest(const Interval& a, const Interval& b) {
+  return {std::max(a.lower, b.lower), std::max(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
+}
+Interval plus(const Interval& a, const Interval& b) {
+  const float lower = a.lower + b.lower, upper = a.upper + b.upper;
+  if (lower != lower || upper != upper || std::isinf(lower) || std::isinf(upper)) return Interval::unknown();
+  return {lower, upper, a.maybe_nan || b.maybe_nan};
+}
+Interval times(const Interval& a, float factor) {
+  const float l = a.lower * factor, u = a.upper * factor;
+  if (l != l || u != u) return Interval::unknown();
+  return {std::min(l, u), std::max(l, u), a.maybe_nan || ((std::isinf(a.lower) || std::isinf(a.upper)) && factor == 0)};
+}
+Interval root_of_magnitude(const Interval& a) {
+  const float l = std::sqrt(std::abs(a.lower)), u = std::sqrt(std::abs(a.upper));
+  return {a.lower <= 0 && a.upper >= 0 ? 0 : std::min(l, u), std::max(l, u), a.maybe_nan};
+}
+
+/// How much each argument's slope counts in the result's.
+struct Weights {
+  float a, b;
+};
+
+/// Which argument alone decides the value everywhere in a box.
+enum class Only { both, first, second };
+
+struct Union {
+  float value(float a, float b) const { return least(a, b); }
+  Weights weights(float a, float b) const { return a <= b ? Weights{1, 0} : Weights{0, 1}; }
+  Interval range(const Interval& a, const Interval& b) const { return least(a, b); }
+  // The first argument wins ties, value and gradient: it may decide by touching, the second only strictly.
+  Only decides(const Interval& a, const Interval& b) const { return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both; }
+};
+
+struct Intersection {
+  float value(float a, float b) const { return greatest(a, b); }
+  Weights weights(float a, float b) const { return a >= b ? Weights{1, 0} : Weights{0, 1}; }
+  Interval range(const Interval& a, const Interval& b) const { return greatest(a, b); }
+  Only decides(const Interval& a, const Interval& b) const { return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both; }
+};
+
+struct Blend {
+  float root;  // square root of the radius
+  float value(float a, float b) const { return least(least(a, b), std::sqrt(std::abs(a)) + std::sqrt(std::abs(b)) - root); }
+  Weights weights(float a, float b) const {
+    const float ra = std::sqrt(std::abs(a)), rb = std::sqrt(std::abs(b));
+    if (least(a, b) <= ra + rb - root) return Union{}.weights(a, b);
+    return {ra > 0 ? std::copysign(0.5F / ra, a) : 0, rb > 0 ? std::copysign(0.5F / rb, b) : 0};
+  }
+  Interval range(const Interval& a, const Interval& b) const {
+    return least(least(a, b), plus(plus(root_of_magnitude(a), root_of_magnitude(b)), Interval::of(-root)));
+  }
+  Only decides(const Interval&, const Interval&) const { return Only::both; }
+};
+
+struct Morph {
+  float first, second;  // weights that sum to 1
+  float value(float a, float b) const { return first * a + second * b; }
+  Weights weights(float, float) const { return {first, second}; }
+  Interval range(const Interval& a, const Interval& b) const { return plus(times(a, first), times(b, second)); }
+  Only decides(const Interval&, const Interval&) const { return Only::both; }
+};
+
+/// A Field whose value is a rule over the values of two others.
+template <class Rule>
+class Combined final : public Field {
+ public:
+  Combined(FieldPtr a, FieldPtr b, Rule rule) : a_(std::move(a)), b_(std::move(b)), rule_(rule) {}
+
+  void values(const Points& points, float* out) const noexcept override {
+    for_chunks(points, [&](const Points& part, std::size_t first) {
+      Chunk other;
+      a_->values(part, out + first);
+      b_->values(part, other.data());
+      for (std::size_t i = 0; i < part.count; ++i) out[first + i] = rule_.value(out[first + i], other[i]);
+    });
+  }
+
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    for_chunks(points, [&](const Points& part, std::size_t first) {
+      Chunk other, dx, dy, dz;
+      const Gradients mine{slopes.dx + first, slopes.dy + first, slopes.dz + first};
+      a_->gradients(part, out + first, mine);
+      b_->gradients(part, other.data(), {dx.data(), dy.data(), dz.data()});
+      for (std::size_t i = 0; i < part.count; ++i) {
+        const float a = out[first + i], b = other[i];
+        const Weights w = rule_.weights(a, b);
+        const auto mixed = [&](float one, float two) { return (w.a == 0 ? 0 : w.a * one) + (w.b == 0 ? 0 : w.b * two); };
+        mine.dx[i] = mixed(mine.dx[i], dx[i]);
+        mine.dy[i] = mixed(mine.dy[i], dy[i]);
+        mine.dz[i] = mixed(mine.dz[i], dz[i]);
+        out[first + i] = rule_.value(a, b);
+      }
+    });
+  }
+
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return rule_.range(a_->interval(box), b_->interval(box)); }
+
+  [[nodiscard]] Restriction restricted(const Box& box, Purpose /*purpose*/) const override {
+    // The arguments' signs alone do not give the sign of a blend or a morph; values are asked for throughout.
+    Restriction a = a_->restricted(box), b = b_->restricted(box);
+    const Interval range = rule_.range(a.range, b.range);
+    const bool sure = !a.range.maybe_nan && !b.range.maybe_nan;
+    if (const Only only = rule_.decides(a.range, b.range); sure && only != Only::both) return {range, only == Only::first ? a.field : b.field};
+    if (a.field == a_ && b.field == b_) return {range, shared_from_this()};
+    return {range, std::make_shared<Combined>(std::move(a.field), std::move(b.field), rule_)};
+  }
+
+  [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + b_->cost() + 1; }
+
+ private:
+  FieldPtr a_, b_;
+  Rule rule_;
+};
+
+/// factor * a + shift: complement, offset, and scaled distances.
+class Linear final : public Field {
+ public:
+  Linear(FieldPtr a, float factor, float shift) : a_(std::move(a)), factor_(factor), shift_(shift) {}
+
+  void values(const Points& points, float* out) const noexcept override {
+    a_->values(points, out);
+    for (std::size_t i = 0; i < points.count; ++i) out[i] = factor_ * out[i] + shift_;
+  }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    a_->gradients(points, out, slopes);
+    for (std::size_t i = 0; i < points.count; ++i) {
+      out[i] = factor_ * out[i] + shift_;
+      slopes.dx[i] *= factor_;
+      slopes.dy[i] *= factor_;
+      slopes.dz[i] *= factor_;
+    }
+  }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return moved(a_->interval(box)); }
+  [[nodiscard]] Restriction restricted(const Box& box, Purpose /*purpose*/) const override {
+    Restriction a = a_->restricted(box);
+    if (a.field == a_) return {moved(a.range), shared_from_this()};
+    return {moved(a.range), std::make_shared<Linear>(std::move(a.field), factor_, shift_)};
+  }
+  [[nodiscard]] Box known_bounds() const noexcept override { return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything(); }
+  [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
+
+ private:
+  // factor is not 0 and shift is finite, so infinite ends stay infinite and make no NaN.
+  [[nodiscard]] Interval moved(const Interval& a) const {
+    const float l = factor_ * a.lower + shift_, u = factor_ * a.upper + shift_;
+    return {std::min(l, u), std::max(l, u), a.maybe_nan};
+  }
+
+  FieldPtr a_;
+  float factor_, shift_;
+};
+
+template <class Rule>
+FieldPtr combined(FieldPtr a, FieldPtr b, Rule rule) {
+  return std::make_shared<Combined<Rule>>(std::move(a), std::move(b), rule);
+}
+
+float finite(double value, const char* what) {
+  const auto number = static_cast<float>(value);
+  if (!std::isfinite(number)) throw Error(ErrorKind::bad_input, what, "must be a finite number");
+  return number;
+}
+
+/// Signed position within a box: the greatest of the six face distances.
+class BoxField final : public Field {
+ public:
+  explicit BoxField(const Box& box) : box_(box), lower_(box.lower.cast<float>()), upper_(box.upper.cast<float>()) {}
+
+  void values(const Points& points, float* out) const noexcept override {
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const float x = greatest(lower_.x() - points.x[i], points.x[i] - upper_.x());
+      const float y = greatest(lower_.y() - points.y[i], points.y[i] - upper_.y());
+      const float z = greatest(lower_.z() - points.z[i], points.z[i] - upper_.z());
+      out[i] = greatest(greatest(x, y), z);
+    }
+  }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    values(points, out);
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const std::array<float, 3> p{points.x[i], points.y[i], points.z[i]};
+      std::array<float, 3> slope{};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        if (out[i] == lower_[axis] - p[a]) slope[a] = -1;
+        else if (out[i] == p[a] - upper_[axis]) slope[a] = 1;
+        else continue;
+        break;
+      }
+      slopes.dx[i] = slope[0], slopes.dy[i] = slope[1], slopes.dz[i] = slope[2];
+    }
+  }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    Interval range = Interval::of(-std::numeric_limits<float>::infinity());
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto l = static_cast<float>(box.lower[axis]), u = static_cast<float>(box.upper[axis]);
+      range = greatest(range, greatest(Interval{lower_[axis] - u, lower_[axis] - l, false}, Interval{l - upper_[axis], u - upper_[axis], false}));
+    }
+    return range;
+  }
+  [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
+  [[nodiscard]] std::size_t cost() const noexcept override { return 11; }
+
+ private:
+  Box box_;
+  Eigen::Vector3f lower_, upper_;
+};
+
+}  // namespace
+
+FieldPtr unite(FieldPtr a, FieldPtr b) { return combined(std::move(a), std::move(b), Union{}); }
+FieldPtr intersect(FieldPtr a, FieldPtr b) { return combined(std::move(a), std::move(b), Intersection{}); }
+FieldPtr subtract(FieldPtr a, FieldPtr b) { return intersect(std::move(a), complement(std::move(b))); }
+FieldPtr complement(FieldPtr a) { return std::make_shared<Linear>(std::move(a), -1.0F, 0.0F); }
+FieldPtr offset(FieldPtr a, double distance) { return std::make_shared<Linear>(std::move(a), 1.0F, -finite(distance, "offset")); }
+
+FieldPtr shell(FieldPtr a, double thickness) {
+  if (!(thickness > 0)) throw Error(ErrorKind::bad_input, "shell", "the thickness must be above 0 mm");
+  const float half = finite(thickness / 2, "shell");
+  return intersect(std::make_shared<Linear>(a, 1.0F, -half), std::make_shared<Linear>(a, -1.0F, -half));
+}
+
+FieldPtr blend(FieldPtr a, FieldPtr b, double radius) {
+  if (!(radius > 0)) throw Error(ErrorKind::bad_input, "blend", "the radius must be above 0 mm");
+  return combined(std::move(a), std::move(b), Blend{std::sqrt(finite(radius, "blend"))});
+}
+
+FieldPtr morph(FieldPtr a, FieldPtr b, double weight) {
+  const float second = finite(weight, "morph");
+  return combined(std::move(a), std::move(b), Morph{1 - second, second});
+}
+
+FieldPtr scaled_values(FieldPtr a, double factor) { return std::make_shared<Linear>(std::move(a), finite(factor, "scale"), 0.0F); }
+
+FieldPtr box_field(const Box& box) {
+  if (!box.valid()) throw Error(ErrorKind::bad_input, "box", "the bounds must be finite and in order");
+  return std::make_shared<BoxField>(box);
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,143 @@
+// The loops of the batch evaluators. Included by batch_portable.cpp, batch_avx2.cpp and batch_avx512.cpp, each compiled for its own
+// instruction set. Plain loops that the compiler vectorises; nothing here but internal linkage and out-of-line calls.
+#include "batch.h"
+#include "derivative.h"
+
+namespace fieldfab::frep {
+namespace {
+
+constexpr float quiet_nan = __builtin_nanf("");
+
+/// An argument of a clause: an array, or one number for all points.
+struct Argument {
+  const float* array;  // null: `number`
+  float number;
+};
+
+inline Argument argument(const BatchRun& run, Operand operand, std::size_t stride) {
+  if ((operand & constant_bit) != 0) return {nullptr, run.constants[operand & ~constant_bit]};
+  if (operand == 0) return {run.x, 0};
+  if (operand == 1) return {run.y, 0};
+  if (operand == 2) return {run.z, 0};
+  return {run.scratch + run.slot[operand - first_value] * stride, 0};
+}
+
+// One loop for each way the arguments may come; `a` and `b` name the numbers in `expression`.
+#define FIELDFAB_UNARY(expression)                                  \
+  {                                                                 \
+    const float* pa = first.array;                                  \
+    if (pa == nullptr) {                                            \
+      const float a = first.number;                                 \
+      const float same = (expression);                              \
+      for (std::size_t i = 0; i < n; ++i) out[i] = same;            \
+    } else {                                                        \
+      for (std::size_t i = 0; i < n; ++i) {                         \
+        const float a = pa[i];                                      \
+        out[i] = (expression);                                      \
+      }                                                             \
+    }                                                               \
+    break;                                                          \
+  }
+#define FIELDFAB_BINARY(expression)                                 \
+  {                                                                 \
+    const float* pa = first.array;                                  \
+    const float* pb = second.array;                                 \
+    if (pa != nullptr && pb != nullptr) {                           \
+      for (std::size_t i = 0; i < n; ++i) {                         \
+        const float a = pa[i], b = pb[i];                           \
+        out[i] = (expression);                                      \
+      }                                                             \
+    } else if (pa != nullptr) {                                     \
+      const float b = second.number;                                \
+      for (std::size_t i = 0; i < n; ++i) {                         \
+        const float a = pa[i];                                      \
+        out[i] = (expression);                                      \
+      }                                                             \
+    } else if (pb != nullptr) {                                     \
+      const float a = first.number;                                 \
+      for (std::size_t i = 0; i < n; ++i) {                         \
+        const float b = pb[i];                                      \
+        out[i] = (expression);                                      \
+      }                                                             \
+    } else {                                                        \
+      const float a = first.number, b = second.number;              \
+      const float same = (expression);                              \
+      for (std::size_t i = 0; i < n; ++i) out[i] = same;            \
+    }                                                               \
+    break;                                                          \
+  }
+
+/// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it is written.
+void run_clause(Opcode op, Argument first, Argument second, float* out, std::size_t n) {
+  switch (op) {
+    case Opcode::absolute: FIELDFAB_UNARY(__builtin_fabsf(a))
+    case Opcode::square: FIELDFAB_UNARY(a * a)
+    case Opcode::square_root: FIELDFAB_UNARY(__builtin_sqrtf(a))
+    case Opcode::negate: FIELDFAB_UNARY(-a)
+    case Opcode::floor: FIELDFAB_UNARY(__builtin_floorf(a))
+    case Opcode::ceiling: FIELDFAB_UNARY(__builtin_ceilf(a))
+    case Opcode::add: FIELDFAB_BINARY(a + b)
+    case Opcode::subtract: FIELDFAB_BINARY(a - b)
+    case Opcode::multiply: FIELDFAB_BINARY(a * b)
+    case Opcode::divide: FIELDFAB_BINARY(a / b)
+    case Opcode::minimum: FIELDFAB_BINARY(a != a ? quiet_nan : (a <= b ? a : b))
+    case Opcode::maximum: FIELDFAB_BINARY(a != a ? quiet_nan : (a >= b ? a : b))
+    case Opcode::modulo: FIELDFAB_BINARY(a - b * __builtin_floorf(a / b))
+    default: FIELDFAB_BINARY(apply(op, a, b))
+  }
+}
+
+#undef FIELDFAB_UNARY
+#undef FIELDFAB_BINARY
+
+void copy_root(const Argument& root, float* out, std::size_t n) {
+  if (root.array == nullptr)
+    for (std::size_t i = 0; i < n; ++i) out[i] = root.number;
+  else
+    for (std::size_t i = 0; i < n; ++i) out[i] = root.array[i];
+}
+
+void run_values(const BatchRun& run, float* out) {
+  for (std::size_t i = 0; i < run.clauses; ++i) {
+    const Clause& clause = run.code[i];
+    run_clause(clause.op, argument(run, clause.a, run.stride), argument(run, clause.b, run.stride), run.scratch + run.slot[i] * run.stride, run.count);
+  }
+  copy_root(argument(run, run.root, run.stride), out, run.count);
+}
+
+/// Forward differentiation: each slot holds a value and three slopes, `stride` floats each.
+void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
+  const std::size_t stride = run.stride, n = run.count;
+  constexpr std::size_t most = 64;
+  float da[most], db[most], value[most];
+  const auto slope = [&](Operand operand, int axis) -> Argument {
+    if ((operand & constant_bit) != 0) return {nullptr, 0};
+    if (operand < first_value) return {nullptr, static_cast<int>(operand) == axis ? 1.0F : 0.0F};
+    return {run.scratch + (4 * run.slot[operand - first_value] + static_cast<std::size_t>(axis) + 1) * stride, 0};
+  };
+  for (std::size_t c = 0; c < run.clauses; ++c) {
+    const Clause& clause = run.code[c];
+    const Argument a = argument(run, clause.a, 4 * stride), b = argument(run, clause.b, 4 * stride);
+    run_clause(clause.op, a, b, value, n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Partials d = partials(clause.op, a.array != nullptr ? a.array[i] : a.number, b.array != nullptr ? b.array[i] : b.number, value[i]);
+      da[i] = d.a;
+      db[i] = d.b;
+    }
+    float* made = run.scratch + 4 * run.slot[c] * stride;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Argument ga = slope(clause.a, axis), gb = slope(clause.b, axis);
+      float* to = made + static_cast<std::size_t>(axis + 1) * stride;
+      for (std::size_t i = 0; i < n; ++i)
+        to[i] = chain(da[i], ga.array != nullptr ? ga.array[i] : ga.number, db[i], gb.array != nullptr ? gb.array[i] : gb.number);
+    }
+    for (std::size_t i = 0; i < n; ++i) made[i] = value[i];
+  }
+  copy_root(argument(run, run.root, 4 * stride), out, n);
+  copy_root(slope(run.root, 0), dx, n);
+  copy_root(slope(run.root, 1), dy, n);
+  copy_root(slope(run.root, 2), dz, n);
+}
+
+}  // namespace
+}  // namespace fieldfab::frep

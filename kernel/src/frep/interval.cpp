@@ -1,0 +1,206 @@
+// Interval arithmetic: one operation on intervals. Why no widening is needed for the IEEE operations: core/interval.h.
+#include <cmath>
+
+#include "fieldfab/frep/reference.h"
+
+namespace fieldfab::frep {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// The C library's float functions are within an ulp or so of the truth and nearly, but not provably, monotone.
+constexpr int library_margin = 4;
+
+float down(float value) {
+  for (int i = 0; i < library_margin; ++i) value = std::nextafter(value, -infinity);
+  return value;
+}
+float up(float value) {
+  for (int i = 0; i < library_margin; ++i) value = std::nextafter(value, infinity);
+  return value;
+}
+Interval widened(float lower, float upper, bool maybe_nan) {
+  if (lower != lower || upper != upper) return Interval::unknown();
+  return {down(lower), up(upper), maybe_nan};
+}
+Interval ordered(float lower, float upper, bool maybe_nan) {
+  if (lower != lower || upper != upper) return Interval::unknown();
+  return {lower, upper, maybe_nan};
+}
+
+bool has_zero(const Interval& a) { return a.lower <= 0 && a.upper >= 0; }
+bool has_infinity(const Interval& a) { return a.lower == -infinity || a.upper == infinity; }
+
+Interval add(const Interval& a, const Interval& b, bool nan) {
+  nan = nan || (a.upper == infinity && b.lower == -infinity) || (a.lower == -infinity && b.upper == infinity);
+  const float lower = a.lower + b.lower, upper = a.upper + b.upper;
+  return {lower == lower ? lower : -infinity, upper == upper ? upper : infinity, nan};
+}
+
+Interval multiply(const Interval& a, const Interval& b, bool nan) {
+  nan = nan || (has_zero(a) && has_infinity(b)) || (has_infinity(a) && has_zero(b));
+  float lower = infinity, upper = -infinity;
+  for (const float x : {a.lower, a.upper})
+    for (const float y : {b.lower, b.upper}) {
+      const float product = x == 0 || y == 0 ? 0 : x * y;  // 0 * infinity: the infinity may be as small as any large number
+      lower = std::min(lower, product);
+      upper = std::max(upper, product);
+    }
+  return {lower, upper, nan};
+}
+
+Interval divide(const Interval& a, const Interval& b, bool nan) {
+  nan = nan || (has_zero(a) && has_zero(b)) || (has_infinity(a) && has_infinity(b));
+  if (has_zero(b)) return {-infinity, infinity, nan};
+  float lower = infinity, upper = -infinity;
+  for (const float x : {a.lower, a.upper})
+    for (const float y : {b.lower, b.upper}) {
+      const float quotient = x / y;
+      if (quotient != quotient) return {-infinity, infinity, true};
+      lower = std::min(lower, quotient);
+      upper = std::max(upper, quotient);
+    }
+  return {lower, upper, nan};
+}
+
+Interval square(const Interval& a) {
+  const float l = a.lower * a.lower, u = a.upper * a.upper;
+  return {has_zero(a) ? 0 : std::min(l, u), std::max(l, u), a.maybe_nan};
+}
+
+/// sin over [lower, upper], phase 0; cos with phase pi/2. Past a few thousand radians the position of the crests is not trusted.
+Interval wave(const Interval& a, double phase) {
+  const bool nan = a.maybe_nan || has_infinity(a);
+  const Interval full{-1, 1, nan};
+  if (!(std::abs(a.lower) < 4096) || !(std::abs(a.upper) < 4096)) return full;
+  constexpr double pi = 3.14159265358979323846;
+  const double low = a.lower + phase, high = a.upper + phase;
+  if (high - low >= 2 * pi) return full;
+  const double one = std::sin(low), other = std::sin(high);
+  double lower = std::min(one, other), upper = std::max(one, other);
+  constexpr double slack = 1e-9;  // a crest just beyond an end counts as within
+  if (std::floor((high - pi / 2 + slack) / (2 * pi)) > std::floor((low - pi / 2 - slack) / (2 * pi))) upper = 1;
+  if (std::floor((high + pi / 2 + slack) / (2 * pi)) > std::floor((low + pi / 2 - slack) / (2 * pi))) lower = -1;
+  return {std::max(-1.0F, down(static_cast<float>(lower))), std::min(1.0F, up(static_cast<float>(upper))), nan};
+}
+
+Interval tangent(const Interval& a) {
+  constexpr double pi = 3.14159265358979323846;
+  const bool nan = a.maybe_nan || has_infinity(a);
+  if (!(std::abs(a.lower) < 4096) || !(std::abs(a.upper) < 4096)) return {-infinity, infinity, nan};
+  constexpr double slack = 1e-6;
+  if (std::floor((a.upper + pi / 2 + slack) / pi) > std::floor((a.lower + pi / 2 - slack) / pi)) return {-infinity, infinity, nan};
+  return widened(std::tan(a.lower), std::tan(a.upper), nan);
+}
+
+/// A function that grows over its domain [low, high] and is NaN outside of it.
+template <class Function>
+Interval growing(const Interval& a, float low, float high, const Function& function) {
+  const bool nan = a.maybe_nan || a.lower < low || a.upper > high;
+  if (a.upper < low || a.lower > high) return Interval::unknown();
+  return widened(function(std::max(a.lower, low)), function(std::min(a.upper, high)), nan);
+}
+
+Interval power(const Interval& a, const Interval& b, bool nan) {
+  // A constant whole exponent is the common case: monotone on each side of zero.
+  if (b.lower == b.upper && std::floor(b.lower) == b.lower && std::abs(b.lower) < 1e6F) {
+    const float n = b.lower;
+    if (n == 0) return {1, 1, nan};
+    if (n < 0 && has_zero(a)) return {-infinity, infinity, nan};
+    const float l = std::pow(a.lower, n), u = std::pow(a.upper, n);
+    if (l != l || u != u) return Interval::unknown();
+    const bool even = std::fmod(n, 2.0F) == 0;
+    const float least = even && has_zero(a) ? 0 : std::min(l, u);
+    const Interval wide = widened(least, std::max(l, u), nan);
+    return {even ? std::max(0.0F, wide.lower) : wide.lower, wide.upper, wide.maybe_nan};
+  }
+  if (a.lower > 0) {
+    float lower = infinity, upper = -infinity;
+    for (const float x : {a.lower, a.upper})
+      for (const float y : {b.lower, b.upper}) {
+        const float value = std::pow(x, y);
+        if (value != value) return Interval::unknown();
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
+      }
+    // x^y has no extremum inside the rectangle but where ln x or y is 0, where it is 1.
+    if (a.lower <= 1 && a.upper >= 1) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
+    if (b.lower <= 0 && b.upper >= 0) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
+    const Interval wide = widened(lower, upper, nan);
+    return {std::max(0.0F, wide.lower), wide.upper, wide.maybe_nan};
+  }
+  return Interval::unknown();
+}
+
+Interval arctangent2(const Interval& y, const Interval& x, bool nan) {
+  constexpr float pi = 3.1415927410125732F;  // float(pi), which is above pi
+  if (x.lower > 0 || y.lower > 0 || y.upper < 0) {
+    float lower = infinity, upper = -infinity;
+    for (const float a : {y.lower, y.upper})
+      for (const float b : {x.lower, x.upper}) {
+        const float value = std::atan2(a, b);
+        lower = std::min(lower, value);
+        upper = std::max(upper, value);
+      }
+    return widened(lower, upper, nan);
+  }
+  return {-pi, pi, nan};
+}
+
+Interval modulo(const Interval& a, const Interval& b, bool nan) {
+  nan = nan || has_zero(b) || has_infinity(a) || has_infinity(b);
+  // a - b * floor(a / b), each step as the evaluator takes it.
+  const Interval quotient = divide(a, b, nan);
+  const Interval whole{std::floor(quotient.lower), std::floor(quotient.upper), quotient.maybe_nan};
+  const Interval product = multiply(b, whole, nan || whole.maybe_nan);
+  return add(a, {-product.upper, -product.lower, false}, nan || product.maybe_nan);
+}
+
+}  // namespace
+
+Interval apply(Opcode op, Interval a, Interval b) {
+  const bool nan = a.maybe_nan || (info(op).arity == 2 && b.maybe_nan);
+  switch (op) {
+    case Opcode::constant:
+    case Opcode::x:
+    case Opcode::y:
+    case Opcode::z: return a;
+    case Opcode::sine: return wave(a, 0);
+    case Opcode::cosine: return wave(a, 1.57079632679489661923);
+    case Opcode::tangent: return tangent(a);
+    case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return std::asin(v); });
+    case Opcode::arccosine: {
+      const Interval flipped = growing({-a.upper, -a.lower, a.maybe_nan}, -1, 1, [](float v) { return std::acos(-v); });
+      return flipped;
+    }
+    case Opcode::arctangent: return growing(a, -infinity, infinity, [](float v) { return std::atan(v); });
+    case Opcode::absolute:
+      return {has_zero(a) ? 0 : std::min(std::abs(a.lower), std::abs(a.upper)), std::max(std::abs(a.lower), std::abs(a.upper)), nan};
+    case Opcode::square: return square(a);
+    case Opcode::square_root:
+      if (a.upper < 0) return Interval::unknown();
+      return {std::sqrt(std::max(a.lower, 0.0F)), std::sqrt(a.upper), nan || a.lower < 0};
+    case Opcode::negate: return {-a.upper, -a.lower, nan};
+    case Opcode::exponential: {
+      const Interval wide = growing(a, -infinity, infinity, [](float v) { return std::exp(v); });
+      return {std::max(0.0F, wide.lower), wide.upper, wide.maybe_nan};
+    }
+    case Opcode::logarithm: return growing(a, 0, infinity, [](float v) { return std::log(v); });
+    case Opcode::floor: return {std::floor(a.lower), std::floor(a.upper), nan};
+    case Opcode::ceiling: return {std::ceil(a.lower), std::ceil(a.upper), nan};
+    case Opcode::add: return add(a, b, nan);
+    case Opcode::subtract: return add(a, {-b.upper, -b.lower, b.maybe_nan}, nan);
+    case Opcode::multiply: return multiply(a, b, nan);
+    case Opcode::divide: return divide(a, b, nan);
+    case Opcode::minimum: return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), nan};
+    case Opcode::maximum: return {std::max(a.lower, b.lower), std::max(a.upper, b.upper), nan};
+    case Opcode::power: return power(a, b, nan);
+    case Opcode::arctangent2: return arctangent2(a, b, nan);
+    case Opcode::modulo: return modulo(a, b, nan);
+    case Opcode::compare:
+      return ordered(a.lower > b.upper ? 1.0F : a.lower >= b.upper ? 0.0F : -1.0F, a.upper < b.lower ? -1.0F : a.upper <= b.lower ? 0.0F : 1.0F, nan);
+  }
+  return Interval::unknown();
+}
+
+}  // namespace fieldfab::frep

@@ -1,0 +1,143 @@
+// Simplification: what the operators do as expressions are written, and simplify() does to a whole graph.
+#include <cmath>
+#include <limits>
+
+#include "fieldfab/frep/expression.h"
+
+namespace fieldfab::frep {
+namespace {
+
+bool is_constant(const Expression& e, double value) { return e.opcode() == Opcode::constant && e.constant() == value; }
+
+/// The operation on constants, in double precision.
+double fold(Opcode op, double a, double b) {
+  switch (op) {
+    case Opcode::sine: return std::sin(a);
+    case Opcode::cosine: return std::cos(a);
+    case Opcode::tangent: return std::tan(a);
+    case Opcode::arcsine: return std::asin(a);
+    case Opcode::arccosine: return std::acos(a);
+    case Opcode::arctangent: return std::atan(a);
+    case Opcode::absolute: return std::fabs(a);
+    case Opcode::square: return a * a;
+    case Opcode::square_root: return std::sqrt(a);
+    case Opcode::negate: return -a;
+    case Opcode::exponential: return std::exp(a);
+    case Opcode::logarithm: return std::log(a);
+    case Opcode::floor: return std::floor(a);
+    case Opcode::ceiling: return std::ceil(a);
+    case Opcode::add: return a + b;
+    case Opcode::subtract: return a - b;
+    case Opcode::multiply: return a * b;
+    case Opcode::divide: return a / b;
+    case Opcode::minimum: return std::fmin(a, b);
+    case Opcode::maximum: return std::fmax(a, b);
+    case Opcode::power: return std::pow(a, b);
+    case Opcode::arctangent2: return std::atan2(a, b);
+    case Opcode::modulo: return a - b * std::floor(a / b);
+    case Opcode::compare: return (a > b) - (a < b);
+    default: return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+/// A folded constant must also be a number in the single precision in which it will be used.
+bool usable(double value) { return std::isfinite(static_cast<float>(value)); }
+
+Expression simple(Opcode op, const Expression& a) {
+  if (a.opcode() == Opcode::constant)
+    if (const double value = fold(op, a.constant(), 0); usable(value)) return value;
+  const Opcode inner = a.opcode();
+  if (op == Opcode::negate && inner == Opcode::negate) return a.argument(0);
+  if ((op == Opcode::square || op == Opcode::absolute) && (inner == Opcode::negate || inner == Opcode::absolute))
+    return simple(op, a.argument(0));
+  if (op == Opcode::absolute && (inner == Opcode::square || inner == Opcode::square_root || inner == Opcode::exponential)) return a;
+  return Expression::make(op, a);
+}
+
+Expression simple(Opcode op, const Expression& a, const Expression& b) {
+  if (a.opcode() == Opcode::constant && b.opcode() == Opcode::constant)
+    if (const double value = fold(op, a.constant(), b.constant()); usable(value)) return value;
+  switch (op) {
+    case Opcode::add:
+      if (is_constant(a, 0)) return b;
+      if (is_constant(b, 0)) return a;
+      if (b.opcode() == Opcode::negate) return simple(Opcode::subtract, a, b.argument(0));
+      break;
+    case Opcode::subtract:
+      if (is_constant(b, 0)) return a;
+      if (is_constant(a, 0)) return simple(Opcode::negate, b);
+      if (a == b) return 0.0;
+      if (b.opcode() == Opcode::negate) return simple(Opcode::add, a, b.argument(0));
+      break;
+    case Opcode::multiply:
+      if (is_constant(a, 1)) return b;
+      if (is_constant(b, 1)) return a;
+      if (is_constant(a, 0) || is_constant(b, 0)) return 0.0;
+      if (is_constant(a, -1)) return simple(Opcode::negate, b);
+      if (is_constant(b, -1)) return simple(Opcode::negate, a);
+      if (a == b) return simple(Opcode::square, a);
+      break;
+    case Opcode::divide:
+      if (is_constant(b, 1)) return a;
+      if (is_constant(b, -1)) return simple(Opcode::negate, a);
+      if (is_constant(a, 0)) return 0.0;
+      break;
+    case Opcode::minimum:
+    case Opcode::maximum:
+      if (a == b) return a;
+      break;
+    case Opcode::power:
+      if (is_constant(b, 1)) return a;
+      if (is_constant(b, 2)) return simple(Opcode::square, a);
+      break;
+    default: break;
+  }
+  return Expression::make(op, a, b);
+}
+
+}  // namespace
+
+Expression simplify(const Expression& root) {
+  const Flat flat = flatten(root);
+  std::vector<Expression> made;
+  made.reserve(flat.order.size());
+  for (const Flat::Entry& entry : flat.order) {
+    switch (info(entry.op).arity) {
+      case 1: made.push_back(simple(entry.op, made[entry.a])); break;
+      case 2: made.push_back(simple(entry.op, made[entry.a], made[entry.b])); break;
+      default:
+        made.push_back(entry.op == Opcode::x   ? Expression::x()
+                       : entry.op == Opcode::y ? Expression::y()
+                       : entry.op == Opcode::z ? Expression::z()
+                                               : Expression(entry.constant));
+    }
+  }
+  return made.back();
+}
+
+Expression operator+(const Expression& a, const Expression& b) { return simple(Opcode::add, a, b); }
+Expression operator-(const Expression& a, const Expression& b) { return simple(Opcode::subtract, a, b); }
+Expression operator*(const Expression& a, const Expression& b) { return simple(Opcode::multiply, a, b); }
+Expression operator/(const Expression& a, const Expression& b) { return simple(Opcode::divide, a, b); }
+Expression operator-(const Expression& a) { return simple(Opcode::negate, a); }
+Expression min(const Expression& a, const Expression& b) { return simple(Opcode::minimum, a, b); }
+Expression max(const Expression& a, const Expression& b) { return simple(Opcode::maximum, a, b); }
+Expression pow(const Expression& a, const Expression& b) { return simple(Opcode::power, a, b); }
+Expression atan2(const Expression& y, const Expression& x) { return simple(Opcode::arctangent2, y, x); }
+Expression mod(const Expression& a, const Expression& b) { return simple(Opcode::modulo, a, b); }
+Expression compare(const Expression& a, const Expression& b) { return simple(Opcode::compare, a, b); }
+Expression sin(const Expression& a) { return simple(Opcode::sine, a); }
+Expression cos(const Expression& a) { return simple(Opcode::cosine, a); }
+Expression tan(const Expression& a) { return simple(Opcode::tangent, a); }
+Expression asin(const Expression& a) { return simple(Opcode::arcsine, a); }
+Expression acos(const Expression& a) { return simple(Opcode::arccosine, a); }
+Expression atan(const Expression& a) { return simple(Opcode::arctangent, a); }
+Expression abs(const Expression& a) { return simple(Opcode::absolute, a); }
+Expression square(const Expression& a) { return simple(Opcode::square, a); }
+Expression sqrt(const Expression& a) { return simple(Opcode::square_root, a); }
+Expression exp(const Expression& a) { return simple(Opcode::exponential, a); }
+Expression ln(const Expression& a) { return simple(Opcode::logarithm, a); }
+Expression floor(const Expression& a) { return simple(Opcode::floor, a); }
+Expression ceil(const Expression& a) { return simple(Opcode::ceiling, a); }
+
+}  // namespace fieldfab::frep

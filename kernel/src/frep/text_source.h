@@ -1,0 +1,79 @@
+/// What the parsers share: where they are in a text, how they complain, how they read a number.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::frep {
+
+/// More operations than any design has; a file with more is refused before it fills the memory.
+inline constexpr std::size_t most_operations = 16'000'000;
+
+/// A text with the name that messages carry.
+class TextSource {
+ public:
+  TextSource(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+
+  [[nodiscard]] std::string_view text() const { return text_; }
+
+  /// Throws bad_input at byte `at`, as NAME:LINE:COLUMN.
+  [[noreturn]] void fail(std::size_t at, const std::string& message) const {
+    at = std::min(at, text_.size());
+    const std::string_view before = text_.substr(0, at);
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t start = before.rfind('\n');
+    const std::size_t column = start == std::string_view::npos ? at + 1 : at - start;
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}:{}", name_, line, column), message);
+  }
+
+  /// The byte at `at` as a message shows it.
+  [[nodiscard]] std::string shown(std::size_t at) const {
+    if (at >= text_.size()) return "the end of the text";
+    const char c = text_[at];
+    if (c >= 33 && c < 127) return fmt::format("'{}'", c);
+    return fmt::format("byte 0x{:02x}", static_cast<unsigned char>(c));
+  }
+
+  /// Reads a decimal number at `at` and moves past it. Fails where there is none, and for one that single precision cannot hold.
+  double number(std::size_t& at) const {
+    std::size_t start = at;
+    if (start < text_.size() && text_[start] == '+') ++start;
+    double value = 0;
+    const char* first = text_.data() + start;
+    const auto result = std::from_chars(first, text_.data() + text_.size(), value);
+    if (result.ec == std::errc::result_out_of_range && std::abs(value) > 1)
+      fail(at, fmt::format("{} is too large for a number in single precision", std::string_view(first, result.ptr)));
+    if (result.ec == std::errc::invalid_argument) fail(at, fmt::format("expected a number, found {}", shown(at)));
+    if (result.ec == std::errc::result_out_of_range) value = out_of_range(std::string_view(first, result.ptr), at);
+    if (!std::isfinite(value)) fail(at, fmt::format("{} is not a finite number", std::string_view(first, result.ptr)));
+    if (!std::isfinite(static_cast<float>(value)))
+      fail(at, fmt::format("{} is too large for a number in single precision", std::string_view(first, result.ptr)));
+    at = static_cast<std::size_t>(result.ptr - text_.data());
+    return value;
+  }
+
+ private:
+  /// from_chars leaves the value alone where it overflows or underflows: only the exponent's sign tells which it was.
+  double out_of_range(std::string_view digits, std::size_t at) const {
+    const std::size_t exponent = digits.find_first_of("eE");
+    if (exponent != std::string_view::npos && exponent + 1 < digits.size() && digits[exponent + 1] == '-') return 0;
+    const std::string_view mantissa = digits.substr(0, exponent);
+    if (exponent == std::string_view::npos && mantissa.starts_with("0.")) return 0;
+    fail(at, fmt::format("{:.40} is too large for a number in single precision", digits));
+  }
+
+  std::string_view text_;
+  std::string_view name_;
+};
+
+/// The shortest text that reads back as the same number.
+inline std::string number_text(double value) { return fmt::format("{}", value); }
+
+}  // namespace fieldfab::frep
