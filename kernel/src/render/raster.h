@@ -1,0 +1,32 @@
+/// Which pixels see the solid, and at what height: the part of rendering that asks the Field.
+#pragma once
+
+#include <vector>
+
+#include "fieldfab/core/progress.h"
+#include "fieldfab/field/field.h"
+
+namespace fieldfab {
+
+/// A grid of pixels over the x and y of a region; row 0 is at the largest y.
+struct PixelGrid {
+  int width, height;
+  Box region;
+
+  /// Pixels so that the longer side has `size`; throws bad_input for a region without extent or a size out of range.
+  static PixelGrid over(const Box& region, int size);
+  [[nodiscard]] float x(int column) const { return static_cast<float>(region.lower.x() + (column + 0.5) * region.size().x() / width); }
+  [[nodiscard]] float y(int row) const { return static_cast<float>(region.upper.y() - (row + 0.5) * region.size().y() / height); }
+  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  [[nodiscard]] std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
+};
+
+/// For each pixel, whether its centre in the plane z = region.lower.z is inside.
+std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& grid, Progress& progress);
+
+/// For each pixel, the z at which a ray from above enters the solid, or -infinity. Thin parts are found to about a pixel's size.
+std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Progress& progress);
+
+}  // namespace fieldfab
