@@ -1,0 +1,163 @@
+// render, info and convert: pictures of solids, and files told apart and turned into each other.
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "fieldfab/asdf/asdf.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/render/render.h"
+#include "verbs.h"
+
+namespace fieldfab::cli {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
+
+class RenderVerb final : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    verb_ = app.add_subcommand("render", "make a picture of a solid");
+    options_.declare(*verb_, "the .png to write");
+    verb_->add_option("--mode", mode_, "bitmap (the plane z = z0), height, normals or shaded");
+    verb_->add_option("--size", size_, "pixels along the longer side")->check(CLI::Range(1, 16384));
+    verb_->add_option("--alpha", alpha_, "turn about z in degrees");
+    verb_->add_option("--beta", beta_, "then tilt about x in degrees");
+  }
+  Outcome run(Progress& progress) override {
+    if (extension_of(options_.output) != ".png") throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
+    RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree};
+    const Model model = options_.load();
+    const Box bounds = settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
+    const Image image = render(*model.field, bounds, settings, progress);
+    write_png(image, options_.output);
+    Outcome outcome;
+    outcome.line = fmt::format("{}: {} x {} pixels, {}", options_.output, image.width, image.height, mode_);
+    outcome.json = {{"output", options_.output}, {"width", image.width}, {"height", image.height}, {"mode", mode_}, {"pixels_per_mm", image.pixels_per_mm}};
+    return outcome;
+  }
+
+ private:
+  /// A bitmap needs x and y only: it shows the plane z = z0, and z = 0 of a solid whose bounds are found.
+  Box plane_bounds(const Model& model, Progress& progress) const {
+    if (const auto wanted = options_.region()) return *wanted;
+    const SolidBounds found = solid_bounds(*model.field, progress);
+    if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty");
+    if (!found.bounded[0] || !found.bounded[1]) throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give --bounds x0,y0,z0,x1,y1,z1");
+    Box box = found.box.grown(found.box.size().head<2>().maxCoeff() / 64);
+    box.lower.z() = box.upper.z() = 0;
+    return box;
+  }
+
+  ModelOptions options_;
+  std::string mode_ = "shaded";
+  int size_ = 512;
+  double alpha_ = 0, beta_ = 0;
+};
+
+class InfoVerb final : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    verb_ = app.add_subcommand("info", "tell what a file holds");
+    verb_->add_option("FILE", file_, "a model, mesh or .png")->required();
+  }
+  Outcome run(Progress& progress) override {
+    const std::string extension = extension_of(file_);
+    if (is_mesh_extension(extension)) return mesh_info();
+    if (extension == ".png") return image_info();
+    const Model model = load_model(file_);
+    if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf_info(*asdf);
+    return frep_info(model, progress);
+  }
+
+ private:
+  Outcome frep_info(const Model& model, Progress& progress) const {
+    const std::size_t nodes = frep::node_count(*model.expression), simplified = frep::node_count(frep::simplify(*model.expression));
+    const SolidBounds found = solid_bounds(*model.field, progress);
+    Outcome outcome;
+    outcome.json = {{"file", file_}, {"kind", model.kind}, {"nodes", nodes}, {"simplified", simplified}};
+    std::string bounds;
+    if (found.empty) {
+      bounds = "empty";
+      outcome.json["bounds"] = nullptr;
+    } else {
+      auto ranges = nlohmann::ordered_json::array();
+      for (int axis = 0; axis < 3; ++axis) {
+        const char name = "xyz"[axis];
+        if (found.bounded[axis]) ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
+        else ranges.push_back(nullptr);
+        bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis]) : fmt::format(" {} unbounded", name);
+      }
+      outcome.json["bounds"] = ranges;
+    }
+    outcome.line = fmt::format("{}: f-rep, {} nodes ({} simplified), {}", file_, nodes, simplified, bounds);
+    return outcome;
+  }
+  Outcome asdf_info(const Asdf& asdf) const {
+    const AsdfStatistics counts = asdf.statistics();
+    const auto& n = asdf.lattice();
+    return {fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2], counts.cells(), counts.leafs, counts.bytes),
+            {{"file", file_}, {"kind", "asdf"}, {"lattice", n}, {"cells", counts.cells()}, {"leafs", counts.leafs}, {"bytes", counts.bytes}, {"depth", counts.depth}},
+            0};
+  }
+  Outcome mesh_info() const {
+    const TriangleMesh mesh = read_mesh(file_);
+    return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(), mesh.vertices.size(), mesh.volume()),
+            {{"file", file_}, {"kind", "mesh"}, {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}, {"volume", mesh.volume()}, {"area", mesh.area()}},
+            0};
+  }
+  Outcome image_info() const {
+    const Image image = read_png(file_);
+    return {fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels, image.depth),
+            {{"file", file_}, {"kind", "image"}, {"width", image.width}, {"height", image.height}, {"channels", image.channels}, {"depth", image.depth}},
+            0};
+  }
+
+  std::string file_;
+};
+
+class ConvertVerb final : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    verb_ = app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, meshes");
+    options_.declare(*verb_, "the file to write: .math .vm .frep .asdf .stl .ply .off .obj .3mf");
+  }
+  Outcome run(Progress& progress) override {
+    const std::string from = extension_of(options_.model), to = extension_of(options_.output);
+    Outcome outcome{fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
+    if (is_mesh_extension(from)) {
+      if (!is_mesh_extension(to)) throw Error(ErrorKind::bad_input, options_.output, "a mesh can be turned into another mesh file only, so far");
+      write_mesh(read_mesh(options_.model), options_.output, progress);
+      return outcome;
+    }
+    const Model model = options_.load();
+    if (to == ".math" || to == ".vm" || to == ".frep") {
+      if (!model.expression || options_.thickness) throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
+      write_file(options_.output, to == ".math" ? frep::print_math(*model.expression) : to == ".vm" ? frep::print_vm(*model.expression) : frep::print_infix(*model.expression));
+      return outcome;
+    }
+    if (to != ".asdf" && !is_mesh_extension(to))
+      throw Error(ErrorKind::bad_input, options_.output, fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .asdf .stl .ply .off .obj .3mf", to));
+    const Box bounds = working_bounds(model, options_.region(), progress);
+    const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
+    if (to == ".asdf") Asdf::build(*model.field, bounds, {cell, max_error, true}, progress)->save(options_.output);
+    else write_mesh(contour(*model.field, bounds, {cell, max_error, true}, progress), options_.output, progress);
+    return outcome;
+  }
+
+ private:
+  ModelOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> render_verb() { return std::make_unique<RenderVerb>(); }
+std::unique_ptr<Verb> info_verb() { return std::make_unique<InfoVerb>(); }
+std::unique_ptr<Verb> convert_verb() { return std::make_unique<ConvertVerb>(); }
+
+}  // namespace fieldfab::cli

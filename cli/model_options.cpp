@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+#include "verbs.h"
+
+namespace fieldfab::cli {
+namespace {
+
+double positive(const std::optional<double>& value, const char* option) {
+  if (!std::isfinite(*value) || *value <= 0) throw Error(ErrorKind::bad_input, option, fmt::format("{} is not a positive number", *value));
+  return *value;
+}
+
+}  // namespace
+
+void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
+  verb.add_option("MODEL", model, "the solid: .math .vm .frep .asdf")->required();
+  if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
+  auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
+  verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")->excludes(resolution_option);
+  verb.add_option("--max-error", max_error, "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
+  verb.add_option("--bounds", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
+  verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
+}
+
+std::optional<Box> ModelOptions::region() const {
+  if (bounds.empty()) return std::nullopt;
+  std::array<double, 6> number{};
+  const char* at = bounds.data();
+  const char* end = at + bounds.size();
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    while (at < end && (*at == ' ' || *at == '+')) ++at;
+    const auto [next, failure] = std::from_chars(at, end, number[i]);
+    const bool comma = next < end && *next == ',';
+    if (failure != std::errc{} || comma != (i < 5) || (i == 5 && next != end))
+      throw Error(ErrorKind::bad_input, "--bounds", fmt::format("expected six numbers x0,y0,z0,x1,y1,z1, found '{:.60}'", bounds));
+    at = next + 1;
+  }
+  return Box{{number[0], number[1], number[2]}, {number[3], number[4], number[5]}};
+}
+
+Model ModelOptions::load() const {
+  Model loaded = load_model(model);
+  if (thickness) {
+    const double height = positive(thickness, "--thickness");
+    constexpr double wide = 1e9;
+    loaded.field = intersect(loaded.field, box_field({{-wide, -wide, 0}, {wide, wide, height}}));
+  }
+  return loaded;
+}
+
+double ModelOptions::cell(const Box& region, const Model& loaded) const {
+  if (max_error && !(*max_error >= 0 && std::isfinite(*max_error)))
+    throw Error(ErrorKind::bad_input, "--max-error", fmt::format("{} is not a number of mm from 0 up", *max_error));
+  if (voxel) return positive(voxel, "--voxel");
+  if (resolution) return 1 / positive(resolution, "--resolution");
+  if (loaded.voxel) return *loaded.voxel;
+  return region.size().maxCoeff() / 128;
+}
+
+}  // namespace fieldfab::cli

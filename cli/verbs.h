@@ -1,0 +1,58 @@
+/// The verbs of the `fieldfab` command, and what they share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "fieldfab/core/progress.h"
+#include "fieldfab/model/model.h"
+
+namespace fieldfab::cli {
+
+/// What a verb came to: one line for people, the same for programs, and the exit code.
+struct Outcome {
+  std::string line;
+  nlohmann::ordered_json json;
+  int code = 0;
+};
+
+/// Options that every verb on a MODEL takes.
+struct ModelOptions {
+  std::string model, output;
+  std::optional<double> resolution, voxel, max_error, thickness;
+  std::string bounds;
+
+  /// Declares them; `output` with the given description where the verb writes a file.
+  void declare(CLI::App& verb, const std::string& output_help);
+  /// The region asked for. Throws bad_input for text that is not six numbers.
+  [[nodiscard]] std::optional<Box> region() const;
+  /// Loads the model; a flat one is given --thickness.
+  [[nodiscard]] Model load() const;
+  /// The smallest cell, mm: as asked for, or as the file has it, or 1/128 of the longest side.
+  [[nodiscard]] double cell(const Box& bounds, const Model& loaded) const;
+  /// Throws bad_input unless `output` is given.
+  void need_output() const;
+};
+
+/// A verb: declared on the command line, then run.
+class Verb {
+ public:
+  virtual ~Verb() = default;
+  virtual void declare(CLI::App& app) = 0;
+  virtual Outcome run(Progress& progress) = 0;
+  [[nodiscard]] bool chosen() const { return verb_ != nullptr && verb_->parsed(); }
+
+ protected:
+  CLI::App* verb_ = nullptr;
+};
+
+std::unique_ptr<Verb> build_verb();
+std::unique_ptr<Verb> mesh_verb();
+std::unique_ptr<Verb> render_verb();
+std::unique_ptr<Verb> check_verb();
+std::unique_ptr<Verb> info_verb();
+std::unique_ptr<Verb> convert_verb();
+
+}  // namespace fieldfab::cli

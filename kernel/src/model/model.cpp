@@ -1,0 +1,63 @@
+#include "fieldfab/model/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fieldfab/asdf/asdf.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
+
+namespace fieldfab {
+namespace {
+
+constexpr std::uintmax_t most_text = 256'000'000;  // bytes
+
+Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), const std::filesystem::path& path) {
+  const std::string text = read_file(path, most_text);
+  Model model;
+  model.kind = "f-rep";
+  model.expression = parse(text, path.string());
+  model.field = frep::make_field(frep::simplify(*model.expression));
+  return model;
+}
+
+}  // namespace
+
+Model load_model(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".math") return from_text(frep::parse_math, path);
+  if (extension == ".vm") return from_text(frep::parse_vm, path);
+  if (extension == ".frep") return from_text(frep::parse_infix, path);
+  if (extension == ".asdf") {
+    const auto asdf = Asdf::load(path);
+    Model model;
+    model.kind = "asdf";
+    model.field = asdf;
+    model.voxel = asdf->voxel();
+    return model;
+  }
+  throw Error(ErrorKind::bad_input, path.string(), fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .asdf", extension));
+}
+
+Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress) {
+  if (wanted) {
+    if (!wanted->valid() || wanted->size().minCoeff() <= 0)
+      throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
+    return *wanted;
+  }
+  if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf->region();
+  const SolidBounds found = solid_bounds(*model.field, progress);
+  if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give --bounds to work on a region all the same");
+  std::string open;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!found.bounded[axis]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[axis]);
+  if (!open.empty()) throw Error(ErrorKind::bad_input, "bounds", fmt::format("the solid is unbounded along {}; give --bounds x0,y0,z0,x1,y1,z1", open));
+  return found.box.grown(found.box.size().maxCoeff() / 64);
+}
+
+}  // namespace fieldfab
