@@ -65,18 +65,22 @@ class Asdf final : public Field {
   /// Distance along the ray from `origin` to the first point that is inside, or nothing. `direction` need not have length 1.
   [[nodiscard]] std::optional<double> ray(const Vec3& origin, const Vec3& direction) const;
 
-  ~Asdf() override;
+  /// How the cells are kept; private to the asdf folder.
+  struct Tree;
 
  private:
-  friend class AsdfBuilder;
   friend class AsdfFile;
-  Asdf();
+  Asdf(Box region, std::array<int, 3> lattice, double max_error, std::shared_ptr<const Tree> tree);
+  /// The cell at a point of the lattice: descends from root_.
+  struct Place;
+  [[nodiscard]] Place find(const std::array<double, 3>& at) const noexcept;
+
   Box region_;
   std::array<int, 3> lattice_{};
   double max_error_ = 0;
-  struct Tree;
   std::shared_ptr<const Tree> tree_;
-  std::uint32_t root_ = 0;  ///< the cell this Field begins at; a restriction shares the tree and begins lower
+  std::uint32_t root_ = 0;             ///< the cell this Field begins at; a restriction shares the tree and begins lower
+  std::array<int, 3> first_{}, count_{};  ///< the lattice cells that root_ covers
 };
 
 }  // namespace fieldfab

@@ -1,0 +1,73 @@
+/// How an Asdf is kept in memory, and the cells it is made of while it is built.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fieldfab/asdf/asdf.h"
+
+namespace fieldfab {
+
+enum class CellKind : std::uint8_t { empty, filled, leaf, branch };
+
+/// A cell in 32 bits: its kind, and where its children or samples are. Children of a branch lie together; it splits the axes of `axes` (bit 0
+/// is x), and bit i of a child's number, counted over the split axes in order, says that it is the upper part along that axis.
+struct CellWord {
+  std::uint32_t bits = 0;
+
+  static CellWord of(CellKind kind) { return {static_cast<std::uint32_t>(kind)}; }
+  static CellWord leaf(std::size_t samples) { return {static_cast<std::uint32_t>(samples << 2) | static_cast<std::uint32_t>(CellKind::leaf)}; }
+  static CellWord branch(std::size_t first_child, unsigned axes) {
+    return {static_cast<std::uint32_t>(first_child << 5) | axes << 2 | static_cast<std::uint32_t>(CellKind::branch)};
+  }
+  [[nodiscard]] CellKind kind() const { return static_cast<CellKind>(bits & 3U); }
+  [[nodiscard]] std::uint32_t samples() const { return bits >> 2; }
+  [[nodiscard]] std::uint32_t first_child() const { return bits >> 5; }
+  [[nodiscard]] unsigned axes() const { return bits >> 2 & 7U; }
+
+  static constexpr std::size_t most_cells = std::size_t{1} << 27;
+};
+
+/// Distances at a leaf's corners (bits of the index: x 1, y 2, z 4) in steps of `step`. A negative distance is never stored as 0.
+struct LeafSamples {
+  float step;
+  std::array<std::int16_t, 8> distance;
+
+  static LeafSamples of(const std::array<float, 8>& distances);
+  [[nodiscard]] float corner(std::size_t i) const { return step * static_cast<float>(distance[i]); }
+};
+
+struct Asdf::Tree {
+  std::vector<CellWord> cells;
+  std::vector<LeafSamples> leafs;
+  float greatest = 0;  ///< no value of a leaf is farther from 0
+};
+
+/// The lattice cells that a cell of the tree covers.
+struct LatticeRange {
+  std::array<int, 3> first, count;
+
+  /// How many of them the lower part along `axis` gets (the rule of kokopelli's format: the half, rounded down).
+  [[nodiscard]] int lower_count(int axis) const { return count[static_cast<std::size_t>(axis)] / 2; }
+  [[nodiscard]] LatticeRange child(unsigned axes, unsigned number) const;
+  /// The axes that have more than one cell.
+  [[nodiscard]] unsigned divisible() const;
+};
+
+/// A cell while a tree is being built or changed.
+struct BuildCell {
+  CellKind kind = CellKind::empty;
+  unsigned axes = 0;
+  float slack = 0;                  ///< how far interpolation may already be from the samples that were merged, mm
+  std::array<float, 8> corners{};
+  std::vector<BuildCell> children;
+};
+
+/// Joins children that are alike, an axis at a time (Alg. 2.1). `children` are those of a branch over `range` that splits `axes`.
+BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range, const std::array<double, 3>& cell_size, double max_error);
+
+/// Packs the cells; throws too_large beyond CellWord::most_cells.
+Asdf::Tree packed(const BuildCell& root);
+
+}  // namespace fieldfab

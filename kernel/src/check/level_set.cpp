@@ -1,0 +1,130 @@
+#include "level_set.h"
+
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Interpolation.h>
+#include <openvdb/tools/LevelSetMeasure.h>
+#include <openvdb/tools/LevelSetRebuild.h>
+#include <openvdb/tools/SignedFloodFill.h>
+#include <openvdb/tools/VolumeToMesh.h>
+
+#include <cmath>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab {
+namespace {
+
+constexpr int leaf_side = 8;
+
+/// A cube of side leaf_side << level voxels whose corner is at `lower`, in voxels.
+struct Cube {
+  openvdb::Coord lower;
+  int level;
+  FieldPtr field;
+};
+
+}  // namespace
+
+struct LevelSet::Vdb {
+  openvdb::FloatGrid::Ptr grid;
+};
+
+LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress& progress) : vdb_(std::make_unique<Vdb>()) {
+  openvdb::initialize();
+  const auto band = static_cast<float>(half_width * voxel);
+  auto grid = openvdb::FloatGrid::create(band);
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+
+  // Cubes that the surface may pass, a voxel beyond each included, so that the samples enclose every sign change.
+  const auto box_of = [&](const Cube& cube) {
+    const int side = leaf_side << cube.level;
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = (cube.lower[axis] - 2) * voxel;
+      box.upper[axis] = (cube.lower[axis] + side + 1) * voxel;
+    }
+    return box;
+  };
+  int level = 0;
+  while ((leaf_side << level) * voxel < bounds.size().maxCoeff() + 4 * voxel) ++level;
+  const auto align = [&](double mm) { return static_cast<int>(std::floor(mm / voxel / leaf_side)) * leaf_side - leaf_side; };
+  std::vector<Cube> open;
+  const openvdb::Coord origin(align(bounds.lower.x()), align(bounds.lower.y()), align(bounds.lower.z()));
+  for (int i = 0; i < 8; ++i) {
+    const int side = leaf_side << level;
+    open.push_back({origin.offsetBy((i & 1) * side, (i >> 1 & 1) * side, (i >> 2) * side), level, solid.shared_from_this()});
+  }
+  for (; !open.empty(); --level) {
+    progress.check();
+    std::vector<char> keep(open.size());
+    parallel_for(open.size(), [&](std::size_t i) {
+      Restriction here = open[i].field->restricted(box_of(open[i]));
+      keep[i] = !here.range.decided();
+      open[i].field = std::move(here.field);
+    });
+    if (level == 0) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < open.size(); ++i)
+        if (keep[i] != 0) std::swap(open[kept++], open[i]);
+      open.resize(kept);
+      break;
+    }
+    std::vector<Cube> next;
+    for (std::size_t i = 0; i < open.size(); ++i)
+      for (int child = 0; keep[i] != 0 && child < 8; ++child) {
+        const int side = leaf_side << (level - 1);
+        next.push_back({open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side), level - 1, open[i].field});
+      }
+    open = std::move(next);
+  }
+
+  std::vector<openvdb::FloatTree::LeafNodeType*> leafs;
+  for (const Cube& cube : open) {
+    leafs.push_back(new openvdb::FloatTree::LeafNodeType(cube.lower, band, true));
+    grid->tree().addLeaf(leafs.back());  // the tree owns it
+  }
+  parallel_for(open.size(), [&](std::size_t i) {
+    progress.check();
+    constexpr std::size_t count = leaf_side * leaf_side * leaf_side;
+    std::array<float, count> x, y, z, value, dx, dy, dz;
+    for (openvdb::Index n = 0; n < count; ++n) {
+      const openvdb::Coord at = leafs[i]->offsetToGlobalCoord(n);
+      x[n] = static_cast<float>(at.x() * voxel), y[n] = static_cast<float>(at.y() * voxel), z[n] = static_cast<float>(at.z() * voxel);
+    }
+    open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
+    for (openvdb::Index n = 0; n < count; ++n) {
+      const double slope = std::sqrt(double{dx[n]} * dx[n] + double{dy[n]} * dy[n] + double{dz[n]} * dz[n]);
+      double distance = value[n] / slope;  // to first order
+      if (!std::isfinite(distance)) distance = value[n] < 0 ? -voxel : voxel;
+      leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width * voxel, half_width * voxel)));
+    }
+  });
+  openvdb::tools::signedFloodFill(grid->tree());
+  vdb_->grid = open.empty() ? grid : openvdb::tools::levelSetRebuild(*grid, 0.0F, static_cast<float>(half_width));
+}
+
+LevelSet::~LevelSet() = default;
+
+bool LevelSet::empty() const { return vdb_->grid->activeVoxelCount() == 0; }
+double LevelSet::volume() const { return empty() ? 0 : openvdb::tools::levelSetVolume(*vdb_->grid, true); }
+double LevelSet::area() const { return empty() ? 0 : openvdb::tools::levelSetArea(*vdb_->grid, true); }
+
+double LevelSet::value(const Vec3& p) const {
+  const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> sampler(*vdb_->grid);
+  return sampler.wsSample({p.x(), p.y(), p.z()});
+}
+
+std::vector<Vec3> LevelSet::surface_points() const {
+  std::vector<openvdb::Vec3s> points;
+  std::vector<openvdb::Vec4I> quads;
+  std::vector<Vec3> result;
+  if (empty()) return result;
+  openvdb::tools::volumeToMesh(*vdb_->grid, points, quads, 0.0);
+  result.reserve(points.size());
+  for (const auto& p : points) result.emplace_back(p.x(), p.y(), p.z());
+  return result;
+}
+
+}  // namespace fieldfab
