@@ -1,0 +1,60 @@
+/// The Python module in parts: each file binds one room of the kernel.
+#pragma once
+
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "fieldfab/core/geometry.h"
+#include "fieldfab/core/progress.h"
+#include "fieldfab/field/field.h"
+
+namespace fieldfab::python {
+
+namespace py = pybind11;
+
+void bind_expressions(py::module_& module);
+void bind_fields(py::module_& module);
+void bind_results(py::module_& module);
+
+/// A Progress that asks a Python callable, or nobody; also looks for Ctrl-C. The callable gets (fraction, message) and returns False to cancel.
+/// Made with the lock held; used without it.
+class PythonProgress {
+ public:
+  explicit PythonProgress(py::object callable);
+  Progress& get() { return progress_; }
+  /// Rethrows what the callable raised, if it did. Call with the lock held after the work has stopped.
+  void rethrow();
+
+ private:
+  py::object callable_;
+  std::exception_ptr raised_;
+  Progress progress_;
+};
+
+/// Bounds as Python gives them: None, six numbers, or two points of three.
+std::optional<Box> bounds_of(const py::object& given);
+/// The region to work in, found where none is given (see working_bounds).
+Box region_of(const FieldPtr& field, const py::object& given, Progress& progress);
+/// The smallest cell from voxel= or resolution=, or 1/128 of the longest side.
+double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<double> resolution, const FieldPtr& field);
+/// An Expression or a Field, as a Field.
+FieldPtr field_of(const py::object& solid);
+
+/// Runs work(progress) without Python's lock.
+template <class Work>
+auto long_work(const py::object& callable, Work&& work) {
+  PythonProgress progress(callable);
+  try {
+    py::gil_scoped_release release;
+    return work(progress.get());
+  } catch (...) {
+    py::gil_scoped_acquire acquire;
+    progress.rethrow();
+    throw;
+  }
+}
+
+}  // namespace fieldfab::python

@@ -1,0 +1,10 @@
+"""Fieldfab: solids from formulas, as distance fields, watertight meshes and pictures.
+
+    import fieldfab as ff
+    part = ff.shapes.rounded_box(20, 10, 5, 1) - 0.0
+    ff.mesh(part, voxel=0.1).save("part.stl")
+"""
+
+from . import shapes
+from ._core import *  # noqa: F401,F403: the module is the package's whole interface
+from ._core import Error

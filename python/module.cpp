@@ -1,0 +1,46 @@
+#include "bindings.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab::python {
+namespace {
+
+const char* name_of(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::bad_input: return "bad_input";
+    case ErrorKind::io: return "io";
+    case ErrorKind::too_large: return "too_large";
+    case ErrorKind::cancelled: return "cancelled";
+    case ErrorKind::internal: return "internal";
+  }
+  return "internal";
+}
+
+}  // namespace
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "Fieldfab's kernel; use it through the package fieldfab.";
+  static py::exception<Error> error_type(module, "Error");
+  error_type.doc() = "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";
+  py::register_exception_translator([](std::exception_ptr raised) {
+    try {
+      if (raised) std::rethrow_exception(raised);
+    } catch (const Error& error) {
+      py::object instance = py::handle(error_type)(error.what());
+      instance.attr("kind") = name_of(error.kind());
+      instance.attr("place") = error.place();
+      PyErr_SetObject(error_type.ptr(), instance.ptr());
+    }
+  });
+  static std::unique_ptr<ThreadLimit> limit;
+  module.def("set_threads", [](int threads) {
+    if (threads < 0) throw py::value_error("threads must be 0 or more");
+    limit.reset();
+    limit = std::make_unique<ThreadLimit>(threads);
+  }, py::arg("threads"), "Use at most this many threads from now on; 0 means all cores.");
+  bind_expressions(module);
+  bind_fields(module);
+  bind_results(module);
+}
+
+}  // namespace fieldfab::python
