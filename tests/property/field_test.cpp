@@ -1,0 +1,136 @@
+// Operations over Fields, and the Asdf: intervals hold values, restriction changes nothing, threads change nothing.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <random>
+
+#include "fieldfab/asdf/asdf.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/shapes.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/render/render.h"
+
+namespace fieldfab {
+namespace {
+
+namespace s = frep::shapes;
+
+double number(double from, double to) { return from + (to - from) * *rc::gen::inRange(0, 10001) / 10000.0; }
+
+FieldPtr random_shape() {
+  switch (*rc::gen::inRange(0, 5)) {
+    case 0: return frep::make_field(s::sphere(number(0.3, 1.2)));
+    case 1: return frep::make_field(s::box(number(0.3, 2), number(0.3, 2), number(0.3, 2)));
+    case 2: return frep::make_field(s::torus(number(0.5, 1), number(0.1, 0.4)));
+    case 3: return frep::make_field(s::cylinder(number(0.2, 1), number(0.2, 2)));
+    default: return box_field({{-0.5, -0.7, -0.4}, {number(0.1, 1), 0.6, 0.9}});
+  }
+}
+
+FieldPtr random_solid(int depth) {
+  if (depth == 0) return random_shape();
+  const FieldPtr a = random_solid(depth - 1);
+  const auto b = [&] { return random_solid(depth - 1); };
+  switch (*rc::gen::inRange(0, 13)) {
+    case 0: return unite(a, b());
+    case 1: return intersect(a, b());
+    case 2: return subtract(a, b());
+    case 3: return complement(a);
+    case 4: return offset(a, number(-0.2, 0.2));
+    case 5: return shell(a, number(0.05, 0.4));
+    case 6: return blend(a, b(), number(0.1, 1));
+    case 7: return morph(a, b(), number(0, 1));
+    case 8: return translate(a, {number(-1, 1), number(-1, 1), number(-1, 1)});
+    case 9: return scale(a, {number(0.5, 2), number(0.5, 2), -number(0.5, 2)});
+    case 10: return rotate(a, {number(-1, 1), number(-1, 1), 1}, number(-3, 3));
+    case 11: return mirror(a, {1, number(-1, 1), number(-1, 1)});
+    default: {
+      const auto axis = [](const frep::Expression& e) { return frep::make_field(e); };
+      return map(a, axis(frep::Expression::x() * 1.5), axis(frep::Expression::y() + frep::sin(frep::Expression::z())), axis(frep::Expression::z()));
+    }
+  }
+}
+
+struct Cloud {
+  std::vector<float> x, y, z;
+  explicit Cloud(const Box& box, std::size_t count = 120) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 p = box.lower + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.size());
+      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+    }
+  }
+  [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
+};
+
+Box random_box() {
+  const Vec3 lower(number(-2, 2), number(-2, 2), number(-2, 2));
+  return {lower, lower + Vec3::Constant(number(0.01, 1))};
+}
+
+RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {
+  const FieldPtr solid = random_solid(*rc::gen::inRange(0, 4));
+  const Box box = random_box();
+  const Cloud cloud(box);
+  std::vector<float> a(cloud.x.size()), ax(a), ay(a), az(a), b(a), bx(a), by(a), bz(a), v(a);
+  solid->values(cloud.points(), v.data());
+  solid->gradients(cloud.points(), a.data(), {ax.data(), ay.data(), az.data()});
+  const Restriction part = solid->restricted(box);
+  part.field->gradients(cloud.points(), b.data(), {bx.data(), by.data(), bz.data()});
+  const FieldPtr sign = solid->restricted(box, Purpose::occupancy).field;
+  std::vector<float> c(a);
+  sign->values(cloud.points(), c.data());
+  const Interval range = solid->interval(box);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    RC_ASSERT(v[i] == a[i]);
+    RC_ASSERT(range.contains(a[i]));
+    RC_ASSERT(part.range.contains(a[i]));
+    RC_ASSERT(a[i] == b[i]);
+    RC_ASSERT(ax[i] == bx[i] && ay[i] == by[i] && az[i] == bz[i]);
+    RC_ASSERT((a[i] < 0) == (c[i] < 0));
+  }
+}
+
+RC_GTEST_PROP(AsdfProperties, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {
+  const FieldPtr solid = random_solid(*rc::gen::inRange(0, 2));
+  const auto asdf = Asdf::build(*solid, {Vec3::Constant(-2), {2, 1.7, 2.3}}, {number(0.07, 0.3), number(0, 0.05), true});
+  const Box box = random_box();
+  const Cloud cloud(box);
+  std::vector<float> a(cloud.x.size()), b(a);
+  asdf->values(cloud.points(), a.data());
+  const Restriction part = asdf->restricted(box);
+  part.field->values(cloud.points(), b.data());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    RC_ASSERT(part.range.contains(a[i]));
+    RC_ASSERT(a[i] == b[i]);
+  }
+}
+
+TEST(Threads, MakeNoDifferenceToResults) {
+  const FieldPtr solid = frep::make_field(s::subtract(s::box(2, 2, 2), s::sphere(1.2)));
+  const Box bounds{Vec3::Constant(-1.3), Vec3::Constant(1.3)};
+  TriangleMesh mesh;
+  Image image;
+  AsdfStatistics counts;
+  for (const int threads : {1, 2, 4, 7}) {
+    const ThreadLimit limit(threads);
+    const TriangleMesh again = contour(*solid, bounds, {0.04});
+    const Image picture = render(*solid, bounds, {RenderMode::shaded, 200, 0.6, -0.9});
+    const auto asdf = Asdf::build(*solid, bounds, {0.04});
+    if (threads == 1) {
+      mesh = again, image = picture, counts = asdf->statistics();
+      continue;
+    }
+    EXPECT_EQ(mesh.vertices, again.vertices);
+    EXPECT_EQ(mesh.triangles, again.triangles);
+    EXPECT_EQ(image.pixels, picture.pixels);
+    EXPECT_EQ(counts.leafs, asdf->statistics().leafs);
+    EXPECT_EQ(counts.cells(), asdf->statistics().cells());
+  }
+}
+
+}  // namespace
+}  // namespace fieldfab

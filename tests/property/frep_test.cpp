@@ -1,0 +1,160 @@
+// Expressions: evaluators, intervals, pruning and text forms agree, over random expressions.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <bit>
+#include <random>
+
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/reference.h"
+#include "fieldfab/frep/text.h"
+#include "random_expression.h"
+
+namespace fieldfab::frep {
+namespace {
+
+/// Points of a box, its corners among them.
+struct Samples {
+  std::vector<float> x, y, z;
+  explicit Samples(const Box& box, std::size_t count = 200) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      Vec3 t(unit(random), unit(random), unit(random));
+      if (i < 8) t = Vec3(static_cast<double>(i & 1U), static_cast<double>(i >> 1 & 1U), static_cast<double>(i >> 2));
+      const Vec3 p = box.lower + t.cwiseProduct(box.size());
+      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+    }
+  }
+  [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
+};
+
+Box random_box() {
+  const auto coordinate = [] { return *rc::gen::inRange(-4000, 4000) / 1000.0; };
+  const double size = std::pow(2.0, *rc::gen::inRange(-8, 3));
+  const Vec3 lower(coordinate(), coordinate(), coordinate());
+  return {lower, lower + Vec3::Constant(size)};
+}
+
+bool same(float a, float b) { return a == b || (a != a && b != b); }
+
+std::vector<float> values(const Field& field, const Samples& samples) {
+  std::vector<float> out(samples.x.size());
+  field.values(samples.points(), out.data());
+  return out;
+}
+
+RC_GTEST_PROP(Frep, EvaluatorsGiveTheSameBits, ()) {
+  const Expression expression = random_expression(*rc::gen::inRange(1, 60));
+  const Samples samples(random_box());
+  for (const Evaluator evaluator : {Evaluator::reference, Evaluator::portable, Evaluator::avx2, Evaluator::avx512}) {
+    if (!available(evaluator)) continue;
+    const std::vector<float> out = values(*make_field(expression, evaluator), samples);
+    for (std::size_t i = 0; i < out.size(); ++i) RC_ASSERT(same(out[i], evaluate(expression, samples.x[i], samples.y[i], samples.z[i])));
+  }
+}
+
+RC_GTEST_PROP(Frep, GradientsGiveTheSameBits, ()) {
+  const Expression expression = random_expression(*rc::gen::inRange(1, 40));
+  const Samples samples(random_box(), 70);
+  for (const Evaluator evaluator : {Evaluator::portable, Evaluator::avx2, Evaluator::avx512}) {
+    if (!available(evaluator)) continue;
+    std::vector<float> out(samples.x.size()), dx(out), dy(out), dz(out);
+    make_field(expression, evaluator)->gradients(samples.points(), out.data(), {dx.data(), dy.data(), dz.data()});
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const ValueAndGradient expected = evaluate_gradient(expression, samples.x[i], samples.y[i], samples.z[i]);
+      RC_ASSERT(same(out[i], expected.value));
+      RC_ASSERT(same(dx[i], expected.gradient[0]) && same(dy[i], expected.gradient[1]) && same(dz[i], expected.gradient[2]));
+    }
+  }
+}
+
+RC_GTEST_PROP(Frep, IntervalsHoldEveryValue, ()) {
+  const Expression expression = random_expression(*rc::gen::inRange(1, 30));
+  const Box box = random_box();
+  const Interval tape = make_field(expression)->interval(box);
+  const auto side = [&](int axis) { return Interval{static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false}; };
+  const Interval reference = evaluate_interval(expression, side(0), side(1), side(2));
+  for (const float value : values(*make_field(expression), Samples(box, 400))) {
+    RC_ASSERT(tape.contains(value));
+    RC_ASSERT(reference.contains(value));
+  }
+}
+
+RC_GTEST_PROP(Frep, PrunedEqualsUnpruned, ()) {
+  const Expression expression = random_expression(*rc::gen::inRange(5, 80));
+  const FieldPtr whole = make_field(expression);
+  const Box box = random_box();
+  Box inner = box;
+  inner.upper = box.centre();
+  const FieldPtr once = whole->restricted(box).field, twice = once->restricted(inner).field;
+  const FieldPtr sign = whole->restricted(box, Purpose::occupancy).field->restricted(inner, Purpose::occupancy).field;
+  const Samples samples(inner, 150);
+  std::vector<float> a(samples.x.size()), ax(a), ay(a), az(a), b(a), bx(a), by(a), bz(a);
+  whole->gradients(samples.points(), a.data(), {ax.data(), ay.data(), az.data()});
+  for (const FieldPtr& field : {once, twice}) {
+    field->gradients(samples.points(), b.data(), {bx.data(), by.data(), bz.data()});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      RC_ASSERT(same(a[i], b[i]));
+      RC_ASSERT(same(ax[i], bx[i]) && same(ay[i], by[i]) && same(az[i], bz[i]));
+    }
+  }
+  const std::vector<float> signs = values(*sign, samples);
+  for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT((a[i] < 0) == (signs[i] < 0));
+}
+
+RC_GTEST_PROP(Frep, TextFormsReadBackTheSameExpression, ()) {
+  const Expression expression = random_expression(*rc::gen::inRange(0, 25));
+  RC_ASSERT(parse_math(print_math(expression)) == expression);
+  RC_ASSERT(parse_vm(print_vm(expression)) == expression);
+  RC_ASSERT(parse_infix(print_infix(expression)) == expression);
+}
+
+RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {
+  // Operations without cancellation or jumps, so that last bits cannot grow into large differences.
+  std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), 0.0, 1.0, -1.0, 2.0, random_constant()};
+  const auto any = [&] { return parts[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(parts.size())))]; };
+  constexpr Opcode calm[] = {Opcode::minimum, Opcode::maximum, Opcode::negate, Opcode::absolute, Opcode::multiply, Opcode::square, Opcode::add, Opcode::subtract, Opcode::divide, Opcode::power};
+  for (int i = 0; i < 12; ++i) {
+    const Opcode op = calm[*rc::gen::inRange(0, 10)];
+    parts.push_back(info(op).arity == 1 ? Expression::make(op, any()) : Expression::make(op, any(), any()));
+  }
+  const Expression before = parts.back(), after = simplify(before);
+  RC_ASSERT(node_count(after) <= node_count(before));
+  const auto exact = [](const Expression& e, float x, float y, float z) {
+    // In double, so that only what the rewriting does shows.
+    const Flat flat = flatten(e);
+    std::vector<double> v;
+    double largest = 1;
+    for (const Flat::Entry& n : flat.order) {
+      const double a = n.a < v.size() ? v[n.a] : 0, b = n.b < v.size() ? v[n.b] : 0;
+      switch (n.op) {
+        case Opcode::constant: v.push_back(n.constant); break;
+        case Opcode::x: v.push_back(x); break;
+        case Opcode::y: v.push_back(y); break;
+        case Opcode::z: v.push_back(z); break;
+        case Opcode::minimum: v.push_back(std::fmin(a, b)); break;
+        case Opcode::maximum: v.push_back(std::fmax(a, b)); break;
+        case Opcode::negate: v.push_back(-a); break;
+        case Opcode::absolute: v.push_back(std::fabs(a)); break;
+        case Opcode::multiply: v.push_back(a * b); break;
+        case Opcode::square: v.push_back(a * a); break;
+        case Opcode::add: v.push_back(a + b); break;
+        case Opcode::subtract: v.push_back(a - b); break;
+        case Opcode::divide: v.push_back(a / b); break;
+        default: v.push_back(std::pow(a, b)); break;
+      }
+      if (std::isfinite(v.back())) largest = std::max(largest, std::fabs(v.back()));
+    }
+    return std::pair(v.back(), largest);
+  };
+  const Samples samples({Vec3::Constant(-2), Vec3::Constant(2)}, 20);
+  for (std::size_t i = 0; i < samples.x.size(); ++i) {
+    const auto [a, scale] = exact(before, samples.x[i], samples.y[i], samples.z[i]);
+    const auto [b, other] = exact(after, samples.x[i], samples.y[i], samples.z[i]);
+    if (std::isfinite(a) && scale < 1e9) RC_ASSERT(std::fabs(a - b) <= 1e-6 * scale);
+  }
+}
+
+}  // namespace
+}  // namespace fieldfab::frep
