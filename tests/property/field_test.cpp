@@ -11,16 +11,17 @@
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/render/render.h"
+#include "random_expression.h"
 
 namespace fieldfab {
 namespace {
 
 namespace s = frep::shapes;
 
-double number(double from, double to) { return from + (to - from) * *rc::gen::inRange(0, 10001) / 10000.0; }
+double number(double from, double to) { return from + (to - from) * draw(0, 10001) / 10000.0; }
 
 FieldPtr random_shape() {
-  switch (*rc::gen::inRange(0, 5)) {
+  switch (draw(0, 5)) {
     case 0: return frep::make_field(s::sphere(number(0.3, 1.2)));
     case 1: return frep::make_field(s::box(number(0.3, 2), number(0.3, 2), number(0.3, 2)));
     case 2: return frep::make_field(s::torus(number(0.5, 1), number(0.1, 0.4)));
@@ -33,7 +34,7 @@ FieldPtr random_solid(int depth) {
   if (depth == 0) return random_shape();
   const FieldPtr a = random_solid(depth - 1);
   const auto b = [&] { return random_solid(depth - 1); };
-  switch (*rc::gen::inRange(0, 13)) {
+  switch (draw(0, 13)) {
     case 0: return unite(a, b());
     case 1: return intersect(a, b());
     case 2: return subtract(a, b());
@@ -72,7 +73,7 @@ Box random_box() {
 }
 
 RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {
-  const FieldPtr solid = random_solid(*rc::gen::inRange(0, 4));
+  const FieldPtr solid = random_solid(draw(0, 4));
   const Box box = random_box();
   const Cloud cloud(box);
   std::vector<float> a(cloud.x.size()), ax(a), ay(a), az(a), b(a), bx(a), by(a), bz(a), v(a);
@@ -95,7 +96,7 @@ RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, 
 }
 
 RC_GTEST_PROP(AsdfProperties, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {
-  const FieldPtr solid = random_solid(*rc::gen::inRange(0, 2));
+  const FieldPtr solid = random_solid(draw(0, 2));
   const auto asdf = Asdf::build(*solid, {Vec3::Constant(-2), {2, 1.7, 2.3}}, {number(0.07, 0.3), number(0, 0.05), true});
   const Box box = random_box();
   const Cloud cloud(box);

@@ -63,8 +63,9 @@ std::size_t node_count(const Expression& root);
 /// The expression with x, y and z replaced (the map operation of Appendix A). Shared parts are rewritten once.
 Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z);
 
-/// An expression with the same value wherever the original is a number: constants folded (in double precision), identities
-/// (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits; nothing may become NaN by it.
+/// An expression with the same value wherever the original and every step of it is a finite number: constants folded (in double
+/// precision), identities (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits and the sign of a zero
+/// (which shows only where it is divided by); no constant becomes NaN or infinite by it.
 Expression simplify(const Expression& root);
 
 // The operators of arithmetic, simplified as they are made where both sides are constants or one is a neutral element.
