@@ -87,7 +87,7 @@ class CheckVerb final : public Verb {
   Outcome run(Progress& progress) override {
     const Stopwatch clock;
     const Model model = options_.load();
-    const Box bounds = working_bounds(model, options_.region(), progress);
+    const Box bounds = working_bounds(model, options_.region(), progress, EmptySolid::allowed);
     const double cell = options_.cell(bounds, model);
     const CheckReport report = check(*model.field, bounds, {cell, options_.max_error.value_or(-1), seed_}, progress);
     Outcome outcome;

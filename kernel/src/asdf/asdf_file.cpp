@@ -149,21 +149,18 @@ class KokopelliReader {
 
   BuildCell cell(const LatticeRange& range) {
     BuildCell made;
-    switch (reader_.take<char>()) {
-      case 'F': made.kind = CellKind::filled; return made;
-      case 'E': made.kind = CellKind::empty; return made;
-      case 'L':
-        made.kind = CellKind::leaf;
-        for (unsigned corner = 0; corner < 8; ++corner) {
-          // Theirs counts x as 4, y as 2, z as 1; ours x as 1, y as 2, z as 4.
-          const unsigned ours = (corner >> 2 & 1U) | (corner & 2U) | (corner & 1U) << 2;
-          made.corners[ours] = distance({range.first[0] + static_cast<int>(corner >> 2 & 1U) * range.count[0], range.first[1] + static_cast<int>(corner >> 1 & 1U) * range.count[1],
-                                         range.first[2] + static_cast<int>(corner & 1U) * range.count[2]});
-        }
-        return made;
-      case 'B': break;
-      default: damaged(path_, "an unknown kind of cell");
+    const auto kind = reader_.take<char>();
+    if (kind == 'F' || kind == 'E' || kind == 'L') {
+      made.kind = kind == 'F' ? CellKind::filled : kind == 'E' ? CellKind::empty : CellKind::leaf;
+      for (unsigned corner = 0; corner < 8; ++corner) {
+        // Theirs counts x as 4, y as 2, z as 1; ours x as 1, y as 2, z as 4.
+        const unsigned ours = (corner >> 2 & 1U) | (corner & 2U) | (corner & 1U) << 2;
+        made.corners[ours] = distance({range.first[0] + static_cast<int>(corner >> 2 & 1U) * range.count[0], range.first[1] + static_cast<int>(corner >> 1 & 1U) * range.count[1],
+                                       range.first[2] + static_cast<int>(corner & 1U) * range.count[2]});
+      }
+      return made;
     }
+    if (kind != 'B') damaged(path_, "an unknown kind of cell");
     const auto children = reader_.take<std::uint8_t>();
     unsigned axes = 0;
     for (unsigned child = 0; child < 8; ++child)

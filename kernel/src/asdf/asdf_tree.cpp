@@ -150,7 +150,13 @@ BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const Latti
     std::vector<BuildCell> fewer(pairs);
     for (unsigned i = 0; i < pairs; ++i) {
       const auto [a, b] = pair(i);
-      fewer[i] = children[a].kind == CellKind::branch ? join_branches(children[a], children[b], axis) : std::move(joined[i]);
+      if (children[a].kind != CellKind::branch) {
+        fewer[i] = std::move(joined[i]);
+        continue;
+      }
+      // What were cousins are now siblings, and may join in their turn.
+      BuildCell both = join_branches(children[a], children[b], axis);
+      fewer[i] = simplified(std::move(both.children), both.axes, range.child(rest, i), cell_size, max_error);
     }
     children = std::move(fewer);
     axes = rest;

@@ -7,7 +7,7 @@ namespace fieldfab {
 namespace {
 
 constexpr double far_away = 1e6;  // mm; what reaches this far counts as unbounded
-constexpr int most_boxes = 20000; // per face; what is undecided after so many stays inside
+constexpr std::size_t most_work = 400'000'000;  // operations a face; what is undecided after so many stays inside
 
 /// A part of space that may hold some of the solid.
 struct Suspect {
@@ -26,14 +26,15 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   std::priority_queue<Suspect> suspects;
   suspects.push({within, field, reach_of(within)});
-  for (int looked = 0; !suspects.empty(); ++looked) {
-    if (looked % 64 == 0) progress.check();
+  for (std::size_t work = 0; !suspects.empty();) {
+    progress.check();
     const Suspect next = suspects.top();
     suspects.pop();
+    work += 10 * next.field->cost() + 1000;
     const Restriction inside = next.field->restricted(next.box, Purpose::occupancy);
     if (holds_nothing(inside.range)) continue;
     reach = next.reach;
-    if (inside.range.inside() || next.box.size()[axis] <= tolerance || looked >= most_boxes) return true;
+    if (inside.range.inside() || next.box.size()[axis] <= tolerance || work >= most_work) return true;
     int longest = axis;
     for (int other = 0; other < 3; ++other)
       if (!whole[other] && next.box.size()[other] > next.box.size()[longest]) longest = other;

@@ -44,7 +44,7 @@ Model load_model(const std::filesystem::path& path) {
   throw Error(ErrorKind::bad_input, path.string(), fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .asdf", extension));
 }
 
-Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress) {
+Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {
   if (wanted) {
     if (!wanted->valid() || wanted->size().minCoeff() <= 0)
       throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
@@ -52,6 +52,7 @@ Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progres
   }
   if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf->region();
   const SolidBounds found = solid_bounds(*model.field, progress);
+  if (found.empty && empty == EmptySolid::allowed) return {Vec3::Constant(-1), Vec3::Constant(1)};
   if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give --bounds to work on a region all the same");
   std::string open;
   for (int axis = 0; axis < 3; ++axis)

@@ -23,7 +23,9 @@ struct Model {
 Model load_model(const std::filesystem::path& path);
 
 /// The region to work in: `wanted` where given (checked), else what solid_bounds() finds, a little grown. Throws bad_input for
-/// an empty solid, and for an unbounded one, naming the axes and asking for --bounds.
-Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress = Progress::none());
+/// an unbounded solid, naming the axes and asking for --bounds, and for an empty one unless that is allowed (any box will do for it then).
+enum class EmptySolid { refused, allowed };
+Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress = Progress::none(),
+                   EmptySolid empty = EmptySolid::refused);
 
 }  // namespace fieldfab

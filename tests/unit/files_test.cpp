@@ -1,0 +1,106 @@
+// Mesh files and PNGs: what is written reads back the same; damage is an error.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <random>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/mesh/openmesh.h"
+#include "fieldfab/mesh/triangle_mesh.h"
+#include "fieldfab/render/image.h"
+
+namespace fieldfab {
+namespace {
+
+class TemporaryFolder : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("fieldfab_files_" + std::to_string(::getpid()));
+};
+using MeshFiles = TemporaryFolder;
+using Pictures = TemporaryFolder;
+
+/// A tetrahedron with awkward floats.
+TriangleMesh tetrahedron() {
+  return {{{0.1F, 1e-7F, 0}, {1.3333334F, 0, 0}, {0, 123456.7F, 0}, {0, 0, -0.3F}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+}
+
+TEST(Meshes, KnowTheirVolumeAreaAndBounds) {
+  TriangleMesh cube;
+  for (int i = 0; i < 8; ++i) cube.vertices.push_back({10.0F + 2.0F * static_cast<float>(i & 1), 2.0F * static_cast<float>(i >> 1 & 1), 2.0F * static_cast<float>(i >> 2)});
+  cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  EXPECT_DOUBLE_EQ(cube.volume(), 8);
+  EXPECT_DOUBLE_EQ(cube.area(), 24);
+  EXPECT_EQ(cube.bounds(), (Box{{10, 0, 0}, {12, 2, 2}}));
+  EXPECT_EQ(to_openmesh(cube).n_edges(), 18U);
+  EXPECT_EQ(from_openmesh(to_openmesh(cube)).vertices, cube.vertices);
+  cube.triangles.push_back(cube.triangles[0]);
+  EXPECT_THROW(to_openmesh(cube), Error);
+}
+
+TEST_F(MeshFiles, ReadBackTheSame) {
+  const TriangleMesh mesh = tetrahedron();
+  for (const char* extension : {".stl", ".ply", ".off", ".obj", ".3mf"}) {
+    const auto path = folder / (std::string("mesh") + extension);
+    write_mesh(mesh, path);
+    const TriangleMesh again = read_mesh(path);
+    EXPECT_EQ(again.triangles.size(), 4U) << extension;
+    EXPECT_EQ(again.vertices.size(), 4U) << extension;
+    EXPECT_NEAR(again.volume(), mesh.volume(), 1e-4 * std::abs(mesh.volume())) << extension;
+    if (const std::string e = extension; e == ".ply" || e == ".off" || e == ".obj") { EXPECT_EQ(again.vertices, mesh.vertices) << extension; }
+  }
+  EXPECT_THROW(write_mesh(mesh, folder / "mesh.xyz"), Error);
+}
+
+TEST_F(MeshFiles, ThatAreDamagedDoNotCrash) {
+  std::mt19937 random(4);
+  for (const char* extension : {".stl", ".ply", ".off", ".obj"}) {
+    const auto path = folder / (std::string("mesh") + extension);
+    write_mesh(tetrahedron(), path);
+    const std::string whole = read_file(path);
+    for (int i = 0; i < 60; ++i) {
+      std::string bytes = whole;
+      if (i % 2 == 0) bytes[bytes.size() / 3 + random() % (bytes.size() * 2 / 3)] ^= static_cast<char>(1U << random() % 7);
+      else bytes.resize(random() % bytes.size());
+      write_file(path, bytes);
+      try {
+        (void)read_mesh(path).volume();
+      } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      }
+    }
+  }
+}
+
+TEST_F(Pictures, ReadBackTheSame) {
+  for (const int channels : {1, 3})
+    for (const int depth : {8, 16}) {
+      Image image;
+      image.width = 5, image.height = 3, image.channels = channels, image.depth = depth;
+      for (int i = 0; i < 15 * channels; ++i) image.pixels.push_back(static_cast<std::uint16_t>(i * (depth == 16 ? 1000 : 5)));
+      image.pixels_per_mm = 12.5;
+      image.bounds = {{0, 0, -1.25}, {1, 1, 7.5}};
+      image.has_heights = channels == 1;
+      write_png(image, folder / "i.png");
+      const Image again = read_png(folder / "i.png");
+      EXPECT_EQ(again.pixels, image.pixels);
+      EXPECT_EQ(again.depth, depth);
+      EXPECT_NEAR(again.pixels_per_mm, 12.5, 1e-9);
+      EXPECT_EQ(again.has_heights, channels == 1);
+      if (channels == 1) {
+        EXPECT_EQ(again.bounds.lower.z(), -1.25);
+        EXPECT_EQ(again.bounds.upper.z(), 7.5);
+      }
+      const std::string whole = read_file(folder / "i.png");
+      for (std::size_t cut = 0; cut < whole.size(); cut += 3) {
+        write_file(folder / "cut.png", whole.substr(0, cut));
+        EXPECT_THROW(read_png(folder / "cut.png"), Error) << cut;
+      }
+    }
+}
+
+}  // namespace
+}  // namespace fieldfab

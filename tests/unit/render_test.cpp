@@ -1,0 +1,88 @@
+// Pictures against the slow, obvious way: every pixel asked for by itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/shapes.h"
+#include "fieldfab/frep/text.h"
+#include "fieldfab/render/render.h"
+
+namespace fieldfab {
+namespace {
+
+namespace s = frep::shapes;
+
+TEST(Bitmaps, AreWhatEachPixelsCentreSays) {
+  const FieldPtr prospero = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/prospero.vm")));
+  const Box bounds{{-1, -0.6, 0}, {1, 0.7, 0}};
+  const Image image = render(*prospero, bounds, {RenderMode::bitmap, 301});
+  ASSERT_EQ(image.width, 301);
+  ASSERT_EQ(image.height, 196);
+  EXPECT_EQ(image.channels, 1);
+  int white = 0;
+  for (int row = 0; row < image.height; ++row)
+    for (int column = 0; column < image.width; ++column) {
+      const Vec3 p(-1 + (column + 0.5) * 2 / image.width, 0.7 - (row + 0.5) * 1.3 / image.height, 0);
+      const bool inside = prospero->value(p) < 0;
+      white += inside;
+      ASSERT_EQ(image.pixels[static_cast<std::size_t>(row * image.width + column)], inside ? 255 : 0) << row << ' ' << column;
+    }
+  EXPECT_GT(white, 1000);
+}
+
+TEST(HeightMaps, MeetTheSurface) {
+  const FieldPtr ball = translate(frep::make_field(s::sphere(1)), {0, 0, 3});
+  const Box bounds{{-1.1, -1.1, 1.5}, {1.1, 1.1, 4.5}};
+  const Image image = render(*ball, bounds, {RenderMode::height, 121});
+  EXPECT_EQ(image.depth, 16);
+  EXPECT_TRUE(image.has_heights);
+  EXPECT_EQ(image.bounds.lower.z(), 1.5);
+  EXPECT_NEAR(image.pixels_per_mm, 121 / 2.2, 1e-9);
+  for (int row = 0; row < 121; ++row)
+    for (int column = 0; column < 121; ++column) {
+      const double x = -1.1 + (column + 0.5) * 2.2 / 121, y = 1.1 - (row + 0.5) * 2.2 / 121, r = std::hypot(x, y);
+      const double pixel = image.pixels[static_cast<std::size_t>(row * 121 + column)];
+      if (r > 1.001) {
+        EXPECT_EQ(pixel, 0);
+      } else if (r < 0.98) {
+        EXPECT_NEAR(1.5 + (pixel - 1) / 65534 * 3, 3 + std::sqrt(1 - r * r), 0.001) << x << ' ' << y;
+      }
+    }
+}
+
+TEST(HeightMaps, TurnWithAlphaAndBeta) {
+  // A rod along x, turned about z by 90 degrees and tilted by 90 about x, stands upright.
+  const FieldPtr rod = frep::make_field(s::box(4, 1, 1));
+  const Box bounds{{-2, -0.5, -0.5}, {2, 0.5, 0.5}};
+  const Image image = render(*rod, bounds, {RenderMode::height, 64, std::numbers::pi / 2, std::numbers::pi / 2});
+  EXPECT_EQ(image.width, image.height);
+  EXPECT_NEAR(image.bounds.size().z(), 4, 1e-9);
+  EXPECT_NEAR(image.pixels[32 * 64 + 32], 65535, 2);
+}
+
+TEST(Normals, PointOutOfTheSurface) {
+  const Image image = render(*frep::make_field(s::sphere(1)), {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::normals, 101});
+  const auto channel = [&](int row, int column, int c) { return image.pixels[static_cast<std::size_t>(3 * (row * 101 + column) + c)] / 127.5 - 1; };
+  EXPECT_NEAR(channel(50, 50, 2), 1, 0.01);
+  EXPECT_NEAR(channel(50, 75, 0), 50.0 / 101, 0.01);
+  EXPECT_NEAR(channel(25, 50, 1), 50.0 / 101, 0.01);
+}
+
+TEST(Rendering, RefusesNonsenseAndStopsWhenTold) {
+  const FieldPtr ball = frep::make_field(s::sphere(1));
+  EXPECT_THROW(render(*ball, {Vec3::Zero(), Vec3::Zero()}, {RenderMode::bitmap, 10}), Error);
+  EXPECT_THROW(render(*ball, {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::shaded, 0}), Error);
+  EXPECT_THROW(render(*ball, {{-1, -1, 0}, {1, 1, 0}}, {RenderMode::height, 10}), Error);
+  EXPECT_THROW(render_mode("pretty"), Error);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(render(*ball, {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::shaded, 100}, progress), Error);
+}
+
+}  // namespace
+}  // namespace fieldfab
