@@ -145,8 +145,8 @@ TEST_F(AsdfFiles, OfKokopelliAreRead) {
     const double ring = std::hypot(p.x(), p.y()) - 1, truth = std::hypot(ring, p.z()) - 0.4;
     if (std::abs(truth) > 0.05) {
       EXPECT_EQ(torus->value(p) < 0, truth < 0) << p.transpose();
-    } else {
-      EXPECT_NEAR(torus->value(p), truth, 0.12);
+    } else if (std::abs(torus->value(p)) < 0.2) {  // in a leaf: the distance itself, to the curvature in a cell of 0.13
+      EXPECT_NEAR(torus->value(p), truth, 0.03);
     }
   }
   const FieldPtr field = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm")));

@@ -66,7 +66,7 @@ TEST(Bounds, AreFoundNotGuessed) {
   expect_bounds(ball(3e5), {Vec3::Constant(-3e5), Vec3::Constant(3e5)});
   expect_bounds(unite(translate(ball(), {-500, 0, 0}), translate(ball(2), {40, 0, 0})), {{-501, -2, -2}, {42, 2, 2}});
   expect_bounds(rotate(frep::make_field(s::box(2, 2, 2)), Vec3::UnitZ(), std::numbers::pi / 4), {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
-  expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))), {Vec3::Constant(-2.3660), Vec3::Constant(2.3660)});
+  expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))), {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
 }
 
 TEST(Bounds, TellTheUnboundedAndTheEmpty) {

@@ -1,0 +1,1 @@
+"""Fieldfab inside FreeCAD."""

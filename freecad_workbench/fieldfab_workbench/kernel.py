@@ -1,0 +1,18 @@
+"""Finds the fieldfab Python module: an installed one, or the one built beside this workbench."""
+
+import os
+import sys
+
+
+def load():
+    """The module `fieldfab`. Raises ImportError with advice where it is not to be found."""
+    try:
+        import fieldfab
+    except ImportError:
+        here = os.path.dirname(os.path.realpath(__file__))
+        built = os.path.normpath(os.path.join(here, "..", "..", "build", "release", "python"))
+        if not os.path.isdir(built):
+            raise ImportError(f"Fieldfab's kernel is not built: run ./dev build in {os.path.normpath(os.path.join(here, '..', '..'))}") from None
+        sys.path.append(built)
+        import fieldfab
+    return fieldfab

@@ -1,0 +1,98 @@
+"""The workbench in the real FreeCAD, without and with its window."""
+
+import json
+import math
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import time
+
+import pytest
+
+from conftest import ROOT
+
+HERE = pathlib.Path(__file__).resolve().parent
+TIMEOUT = 150
+
+
+@pytest.fixture
+def home(tmp_path):
+    """A home folder in which FreeCAD finds the workbench, and starts without its start page."""
+    data = tmp_path / ".local" / "share" / "FreeCAD"
+    (data / "Mod").mkdir(parents=True)
+    (data / "Mod" / "Fieldfab").symlink_to(ROOT / "freecad_workbench")
+    config = tmp_path / ".config" / "FreeCAD"
+    config.mkdir(parents=True)
+    (config / "user.cfg").write_text(
+        """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/></FCParamGroup></FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+    )
+    return tmp_path
+
+
+def environment(home, **more):
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
+    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+
+
+def test_solid_without_window(home):
+    env = environment(home, QT_QPA_PLATFORM="offscreen")
+    subprocess.run(["freecadcmd", str(HERE / "freecad" / "without_window.py")], env=env, timeout=TIMEOUT, capture_output=True, stdin=subprocess.DEVNULL)
+    seen = json.loads((home / "result.json").read_text())
+    assert "error" not in seen, seen["error"]
+    assert seen["valid"] and seen["solid"] and not seen["self_intersections"]
+    assert seen["volume"] == pytest.approx(4 / 3 * math.pi * 1000, rel=0.01)
+    assert seen["triangles"] == seen["counted"] > 500
+    assert not seen["broken_valid"] and "Invalid" in seen["broken_state"]
+    assert "did you mean 'sphere'" in seen["broken_message"]
+    assert seen["broken_triangles"] == seen["triangles"], "the mesh it had is kept"
+    assert seen["other_valid"]
+    assert seen["undone_expression"] == "sphere(r = 10)" and seen["undone_valid"]
+    assert seen["math_volume"] == pytest.approx(4 / 3 * math.pi * 125, rel=0.01)
+    assert seen["half_volume"] == pytest.approx(2 / 3 * math.pi * 125, rel=0.02)
+    assert seen["reopened_same"]
+    assert seen["reopened_volume"] == pytest.approx(12, rel=1e-3), "the region still ends at z = 0"
+
+
+def test_real_window(home, tmp_path):
+    assert shutil.which("freecad") and shutil.which("Xvfb") and shutil.which("import")
+    read, write = os.pipe()
+    screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    display = ":" + os.read(read, 16).decode().strip()
+    env = environment(home, DISPLAY=display)
+    freecad = subprocess.Popen(["freecad", str(HERE / "freecad" / "with_window.FCMacro")], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+    try:
+        deadline = time.monotonic() + TIMEOUT
+        while not (home / "result.json").exists():
+            assert time.monotonic() < deadline, "FreeCAD's window did not get ready"
+            assert freecad.poll() is None, f"FreeCAD ended with {freecad.returncode}"
+            time.sleep(0.2)
+        seen = json.loads((home / "result.json").read_text())
+        time.sleep(1)
+        shot = tmp_path / "freecad.png"
+        subprocess.run(["import", "-window", "root", str(shot)], env=env, check=True, timeout=30)
+        (home / "result.json.taken").touch()
+        freecad.wait(timeout=30)
+    finally:
+        if freecad.poll() is None:
+            os.killpg(freecad.pid, signal.SIGKILL)
+        screen.kill()
+    if "FIELDFAB_SCREENSHOT" in os.environ:
+        shutil.copy(shot, os.environ["FIELDFAB_SCREENSHOT"])
+    assert "error" not in seen, seen["error"]
+    assert seen["workbench"] == "FieldfabWorkbench"
+    assert seen["toolbar"] and any("f-rep" in text for text in seen["toolbar"])
+    assert seen["valid"] and seen["triangles"] > 10000
+    assert seen["panel"]
+    # The solid is blue and lit: a good part of the 3D view must be bluish, in many shades.
+    raw = subprocess.run(["convert", str(shot), "-resize", "350x215!", "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
+    pixels = [raw[i : i + 3] for i in range(0, len(raw), 3)]
+    blue = {tuple(p) for p in pixels if p[2] > p[0] + 25 and p[2] > 60}
+    assert len(blue) > 300, f"only {len(blue)} shades of the solid's colour are seen"
