@@ -257,7 +257,7 @@ TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree
     mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
     piece = {};
   }
-  grant(wishes, lattice.voxel(), mesh, progress);
+  grant(wishes, lattice.voxel(), curves.points, mesh, progress);
   return mesh;
 }
 

@@ -32,7 +32,8 @@ struct FloatBox {
 /// The triangles that wishes concern, found by place.
 class Neighbourhood {
  public:
-  Neighbourhood(const std::vector<Wish>& wishes, double reach, TriangleMesh& mesh) : mesh_(mesh), cell_(4 * reach) {
+  Neighbourhood(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh)
+      : points_(points), mesh_(mesh), cell_(4 * reach) {
     constexpr std::uint32_t no_wish = ~0U;
     std::vector<std::uint32_t> wish_of(mesh.vertices.size(), no_wish);
     fans_.resize(wishes.size());
@@ -60,11 +61,8 @@ class Neighbourhood {
 
   /// Moves the wish's vertex to `target` if that keeps the mesh valid; puts it back otherwise.
   bool move(std::size_t wish, std::uint32_t vertex, const Position& target) {
-    const std::vector<std::uint32_t>& fan = fans_[wish];
-    normals_before_.clear();
-    for (const std::uint32_t t : fan) normals_before_.push_back(normal(t));
     const Position before = std::exchange(mesh_.vertices[vertex], target);
-    if (keeps_sides(fan) && fits(fan)) return true;
+    if (faces_out(fans_[wish]) && fits(fans_[wish])) return true;
     mesh_.vertices[vertex] = before;
     return false;
   }
@@ -95,19 +93,23 @@ class Neighbourhood {
     return {p[0], p[1], p[2]};
   }
 
-  /// Twice the triangle's area along its normal.
-  [[nodiscard]] Eigen::Vector3d normal(std::uint32_t t) const {
-    std::array<Eigen::Vector3d, 3> corner;
-    for (std::size_t i = 0; i < 3; ++i) corner[i] = Eigen::Vector3f(mesh_.vertices[mesh_.triangles[t][i]].data()).cast<double>();
-    return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-  }
-
-  /// No triangle may turn over or shrink to nothing: a fold would be valid by a hair only, and is no better than what it replaces.
-  bool keeps_sides(const std::vector<std::uint32_t>& fan) const {
+  /// No triangle may fold over or shrink to nothing: a fold would be valid by a hair only, and no better than what it replaces. A triangle
+  /// faces out where it does so for the surface at one of its corners at least; at a crease they differ.
+  [[nodiscard]] bool faces_out(const std::vector<std::uint32_t>& fan) const {
     const double least_area = 1e-8 * cell_ * cell_;
-    for (std::size_t i = 0; i < fan.size(); ++i) {
-      const Eigen::Vector3d now = normal(fan[i]), before = normals_before_[i];
-      if (now.norm() < least_area || now.dot(before) < 0.2 * now.norm() * before.norm()) return false;
+    for (const std::uint32_t t : fan) {
+      std::array<Eigen::Vector3d, 3> corner;
+      for (std::size_t i = 0; i < 3; ++i) corner[i] = Eigen::Vector3f(mesh_.vertices[mesh_.triangles[t][i]].data()).cast<double>();
+      const Eigen::Vector3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+      const double doubled_area = normal.norm();
+      if (doubled_area < least_area) return false;
+      bool any = false, out = false;
+      for (const std::uint32_t vertex : mesh_.triangles[t]) {
+        if (vertex >= points_.size()) continue;
+        any = true;
+        out = out || points_[vertex].normal.cast<double>().dot(normal) > 0.3 * doubled_area;
+      }
+      if (any && !out) return false;
     }
     return true;
   }
@@ -155,19 +157,19 @@ class Neighbourhood {
            CGAL::coplanar_orientation(ends[0], ends[1], point(one[lone]), point(third)) == CGAL::POSITIVE;
   }
 
+  const std::vector<SurfacePoint>& points_;
   TriangleMesh& mesh_;
   double cell_;
   std::vector<std::vector<std::uint32_t>> fans_;  ///< by wish: the triangles around its vertex
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> triangles_in_;
   std::vector<std::uint32_t> near_;
-  std::vector<Eigen::Vector3d> normals_before_;
 };
 
 }  // namespace
 
-void grant(const std::vector<Wish>& wishes, double reach, TriangleMesh& mesh, Progress& progress) {
+void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh, Progress& progress) {
   if (wishes.empty()) return;
-  Neighbourhood neighbourhood(wishes, reach, mesh);
+  Neighbourhood neighbourhood(wishes, reach, points, mesh);
   std::vector<std::size_t> open(wishes.size());
   for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
   // A wish may have to wait for its neighbour's; the last round settles for half the way.

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contour_vertex.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -16,7 +17,8 @@ struct Wish {
 
 /// Grants every wish that keeps the mesh as valid as it was: a vertex moves only after each of its triangles, in its new place, has been
 /// found, with exact predicates, to meet no other triangle but in their common vertex or edge, and not to be degenerate.
-/// So a mesh without self-intersections stays one, whatever is wished for. Wishes should be short: about `reach` mm.
-void grant(const std::vector<Wish>& wishes, double reach, TriangleMesh& mesh, Progress& progress);
+/// So a mesh without self-intersections stays one, whatever is wished for. Wishes should be short: about `reach` mm. The first vertices of
+/// the mesh are those of `points`, whose normals tell a triangle that faces out from one that has folded over.
+void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh, Progress& progress);
 
 }  // namespace fieldfab::contouring
