@@ -73,6 +73,7 @@ void Octree::subdivide(const Field& solid, const Lattice& lattice, Progress& pro
     if (open > 4096) require_memory(static_cast<std::uintmax_t>(blocks / 4) * bytes_a_block, "a mesh this fine");
     if (level == block_level) return;
     for (std::size_t i = first; i < last; ++i) {
+      if (i % 4096 == 0) progress.check();
       if (nodes_[i].patch) continue;
       nodes_[i].children = static_cast<std::int32_t>(nodes_.size());
       for (unsigned child = 0; child < 8; ++child)

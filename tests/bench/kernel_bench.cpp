@@ -1,0 +1,140 @@
+// The figures of the first issue, on one thread, each beside what kokopelli's own library needs on this kind of machine
+// ("x kokopelli" is its time divided by ours; it was measured there, not run here).
+#include <benchmark/benchmark.h>
+
+#include <fstream>
+
+#include "fieldfab/asdf/asdf.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/render/render.h"
+
+namespace {
+
+using namespace fieldfab;
+
+FieldPtr vm(const char* name) { return frep::make_field(frep::simplify(frep::parse_vm(read_file(std::string(TEST_DATA "/frep/") + name)))); }
+
+/// The 35 parts of mtm_az with their bounds; inches, as the files have them.
+const std::vector<std::pair<FieldPtr, Box>>& mtm_az() {
+  static const auto parts = [] {
+    std::vector<std::pair<FieldPtr, Box>> made;
+    for (int i = 0; i < 35; ++i) {
+      char name[64];
+      std::snprintf(name, sizeof name, "/frep/mtm_az/mtm_az_%02d.math", i);
+      const FieldPtr field = frep::make_field(frep::simplify(frep::parse_math(read_file(std::string(TEST_DATA) + name))));
+      const Box found = solid_bounds(*field).box;
+      made.emplace_back(field, found.grown(found.size().maxCoeff() / 64));
+    }
+    return made;
+  }();
+  return parts;
+}
+
+void compare(benchmark::State& state, double kokopelli_seconds) {
+  state.counters["x kokopelli"] = benchmark::Counter(kokopelli_seconds, benchmark::Counter::kIsIterationInvariantRate);
+}
+
+const Box tangle_box{Vec3::Constant(-2.5), Vec3::Constant(2.5)};
+constexpr double tangle_voxel = 5.0 / 256, mtm_voxel = 1 / (25.4 * 5);
+
+void ProsperoBitmap1024(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("prospero.vm");
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, {{-1, -1, 0}, {1, 1, 0}}, {RenderMode::bitmap, 1024}));
+  compare(state, 0.397);
+}
+BENCHMARK(ProsperoBitmap1024)->Unit(benchmark::kMillisecond);
+
+void TanglecubeAsdf256(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("tanglecube.vm");
+  AsdfStatistics counts;
+  for (auto _ : state) counts = Asdf::build(*field, tangle_box, {tangle_voxel})->statistics();
+  compare(state, 0.434);
+  state.counters["cells"] = static_cast<double>(counts.cells());
+  state.counters["cells of kokopelli's"] = static_cast<double>(counts.cells()) / 1256137;
+  state.counters["bytes a cell"] = static_cast<double>(counts.bytes) / static_cast<double>(counts.cells());
+}
+BENCHMARK(TanglecubeAsdf256)->Unit(benchmark::kMillisecond);
+
+/// As fine as kokopelli's, which joins leafs only where nothing is lost to speak of.
+void TanglecubeAsdf256Exact(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("tanglecube.vm");
+  AsdfStatistics counts;
+  for (auto _ : state) counts = Asdf::build(*field, tangle_box, {tangle_voxel, 1e-6, true})->statistics();
+  compare(state, 0.434);
+  state.counters["cells"] = static_cast<double>(counts.cells());
+  state.counters["cells of kokopelli's"] = static_cast<double>(counts.cells()) / 1256137;
+  state.counters["bytes a cell"] = static_cast<double>(counts.bytes) / static_cast<double>(counts.cells());
+}
+BENCHMARK(TanglecubeAsdf256Exact)->Unit(benchmark::kMillisecond);
+
+void TanglecubeMesh256(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("tanglecube.vm");
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = contour(*field, tangle_box, {tangle_voxel}).triangles.size();
+  compare(state, 3.604);
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(TanglecubeMesh256)->Unit(benchmark::kMillisecond);
+
+/// No cells merged: as many triangles as the lattice asks for.
+void TanglecubeMesh256Unmerged(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("tanglecube.vm");
+  std::size_t triangles = 0;
+  for (auto _ : state) triangles = contour(*field, tangle_box, {tangle_voxel, 0}).triangles.size();
+  compare(state, 3.604);
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(TanglecubeMesh256Unmerged)->Unit(benchmark::kMillisecond);
+
+void MtmAzAsdfs(benchmark::State& state) {
+  const ThreadLimit one(1);
+  mtm_az();
+  std::size_t cells = 0;
+  for (auto _ : state) {
+    cells = 0;
+    for (const auto& [field, box] : mtm_az()) cells += Asdf::build(*field, box, {mtm_voxel})->statistics().cells();
+  }
+  compare(state, 3.1);
+  state.counters["cells"] = static_cast<double>(cells);
+}
+BENCHMARK(MtmAzAsdfs)->Unit(benchmark::kMillisecond);
+
+void MtmAzMeshes(benchmark::State& state) {
+  const ThreadLimit one(1);
+  mtm_az();
+  std::size_t triangles = 0;
+  for (auto _ : state) {
+    triangles = 0;
+    for (const auto& [field, box] : mtm_az()) triangles += contour(*field, box, {mtm_voxel}).triangles.size();
+  }
+  compare(state, 9.7);
+  state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(MtmAzMeshes)->Unit(benchmark::kMillisecond);
+
+/// Values a second of prospero's whole tape: each evaluator beside the portable one is the ratio of their rates.
+void Evaluator(benchmark::State& state) {
+  const auto evaluator = static_cast<frep::Evaluator>(state.range(0));
+  state.SetLabel(std::string(frep::name(evaluator)));
+  if (!frep::available(evaluator)) return state.SkipWithError("not on this processor");
+  const FieldPtr field = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/prospero.vm")), evaluator);
+  std::vector<float> x(4096), y(4096), z(4096), out(4096);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<float>(i % 64) / 32 - 1, y[i] = static_cast<float>(i / 64) / 32 - 1;
+  for (auto _ : state) field->values({x.data(), y.data(), z.data(), x.size()}, out.data());
+  state.SetItemsProcessed(state.iterations() * 4096);
+}
+BENCHMARK(Evaluator)->DenseRange(1, 4)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,168 @@
+"""The command: its verbs, its one line, its exit codes, and what it does to files."""
+
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+
+from conftest import COMMAND, DATA
+
+
+def run(*arguments, **more):
+    return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, timeout=120, **more)
+
+
+def summary(*arguments):
+    done = run("--json", *arguments)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def refused(*arguments, code=2):
+    done = run(*arguments)
+    assert done.returncode == code, (done.returncode, done.stderr)
+    lines = [line for line in done.stderr.splitlines() if line.strip()]
+    assert len(lines) == 1 and lines[0].startswith("fieldfab: "), done.stderr
+    assert done.stdout == ""
+    return lines[0]
+
+
+@pytest.fixture
+def ball(tmp_path):
+    path = tmp_path / "ball.frep"
+    path.write_text("sphere(r = 5)")
+    return path
+
+
+@pytest.mark.parametrize("extension", ["stl", "ply", "off", "obj", "3mf"])
+def test_mesh_and_info(ball, tmp_path, extension):
+    made = summary("mesh", ball, "-o", tmp_path / f"ball.{extension}", "--voxel", 0.2)
+    assert made["volume"] == pytest.approx(4 / 3 * math.pi * 125, rel=0.005)
+    told = summary("info", tmp_path / f"ball.{extension}")
+    assert told["triangles"] == made["triangles"]
+    assert told["volume"] == pytest.approx(made["volume"], rel=1e-5)
+
+
+def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
+    built = summary("build", ball, "-o", tmp_path / "ball.asdf", "--resolution", 5)
+    assert built["bytes"] <= 24 * built["cells"]
+    assert summary("info", tmp_path / "ball.asdf")["cells"] == built["cells"]
+    assert summary("mesh", tmp_path / "ball.asdf", "-o", tmp_path / "a.stl")["volume"] == pytest.approx(4 / 3 * math.pi * 125, rel=0.01)
+    for extension in ("math", "vm", "frep"):
+        summary("convert", ball, "-o", tmp_path / f"again.{extension}")
+        assert summary("info", tmp_path / f"again.{extension}")["nodes"] == summary("info", ball)["nodes"]
+    summary("convert", tmp_path / "a.stl", "-o", tmp_path / "a.obj")
+    assert summary("info", tmp_path / "a.obj")["triangles"] == summary("info", tmp_path / "a.stl")["triangles"]
+
+
+def test_render_modes(ball, tmp_path):
+    for mode, channels, depth in (("bitmap", 1, 8), ("height", 1, 16), ("normals", 3, 8), ("shaded", 3, 8)):
+        summary("render", ball, "-o", tmp_path / "p.png", "--mode", mode, "--size", 80, "--alpha", 20, "--beta", -30)
+        told = summary("info", tmp_path / "p.png")
+        assert (told["channels"], told["depth"]) == (channels, depth)
+
+
+def test_check_passes_and_reports(ball):
+    report = summary("check", ball, "--voxel", 0.3)
+    assert report["passed"] and len(report["rows"]) > 10
+    assert all(row["measured"] <= row["bound"] for row in report["rows"])
+
+
+def test_two_dimensional_models(tmp_path):
+    quarter = DATA / "frep" / "quarter.vm"
+    assert "unbounded along z" in refused("mesh", quarter, "-o", tmp_path / "q.stl")
+    assert summary("mesh", quarter, "-o", tmp_path / "q.stl", "--thickness", 0.2)["volume"] == pytest.approx(math.pi / 4 * 0.5 * 0.2, rel=0.01)
+    summary("render", quarter, "-o", tmp_path / "q.png", "--mode", "bitmap")
+
+
+def test_bad_input_leaves_files_alone(ball, tmp_path):
+    kept = tmp_path / "kept.stl"
+    kept.write_text("mine")
+    broken = tmp_path / "broken.frep"
+    for text in ("sphere(", "", "spheer(1)", "x + 1e99", "\0\1\2"):
+        broken.write_text(text)
+        assert re.search(r"broken\.frep:\d+:\d+: ", refused("mesh", broken, "-o", kept))
+    (tmp_path / "garbage.vm").write_bytes(os.urandom(4096))
+    for arguments in (
+        ("mesh", tmp_path / "absent.math", "-o", kept),
+        ("mesh", tmp_path / "garbage.vm", "-o", kept),
+        ("mesh", tmp_path / "what.xyz", "-o", kept),
+        ("mesh", ball, "-o", kept, "--voxel", 0),
+        ("mesh", ball, "-o", kept, "--voxel", "nan"),
+        ("mesh", ball, "-o", kept, "--voxel", -1),
+        ("mesh", ball, "-o", kept, "--resolution", "inf"),
+        ("mesh", ball, "-o", kept, "--resolution", 1e9),
+        ("mesh", ball, "-o", kept, "--voxel", 1, "--resolution", 1),
+        ("mesh", ball, "-o", kept, "--bounds", "1,2,3"),
+        ("mesh", ball, "-o", kept, "--bounds", "0,0,0,0,1,1"),
+        ("mesh", ball, "-o", kept, "--bounds", "0,0,0,-1,1,1"),
+        ("mesh", ball, "-o", kept, "--bounds", "0,0,0,inf,1,1"),
+        ("mesh", ball, "-o", kept, "--bounds", "0,0,0,1,1,x"),
+        ("mesh", ball, "-o", kept, "--max-error", -1),
+        ("mesh", ball, "-o", tmp_path / "no" / "such" / "folder.stl"),
+        ("mesh", ball, "-o", tmp_path),
+        ("mesh", ball, "-o", tmp_path / "ball.xyz"),
+        ("mesh", ball),
+        ("build", ball, "-o", tmp_path / "b.asdf", "--resolution", 1e7),
+        ("render", ball, "-o", tmp_path / "p.png", "--size", 0),
+        ("render", ball, "-o", tmp_path / "p.png", "--mode", "pretty"),
+        ("render", ball, "-o", tmp_path / "p.jpg"),
+        ("frobnicate",),
+        ("--frob",),
+        (),
+    ):
+        refused(*arguments)
+    assert kept.read_text() == "mine"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["ball.frep", "broken.frep", "garbage.vm", "kept.stl"], "nothing half made is left"
+
+
+def test_full_disk(ball):
+    assert "No space left" in refused("mesh", ball, "-o", link_to_full(ball))
+    assert os.path.exists("/dev/full")
+
+
+def link_to_full(beside):
+    """A name with a mesh's extension for the device that is always full."""
+    link = beside.parent / "full.stl"
+    link.symlink_to("/dev/full")
+    return link
+
+
+def test_large_garbage_is_refused_soon(tmp_path):
+    path = tmp_path / "large.math"
+    path.write_bytes(b"n" * 100_000_000)
+    started = time.monotonic()
+    assert "lacks an argument" in refused("info", path)
+    path.write_bytes(b"\xff" * 100_000_000)
+    refused("info", path)
+    assert time.monotonic() - started < 30
+
+
+def test_deep_expression(tmp_path):
+    path = tmp_path / "deep.math"
+    path.write_text("s" * 1_000_000 + "X")
+    assert summary("info", path)["nodes"] == 1_000_001
+
+
+def test_interrupt_leaves_nothing_behind(tmp_path):
+    model = tmp_path / "g.frep"
+    model.write_text("shell(gyroid(period = 1), 0.1) & sphere(r = 6)")
+    process = subprocess.Popen([COMMAND, "mesh", model, "-o", tmp_path / "g.stl", "--voxel", "0.015"], stderr=subprocess.PIPE, text=True)
+    time.sleep(1.5)
+    process.send_signal(signal.SIGINT)
+    started = time.monotonic()
+    _, message = process.communicate(timeout=20)
+    assert process.returncode == 130 and "cancelled" in message
+    assert time.monotonic() - started < 2
+    assert [p.name for p in tmp_path.iterdir()] == ["g.frep"]
+
+
+def test_help():
+    assert "render" in run("--help").stdout
+    for verb in ("build", "mesh", "render", "check", "info", "convert"):
+        assert run(verb, "--help").returncode == 0

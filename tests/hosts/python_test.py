@@ -1,0 +1,90 @@
+"""The Python module: expressions, fields, arrays without copies, progress and errors."""
+
+import math
+
+import numpy as np
+import pytest
+
+import fieldfab as ff
+
+BALL = ff.shapes.sphere(1)
+
+
+def test_expressions():
+    x, y = ff.X, ff.Y
+    assert ff.parse("x^2 + y") == ff.parse_math("+pXf2Y")
+    assert (x * x + y).simplified() == x * x + y
+    assert ff.parse(str(BALL)) == BALL and ff.parse_math(BALL.math()) == BALL and ff.parse_vm(BALL.vm()) == BALL
+    assert np.allclose((2 * x - y / 4 + abs(-y) ** 2 % 3)(np.array([1.0, 2.0]), 2.0, 0.0), [2 - 0.5 + 1, 4 - 0.5 + 1])
+    assert np.allclose(ff.sin(x)(np.linspace(-3, 3, 50), 0, 0), np.sin(np.linspace(-3, 3, 50)), atol=1e-6)
+    assert BALL.map(x=ff.Y, y=ff.X) != BALL
+    with pytest.raises(ff.Error) as raised:
+        ff.parse("spheer(1)")
+    assert raised.value.kind == "bad_input" and raised.value.place == "expression:1:1"
+    with pytest.raises(ff.Error):
+        ff.Expression(math.nan)
+
+
+def test_fields():
+    field = ff.Field(BALL)
+    assert field.value(0, 0, 3) == 2
+    values, gradients = field.gradients(np.array([[0, 0, 3], [0, 2, 0]], np.float32))
+    assert np.allclose(values, [2, 1]) and np.allclose(gradients, [[0, 0, 1], [0, 1, 0]])
+    low, high = field.interval((0, 0, 0, 1, 1, 1))
+    assert low <= -1 and high >= math.sqrt(3) - 1 - 1e-6
+    moved = field.translate(5, 0, 0).rotate((0, 0, 1), math.pi / 2)
+    assert moved.value(0, 5, 0) == pytest.approx(-1, abs=1e-5)
+    assert np.allclose(moved.bounds(), (-1, 4, -1, 1, 6, 1), atol=0.05)
+    assert (field - field.scale(0.5, 0.5, 0.5)).value(0, 0, 0) > 0
+    assert ff.Field(ff.shapes.gyroid(1)).bounds() is None
+
+
+def test_mesh_arrays_are_views():
+    mesh = ff.mesh(BALL, voxel=0.1)
+    vertices, triangles = mesh.vertices, mesh.triangles
+    assert vertices.dtype == np.float32 and triangles.dtype == np.uint32
+    assert not vertices.flags.owndata and not triangles.flags.owndata
+    assert vertices.__array_interface__["data"] == mesh.vertices.__array_interface__["data"]
+    volume = mesh.volume
+    del mesh
+    a, b, c = (vertices[triangles[:, i]].astype(float) for i in range(3))
+    assert np.einsum("ij,ij->", a, np.cross(b, c)) / 6 == pytest.approx(volume)
+
+
+def test_asdf(tmp_path):
+    asdf = ff.build(BALL, voxel=0.05)
+    counts = asdf.statistics()
+    assert counts["bytes"] <= 24 * counts["cells"]
+    asdf.save(tmp_path / "b.asdf")
+    assert ff.Asdf.load(tmp_path / "b.asdf").value(0.9, 0, 0) == asdf.value(0.9, 0, 0)
+    assert asdf.slice(0.5).lattice[2] == 0
+    assert asdf.rescale(2).value(1.9, 0, 0) < 0
+    assert asdf.ray((5, 0, 0), (-1, 0, 0)) == pytest.approx(4, abs=0.01)
+    assert ff.inspect(ff.mesh(asdf)).valid
+
+
+def test_render():
+    image = ff.render(BALL, mode="height", size=50)
+    assert image.pixels.shape == (50, 50) and not image.pixels.flags.owndata
+    assert image.pixels.max() > 60000 and image.zmax > 1 > image.zmin
+    assert ff.render(BALL, size=40).pixels.shape == (40, 40, 3)
+
+
+def test_check():
+    report = ff.check(BALL, voxel=0.1)
+    assert report.passed and "pass" in str(report)
+
+
+def test_progress_cancels_and_raises():
+    seen = []
+    ff.mesh(BALL, voxel=0.02, progress=lambda fraction, message: seen.append(fraction))
+    assert seen and all(0 <= f <= 1 for f in seen)
+    with pytest.raises(ff.Error) as raised:
+        ff.mesh(BALL, voxel=0.02, progress=lambda fraction, message: False)
+    assert raised.value.kind == "cancelled"
+
+    def fail(fraction, message):
+        raise KeyError("mine")
+
+    with pytest.raises(KeyError):
+        ff.build(BALL, voxel=0.01, progress=fail)
