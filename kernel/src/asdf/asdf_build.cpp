@@ -128,9 +128,40 @@ class Builder {
             sample(range.first[0] + (corner & 1), range.first[1] + (corner >> 1 & 1), range.first[2] + (corner >> 2));
       return cell;
     }
+    if (settings_.merge_leafs && settings_.max_error > 0 && one_leaf(sample, range, cell)) return cell;
     std::vector<BuildCell> children(std::size_t{1} << std::popcount(axes));
     for (std::size_t i = 0; i < children.size(); ++i) children[i] = from_samples(sample, range.child(axes, static_cast<unsigned>(i)));
     return joined(std::move(children), axes, range);
+  }
+
+  /// Tries the whole of `range` as one leaf: interpolation must reproduce every sample to max_error, and its sign.
+  template <class Sample>
+  bool one_leaf(const Sample& sample, const LatticeRange& range, BuildCell& leaf) const {
+    std::array<double, 3> size;
+    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = range.count[axis] * size_[axis];
+    for (int corner = 0; corner < 8; ++corner) {
+      const float value = sample(range.first[0] + (corner & 1) * range.count[0], range.first[1] + (corner >> 1 & 1) * range.count[1], range.first[2] + (corner >> 2) * range.count[2]);
+      if (!std::isfinite(value)) return false;
+      leaf.corners[static_cast<std::size_t>(corner)] = value;
+    }
+    const auto& c = leaf.corners;
+    const double allowed = settings_.max_error * steepness(c, size);
+    double worst = 0;
+    for (int k = 0; k <= range.count[2]; ++k)
+      for (int j = 0; j <= range.count[1]; ++j) {
+        // Along x interpolation is a straight line between two values interpolated on the range's faces.
+        const double v = static_cast<double>(j) / range.count[1], w = static_cast<double>(k) / range.count[2];
+        const auto face = [&](std::size_t i) { return (1 - w) * ((1 - v) * c[i] + v * c[i + 2]) + w * ((1 - v) * c[i + 4] + v * c[i + 6]); };
+        const double low = face(0), high = face(1);
+        for (int i = 0; i <= range.count[0]; ++i) {
+          const double truth = sample(range.first[0] + i, range.first[1] + j, range.first[2] + k), between = low + (high - low) * i / range.count[0];
+          worst = std::max(worst, std::abs(truth - between));
+          if (!(worst <= allowed) || (truth < 0) != (between < 0)) return false;
+        }
+      }
+    leaf.kind = CellKind::leaf;
+    leaf.slack = allowed > 0 ? std::nextafter(static_cast<float>(settings_.max_error * worst / allowed), INFINITY) : 0;
+    return true;
   }
 
   void report(const LatticeRange& range) {

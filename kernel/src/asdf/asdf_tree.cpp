@@ -46,9 +46,6 @@ unsigned LatticeRange::divisible() const {
   return axes;
 }
 
-namespace {
-
-/// Length of the gradient in the middle of a leaf, so that differences of values can be told in mm.
 double steepness(const std::array<float, 8>& corners, const std::array<double, 3>& size) {
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -59,6 +56,8 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
   }
   return std::sqrt(sum);
 }
+
+namespace {
 
 /// Tries to join two leafs along `axis`. Interpolation over both differs from each one's own by a function that is linear along every axis, so
 /// that it is farthest off at a corner, and of those only the four in the middle can differ. With what either was off before, that bounds the

@@ -64,6 +64,9 @@ struct BuildCell {
   std::vector<BuildCell> children;
 };
 
+/// Length of the gradient in the middle of a leaf with sides `size` mm, so that differences of values can be told in mm.
+double steepness(const std::array<float, 8>& corners, const std::array<double, 3>& size);
+
 /// Joins children that are alike, an axis at a time (Alg. 2.1). `children` are those of a branch over `range` that splits `axes`.
 BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range, const std::array<double, 3>& cell_size, double max_error);
 

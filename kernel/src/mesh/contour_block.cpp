@@ -42,7 +42,7 @@ class BlockSampler {
     }
     locate_edges();
     find_normals();
-    merge(result);
+    if (!merge_flat(result)) merge(result);
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
         result.block.crossings.push_back({edge.axis, edge.lower, inside_[lower_end(edge)] != 0, edge.point});
@@ -177,6 +177,19 @@ class BlockSampler {
     return true;
   }
 
+  /// The common case of a block that a plane passes through: a plane cuts every cube simply, so that all cells may be merged at once.
+  bool merge_flat(SampledBlock& result) const {
+    const std::uint8_t bits = corners(0, 0, 0, block_side);
+    if (settings_.max_error <= 0 || !is_simple(bits)) return false;
+    Patch patch;
+    patch.corners = bits;
+    patch.points.reserve(edges_.size());
+    for (const Edge& edge : edges_) patch.points.push_back(edge.point);
+    if (!is_flat(patch.points, settings_.max_error, patch.vertex)) return false;
+    result.whole = std::move(patch);
+    return true;
+  }
+
   /// Merges cells bottom-up, eight at a time, and lists the leafs that remain.
   void merge(SampledBlock& result) {
     // By level: whether each cube is one patch (or uniform). A cube that is not keeps its leafs below.
@@ -269,7 +282,21 @@ SampledBlock sample_block(const Field& field, const Lattice& lattice, const Latt
   return BlockSampler(field, lattice, lower, settings).run();
 }
 
+bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex) {
+  const Eigen::Vector3f origin = points[0].position, normal = points[0].normal;
+  const auto tolerance = static_cast<float>(1e-3 * max_error);
+  if (normal.isZero(0)) return false;
+  Vec3 sum = Vec3::Zero();
+  for (const SurfacePoint& point : points) {
+    if ((point.normal - normal).squaredNorm() > 1e-8F || std::abs(normal.dot(point.position - origin)) > tolerance) return false;
+    sum += point.position.cast<double>();
+  }
+  vertex = sum / static_cast<double>(points.size());
+  return true;
+}
+
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex) {
+  if (is_flat(points, max_error, vertex)) return true;
   const PlacedVertex placed = place_vertex(points, cell);
   if (placed.error > max_error) return false;
   vertex = placed.position;

@@ -24,6 +24,9 @@ struct SampledBlock {
 /// Samples `field` (the solid restricted to the block) at the block's 9x9x9 lattice points and merges its cells.
 SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings);
 
+/// Whether all points lie in one plane, to a thousandth of `max_error`; sets `vertex` to their middle.
+bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex);
+
 /// Whether one vertex in `cell`, and one on each of its faces, reproduces all `points` to `max_error`; sets `vertex`.
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex);
 
