@@ -30,15 +30,21 @@ class RenderVerb final : public Verb {
     verb_->add_option("--beta", beta_, "then tilt about x in degrees");
   }
   Outcome run(Progress& progress) override {
-    if (extension_of(options_.output) != ".png") throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
+    if (extension_of(options_.output) != ".png")
+      throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
     RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree};
     const Model model = options_.load();
-    const Box bounds = settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
+    const Box bounds =
+        settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
     const Image image = render(*model.field, bounds, settings, progress);
     write_png(image, options_.output);
     Outcome outcome;
     outcome.line = fmt::format("{}: {} x {} pixels, {}", options_.output, image.width, image.height, mode_);
-    outcome.json = {{"output", options_.output}, {"width", image.width}, {"height", image.height}, {"mode", mode_}, {"pixels_per_mm", image.pixels_per_mm}};
+    outcome.json = {{"output", options_.output},
+                    {"width", image.width},
+                    {"height", image.height},
+                    {"mode", mode_},
+                    {"pixels_per_mm", image.pixels_per_mm}};
     return outcome;
   }
 
@@ -48,7 +54,8 @@ class RenderVerb final : public Verb {
     if (const auto wanted = options_.region()) return *wanted;
     const SolidBounds found = solid_bounds(*model.field, progress);
     if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty");
-    if (!found.bounded[0] || !found.bounded[1]) throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give --bounds x0,y0,z0,x1,y1,z1");
+    if (!found.bounded[0] || !found.bounded[1])
+      throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give --bounds x0,y0,z0,x1,y1,z1");
     Box box = found.box.grown(found.box.size().head<2>().maxCoeff() / 64);
     box.lower.z() = box.upper.z() = 0;
     return box;
@@ -77,7 +84,8 @@ class InfoVerb final : public Verb {
 
  private:
   Outcome frep_info(const Model& model, Progress& progress) const {
-    const std::size_t nodes = frep::node_count(*model.expression), simplified = frep::node_count(frep::simplify(*model.expression));
+    const std::size_t nodes = frep::node_count(*model.expression),
+                      simplified = frep::node_count(frep::simplify(*model.expression));
     const SolidBounds found = solid_bounds(*model.field, progress);
     Outcome outcome;
     outcome.json = {{"file", file_}, {"kind", model.kind}, {"nodes", nodes}, {"simplified", simplified}};
@@ -89,9 +97,12 @@ class InfoVerb final : public Verb {
       auto ranges = nlohmann::ordered_json::array();
       for (int axis = 0; axis < 3; ++axis) {
         const char name = "xyz"[axis];
-        if (found.bounded[axis]) ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
-        else ranges.push_back(nullptr);
-        bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis]) : fmt::format(" {} unbounded", name);
+        if (found.bounded[axis])
+          ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
+        else
+          ranges.push_back(nullptr);
+        bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                                      : fmt::format(" {} unbounded", name);
       }
       outcome.json["bounds"] = ranges;
     }
@@ -101,21 +112,40 @@ class InfoVerb final : public Verb {
   Outcome asdf_info(const Asdf& asdf) const {
     const AsdfStatistics counts = asdf.statistics();
     const auto& n = asdf.lattice();
-    return {fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2], counts.cells(), counts.leafs, counts.bytes),
-            {{"file", file_}, {"kind", "asdf"}, {"lattice", n}, {"cells", counts.cells()}, {"leafs", counts.leafs}, {"bytes", counts.bytes}, {"depth", counts.depth}},
+    return {fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2], counts.cells(),
+                        counts.leafs, counts.bytes),
+            {{"file", file_},
+             {"kind", "asdf"},
+             {"lattice", n},
+             {"cells", counts.cells()},
+             {"leafs", counts.leafs},
+             {"bytes", counts.bytes},
+             {"depth", counts.depth}},
             0};
   }
   Outcome mesh_info() const {
     const TriangleMesh mesh = read_mesh(file_);
-    return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(), mesh.vertices.size(), mesh.volume()),
-            {{"file", file_}, {"kind", "mesh"}, {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}, {"volume", mesh.volume()}, {"area", mesh.area()}},
+    return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(),
+                        mesh.vertices.size(), mesh.volume()),
+            {{"file", file_},
+             {"kind", "mesh"},
+             {"triangles", mesh.triangles.size()},
+             {"vertices", mesh.vertices.size()},
+             {"volume", mesh.volume()},
+             {"area", mesh.area()}},
             0};
   }
   Outcome image_info() const {
     const Image image = read_png(file_);
-    return {fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels, image.depth),
-            {{"file", file_}, {"kind", "image"}, {"width", image.width}, {"height", image.height}, {"channels", image.channels}, {"depth", image.depth}},
-            0};
+    return {
+        fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels, image.depth),
+        {{"file", file_},
+         {"kind", "image"},
+         {"width", image.width},
+         {"height", image.height},
+         {"channels", image.channels},
+         {"depth", image.depth}},
+        0};
   }
 
   std::string file_;
@@ -129,24 +159,32 @@ class ConvertVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);
-    Outcome outcome{fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
+    Outcome outcome{
+        fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
     if (is_mesh_extension(from)) {
-      if (!is_mesh_extension(to)) throw Error(ErrorKind::bad_input, options_.output, "a mesh can be turned into another mesh file only, so far");
+      if (!is_mesh_extension(to))
+        throw Error(ErrorKind::bad_input, options_.output, "a mesh can be turned into another mesh file only, so far");
       write_mesh(read_mesh(options_.model), options_.output, progress);
       return outcome;
     }
     const Model model = options_.load();
     if (to == ".math" || to == ".vm" || to == ".frep") {
-      if (!model.expression || options_.thickness) throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
-      write_file(options_.output, to == ".math" ? frep::print_math(*model.expression) : to == ".vm" ? frep::print_vm(*model.expression) : frep::print_infix(*model.expression));
+      if (!model.expression || options_.thickness)
+        throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
+      write_file(options_.output, to == ".math" ? frep::print_math(*model.expression)
+                                  : to == ".vm" ? frep::print_vm(*model.expression)
+                                                : frep::print_infix(*model.expression));
       return outcome;
     }
     if (to != ".asdf" && !is_mesh_extension(to))
-      throw Error(ErrorKind::bad_input, options_.output, fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .asdf .stl .ply .off .obj .3mf", to));
+      throw Error(ErrorKind::bad_input, options_.output,
+                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .asdf .stl .ply .off .obj .3mf", to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
-    if (to == ".asdf") Asdf::build(*model.field, bounds, {cell, max_error, true}, progress)->save(options_.output);
-    else write_mesh(contour(*model.field, bounds, {cell, max_error, true}, progress), options_.output, progress);
+    if (to == ".asdf")
+      Asdf::build(*model.field, bounds, {cell, max_error, true}, progress)->save(options_.output);
+    else
+      write_mesh(contour(*model.field, bounds, {cell, max_error, true}, progress), options_.output, progress);
     return outcome;
   }
 

@@ -11,7 +11,8 @@ namespace fieldfab::cli {
 namespace {
 
 double positive(const std::optional<double>& value, const char* option) {
-  if (!std::isfinite(*value) || *value <= 0) throw Error(ErrorKind::bad_input, option, fmt::format("{} is not a positive number", *value));
+  if (!std::isfinite(*value) || *value <= 0)
+    throw Error(ErrorKind::bad_input, option, fmt::format("{} is not a positive number", *value));
   return *value;
 }
 
@@ -21,8 +22,10 @@ void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
   verb.add_option("MODEL", model, "the solid: .math .vm .frep .asdf")->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
-  verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")->excludes(resolution_option);
-  verb.add_option("--max-error", max_error, "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
+  verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")
+      ->excludes(resolution_option);
+  verb.add_option("--max-error", max_error,
+                  "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
   verb.add_option("--bounds", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
 }
@@ -37,7 +40,8 @@ std::optional<Box> ModelOptions::region() const {
     const auto [next, failure] = std::from_chars(at, end, number[i]);
     const bool comma = next < end && *next == ',';
     if (failure != std::errc{} || comma != (i < 5) || (i == 5 && next != end))
-      throw Error(ErrorKind::bad_input, "--bounds", fmt::format("expected six numbers x0,y0,z0,x1,y1,z1, found '{:.60}'", bounds));
+      throw Error(ErrorKind::bad_input, "--bounds",
+                  fmt::format("expected six numbers x0,y0,z0,x1,y1,z1, found '{:.60}'", bounds));
     at = next + 1;
   }
   return Box{{number[0], number[1], number[2]}, {number[3], number[4], number[5]}};

@@ -14,7 +14,9 @@ namespace {
 
 class Stopwatch {
  public:
-  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -34,15 +36,20 @@ class BuildVerb final : public Verb {
     const Stopwatch clock;
     const Model model = options_.load();
     const Box bounds = working_bounds(model, options_.region(), progress);
-    const auto asdf = Asdf::build(*model.field, bounds, {options_.cell(bounds, model), options_.max_error.value_or(-1), true}, progress);
+    const auto asdf =
+        Asdf::build(*model.field, bounds, {options_.cell(bounds, model), options_.max_error.value_or(-1), true}, progress);
     asdf->save(options_.output);
     const AsdfStatistics counts = asdf->statistics();
     const auto& n = asdf->lattice();
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {:.2f} s", options_.output, n[0], n[1], n[2],
-                               counts.cells(), counts.leafs, static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), clock.seconds());
-    outcome.json = {{"output", options_.output}, {"lattice", n}, {"bounds", json_of(bounds)}, {"cells", counts.cells()}, {"leafs", counts.leafs},
-                    {"filled", counts.filled}, {"empty", counts.empty}, {"branches", counts.branches}, {"bytes", counts.bytes}, {"seconds", clock.seconds()}};
+    outcome.line = fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {:.2f} s", options_.output,
+                               n[0], n[1], n[2], counts.cells(), counts.leafs,
+                               static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), clock.seconds());
+    outcome.json = {{"output", options_.output}, {"lattice", n},
+                    {"bounds", json_of(bounds)}, {"cells", counts.cells()},
+                    {"leafs", counts.leafs},     {"filled", counts.filled},
+                    {"empty", counts.empty},     {"branches", counts.branches},
+                    {"bytes", counts.bytes},     {"seconds", clock.seconds()}};
     return outcome;
   }
 
@@ -58,7 +65,8 @@ class MeshVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     if (const std::string extension = std::filesystem::path(options_.output).extension().string(); !is_mesh_extension(extension))
-      throw Error(ErrorKind::bad_input, options_.output, fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
+      throw Error(ErrorKind::bad_input, options_.output,
+                  fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
     const Stopwatch clock;
     const Model model = options_.load();
     const Box bounds = working_bounds(model, options_.region(), progress);
@@ -66,10 +74,16 @@ class MeshVerb final : public Verb {
     const TriangleMesh mesh = contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
     write_mesh(mesh, options_.output, progress);
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {:.2f} s", options_.output, mesh.triangles.size(), mesh.vertices.size(),
-                               mesh.volume(), clock.seconds());
-    outcome.json = {{"output", options_.output}, {"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}, {"volume", mesh.volume()},
-                    {"area", mesh.area()}, {"voxel", cell}, {"bounds", json_of(bounds)}, {"seconds", clock.seconds()}};
+    outcome.line = fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {:.2f} s", options_.output,
+                               mesh.triangles.size(), mesh.vertices.size(), mesh.volume(), clock.seconds());
+    outcome.json = {{"output", options_.output},
+                    {"triangles", mesh.triangles.size()},
+                    {"vertices", mesh.vertices.size()},
+                    {"volume", mesh.volume()},
+                    {"area", mesh.area()},
+                    {"voxel", cell},
+                    {"bounds", json_of(bounds)},
+                    {"seconds", clock.seconds()}};
     return outcome;
   }
 
@@ -80,7 +94,8 @@ class MeshVerb final : public Verb {
 class CheckVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("check", "cross-check a solid's distance field and mesh against OpenVDB and CGAL; exit 1 if any bound is broken");
+    verb_ = app.add_subcommand(
+        "check", "cross-check a solid's distance field and mesh against OpenVDB and CGAL; exit 1 if any bound is broken");
     options_.declare(*verb_, "");
     verb_->add_option("--seed", seed_, "seed of the random points");
   }
@@ -94,12 +109,15 @@ class CheckVerb final : public Verb {
     outcome.json = {{"model", options_.model}, {"passed", report.passed()}, {"voxel", cell}, {"bounds", json_of(bounds)}};
     auto rows = nlohmann::ordered_json::array();
     for (const CheckRow& row : report.rows) {
-      outcome.line += fmt::format("{:<58} {:>12.5g} {:>3} {:>12.5g} {:<3} {}\n", row.name, row.measured, "<=", row.bound, row.unit, row.passed() ? "pass" : "FAIL");
-      rows.push_back({{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
+      outcome.line += fmt::format("{:<58} {:>12.5g} {:>3} {:>12.5g} {:<3} {}\n", row.name, row.measured, "<=", row.bound,
+                                  row.unit, row.passed() ? "pass" : "FAIL");
+      rows.push_back(
+          {{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
     }
     outcome.json["rows"] = rows;
     outcome.json["seconds"] = clock.seconds();
-    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, report.passed() ? "all bounds hold" : "A BOUND IS BROKEN", clock.seconds());
+    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, report.passed() ? "all bounds hold" : "A BOUND IS BROKEN",
+                                clock.seconds());
     outcome.code = report.passed() ? 0 : 1;
     return outcome;
   }

@@ -40,30 +40,54 @@ py::object evaluate(const Expression& expression, const Floats& x, const Floats&
 void bind_expressions(py::module_& module) {
   py::class_<Expression> expression(module, "Expression", "A formula over x, y and z. Equal formulas are one object inside.");
   expression.def(py::init<double>(), py::arg("value"))
-      .def(py::self + py::self).def(py::self - py::self).def(py::self * py::self).def(py::self / py::self).def(-py::self)
-      .def("__radd__", [](const Expression& a, double b) { return Expression(b) + a; }, py::is_operator())
-      .def("__rsub__", [](const Expression& a, double b) { return Expression(b) - a; }, py::is_operator())
-      .def("__rmul__", [](const Expression& a, double b) { return Expression(b) * a; }, py::is_operator())
-      .def("__rtruediv__", [](const Expression& a, double b) { return Expression(b) / a; }, py::is_operator())
-      .def("__pow__", [](const Expression& a, const Expression& b) { return frep::pow(a, b); }, py::is_operator())
-      .def("__rpow__", [](const Expression& a, double b) { return frep::pow(Expression(b), a); }, py::is_operator())
-      .def("__mod__", [](const Expression& a, const Expression& b) { return frep::mod(a, b); }, py::is_operator())
+      .def(py::self + py::self)
+      .def(py::self - py::self)
+      .def(py::self * py::self)
+      .def(py::self / py::self)
+      .def(-py::self)
+      .def(
+          "__radd__", [](const Expression& a, double b) { return Expression(b) + a; }, py::is_operator())
+      .def(
+          "__rsub__", [](const Expression& a, double b) { return Expression(b) - a; }, py::is_operator())
+      .def(
+          "__rmul__", [](const Expression& a, double b) { return Expression(b) * a; }, py::is_operator())
+      .def(
+          "__rtruediv__", [](const Expression& a, double b) { return Expression(b) / a; }, py::is_operator())
+      .def(
+          "__pow__", [](const Expression& a, const Expression& b) { return frep::pow(a, b); }, py::is_operator())
+      .def(
+          "__rpow__", [](const Expression& a, double b) { return frep::pow(Expression(b), a); }, py::is_operator())
+      .def(
+          "__mod__", [](const Expression& a, const Expression& b) { return frep::mod(a, b); }, py::is_operator())
       .def("__abs__", [](const Expression& a) { return frep::abs(a); })
-      .def("__or__", [](const Expression& a, const Expression& b) { return frep::min(a, b); }, py::is_operator(), "union")
-      .def("__and__", [](const Expression& a, const Expression& b) { return frep::max(a, b); }, py::is_operator(), "intersection")
-      .def("__invert__", [](const Expression& a) { return -a; }, "complement")
-      .def("__eq__", [](const Expression& a, const Expression& b) { return a == b; }, py::is_operator(), "Whether both are the same formula, node for node.")
+      .def(
+          "__or__", [](const Expression& a, const Expression& b) { return frep::min(a, b); }, py::is_operator(), "union")
+      .def(
+          "__and__", [](const Expression& a, const Expression& b) { return frep::max(a, b); }, py::is_operator(), "intersection")
+      .def(
+          "__invert__", [](const Expression& a) { return -a; }, "complement")
+      .def(
+          "__eq__", [](const Expression& a, const Expression& b) { return a == b; }, py::is_operator(),
+          "Whether both are the same formula, node for node.")
       .def("__hash__", [](const Expression& a) { return std::hash<const void*>{}(a.id()); })
       .def("__str__", [](const Expression& a) { return frep::print_infix(a); })
-      .def("__repr__", [](const Expression& a) { return "<fieldfab.Expression of " + std::to_string(frep::node_count(a)) + " nodes>"; })
-      .def("math", [](const Expression& a) { return frep::print_math(a); }, "The formula as a prefix math string.")
-      .def("vm", [](const Expression& a) { return frep::print_vm(a); }, "The formula as a .vm program.")
+      .def("__repr__",
+           [](const Expression& a) { return "<fieldfab.Expression of " + std::to_string(frep::node_count(a)) + " nodes>"; })
+      .def(
+          "math", [](const Expression& a) { return frep::print_math(a); }, "The formula as a prefix math string.")
+      .def(
+          "vm", [](const Expression& a) { return frep::print_vm(a); }, "The formula as a .vm program.")
       .def("simplified", [](const Expression& a) { return frep::simplify(a); })
       .def("node_count", [](const Expression& a) { return frep::node_count(a); })
-      .def("map", [](const Expression& a, std::optional<Expression> x, std::optional<Expression> y, std::optional<Expression> z) {
-        return frep::remap(a, x.value_or(Expression::x()), y.value_or(Expression::y()), z.value_or(Expression::z()));
-      }, py::arg("x") = py::none(), py::arg("y") = py::none(), py::arg("z") = py::none(), "The formula with x, y and z replaced; None leaves a coordinate as it is.")
-      .def("__call__", evaluate, py::arg("x"), py::arg("y"), py::arg("z"), "Values at points, in single precision; arrays broadcast as NumPy's do.");
+      .def(
+          "map",
+          [](const Expression& a, std::optional<Expression> x, std::optional<Expression> y, std::optional<Expression> z) {
+            return frep::remap(a, x.value_or(Expression::x()), y.value_or(Expression::y()), z.value_or(Expression::z()));
+          },
+          py::arg("x") = py::none(), py::arg("y") = py::none(), py::arg("z") = py::none(),
+          "The formula with x, y and z replaced; None leaves a coordinate as it is.")
+      .def("__call__", evaluate, py::arg("x"), py::arg("y"), py::arg("z"),
+           "Values at points, in single precision; arrays broadcast as NumPy's do.");
   py::implicitly_convertible<double, Expression>();
   py::implicitly_convertible<int, Expression>();
 
@@ -71,14 +95,26 @@ void bind_expressions(py::module_& module) {
   module.attr("Y") = Expression::y();
   module.attr("Z") = Expression::z();
   module.def("parse", parse_any, py::arg("text"), "Reads .frep text or a prefix math string.");
-  module.def("parse_math", [](const std::string& text) { return frep::parse_math(text); }, py::arg("text"));
-  module.def("parse_vm", [](const std::string& text) { return frep::parse_vm(text); }, py::arg("text"));
-  module.def("parse_infix", [](const std::string& text) { return frep::parse_infix(text); }, py::arg("text"));
+  module.def(
+      "parse_math", [](const std::string& text) { return frep::parse_math(text); }, py::arg("text"));
+  module.def(
+      "parse_vm", [](const std::string& text) { return frep::parse_vm(text); }, py::arg("text"));
+  module.def(
+      "parse_infix", [](const std::string& text) { return frep::parse_infix(text); }, py::arg("text"));
 
   using Unary = Expression (*)(const Expression&);
-  for (const auto& [name, function] : std::initializer_list<std::pair<const char*, Unary>>{
-           {"sin", frep::sin}, {"cos", frep::cos}, {"tan", frep::tan}, {"asin", frep::asin}, {"acos", frep::acos}, {"atan", frep::atan}, {"sqrt", frep::sqrt},
-           {"square", frep::square}, {"exp", frep::exp}, {"ln", frep::ln}, {"floor", frep::floor}, {"ceil", frep::ceil}})
+  for (const auto& [name, function] : std::initializer_list<std::pair<const char*, Unary>>{{"sin", frep::sin},
+                                                                                           {"cos", frep::cos},
+                                                                                           {"tan", frep::tan},
+                                                                                           {"asin", frep::asin},
+                                                                                           {"acos", frep::acos},
+                                                                                           {"atan", frep::atan},
+                                                                                           {"sqrt", frep::sqrt},
+                                                                                           {"square", frep::square},
+                                                                                           {"exp", frep::exp},
+                                                                                           {"ln", frep::ln},
+                                                                                           {"floor", frep::floor},
+                                                                                           {"ceil", frep::ceil}})
     module.def(name, function, py::arg("value"));
   using Binary = Expression (*)(const Expression&, const Expression&);
   for (const auto& [name, function] : std::initializer_list<std::pair<const char*, Binary>>{
@@ -86,7 +122,8 @@ void bind_expressions(py::module_& module) {
     module.def(name, function, py::arg("a"), py::arg("b"));
 
   namespace s = frep::shapes;
-  auto shapes = module.def_submodule("shapes", "Shapes and what is done with them, as expressions. Lengths in mm, angles in radians.");
+  auto shapes =
+      module.def_submodule("shapes", "Shapes and what is done with them, as expressions. Lengths in mm, angles in radians.");
   const auto a = [](const char* name) { return py::arg(name); };
   shapes.def("sphere", s::sphere, a("radius"), "Centred; exact distance.");
   shapes.def("box", s::box, a("dx"), a("dy"), a("dz"), "Centred; a bound of the distance.");

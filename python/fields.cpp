@@ -46,7 +46,9 @@ py::tuple gradients(const Field& field, const Floats& points) {
   return py::make_tuple(out, slopes);
 }
 
-py::object bounds_to_python(const Box& box) { return py::make_tuple(box.lower.x(), box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z()); }
+py::object bounds_to_python(const Box& box) {
+  return py::make_tuple(box.lower.x(), box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z());
+}
 
 }  // namespace
 
@@ -107,66 +109,120 @@ void PythonProgress::rethrow() {
 
 void bind_fields(py::module_& module) {
   const auto mutable_field = [](FieldPtr field) { return std::const_pointer_cast<Field>(std::move(field)); };
-  py::class_<Field, std::shared_ptr<Field>>(module, "Field", "A solid: a function of a point that is negative inside. Made from an Expression; Asdf is one too.")
-      .def(py::init([mutable_field](const frep::Expression& e) { return mutable_field(frep::make_field(frep::simplify(e))); }), py::arg("expression"))
-      .def("value", [](const Field& f, double x, double y, double z) { return f.value({x, y, z}); }, py::arg("x"), py::arg("y"), py::arg("z"))
+  py::class_<Field, std::shared_ptr<Field>>(
+      module, "Field", "A solid: a function of a point that is negative inside. Made from an Expression; Asdf is one too.")
+      .def(py::init([mutable_field](const frep::Expression& e) { return mutable_field(frep::make_field(frep::simplify(e))); }),
+           py::arg("expression"))
+      .def(
+          "value",
+          [](const Field& f, double x, double y, double z) {
+            return f.value({x, y, z});
+          },
+          py::arg("x"), py::arg("y"), py::arg("z"))
       .def("values", values, py::arg("points"), "Values at an (n, 3) array of points.")
       .def("gradients", gradients, py::arg("points"), "Values and (n, 3) gradients at an (n, 3) array of points.")
-      .def("interval", [](const Field& f, const py::object& bounds) {
-        const auto box = bounds_of(bounds);
-        if (!box) throw py::value_error("interval needs bounds");
-        const Interval range = f.interval(*box);
-        return py::make_tuple(range.lower, range.upper);
-      }, py::arg("bounds"), "The least and greatest value that the box may hold (never too narrow).")
-      .def("bounds", [](const FieldPtr& f) -> py::object {
-        SolidBounds found;
-        {
-          py::gil_scoped_release release;
-          found = solid_bounds(*f);
-        }
-        if (found.empty || !found.bounded[0] || !found.bounded[1] || !found.bounded[2]) return py::none();
-        return bounds_to_python(found.box);
-      }, "The box of the solid, found by interval search; None where it is empty or unbounded.")
+      .def(
+          "interval",
+          [](const Field& f, const py::object& bounds) {
+            const auto box = bounds_of(bounds);
+            if (!box) throw py::value_error("interval needs bounds");
+            const Interval range = f.interval(*box);
+            return py::make_tuple(range.lower, range.upper);
+          },
+          py::arg("bounds"), "The least and greatest value that the box may hold (never too narrow).")
+      .def(
+          "bounds",
+          [](const FieldPtr& f) -> py::object {
+            SolidBounds found;
+            {
+              py::gil_scoped_release release;
+              found = solid_bounds(*f);
+            }
+            if (found.empty || !found.bounded[0] || !found.bounded[1] || !found.bounded[2]) return py::none();
+            return bounds_to_python(found.box);
+          },
+          "The box of the solid, found by interval search; None where it is empty or unbounded.")
       .def("__or__", [=](FieldPtr a, FieldPtr b) { return mutable_field(unite(a, b)); })
       .def("__and__", [=](FieldPtr a, FieldPtr b) { return mutable_field(intersect(a, b)); })
       .def("__sub__", [=](FieldPtr a, FieldPtr b) { return mutable_field(subtract(a, b)); })
       .def("__invert__", [=](FieldPtr a) { return mutable_field(complement(a)); })
-      .def("offset", [=](FieldPtr a, double d) { return mutable_field(offset(a, d)); }, py::arg("distance"))
-      .def("shell", [=](FieldPtr a, double t) { return mutable_field(shell(a, t)); }, py::arg("thickness"))
-      .def("blend", [=](FieldPtr a, FieldPtr b, double r) { return mutable_field(blend(a, b, r)); }, py::arg("other"), py::arg("radius"))
-      .def("morph", [=](FieldPtr a, FieldPtr b, double w) { return mutable_field(morph(a, b, w)); }, py::arg("other"), py::arg("weight"))
-      .def("translate", [=](FieldPtr a, double x, double y, double z) { return mutable_field(translate(a, {x, y, z})); }, py::arg("dx"), py::arg("dy"), py::arg("dz"))
-      .def("scale", [=](FieldPtr a, double x, double y, double z) { return mutable_field(scale(a, {x, y, z})); }, py::arg("sx"), py::arg("sy"), py::arg("sz"))
-      .def("rotate", [=](FieldPtr a, std::array<double, 3> axis, double angle) { return mutable_field(rotate(a, vector_of(axis), angle)); }, py::arg("axis"), py::arg("angle"), "Turned about an axis through the origin, in radians.")
-      .def("mirror", [=](FieldPtr a, std::array<double, 3> normal) { return mutable_field(mirror(a, vector_of(normal))); }, py::arg("normal"))
-      .def("map", [=](FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z) { return mutable_field(map(a, x, y, z)); }, py::arg("x"), py::arg("y"), py::arg("z"));
+      .def(
+          "offset", [=](FieldPtr a, double d) { return mutable_field(offset(a, d)); }, py::arg("distance"))
+      .def(
+          "shell", [=](FieldPtr a, double t) { return mutable_field(shell(a, t)); }, py::arg("thickness"))
+      .def(
+          "blend", [=](FieldPtr a, FieldPtr b, double r) { return mutable_field(blend(a, b, r)); }, py::arg("other"),
+          py::arg("radius"))
+      .def(
+          "morph", [=](FieldPtr a, FieldPtr b, double w) { return mutable_field(morph(a, b, w)); }, py::arg("other"),
+          py::arg("weight"))
+      .def(
+          "translate",
+          [=](FieldPtr a, double x, double y, double z) {
+            return mutable_field(translate(a, {x, y, z}));
+          },
+          py::arg("dx"), py::arg("dy"), py::arg("dz"))
+      .def(
+          "scale",
+          [=](FieldPtr a, double x, double y, double z) {
+            return mutable_field(scale(a, {x, y, z}));
+          },
+          py::arg("sx"), py::arg("sy"), py::arg("sz"))
+      .def(
+          "rotate",
+          [=](FieldPtr a, std::array<double, 3> axis, double angle) { return mutable_field(rotate(a, vector_of(axis), angle)); },
+          py::arg("axis"), py::arg("angle"), "Turned about an axis through the origin, in radians.")
+      .def(
+          "mirror", [=](FieldPtr a, std::array<double, 3> normal) { return mutable_field(mirror(a, vector_of(normal))); },
+          py::arg("normal"))
+      .def(
+          "map", [=](FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z) { return mutable_field(map(a, x, y, z)); }, py::arg("x"),
+          py::arg("y"), py::arg("z"));
   py::implicitly_convertible<frep::Expression, Field>();
 
   const auto mutable_asdf = [](std::shared_ptr<const Asdf> asdf) { return std::const_pointer_cast<Asdf>(std::move(asdf)); };
   py::class_<Asdf, Field, std::shared_ptr<Asdf>>(module, "Asdf", "An adaptively sampled distance field (Keeter, Appendix C.1).")
-      .def_static("load", [=](const std::filesystem::path& path) { return mutable_asdf(Asdf::load(path)); }, py::arg("filename"))
+      .def_static(
+          "load", [=](const std::filesystem::path& path) { return mutable_asdf(Asdf::load(path)); }, py::arg("filename"))
       .def("save", &Asdf::save, py::arg("filename"), py::call_guard<py::gil_scoped_release>())
-      .def("slice", [=](const Asdf& a, double z) { return mutable_asdf(a.slice(z)); }, py::arg("z"), "The cut at a height, as a flat Asdf.")
-      .def("rescale", [=](const Asdf& a, double mult) { return mutable_asdf(a.rescaled(mult)); }, py::arg("mult"), "The same solid, `mult` times as large.")
-      .def("ray", [](const Asdf& a, std::array<double, 3> origin, std::array<double, 3> direction) { return a.ray(vector_of(origin), vector_of(direction)); }, py::arg("origin"), py::arg("direction"), "Distance to the solid along a ray, or None.")
+      .def(
+          "slice", [=](const Asdf& a, double z) { return mutable_asdf(a.slice(z)); }, py::arg("z"),
+          "The cut at a height, as a flat Asdf.")
+      .def(
+          "rescale", [=](const Asdf& a, double mult) { return mutable_asdf(a.rescaled(mult)); }, py::arg("mult"),
+          "The same solid, `mult` times as large.")
+      .def(
+          "ray",
+          [](const Asdf& a, std::array<double, 3> origin, std::array<double, 3> direction) {
+            return a.ray(vector_of(origin), vector_of(direction));
+          },
+          py::arg("origin"), py::arg("direction"), "Distance to the solid along a ray, or None.")
       .def_property_readonly("region", [](const Asdf& a) { return bounds_to_python(a.region()); })
       .def_property_readonly("lattice", &Asdf::lattice)
       .def_property_readonly("voxel", &Asdf::voxel)
       .def("statistics", [](const Asdf& a) {
         const AsdfStatistics s = a.statistics();
         py::dict counts;
-        counts["cells"] = s.cells(), counts["filled"] = s.filled, counts["empty"] = s.empty, counts["branches"] = s.branches, counts["leafs"] = s.leafs, counts["bytes"] = s.bytes, counts["depth"] = s.depth;
+        counts["cells"] = s.cells(), counts["filled"] = s.filled, counts["empty"] = s.empty, counts["branches"] = s.branches,
+        counts["leafs"] = s.leafs, counts["bytes"] = s.bytes, counts["depth"] = s.depth;
         return counts;
       });
-  module.def("build", [=](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution, std::optional<double> max_error, bool merge_leafs, const py::object& progress) {
-    const FieldPtr field = field_of(solid);
-    return mutable_asdf(long_work(progress, [&](Progress& p) {
-      const Box region = region_of(field, bounds, p);
-      return Asdf::build(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), merge_leafs}, p);
-    }));
-  }, py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("merge_leafs") = true, py::arg("progress") = py::none(),
-     "Samples a solid into an Asdf. voxel in mm or resolution in voxels a mm; bounds are found where not given.");
-  module.def("load", [=](const std::filesystem::path& path) { return mutable_field(load_model(path).field); }, py::arg("filename"), "The solid of a .math, .vm, .frep or .asdf file.");
+  module.def(
+      "build",
+      [=](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
+          std::optional<double> max_error, bool merge_leafs, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return mutable_asdf(long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          return Asdf::build(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), merge_leafs}, p);
+        }));
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
+      py::arg("max_error") = py::none(), py::arg("merge_leafs") = true, py::arg("progress") = py::none(),
+      "Samples a solid into an Asdf. voxel in mm or resolution in voxels a mm; bounds are found where not given.");
+  module.def(
+      "load", [=](const std::filesystem::path& path) { return mutable_field(load_model(path).field); }, py::arg("filename"),
+      "The solid of a .math, .vm, .frep or .asdf file.");
 }
 
 }  // namespace fieldfab::python

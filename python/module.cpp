@@ -21,7 +21,8 @@ const char* name_of(ErrorKind kind) {
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Fieldfab's kernel; use it through the package fieldfab.";
   static py::exception<Error> error_type(module, "Error");
-  error_type.doc() = "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";
+  error_type.doc() =
+      "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {
       if (raised) std::rethrow_exception(raised);
@@ -33,11 +34,14 @@ PYBIND11_MODULE(_core, module) {
     }
   });
   static std::unique_ptr<ThreadLimit> limit;
-  module.def("set_threads", [](int threads) {
-    if (threads < 0) throw py::value_error("threads must be 0 or more");
-    limit.reset();
-    limit = std::make_unique<ThreadLimit>(threads);
-  }, py::arg("threads"), "Use at most this many threads from now on; 0 means all cores.");
+  module.def(
+      "set_threads",
+      [](int threads) {
+        if (threads < 0) throw py::value_error("threads must be 0 or more");
+        limit.reset();
+        limit = std::make_unique<ThreadLimit>(threads);
+      },
+      py::arg("threads"), "Use at most this many threads from now on; 0 means all cores.");
   bind_expressions(module);
   bind_fields(module);
   bind_results(module);

@@ -19,34 +19,52 @@ py::array_t<Number> view(Number* data, std::vector<py::ssize_t> shape, const py:
 
 void bind_results(py::module_& module) {
   py::class_<TriangleMesh>(module, "Mesh", "A triangle mesh; its arrays are views of the kernel's own memory.")
-      .def_property_readonly("vertices", [](py::object self) {
-        auto& mesh = self.cast<TriangleMesh&>();
-        return view(mesh.vertices.empty() ? nullptr : mesh.vertices[0].data(), {static_cast<py::ssize_t>(mesh.vertices.size()), 3}, self);
-      }, "(n, 3) float32, mm")
-      .def_property_readonly("triangles", [](py::object self) {
-        auto& mesh = self.cast<TriangleMesh&>();
-        return view(mesh.triangles.empty() ? nullptr : mesh.triangles[0].data(), {static_cast<py::ssize_t>(mesh.triangles.size()), 3}, self);
-      }, "(m, 3) uint32, counter-clockwise from outside")
+      .def_property_readonly(
+          "vertices",
+          [](py::object self) {
+            auto& mesh = self.cast<TriangleMesh&>();
+            return view(mesh.vertices.empty() ? nullptr : mesh.vertices[0].data(),
+                        {static_cast<py::ssize_t>(mesh.vertices.size()), 3}, self);
+          },
+          "(n, 3) float32, mm")
+      .def_property_readonly(
+          "triangles",
+          [](py::object self) {
+            auto& mesh = self.cast<TriangleMesh&>();
+            return view(mesh.triangles.empty() ? nullptr : mesh.triangles[0].data(),
+                        {static_cast<py::ssize_t>(mesh.triangles.size()), 3}, self);
+          },
+          "(m, 3) uint32, counter-clockwise from outside")
       .def_property_readonly("volume", &TriangleMesh::volume)
       .def_property_readonly("area", &TriangleMesh::area)
-      .def("save", [](const TriangleMesh& mesh, const std::filesystem::path& path) { write_mesh(mesh, path); }, py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj or .3mf.")
+      .def(
+          "save", [](const TriangleMesh& mesh, const std::filesystem::path& path) { write_mesh(mesh, path); },
+          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj or .3mf.")
       .def_static("load", &read_mesh, py::arg("filename"));
-  module.def("mesh", [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution, std::optional<double> max_error, bool features, const py::object& progress) {
-    const FieldPtr field = field_of(solid);
-    return long_work(progress, [&](Progress& p) {
-      const Box region = region_of(field, bounds, p);
-      return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features}, p);
-    });
-  }, py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(),
-     "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept.");
+  module.def(
+      "mesh",
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
+         std::optional<double> max_error, bool features, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features}, p);
+        });
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
+      py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(),
+      "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept.");
 
   py::class_<Image>(module, "Image", "Pixels; rows from the top (Keeter, Appendix C.2).")
-      .def_property_readonly("pixels", [](py::object self) {
-        auto& image = self.cast<Image&>();
-        std::vector<py::ssize_t> shape{image.height, image.width};
-        if (image.channels > 1) shape.push_back(image.channels);
-        return view(image.pixels.data(), shape, self);
-      }, "(height, width) or (height, width, 3) uint16, values below 2^depth")
+      .def_property_readonly(
+          "pixels",
+          [](py::object self) {
+            auto& image = self.cast<Image&>();
+            std::vector<py::ssize_t> shape{image.height, image.width};
+            if (image.channels > 1) shape.push_back(image.channels);
+            return view(image.pixels.data(), shape, self);
+          },
+          "(height, width) or (height, width, 3) uint16, values below 2^depth")
       .def_readonly("width", &Image::width)
       .def_readonly("height", &Image::height)
       .def_readonly("channels", &Image::channels)
@@ -54,22 +72,28 @@ void bind_results(py::module_& module) {
       .def_readonly("pixels_per_mm", &Image::pixels_per_mm)
       .def_property_readonly("zmin", [](const Image& i) { return i.bounds.lower.z(); })
       .def_property_readonly("zmax", [](const Image& i) { return i.bounds.upper.z(); })
-      .def("save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); }, py::arg("filename"))
+      .def(
+          "save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); }, py::arg("filename"))
       .def_static("load", &read_png, py::arg("filename"));
-  module.def("render", [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds, const py::object& progress) {
-    const FieldPtr field = field_of(solid);
-    const RenderSettings settings{render_mode(mode), size, alpha, beta};
-    return long_work(progress, [&](Progress& p) {
-      if (settings.mode != RenderMode::bitmap) return render(*field, region_of(field, bounds, p), settings, p);
-      std::optional<Box> plane;
-      {
-        py::gil_scoped_acquire acquire;
-        plane = bounds_of(bounds);
-      }
-      return render(*field, plane ? *plane : region_of(field, bounds, p), settings, p);
-    });
-  }, py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0, py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
-     "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians.");
+  module.def(
+      "render",
+      [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
+         const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        const RenderSettings settings{render_mode(mode), size, alpha, beta};
+        return long_work(progress, [&](Progress& p) {
+          if (settings.mode != RenderMode::bitmap) return render(*field, region_of(field, bounds, p), settings, p);
+          std::optional<Box> plane;
+          {
+            py::gil_scoped_acquire acquire;
+            plane = bounds_of(bounds);
+          }
+          return render(*field, plane ? *plane : region_of(field, bounds, p), settings, p);
+        });
+      },
+      py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
+      py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
+      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians.");
 
   py::class_<CheckRow>(module, "CheckRow")
       .def_readonly("name", &CheckRow::name)
@@ -82,17 +106,24 @@ void bind_results(py::module_& module) {
       .def_property_readonly("passed", &CheckReport::passed)
       .def("__str__", [](const CheckReport& report) {
         std::string text;
-        for (const CheckRow& row : report.rows) text += fmt::format("{:<58} {:>12.5g} <= {:>12.5g} {:<3} {}\n", row.name, row.measured, row.bound, row.unit, row.passed() ? "pass" : "FAIL");
+        for (const CheckRow& row : report.rows)
+          text += fmt::format("{:<58} {:>12.5g} <= {:>12.5g} {:<3} {}\n", row.name, row.measured, row.bound, row.unit,
+                              row.passed() ? "pass" : "FAIL");
         return text;
       });
-  module.def("check", [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution, std::optional<double> max_error, const py::object& progress) {
-    const FieldPtr field = field_of(solid);
-    return long_work(progress, [&](Progress& p) {
-      const Box region = region_of(field, bounds, p);
-      return check(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1)}, p);
-    });
-  }, py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("progress") = py::none(),
-     "Cross-checks a solid's distance field and mesh against OpenVDB and CGAL.");
+  module.def(
+      "check",
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
+         std::optional<double> max_error, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          return check(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1)}, p);
+        });
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
+      py::arg("max_error") = py::none(), py::arg("progress") = py::none(),
+      "Cross-checks a solid's distance field and mesh against OpenVDB and CGAL.");
   py::class_<MeshVerdict>(module, "MeshVerdict")
       .def_readonly("manifold", &MeshVerdict::manifold)
       .def_readonly("closed", &MeshVerdict::closed)

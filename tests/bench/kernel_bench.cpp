@@ -17,7 +17,9 @@ namespace {
 
 using namespace fieldfab;
 
-FieldPtr vm(const char* name) { return frep::make_field(frep::simplify(frep::parse_vm(read_file(std::string(TEST_DATA "/frep/") + name)))); }
+FieldPtr vm(const char* name) {
+  return frep::make_field(frep::simplify(frep::parse_vm(read_file(std::string(TEST_DATA "/frep/") + name))));
+}
 
 /// The 35 parts of mtm_az with their bounds; inches, as the files have them.
 const std::vector<std::pair<FieldPtr, Box>>& mtm_az() {
@@ -129,7 +131,8 @@ void Evaluator(benchmark::State& state) {
   if (!frep::available(evaluator)) return state.SkipWithError("not on this processor");
   const FieldPtr field = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/prospero.vm")), evaluator);
   std::vector<float> x(4096), y(4096), z(4096), out(4096);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<float>(i % 64) / 32 - 1, y[i] = static_cast<float>(i / 64) / 32 - 1;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    x[i] = static_cast<float>(i % 64) / 32 - 1, y[i] = static_cast<float>(i / 64) / 32 - 1;
   for (auto _ : state) field->values({x.data(), y.data(), z.data(), x.size()}, out.data());
   state.SetItemsProcessed(state.iterations() * 4096);
 }

@@ -1,4 +1,5 @@
-// Any bytes as an .asdf file: an Error, or a distance field that answers. The checksum is set right, so that what is behind it is tried too.
+// Any bytes as an .asdf file: an Error, or a distance field that answers. The checksum is set right, so that what is behind it is
+// tried too.
 #include <unistd.h>
 #include <zlib.h>
 
@@ -13,10 +14,12 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   using namespace fieldfab;
-  static const std::filesystem::path path = std::filesystem::temp_directory_path() / ("fuzz_" + std::to_string(::getpid()) + ".asdf");
+  static const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("fuzz_" + std::to_string(::getpid()) + ".asdf");
   std::string bytes(reinterpret_cast<const char*>(data), size);
   if (bytes.size() > 12 && bytes.starts_with("FFASDF1\n")) {
-    const auto sum = static_cast<std::uint32_t>(crc32(crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()) + 12, static_cast<uInt>(bytes.size() - 12)));
+    const auto sum = static_cast<std::uint32_t>(
+        crc32(crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()) + 12, static_cast<uInt>(bytes.size() - 12)));
     std::memcpy(bytes.data() + 8, &sum, 4);
   }
   write_file(path, bytes);

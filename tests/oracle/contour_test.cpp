@@ -21,8 +21,9 @@ using frep::Expression;
 
 void expect_valid(const TriangleMesh& mesh, const std::string& what) {
   const MeshVerdict verdict = inspect(mesh);
-  EXPECT_TRUE(verdict.valid()) << what << ": manifold " << verdict.manifold << " closed " << verdict.closed << " outward " << verdict.outward
-                               << " self-intersections " << verdict.self_intersections << " degenerate " << verdict.degenerate;
+  EXPECT_TRUE(verdict.valid()) << what << ": manifold " << verdict.manifold << " closed " << verdict.closed << " outward "
+                               << verdict.outward << " self-intersections " << verdict.self_intersections << " degenerate "
+                               << verdict.degenerate;
 }
 
 struct Sample {
@@ -50,7 +51,9 @@ TEST(Contour, IsValidForEveryShapeResolutionAndTurn) {
         const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
         const std::string what = std::string(sample.name) + " turn " + std::to_string(turn) + " voxel " + std::to_string(voxel);
         expect_valid(mesh, what);
-        if (sample.volume > 0) { EXPECT_NEAR(mesh.volume(), sample.volume, 0.3 * voxel * voxel * mesh.area()) << what; }
+        if (sample.volume > 0) {
+          EXPECT_NEAR(mesh.volume(), sample.volume, 0.3 * voxel * voxel * mesh.area()) << what;
+        }
       }
     }
 }
@@ -83,7 +86,8 @@ TEST(Contour, IsValidForFieldsThatAreNone) {
       {"sheet", frep::square(x)},
       {"compare", frep::compare(frep::square(x) + frep::square(y), 0.7)}};
   for (const auto& [name, expression] : wild)
-    for (const double voxel : {0.25, 0.1}) expect_valid(contour(*frep::make_field(expression), {Vec3::Constant(-1.1), {1.2, 1.3, 1}}, {voxel}), name);
+    for (const double voxel : {0.25, 0.1})
+      expect_valid(contour(*frep::make_field(expression), {Vec3::Constant(-1.1), {1.2, 1.3, 1}}, {voxel}), name);
 }
 
 TEST(Contour, CapsASolidAtTheBounds) {
@@ -113,7 +117,8 @@ TEST(Check, PassesWhatIsRight) {
   for (const Sample& sample : samples()) {
     const FieldPtr solid = rotate(frep::make_field(sample.solid), {1, 2, 3}, 0.7);
     const CheckReport report = check(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {0.06});
-    for (const CheckRow& row : report.rows) EXPECT_TRUE(row.passed()) << sample.name << ": " << row.name << ' ' << row.measured << " > " << row.bound;
+    for (const CheckRow& row : report.rows)
+      EXPECT_TRUE(row.passed()) << sample.name << ": " << row.name << ' ' << row.measured << " > " << row.bound;
   }
 }
 
@@ -143,7 +148,9 @@ class Shifted final : public Field {
     inner_->values(points, out);
     for (std::size_t i = 0; i < points.count; ++i) out[i] += shift_;
   }
-  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override { inner_->gradients(points, out, slopes); }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    inner_->gradients(points, out, slopes);
+  }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return inner_->interval(box); }
 
  private:

@@ -49,7 +49,8 @@ FieldPtr random_solid(int depth) {
     case 11: return mirror(a, {1, number(-1, 1), number(-1, 1)});
     default: {
       const auto axis = [](const frep::Expression& e) { return frep::make_field(e); };
-      return map(a, axis(frep::Expression::x() * 1.5), axis(frep::Expression::y() + frep::sin(frep::Expression::z())), axis(frep::Expression::z()));
+      return map(a, axis(frep::Expression::x() * 1.5), axis(frep::Expression::y() + frep::sin(frep::Expression::z())),
+                 axis(frep::Expression::z()));
     }
   }
 }

@@ -50,7 +50,8 @@ RC_GTEST_PROP(Frep, EvaluatorsGiveTheSameBits, ()) {
   for (const Evaluator evaluator : {Evaluator::reference, Evaluator::portable, Evaluator::avx2, Evaluator::avx512}) {
     if (!available(evaluator)) continue;
     const std::vector<float> out = values(*make_field(expression, evaluator), samples);
-    for (std::size_t i = 0; i < out.size(); ++i) RC_ASSERT(same(out[i], evaluate(expression, samples.x[i], samples.y[i], samples.z[i])));
+    for (std::size_t i = 0; i < out.size(); ++i)
+      RC_ASSERT(same(out[i], evaluate(expression, samples.x[i], samples.y[i], samples.z[i])));
   }
 }
 
@@ -73,7 +74,9 @@ RC_GTEST_PROP(Frep, IntervalsHoldEveryValue, ()) {
   const Expression expression = random_expression(draw(1, 30));
   const Box box = random_box();
   const Interval tape = make_field(expression)->interval(box);
-  const auto side = [&](int axis) { return Interval{static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false}; };
+  const auto side = [&](int axis) {
+    return Interval{static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false};
+  };
   const Interval reference = evaluate_interval(expression, side(0), side(1), side(2));
   for (const float value : values(*make_field(expression), Samples(box, 400))) {
     RC_ASSERT(tape.contains(value));
@@ -114,7 +117,8 @@ RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {
   // Operations without cancellation or jumps, so that last bits cannot grow into large differences.
   std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), 0.0, 1.0, -1.0, 2.0, random_constant()};
   const auto any = [&] { return parts[static_cast<std::size_t>(draw(0, static_cast<int>(parts.size())))]; };
-  constexpr Opcode calm[] = {Opcode::minimum, Opcode::maximum, Opcode::negate, Opcode::absolute, Opcode::multiply, Opcode::square, Opcode::add, Opcode::subtract, Opcode::divide, Opcode::power};
+  constexpr Opcode calm[] = {Opcode::minimum, Opcode::maximum, Opcode::negate,   Opcode::absolute, Opcode::multiply,
+                             Opcode::square,  Opcode::add,     Opcode::subtract, Opcode::divide,   Opcode::power};
   for (int i = 0; i < 12; ++i) {
     const Opcode op = calm[draw(0, 10)];
     parts.push_back(info(op).arity == 1 ? Expression::make(op, any()) : Expression::make(op, any(), any()));

@@ -10,7 +10,8 @@
 
 namespace fieldfab {
 
-/// A whole number from `low` up to, but not, `high`: over the whole range from the first test on (RapidCheck begins with small ones).
+/// A whole number from `low` up to, but not, `high`: over the whole range from the first test on (RapidCheck begins with small
+/// ones).
 inline int draw(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 
 }  // namespace fieldfab
@@ -45,7 +46,8 @@ inline Expression random_expression(int size) {
     add(info(op).arity == 1 ? Expression::make(op, any()) : Expression::make(op, any(), any()));
     if (draw(0, 6) == 0) parts.push_back(random_constant()), used.push_back(true);
   }
-  constexpr Opcode joints[] = {Opcode::minimum, Opcode::maximum, Opcode::minimum, Opcode::maximum, Opcode::add, Opcode::multiply, Opcode::subtract};
+  constexpr Opcode joints[] = {Opcode::minimum, Opcode::maximum,  Opcode::minimum, Opcode::maximum,
+                               Opcode::add,     Opcode::multiply, Opcode::subtract};
   Expression whole = parts.back();
   for (std::size_t i = 0; i + 1 < parts.size(); ++i)
     if (!used[i]) whole = Expression::make(joints[draw(0, 7)], whole, parts[i]);

@@ -61,7 +61,8 @@ TEST(AsdfTest, KeepsEverySampleToMaxError) {
 
 TEST(AsdfTest, MergesFlatThingsAndNeedsFewBytes) {
   const auto cube = Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100});
-  const auto plain = Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100, 0, false});
+  const auto plain =
+      Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100, 0, false});
   EXPECT_LT(cube->statistics().cells() * 5, plain->statistics().cells());
   for (const auto& asdf : {cube, plain}) {
     const AsdfStatistics counts = asdf->statistics();
@@ -71,13 +72,16 @@ TEST(AsdfTest, MergesFlatThingsAndNeedsFewBytes) {
 }
 
 TEST(AsdfTest, TakesAnyRegion) {
-  for (const Box& region : {Box{{-1.1, -1.1, -0.05}, {1.1, 1.1, 0.031}}, Box{{-1.5, -1.2, 0}, {1.5, 1.2, 0}}, Box{{0.2, -2, -1}, {0.9, 2, 1.7}}}) {
+  for (const Box& region :
+       {Box{{-1.1, -1.1, -0.05}, {1.1, 1.1, 0.031}}, Box{{-1.5, -1.2, 0}, {1.5, 1.2, 0}}, Box{{0.2, -2, -1}, {0.9, 2, 1.7}}}) {
     const auto asdf = Asdf::build(*ball, region, {0.03});
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
     for (int i = 0; i < 3000; ++i) {
       const Vec3 p = region.lower + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(region.size());
-      if (std::abs(p.norm() - 1) > 0.04) { EXPECT_EQ(asdf->value(p) < 0, p.norm() < 1) << p.transpose(); }
+      if (std::abs(p.norm() - 1) > 0.04) {
+        EXPECT_EQ(asdf->value(p) < 0, p.norm() < 1) << p.transpose();
+      }
     }
   }
   EXPECT_THROW(Asdf::build(*ball, {{0, 0, 0}, {0, 1, 1}}, {0.1}), Error);
@@ -126,8 +130,10 @@ TEST_F(AsdfFiles, ThatAreDamagedAreRefused) {
   std::mt19937 random(2);
   for (std::size_t i = 0; i < 400; ++i) {
     std::string bytes = whole;
-    if (i % 2 == 0) bytes[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
-    else bytes.resize(random() % bytes.size());
+    if (i % 2 == 0)
+      bytes[random() % bytes.size()] ^= static_cast<char>(1U << random() % 8);
+    else
+      bytes.resize(random() % bytes.size());
     write_file(path, bytes);
     EXPECT_THROW(Asdf::load(path), Error) << i;
   }

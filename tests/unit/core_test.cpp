@@ -19,7 +19,8 @@ class Files : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder); }
   [[nodiscard]] std::size_t files() const {
-    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator()));
   }
   std::filesystem::path folder;
 };

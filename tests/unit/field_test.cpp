@@ -31,7 +31,8 @@ TEST(Operations, HaveTheirClosedForms) {
   EXPECT_NEAR(offset(one, 0.25)->value(p), a - 0.25, 1e-6);
   EXPECT_NEAR(shell(one, 0.5)->value(p), std::max(a - 0.25, -0.25 - a), 1e-6);
   EXPECT_NEAR(morph(one, other, 0.25)->value(p), 0.75 * a + 0.25 * b, 1e-6);
-  EXPECT_NEAR(blend(one, other, 0.3)->value(p), std::min({a, b, std::sqrt(std::abs(a)) + std::sqrt(std::abs(b)) - std::sqrt(0.3)}), 1e-5);
+  EXPECT_NEAR(blend(one, other, 0.3)->value(p),
+              std::min({a, b, std::sqrt(std::abs(a)) + std::sqrt(std::abs(b)) - std::sqrt(0.3)}), 1e-5);
   EXPECT_NEAR(scale(one, {2, 2, 2})->value(p), p.norm() - 2, 1e-6);
   EXPECT_NEAR(rotate(other, Vec3::UnitZ(), std::numbers::pi / 2)->value({0, 1, 0}), -0.5, 1e-6);
   EXPECT_NEAR(mirror(other, Vec3::UnitX())->value({-1, 0, 0}), -0.5, 1e-6);
@@ -65,8 +66,10 @@ TEST(Bounds, AreFoundNotGuessed) {
   expect_bounds(ball(1e-3), {Vec3::Constant(-1e-3), Vec3::Constant(1e-3)});
   expect_bounds(ball(3e5), {Vec3::Constant(-3e5), Vec3::Constant(3e5)});
   expect_bounds(unite(translate(ball(), {-500, 0, 0}), translate(ball(2), {40, 0, 0})), {{-501, -2, -2}, {42, 2, 2}});
-  expect_bounds(rotate(frep::make_field(s::box(2, 2, 2)), Vec3::UnitZ(), std::numbers::pi / 4), {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
-  expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))), {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
+  expect_bounds(rotate(frep::make_field(s::box(2, 2, 2)), Vec3::UnitZ(), std::numbers::pi / 4),
+                {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
+  expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))),
+                {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
 }
 
 TEST(Bounds, TellTheUnboundedAndTheEmpty) {

@@ -30,8 +30,11 @@ TriangleMesh tetrahedron() {
 
 TEST(Meshes, KnowTheirVolumeAreaAndBounds) {
   TriangleMesh cube;
-  for (int i = 0; i < 8; ++i) cube.vertices.push_back({10.0F + 2.0F * static_cast<float>(i & 1), 2.0F * static_cast<float>(i >> 1 & 1), 2.0F * static_cast<float>(i >> 2)});
-  cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (int i = 0; i < 8; ++i)
+    cube.vertices.push_back(
+        {10.0F + 2.0F * static_cast<float>(i & 1), 2.0F * static_cast<float>(i >> 1 & 1), 2.0F * static_cast<float>(i >> 2)});
+  cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   EXPECT_DOUBLE_EQ(cube.volume(), 8);
   EXPECT_DOUBLE_EQ(cube.area(), 24);
   EXPECT_EQ(cube.bounds(), (Box{{10, 0, 0}, {12, 2, 2}}));
@@ -50,7 +53,9 @@ TEST_F(MeshFiles, ReadBackTheSame) {
     EXPECT_EQ(again.triangles.size(), 4U) << extension;
     EXPECT_EQ(again.vertices.size(), 4U) << extension;
     EXPECT_NEAR(again.volume(), mesh.volume(), 1e-4 * std::abs(mesh.volume())) << extension;
-    if (const std::string e = extension; e == ".ply" || e == ".off" || e == ".obj") { EXPECT_EQ(again.vertices, mesh.vertices) << extension; }
+    if (const std::string e = extension; e == ".ply" || e == ".off" || e == ".obj") {
+      EXPECT_EQ(again.vertices, mesh.vertices) << extension;
+    }
   }
   EXPECT_THROW(write_mesh(mesh, folder / "mesh.xyz"), Error);
 }
@@ -63,8 +68,10 @@ TEST_F(MeshFiles, ThatAreDamagedDoNotCrash) {
     const std::string whole = read_file(path);
     for (int i = 0; i < 60; ++i) {
       std::string bytes = whole;
-      if (i % 2 == 0) bytes[bytes.size() / 3 + random() % (bytes.size() * 2 / 3)] ^= static_cast<char>(1U << random() % 7);
-      else bytes.resize(random() % bytes.size());
+      if (i % 2 == 0)
+        bytes[bytes.size() / 3 + random() % (bytes.size() * 2 / 3)] ^= static_cast<char>(1U << random() % 7);
+      else
+        bytes.resize(random() % bytes.size());
       write_file(path, bytes);
       try {
         (void)read_mesh(path).volume();

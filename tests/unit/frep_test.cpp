@@ -49,13 +49,13 @@ TEST(Expressions, AreSimplified) {
 
 TEST(MathStrings, AreReadAsKokopelliReadsThem) {
   EXPECT_EQ(parse_math("-+qXqYf1"), Expression::make(Opcode::subtract, Expression::make(Opcode::add, square(x), square(y)), 1.0));
-  EXPECT_EQ(parse_math("m+XYX X"), Expression::make(Opcode::add, x, y));           // the example of Appendix A
+  EXPECT_EQ(parse_math("m+XYX X"), Expression::make(Opcode::add, x, y));  // the example of Appendix A
   EXPECT_EQ(parse_math("mY  +XZ"), Expression::make(Opcode::add, y, z));
   EXPECT_EQ(parse_math("m+Xf1  m+Xf2  X"), Expression::make(Opcode::add, Expression::make(Opcode::add, x, 1.0), 2.0));
-  EXPECT_EQ(parse_math("+m  YZX"), Expression::make(Opcode::add, y, x));           // the map ends with its body
+  EXPECT_EQ(parse_math("+m  YZX"), Expression::make(Opcode::add, y, x));  // the map ends with its body
   EXPECT_EQ(parse_math("f-0"), Expression(0.0));
   EXPECT_EQ(parse_math("+f.5f6.5e-3"), Expression::make(Opcode::add, 0.5, 6.5e-3));
-  EXPECT_EQ(parse_math("+f0xX"), Expression::make(Opcode::add, 0.0, exp(x)));      // 0, then exp: no hexadecimal
+  EXPECT_EQ(parse_math("+f0xX"), Expression::make(Opcode::add, 0.0, exp(x)));  // 0, then exp: no hexadecimal
   EXPECT_EQ(parse_math("f+3"), Expression(3.0));
   EXPECT_EQ(parse_math("X\n"), x);
 }
@@ -188,7 +188,8 @@ TEST(Pruning, DropsWhatCannotMatter) {
   const FieldPtr both = make_field(max(x, y - 5.0));
   const Box box{{-3, 4, 0}, {-1, 6, 0}};
   EXPECT_EQ(active_nodes(*both->restricted(box).field), active_nodes(*both));
-  EXPECT_LT(active_nodes(*make_field(max(sin(x) - 2.0, y - 5.0))->restricted({{-3, 2, 0}, {-1, 6, 0}}, Purpose::occupancy).field), 4U);
+  EXPECT_LT(active_nodes(*make_field(max(sin(x) - 2.0, y - 5.0))->restricted({{-3, 2, 0}, {-1, 6, 0}}, Purpose::occupancy).field),
+            4U);
 }
 
 }  // namespace

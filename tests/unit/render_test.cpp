@@ -66,8 +66,11 @@ TEST(HeightMaps, TurnWithAlphaAndBeta) {
 }
 
 TEST(Normals, PointOutOfTheSurface) {
-  const Image image = render(*frep::make_field(s::sphere(1)), {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::normals, 101});
-  const auto channel = [&](int row, int column, int c) { return image.pixels[static_cast<std::size_t>(3 * (row * 101 + column) + c)] / 127.5 - 1; };
+  const Image image =
+      render(*frep::make_field(s::sphere(1)), {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::normals, 101});
+  const auto channel = [&](int row, int column, int c) {
+    return image.pixels[static_cast<std::size_t>(3 * (row * 101 + column) + c)] / 127.5 - 1;
+  };
   EXPECT_NEAR(channel(50, 50, 2), 1, 0.01);
   EXPECT_NEAR(channel(50, 75, 0), 50.0 / 101, 0.01);
   EXPECT_NEAR(channel(25, 50, 1), 50.0 / 101, 0.01);

@@ -35,7 +35,8 @@ std::array<double, 3> lattice_point(const Box& region, const std::array<int, 3>&
 /// Where a point lies in a leaf, 0 to 1 along each axis.
 std::array<float, 3> within(const std::array<double, 3>& at, const LatticeRange& range) {
   std::array<float, 3> t{};
-  for (std::size_t axis = 0; axis < 3; ++axis) t[axis] = static_cast<float>(std::clamp((at[axis] - range.first[axis]) / range.count[axis], 0.0, 1.0));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    t[axis] = static_cast<float>(std::clamp((at[axis] - range.first[axis]) / range.count[axis], 0.0, 1.0));
   return t;
 }
 
@@ -66,7 +67,9 @@ Asdf::Place Asdf::find(const std::array<double, 3>& at) const noexcept {
     unsigned number = 0, bit = 0;
     const unsigned axes = place.word.axes();
     for (unsigned axis = 0; axis < 3; ++axis)
-      if ((axes >> axis & 1U) != 0) number |= static_cast<unsigned>(at[axis] >= place.range.first[axis] + place.range.lower_count(static_cast<int>(axis))) << bit++;
+      if ((axes >> axis & 1U) != 0)
+        number |= static_cast<unsigned>(at[axis] >= place.range.first[axis] + place.range.lower_count(static_cast<int>(axis)))
+                  << bit++;
     place.range = place.range.child(axes, number);
     place.word = tree_->cells[place.word.first_child() + number];
   }
@@ -140,12 +143,15 @@ Interval Asdf::interval(const Box& box) const noexcept {
     if (box.lower[a] < region_.lower[a] || box.upper[a] > region_.upper[a]) {
       const double beyond = std::max({region_.lower[a] - box.lower[a], box.upper[a] - region_.upper[a], 0.0});
       add(far, far + static_cast<float>(beyond) * 1.000001F + far);
-      if (range.upper < far + static_cast<float>((box.upper - region_.upper).cwiseMax(region_.lower - box.lower).maxCoeff())) range.upper = std::numeric_limits<float>::infinity();
+      if (range.upper < far + static_cast<float>((box.upper - region_.upper).cwiseMax(region_.lower - box.lower).maxCoeff()))
+        range.upper = std::numeric_limits<float>::infinity();
     }
   }
   std::vector<Place> open{{tree_->cells[root_], {first_, count_}}};
   for (int looked = 0; !open.empty(); ++looked) {
-    if (looked > 2048) return {std::min(range.lower, -std::max(tree_->greatest, far)), std::max(range.upper, std::max(tree_->greatest, far)), false};
+    if (looked > 2048)
+      return {std::min(range.lower, -std::max(tree_->greatest, far)), std::max(range.upper, std::max(tree_->greatest, far)),
+              false};
     const Place place = open.back();
     open.pop_back();
     bool meets = true;
@@ -173,7 +179,8 @@ Restriction Asdf::restricted(const Box& box, Purpose /*purpose*/) const {
   const Interval range = interval(box);
   if (!box.lower.allFinite() || !box.upper.allFinite()) return {range, shared_from_this()};
   constexpr double slack = 1e-3;
-  const std::array<double, 3> low = lattice_point(region_, lattice_, box.lower), high = lattice_point(region_, lattice_, box.upper);
+  const std::array<double, 3> low = lattice_point(region_, lattice_, box.lower),
+                              high = lattice_point(region_, lattice_, box.upper);
   std::uint32_t root = root_;
   LatticeRange covered{first_, count_};
   while (tree_->cells[root].kind() == CellKind::branch) {
@@ -251,24 +258,30 @@ BuildCell cut(const Asdf::Tree& tree, CellWord word, const LatticeRange& range, 
 }  // namespace
 
 std::shared_ptr<const Asdf> Asdf::slice(double z) const {
-  if (!(z >= region_.lower.z() && z <= region_.upper.z())) throw Error(ErrorKind::bad_input, "slice", "the height is outside of the region");
+  if (!(z >= region_.lower.z() && z <= region_.upper.z()))
+    throw Error(ErrorKind::bad_input, "slice", "the height is outside of the region");
   Box flat = region_;
   flat.lower.z() = flat.upper.z() = z;
   const double at = lattice_point(region_, lattice_, {0, 0, z})[2];
-  return std::shared_ptr<const Asdf>(new Asdf(flat, {lattice_[0], lattice_[1], 0}, max_error_, std::make_shared<Tree>(packed(cut(*tree_, tree_->cells[root_], {first_, count_}, at)))));
+  return std::shared_ptr<const Asdf>(
+      new Asdf(flat, {lattice_[0], lattice_[1], 0}, max_error_,
+               std::make_shared<Tree>(packed(cut(*tree_, tree_->cells[root_], {first_, count_}, at)))));
 }
 
 std::shared_ptr<const Asdf> Asdf::rescaled(double factor) const {
-  if (!(factor > 0) || !std::isfinite(factor)) throw Error(ErrorKind::bad_input, "rescale", "the factor must be a positive number");
+  if (!(factor > 0) || !std::isfinite(factor))
+    throw Error(ErrorKind::bad_input, "rescale", "the factor must be a positive number");
   auto tree = std::make_shared<Tree>(*tree_);
   for (LeafSamples& samples : tree->leafs) samples.step *= static_cast<float>(factor);
   tree->greatest *= static_cast<float>(factor);
-  return std::shared_ptr<const Asdf>(new Asdf({factor * region_.lower, factor * region_.upper}, lattice_, factor * max_error_, tree));
+  return std::shared_ptr<const Asdf>(
+      new Asdf({factor * region_.lower, factor * region_.upper}, lattice_, factor * max_error_, tree));
 }
 
 std::optional<double> Asdf::ray(const Vec3& origin, const Vec3& direction) const {
   const double length = direction.norm();
-  if (!(length > 0) || !origin.allFinite() || !std::isfinite(length)) throw Error(ErrorKind::bad_input, "ray", "origin and direction must be finite, and the direction not 0");
+  if (!(length > 0) || !origin.allFinite() || !std::isfinite(length))
+    throw Error(ErrorKind::bad_input, "ray", "origin and direction must be finite, and the direction not 0");
   const Vec3 d = direction / length;
   double near = 0, far = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
@@ -291,7 +304,8 @@ std::optional<double> Asdf::ray(const Vec3& origin, const Vec3& direction) const
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       if (d[a] == 0 || lattice_[axis] == 0) continue;
-      const double plane = region_.lower[a] + region_.size()[a] / lattice_[axis] * (place.range.first[axis] + (d[a] > 0 ? place.range.count[axis] : 0));
+      const double plane = region_.lower[a] + region_.size()[a] / lattice_[axis] *
+                                                  (place.range.first[axis] + (d[a] > 0 ? place.range.count[axis] : 0));
       leave = std::min(leave, std::max(t, (plane - origin[a]) / d[a]));
     }
     if (place.word.kind() == CellKind::leaf) {

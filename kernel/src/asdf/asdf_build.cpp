@@ -14,8 +14,8 @@
 namespace fieldfab {
 namespace {
 
-constexpr int block_side = 8;         // cells an axis that are sampled together
-constexpr int task_side = 32;         // cells an axis below which a cell is one thread's work
+constexpr int block_side = 8;  // cells an axis that are sampled together
+constexpr int task_side = 32;  // cells an axis below which a cell is one thread's work
 constexpr std::size_t cell_bytes = sizeof(BuildCell);
 
 class Builder {
@@ -98,13 +98,16 @@ class Builder {
     std::size_t at = 0;
     std::array<std::array<float, block_side + 1>, 3> planes;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      for (std::size_t i = 0; i < points[axis]; ++i) planes[axis][i] = static_cast<float>(plane(static_cast<int>(axis), range.first[axis] + static_cast<int>(i)));
+      for (std::size_t i = 0; i < points[axis]; ++i)
+        planes[axis][i] = static_cast<float>(plane(static_cast<int>(axis), range.first[axis] + static_cast<int>(i)));
     for (std::size_t k = 0; k < points[2]; ++k)
       for (std::size_t j = 0; j < points[1]; ++j)
         for (std::size_t i = 0; i < points[0]; ++i, ++at) x[at] = planes[0][i], y[at] = planes[1][j], z[at] = planes[2][k];
     field.values({x.data(), y.data(), z.data(), at}, value.data());
     const auto sample = [&](int i, int j, int k) {
-      return value[static_cast<std::size_t>(i - range.first[0]) + points[0] * (static_cast<std::size_t>(j - range.first[1]) + points[1] * static_cast<std::size_t>(k - range.first[2]))];
+      return value[static_cast<std::size_t>(i - range.first[0]) +
+                   points[0] *
+                       (static_cast<std::size_t>(j - range.first[1]) + points[1] * static_cast<std::size_t>(k - range.first[2]))];
     };
     return from_samples(sample, range);
   }
@@ -130,7 +133,8 @@ class Builder {
     }
     if (settings_.merge_leafs && settings_.max_error > 0 && one_leaf(sample, range, cell)) return cell;
     std::vector<BuildCell> children(std::size_t{1} << std::popcount(axes));
-    for (std::size_t i = 0; i < children.size(); ++i) children[i] = from_samples(sample, range.child(axes, static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < children.size(); ++i)
+      children[i] = from_samples(sample, range.child(axes, static_cast<unsigned>(i)));
     return joined(std::move(children), axes, range);
   }
 
@@ -140,7 +144,9 @@ class Builder {
     std::array<double, 3> size;
     for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = range.count[axis] * size_[axis];
     for (int corner = 0; corner < 8; ++corner) {
-      const float value = sample(range.first[0] + (corner & 1) * range.count[0], range.first[1] + (corner >> 1 & 1) * range.count[1], range.first[2] + (corner >> 2) * range.count[2]);
+      const float value =
+          sample(range.first[0] + (corner & 1) * range.count[0], range.first[1] + (corner >> 1 & 1) * range.count[1],
+                 range.first[2] + (corner >> 2) * range.count[2]);
       if (!std::isfinite(value)) return false;
       leaf.corners[static_cast<std::size_t>(corner)] = value;
     }
@@ -151,10 +157,13 @@ class Builder {
       for (int j = 0; j <= range.count[1]; ++j) {
         // Along x interpolation is a straight line between two values interpolated on the range's faces.
         const double v = static_cast<double>(j) / range.count[1], w = static_cast<double>(k) / range.count[2];
-        const auto face = [&](std::size_t i) { return (1 - w) * ((1 - v) * c[i] + v * c[i + 2]) + w * ((1 - v) * c[i + 4] + v * c[i + 6]); };
+        const auto face = [&](std::size_t i) {
+          return (1 - w) * ((1 - v) * c[i] + v * c[i + 2]) + w * ((1 - v) * c[i + 4] + v * c[i + 6]);
+        };
         const double low = face(0), high = face(1);
         for (int i = 0; i <= range.count[0]; ++i) {
-          const double truth = sample(range.first[0] + i, range.first[1] + j, range.first[2] + k), between = low + (high - low) * i / range.count[0];
+          const double truth = sample(range.first[0] + i, range.first[1] + j, range.first[2] + k),
+                       between = low + (high - low) * i / range.count[0];
           worst = std::max(worst, std::abs(truth - between));
           if (!(worst <= allowed) || (truth < 0) != (between < 0)) return false;
         }
@@ -165,9 +174,11 @@ class Builder {
   }
 
   void report(const LatticeRange& range) {
-    const double share = static_cast<double>(range.count[0]) / count_[0] * range.count[1] / count_[1] * range.count[2] / count_[2];
+    const double share =
+        static_cast<double>(range.count[0]) / count_[0] * range.count[1] / count_[1] * range.count[2] / count_[2];
     double before = done_.load(std::memory_order_relaxed);
-    while (!done_.compare_exchange_weak(before, before + share)) {}
+    while (!done_.compare_exchange_weak(before, before + share)) {
+    }
     progress_.report(before + share, "building the distance field");
   }
 
@@ -190,7 +201,9 @@ std::array<int, 3> lattice_of(const Box& region, double voxel) {
   std::array<int, 3> lattice{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[static_cast<Eigen::Index>(axis)] / voxel * (1 - 1e-9));
-    if (cells > (1 << 24)) throw Error(ErrorKind::too_large, "voxel", fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most 2^24 are possible", voxel, cells));
+    if (cells > (1 << 24))
+      throw Error(ErrorKind::too_large, "voxel",
+                  fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most 2^24 are possible", voxel, cells));
     lattice[axis] = static_cast<int>(cells);
   }
   return lattice;

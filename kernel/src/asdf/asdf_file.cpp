@@ -1,7 +1,8 @@
 // .asdf files: ours, compressed and with a checksum, and kokopelli's version 2.0.
 //
-// Ours, little-endian: "FFASDF1\n", crc32 of all that follows (4 bytes), then uncompressed size (8), then a zstd frame that holds the
-// region (6 doubles), the lattice (3 ints), max_error (double), the numbers of cells and leafs (2 x 8 bytes), the cell words, the leafs.
+// Ours, little-endian: "FFASDF1\n", crc32 of all that follows (4 bytes), then uncompressed size (8), then a zstd frame that holds
+// the region (6 doubles), the lattice (3 ints), max_error (double), the numbers of cells and leafs (2 x 8 bytes), the cell words,
+// the leafs.
 #include <fmt/format.h>
 #include <zlib.h>
 #include <zstd.h>
@@ -76,15 +77,18 @@ void verify(const Asdf::Tree& tree, const std::array<int, 3>& lattice, const std
     open.pop_back();
     const CellWord word = tree.cells[here.cell];
     if (word.kind() == CellKind::leaf) {
-      if (word.samples() >= tree.leafs.size() || seen_leaf[word.samples()]) damaged(path, "a cell refers to samples that are not its own");
+      if (word.samples() >= tree.leafs.size() || seen_leaf[word.samples()])
+        damaged(path, "a cell refers to samples that are not its own");
       seen_leaf[word.samples()] = true;
       ++leafs;
     }
     if (word.kind() != CellKind::branch) continue;
     const std::size_t count = std::size_t{1} << std::popcount(word.axes()), first = word.first_child();
-    if (word.axes() == 0 || (word.axes() & ~here.range.divisible()) != 0 || first <= here.cell || first + count > tree.cells.size() || (cells += count) > tree.cells.size())
+    if (word.axes() == 0 || (word.axes() & ~here.range.divisible()) != 0 || first <= here.cell ||
+        first + count > tree.cells.size() || (cells += count) > tree.cells.size())
       damaged(path, "its cells do not make a tree");
-    for (unsigned i = 0; i < count; ++i) open.push_back({static_cast<std::uint32_t>(first + i), here.range.child(word.axes(), i)});
+    for (unsigned i = 0; i < count; ++i)
+      open.push_back({static_cast<std::uint32_t>(first + i), here.range.child(word.axes(), i)});
   }
   if (cells != tree.cells.size() || leafs != tree.leafs.size()) damaged(path, "it holds cells that belong to nothing");
   for (const LeafSamples& samples : tree.leafs)
@@ -98,7 +102,8 @@ class AsdfFile {
  public:
   static std::string bytes_of(const Asdf& asdf) {
     std::string raw;
-    for (const double bound : {asdf.region_.lower.x(), asdf.region_.lower.y(), asdf.region_.lower.z(), asdf.region_.upper.x(), asdf.region_.upper.y(), asdf.region_.upper.z()})
+    for (const double bound : {asdf.region_.lower.x(), asdf.region_.lower.y(), asdf.region_.lower.z(), asdf.region_.upper.x(),
+                               asdf.region_.upper.y(), asdf.region_.upper.z()})
       append(raw, bound);
     append(raw, asdf.lattice_);
     append(raw, asdf.max_error_);
@@ -117,7 +122,8 @@ class AsdfFile {
     const auto lattice = reader.take<std::array<int, 3>>();
     const auto max_error = reader.take<double>();
     const auto cells = reader.take<std::uint64_t>(), leafs = reader.take<std::uint64_t>();
-    if (cells == 0 || cells > CellWord::most_cells || leafs > cells || cells * sizeof(CellWord) + leafs * sizeof(LeafSamples) != reader.left())
+    if (cells == 0 || cells > CellWord::most_cells || leafs > cells ||
+        cells * sizeof(CellWord) + leafs * sizeof(LeafSamples) != reader.left())
       damaged(path, "its counts do not fit its size");
     auto tree = std::make_shared<Asdf::Tree>();
     tree->cells.resize(cells);
@@ -127,10 +133,12 @@ class AsdfFile {
     return make(region, lattice, max_error, std::move(tree), path);
   }
 
-  static std::shared_ptr<const Asdf> make(const Box& region, const std::array<int, 3>& lattice, double max_error, std::shared_ptr<Asdf::Tree> tree,
-                                          const std::filesystem::path& path) {
+  static std::shared_ptr<const Asdf> make(const Box& region, const std::array<int, 3>& lattice, double max_error,
+                                          std::shared_ptr<Asdf::Tree> tree, const std::filesystem::path& path) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-      if (lattice[axis] < 0 || lattice[axis] > 1 << 24 || (lattice[axis] > 0) != (region.size()[static_cast<Eigen::Index>(axis)] > 0)) damaged(path, "its lattice does not fit its region");
+      if (lattice[axis] < 0 || lattice[axis] > 1 << 24 ||
+          (lattice[axis] > 0) != (region.size()[static_cast<Eigen::Index>(axis)] > 0))
+        damaged(path, "its lattice does not fit its region");
     if (!region.valid() || !std::isfinite(max_error)) damaged(path, "its region is not finite");
     verify(*tree, lattice, path);
     for (const LeafSamples& samples : tree->leafs) tree->greatest = std::max(tree->greatest, 32768 * samples.step);
@@ -142,10 +150,12 @@ class AsdfFile {
 
 namespace {
 
-/// kokopelli's tree, depth first. A corner's distance stands where the first cell that has it comes, and is looked up by place after that.
+/// kokopelli's tree, depth first. A corner's distance stands where the first cell that has it comes, and is looked up by place
+/// after that.
 class KokopelliReader {
  public:
-  KokopelliReader(ByteReader& reader, float scale, const std::filesystem::path& path) : reader_(reader), scale_(scale), path_(path) {}
+  KokopelliReader(ByteReader& reader, float scale, const std::filesystem::path& path)
+      : reader_(reader), scale_(scale), path_(path) {}
 
   BuildCell cell(const LatticeRange& range) {
     BuildCell made;
@@ -155,7 +165,8 @@ class KokopelliReader {
       for (unsigned corner = 0; corner < 8; ++corner) {
         // Theirs counts x as 4, y as 2, z as 1; ours x as 1, y as 2, z as 4.
         const unsigned ours = (corner >> 2 & 1U) | (corner & 2U) | (corner & 1U) << 2;
-        made.corners[ours] = distance({range.first[0] + static_cast<int>(corner >> 2 & 1U) * range.count[0], range.first[1] + static_cast<int>(corner >> 1 & 1U) * range.count[1],
+        made.corners[ours] = distance({range.first[0] + static_cast<int>(corner >> 2 & 1U) * range.count[0],
+                                       range.first[1] + static_cast<int>(corner >> 1 & 1U) * range.count[1],
                                        range.first[2] + static_cast<int>(corner & 1U) * range.count[2]});
       }
       return made;
@@ -167,8 +178,10 @@ class KokopelliReader {
       if ((children >> child & 1U) != 0) axes |= (child >> 2 & 1U) | (child & 2U) | (child & 1U) << 2;
     std::uint8_t expected = 0;
     for (unsigned child = 0; child < 8; ++child)
-      if ((((child >> 2 & 1U) | (child & 2U) | (child & 1U) << 2) & ~axes) == 0) expected = static_cast<std::uint8_t>(expected | 1U << child);
-    if (children != expected || axes == 0 || (axes & ~range.divisible()) != 0) damaged(path_, "a branch with children that do not fit it");
+      if ((((child >> 2 & 1U) | (child & 2U) | (child & 1U) << 2) & ~axes) == 0)
+        expected = static_cast<std::uint8_t>(expected | 1U << child);
+    if (children != expected || axes == 0 || (axes & ~range.divisible()) != 0)
+      damaged(path_, "a branch with children that do not fit it");
     made.kind = CellKind::branch;
     made.axes = axes;
     made.children.resize(std::size_t{1} << std::popcount(axes));
@@ -200,7 +213,8 @@ class KokopelliReader {
 std::shared_ptr<const Asdf> AsdfFile::from_kokopelli(std::string_view bytes, const std::filesystem::path& path) {
   ByteReader reader(bytes, path);
   reader.take<std::array<char, 4>>();
-  if (reader.take<std::uint8_t>() != 2 || reader.take<std::uint8_t>() != 0) damaged(path, "not version 2.0 of kokopelli's format");
+  if (reader.take<std::uint8_t>() != 2 || reader.take<std::uint8_t>() != 0)
+    damaged(path, "not version 2.0 of kokopelli's format");
   Box region;
   for (int axis = 0; axis < 3; ++axis) {
     region.lower[axis] = reader.take<float>();

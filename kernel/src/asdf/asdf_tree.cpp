@@ -51,7 +51,8 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (size[axis] <= 0) continue;
     double difference = 0;
-    for (std::size_t corner = 0; corner < 8; ++corner) difference += (corner >> axis & 1U) != 0 ? corners[corner] : -corners[corner];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      difference += (corner >> axis & 1U) != 0 ? corners[corner] : -corners[corner];
     sum += std::pow(difference / 4 / size[axis], 2);
   }
   return std::sqrt(sum);
@@ -59,9 +60,9 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
 
 namespace {
 
-/// Tries to join two leafs along `axis`. Interpolation over both differs from each one's own by a function that is linear along every axis, so
-/// that it is farthest off at a corner, and of those only the four in the middle can differ. With what either was off before, that bounds the
-/// distance to every sample that was ever merged: the sum must not exceed max_error.
+/// Tries to join two leafs along `axis`. Interpolation over both differs from each one's own by a function that is linear along
+/// every axis, so that it is farthest off at a corner, and of those only the four in the middle can differ. With what either was
+/// off before, that bounds the distance to every sample that was ever merged: the sum must not exceed max_error.
 bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double share, const std::array<double, 3>& size_a,
                 const std::array<double, 3>& size_b, double max_error, BuildCell& joined) {
   double off = 0;
@@ -83,8 +84,8 @@ bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double
 }
 
 /// Tries to join two cells along `axis`.
-bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a, const LatticeRange& range_b, const std::array<double, 3>& cell_size,
-          double max_error, BuildCell& joined) {
+bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a, const LatticeRange& range_b,
+          const std::array<double, 3>& cell_size, double max_error, BuildCell& joined) {
   if (a.kind != b.kind) return false;
   if (a.kind == CellKind::empty || a.kind == CellKind::filled) {
     joined.kind = a.kind;
@@ -131,7 +132,8 @@ BuildCell join_branches(BuildCell& a, BuildCell& b, unsigned axis) {
 
 }  // namespace
 
-BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range, const std::array<double, 3>& cell_size, double max_error) {
+BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range,
+                     const std::array<double, 3>& cell_size, double max_error) {
   for (unsigned axis = 0; axis < 3; ++axis) {
     if ((axes >> axis & 1U) == 0) continue;
     const unsigned rest = axes & ~(1U << axis), pairs = 1U << std::popcount(rest);
@@ -199,7 +201,8 @@ void pack(const BuildCell& cell, std::size_t at, Asdf::Tree& tree) {
 Asdf::Tree packed(const BuildCell& root) {
   std::size_t cells = 0, leafs = 0;
   count_cells(root, cells, leafs);
-  if (cells > CellWord::most_cells) throw Error(ErrorKind::too_large, "voxel", "the distance field would have more than 2^27 cells");
+  if (cells > CellWord::most_cells)
+    throw Error(ErrorKind::too_large, "voxel", "the distance field would have more than 2^27 cells");
   Asdf::Tree tree;
   tree.cells.reserve(cells);
   tree.leafs.reserve(leafs);

@@ -11,13 +11,16 @@ namespace fieldfab {
 
 enum class CellKind : std::uint8_t { empty, filled, leaf, branch };
 
-/// A cell in 32 bits: its kind, and where its children or samples are. Children of a branch lie together; it splits the axes of `axes` (bit 0
-/// is x), and bit i of a child's number, counted over the split axes in order, says that it is the upper part along that axis.
+/// A cell in 32 bits: its kind, and where its children or samples are. Children of a branch lie together; it splits the axes of
+/// `axes` (bit 0 is x), and bit i of a child's number, counted over the split axes in order, says that it is the upper part along
+/// that axis.
 struct CellWord {
   std::uint32_t bits = 0;
 
   static CellWord of(CellKind kind) { return {static_cast<std::uint32_t>(kind)}; }
-  static CellWord leaf(std::size_t samples) { return {static_cast<std::uint32_t>(samples << 2) | static_cast<std::uint32_t>(CellKind::leaf)}; }
+  static CellWord leaf(std::size_t samples) {
+    return {static_cast<std::uint32_t>(samples << 2) | static_cast<std::uint32_t>(CellKind::leaf)};
+  }
   static CellWord branch(std::size_t first_child, unsigned axes) {
     return {static_cast<std::uint32_t>(first_child << 5) | axes << 2 | static_cast<std::uint32_t>(CellKind::branch)};
   }
@@ -59,7 +62,7 @@ struct LatticeRange {
 struct BuildCell {
   CellKind kind = CellKind::empty;
   unsigned axes = 0;
-  float slack = 0;                  ///< how far interpolation may already be from the samples that were merged, mm
+  float slack = 0;  ///< how far interpolation may already be from the samples that were merged, mm
   std::array<float, 8> corners{};
   std::vector<BuildCell> children;
 };
@@ -68,7 +71,8 @@ struct BuildCell {
 double steepness(const std::array<float, 8>& corners, const std::array<double, 3>& size);
 
 /// Joins children that are alike, an axis at a time (Alg. 2.1). `children` are those of a branch over `range` that splits `axes`.
-BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range, const std::array<double, 3>& cell_size, double max_error);
+BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range,
+                     const std::array<double, 3>& cell_size, double max_error);
 
 /// Packs the cells; throws too_large beyond CellWord::most_cells.
 Asdf::Tree packed(const BuildCell& root);

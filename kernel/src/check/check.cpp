@@ -97,7 +97,10 @@ double sharp_length(const TriangleMesh& mesh) {
 class Checker {
  public:
   Checker(const Field& field, const Box& bounds, const CheckSettings& settings, Progress& progress)
-      : solid_(intersect(field.shared_from_this(), box_field(bounds))), bounds_(bounds), settings_(settings), progress_(progress) {
+      : solid_(intersect(field.shared_from_this(), box_field(bounds))),
+        bounds_(bounds),
+        settings_(settings),
+        progress_(progress) {
     if (settings_.max_error < 0) settings_.max_error = settings_.voxel / 10;
   }
 
@@ -113,11 +116,13 @@ class Checker {
   }
 
  private:
-  void row(std::string name, double measured, double bound, std::string unit = "") { report_.rows.push_back({std::move(name), measured, bound, std::move(unit)}); }
+  void row(std::string name, double measured, double bound, std::string unit = "") {
+    report_.rows.push_back({std::move(name), measured, bound, std::move(unit)});
+  }
 
-  /// Whether the solid, and the space outside of it, are about two voxels thick at a point of the surface: along the normal, and across it to one
-  /// side at least of any direction, so that edges and corners count as thick and the ends of wires do not. Where they are thinner two
-  /// lattices may each see or miss them, and neither is wrong.
+  /// Whether the solid, and the space outside of it, are about two voxels thick at a point of the surface: along the normal, and
+  /// across it to one side at least of any direction, so that edges and corners count as thick and the ends of wires do not.
+  /// Where they are thinner two lattices may each see or miss them, and neither is wrong.
   [[nodiscard]] bool resolved(const Vec3& p) const {
     const Vec3 slope = solid_->gradient(p);
     const double length = slope.norm();
@@ -210,11 +215,14 @@ class Checker {
     std::vector<Vec3> mine;
     for (const Vec3& p : surface_)
       if (resolved(p)) mine.push_back(p);
-    const double thin = surface_.empty() ? 0 : area * (1 - static_cast<double>(mine.size()) / static_cast<double>(surface_.size()));
-    // Both stand for the same surface to a part of a voxel: so volumes differ by that part of area x voxel, by more where the solid is thin.
+    const double thin =
+        surface_.empty() ? 0 : area * (1 - static_cast<double>(mine.size()) / static_cast<double>(surface_.size()));
+    // Both stand for the same surface to a part of a voxel: so volumes differ by that part of area x voxel, by more where the
+    // solid is thin.
     row("volume against OpenVDB's level set", std::abs(level_set.volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
     // A level set rounds every sharp edge by about a voxel, and thin parts may be missing from it altogether.
-    row("area against OpenVDB's level set", std::abs(level_set.area() - area), 0.1 * area + 2 * voxel * sharp_length(mesh_) + thin, "mm2");
+    row("area against OpenVDB's level set", std::abs(level_set.area() - area),
+        0.1 * area + 2 * voxel * sharp_length(mesh_) + thin, "mm2");
     if (mine.empty() || level_set.empty() || !valid_) return;
 
     double sum = 0, farthest = 0;

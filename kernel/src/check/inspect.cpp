@@ -43,7 +43,8 @@ MeshVerdict inspect(const TriangleMesh& mesh) {
   if (!verdict.closed) return verdict;
   verdict.volume = processing::volume(surface);
   // A mesh turned inside out bounds a volume too, in CGAL's eyes: that of all the rest.
-  verdict.outward = surface.is_empty() || (verdict.volume > 0 && (verdict.self_intersections > 0 || processing::does_bound_a_volume(surface)));
+  verdict.outward =
+      surface.is_empty() || (verdict.volume > 0 && (verdict.self_intersections > 0 || processing::does_bound_a_volume(surface)));
   return verdict;
 }
 

@@ -75,7 +75,8 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     for (std::size_t i = 0; i < open.size(); ++i)
       for (int child = 0; keep[i] != 0 && child < 8; ++child) {
         const int side = leaf_side << (level - 1);
-        next.push_back({open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side), level - 1, open[i].field});
+        next.push_back(
+            {open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side), level - 1, open[i].field});
       }
     open = std::move(next);
   }
@@ -91,7 +92,8 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     std::array<float, count> x, y, z, value, dx, dy, dz;
     for (openvdb::Index n = 0; n < count; ++n) {
       const openvdb::Coord at = leafs[i]->offsetToGlobalCoord(n);
-      x[n] = static_cast<float>(at.x() * voxel), y[n] = static_cast<float>(at.y() * voxel), z[n] = static_cast<float>(at.z() * voxel);
+      x[n] = static_cast<float>(at.x() * voxel), y[n] = static_cast<float>(at.y() * voxel),
+      z[n] = static_cast<float>(at.z() * voxel);
     }
     open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     for (openvdb::Index n = 0; n < count; ++n) {

@@ -25,7 +25,8 @@ struct MeshOracle::Cgal {
 
 MeshOracle::MeshOracle(const TriangleMesh& mesh) : cgal_(std::make_unique<Cgal>()) {
   for (const auto& p : mesh.vertices) cgal_->surface.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
-  for (const auto& t : mesh.triangles) cgal_->surface.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
+  for (const auto& t : mesh.triangles)
+    cgal_->surface.add_face(Surface::Vertex_index(t[0]), Surface::Vertex_index(t[1]), Surface::Vertex_index(t[2]));
   cgal_->tree.insert(faces(cgal_->surface).first, faces(cgal_->surface).second, cgal_->surface);
   cgal_->tree.build();
   cgal_->tree.accelerate_distance_queries();
@@ -34,8 +35,12 @@ MeshOracle::MeshOracle(const TriangleMesh& mesh) : cgal_(std::make_unique<Cgal>(
 
 MeshOracle::~MeshOracle() = default;
 
-bool MeshOracle::inside(const Vec3& p) const { return (*cgal_->side)(Kernel::Point_3(p.x(), p.y(), p.z())) == CGAL::ON_BOUNDED_SIDE; }
+bool MeshOracle::inside(const Vec3& p) const {
+  return (*cgal_->side)(Kernel::Point_3(p.x(), p.y(), p.z())) == CGAL::ON_BOUNDED_SIDE;
+}
 
-double MeshOracle::distance(const Vec3& p) const { return std::sqrt(cgal_->tree.squared_distance(Kernel::Point_3(p.x(), p.y(), p.z()))); }
+double MeshOracle::distance(const Vec3& p) const {
+  return std::sqrt(cgal_->tree.squared_distance(Kernel::Point_3(p.x(), p.y(), p.z())));
+}
 
 }  // namespace fieldfab

@@ -72,7 +72,8 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
     temporary_ = target_;
     return;
   }
-  std::string pattern = (target_.parent_path() / ("." + target_.stem().string() + ".XXXXXX")).string() + target_.extension().string();
+  std::string pattern =
+      (target_.parent_path() / ("." + target_.stem().string() + ".XXXXXX")).string() + target_.extension().string();
   descriptor_ = ::mkostemps(pattern.data(), static_cast<int>(target_.extension().string().size()), O_CLOEXEC);
   if (descriptor_ < 0) fail(target_, "write");
   temporary_ = pattern;
@@ -141,8 +142,9 @@ std::uintmax_t available_memory() {
 void require_memory(std::uintmax_t bytes, const std::string& what) {
   const std::uintmax_t available = available_memory();
   if (bytes > available / 10 * 9)
-    throw Error(ErrorKind::too_large, "", fmt::format("{} would need {:.1f} GB of memory, {:.1f} GB are free", what,
-                                                      static_cast<double>(bytes) / 1e9, static_cast<double>(available) / 1e9));
+    throw Error(ErrorKind::too_large, "",
+                fmt::format("{} would need {:.1f} GB of memory, {:.1f} GB are free", what, static_cast<double>(bytes) / 1e9,
+                            static_cast<double>(available) / 1e9));
 }
 
 }  // namespace fieldfab

@@ -6,7 +6,7 @@
 namespace fieldfab {
 namespace {
 
-constexpr double far_away = 1e6;  // mm; what reaches this far counts as unbounded
+constexpr double far_away = 1e6;                // mm; what reaches this far counts as unbounded
 constexpr std::size_t most_work = 400'000'000;  // operations a face; what is undecided after so many stays inside
 
 /// A part of space that may hold some of the solid.
@@ -19,10 +19,10 @@ struct Suspect {
 
 bool holds_nothing(const Interval& range) { return range.lower >= 0 && !range.maybe_nan; }
 
-/// How far the solid reaches within `within` along sign * axis, to `tolerance`: the suspect that reaches farthest is looked at next, cleared or
-/// halved. Axes marked `whole` are never divided. Returns false where there is nothing.
-bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, double tolerance, const bool (&whole)[3], Progress& progress,
-                double& reach) {
+/// How far the solid reaches within `within` along sign * axis, to `tolerance`: the suspect that reaches farthest is looked at
+/// next, cleared or halved. Axes marked `whole` are never divided. Returns false where there is nothing.
+bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, double tolerance, const bool (&whole)[3],
+                Progress& progress, double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   std::priority_queue<Suspect> suspects;
   suspects.push({within, field, reach_of(within)});

@@ -12,7 +12,8 @@ namespace {
 /// a(matrix * p + shift): the Field placed by the inverse of that map.
 class Affine final : public Field {
  public:
-  Affine(FieldPtr a, const Eigen::Affine3d& to_inner) : a_(std::move(a)), to_inner_(to_inner), rows_(to_inner.matrix().topRows<3>().cast<float>()) {}
+  Affine(FieldPtr a, const Eigen::Affine3d& to_inner)
+      : a_(std::move(a)), to_inner_(to_inner), rows_(to_inner.matrix().topRows<3>().cast<float>()) {}
 
   void values(const Points& points, float* out) const noexcept override {
     for_chunks(points, [&](const Points& part, std::size_t first) {
@@ -45,7 +46,8 @@ class Affine final : public Field {
     const Eigen::Affine3d to_outer = to_inner_.inverse();
     Box outer{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
     for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = to_outer * Vec3((corner & 1) != 0 ? inner.upper.x() : inner.lower.x(), (corner & 2) != 0 ? inner.upper.y() : inner.lower.y(),
+      const Vec3 p = to_outer * Vec3((corner & 1) != 0 ? inner.upper.x() : inner.lower.x(),
+                                     (corner & 2) != 0 ? inner.upper.y() : inner.lower.y(),
                                      (corner & 4) != 0 ? inner.upper.z() : inner.lower.z());
       outer = hull(outer, {p, p});
     }
@@ -58,7 +60,8 @@ class Affine final : public Field {
     const std::array<Chunk*, 3> to{&x, &y, &z};
     for (int row = 0; row < 3; ++row)
       for (std::size_t i = 0; i < part.count; ++i)
-        (*to[static_cast<std::size_t>(row)])[i] = ((rows_(row, 0) * part.x[i] + rows_(row, 1) * part.y[i]) + rows_(row, 2) * part.z[i]) + rows_(row, 3);
+        (*to[static_cast<std::size_t>(row)])[i] =
+            ((rows_(row, 0) * part.x[i] + rows_(row, 1) * part.y[i]) + rows_(row, 2) * part.z[i]) + rows_(row, 3);
     return {x.data(), y.data(), z.data(), part.count};
   }
   /// The box of the moved points of a box: the same sums in the same order, so that rounding goes the same way.
@@ -67,7 +70,8 @@ class Affine final : public Field {
     for (int row = 0; row < 3; ++row) {
       float lower = 0, upper = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        const float l = rows_(row, axis) * static_cast<float>(box.lower[axis]), u = rows_(row, axis) * static_cast<float>(box.upper[axis]);
+        const float l = rows_(row, axis) * static_cast<float>(box.lower[axis]),
+                    u = rows_(row, axis) * static_cast<float>(box.upper[axis]);
         const bool unknown = l != l || u != u;  // 0 * infinity
         const float least = unknown ? (rows_(row, axis) == 0 ? 0 : -INFINITY) : std::min(l, u);
         const float most = unknown ? (rows_(row, axis) == 0 ? 0 : INFINITY) : std::max(l, u);
@@ -88,7 +92,8 @@ class Affine final : public Field {
 /// a(x(p), y(p), z(p)).
 class Mapped final : public Field {
  public:
-  Mapped(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z) : a_(std::move(a)), coordinate_{std::move(x), std::move(y), std::move(z)} {}
+  Mapped(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z)
+      : a_(std::move(a)), coordinate_{std::move(x), std::move(y), std::move(z)} {}
 
   void values(const Points& points, float* out) const noexcept override {
     for_chunks(points, [&](const Points& part, std::size_t first) {
@@ -100,9 +105,11 @@ class Mapped final : public Field {
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     for_chunks(points, [&](const Points& part, std::size_t first) {
       std::array<Chunk, 3> inner, dx, dy, dz;
-      for (std::size_t i = 0; i < 3; ++i) coordinate_[i]->gradients(part, inner[i].data(), {dx[i].data(), dy[i].data(), dz[i].data()});
+      for (std::size_t i = 0; i < 3; ++i)
+        coordinate_[i]->gradients(part, inner[i].data(), {dx[i].data(), dy[i].data(), dz[i].data()});
       Chunk da, db, dc;
-      a_->gradients({inner[0].data(), inner[1].data(), inner[2].data(), part.count}, out + first, {da.data(), db.data(), dc.data()});
+      a_->gradients({inner[0].data(), inner[1].data(), inner[2].data(), part.count}, out + first,
+                    {da.data(), db.data(), dc.data()});
       for (std::size_t i = 0; i < part.count; ++i) {
         slopes.dx[first + i] = da[i] * dx[0][i] + db[i] * dx[1][i] + dc[i] * dx[2][i];
         slopes.dy[first + i] = da[i] * dy[0][i] + db[i] * dy[1][i] + dc[i] * dy[2][i];
@@ -128,7 +135,8 @@ class Mapped final : public Field {
     const Interval known = inner_interval(range, a.range);
     if (known.maybe_nan && !a.range.maybe_nan) a.field = a_;  // a coordinate may be NaN, which no box holds
     if (same && a.field == a_) return {known, shared_from_this()};
-    return {known, std::make_shared<Mapped>(std::move(a.field), std::move(inner[0].field), std::move(inner[1].field), std::move(inner[2].field))};
+    return {known, std::make_shared<Mapped>(std::move(a.field), std::move(inner[0].field), std::move(inner[1].field),
+                                            std::move(inner[2].field))};
   }
   [[nodiscard]] std::size_t cost() const noexcept override {
     return a_->cost() + coordinate_[0]->cost() + coordinate_[1]->cost() + coordinate_[2]->cost();

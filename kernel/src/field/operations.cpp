@@ -49,14 +49,18 @@ struct Union {
   Weights weights(float a, float b) const { return a <= b ? Weights{1, 0} : Weights{0, 1}; }
   Interval range(const Interval& a, const Interval& b) const { return least(a, b); }
   // The first argument wins ties, value and gradient: it may decide by touching, the second only strictly.
-  Only decides(const Interval& a, const Interval& b) const { return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both; }
+  Only decides(const Interval& a, const Interval& b) const {
+    return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both;
+  }
 };
 
 struct Intersection {
   float value(float a, float b) const { return greatest(a, b); }
   Weights weights(float a, float b) const { return a >= b ? Weights{1, 0} : Weights{0, 1}; }
   Interval range(const Interval& a, const Interval& b) const { return greatest(a, b); }
-  Only decides(const Interval& a, const Interval& b) const { return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both; }
+  Only decides(const Interval& a, const Interval& b) const {
+    return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both;
+  }
 };
 
 struct Blend {
@@ -114,14 +118,17 @@ class Combined final : public Field {
     });
   }
 
-  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return rule_.range(a_->interval(box), b_->interval(box)); }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    return rule_.range(a_->interval(box), b_->interval(box));
+  }
 
   [[nodiscard]] Restriction restricted(const Box& box, Purpose /*purpose*/) const override {
     // The arguments' signs alone do not give the sign of a blend or a morph; values are asked for throughout.
     Restriction a = a_->restricted(box), b = b_->restricted(box);
     const Interval range = rule_.range(a.range, b.range);
     const bool sure = !a.range.maybe_nan && !b.range.maybe_nan;
-    if (const Only only = rule_.decides(a.range, b.range); sure && only != Only::both) return {range, only == Only::first ? a.field : b.field};
+    if (const Only only = rule_.decides(a.range, b.range); sure && only != Only::both)
+      return {range, only == Only::first ? a.field : b.field};
     if (a.field == a_ && b.field == b_) return {range, shared_from_this()};
     return {range, std::make_shared<Combined>(std::move(a.field), std::move(b.field), rule_)};
   }
@@ -157,7 +164,9 @@ class Linear final : public Field {
     if (a.field == a_) return {moved(a.range), shared_from_this()};
     return {moved(a.range), std::make_shared<Linear>(std::move(a.field), factor_, shift_)};
   }
-  [[nodiscard]] Box known_bounds() const noexcept override { return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything(); }
+  [[nodiscard]] Box known_bounds() const noexcept override {
+    return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything();
+  }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
  private:
@@ -202,9 +211,12 @@ class BoxField final : public Field {
       std::array<float, 3> slope{};
       for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        if (out[i] == lower_[axis] - p[a]) slope[a] = -1;
-        else if (out[i] == p[a] - upper_[axis]) slope[a] = 1;
-        else continue;
+        if (out[i] == lower_[axis] - p[a])
+          slope[a] = -1;
+        else if (out[i] == p[a] - upper_[axis])
+          slope[a] = 1;
+        else
+          continue;
         break;
       }
       slopes.dx[i] = slope[0], slopes.dy[i] = slope[1], slopes.dz[i] = slope[2];
@@ -214,7 +226,8 @@ class BoxField final : public Field {
     Interval range = Interval::of(-std::numeric_limits<float>::infinity());
     for (int axis = 0; axis < 3; ++axis) {
       const auto l = static_cast<float>(box.lower[axis]), u = static_cast<float>(box.upper[axis]);
-      range = greatest(range, greatest(Interval{lower_[axis] - u, lower_[axis] - l, false}, Interval{l - upper_[axis], u - upper_[axis], false}));
+      range = greatest(range, greatest(Interval{lower_[axis] - u, lower_[axis] - l, false},
+                                       Interval{l - upper_[axis], u - upper_[axis], false}));
     }
     return range;
   }
@@ -250,7 +263,9 @@ FieldPtr morph(FieldPtr a, FieldPtr b, double weight) {
   return combined(std::move(a), std::move(b), Morph{1 - second, second});
 }
 
-FieldPtr scaled_values(FieldPtr a, double factor) { return std::make_shared<Linear>(std::move(a), finite(factor, "scale"), 0.0F); }
+FieldPtr scaled_values(FieldPtr a, double factor) {
+  return std::make_shared<Linear>(std::move(a), finite(factor, "scale"), 0.0F);
+}
 
 FieldPtr box_field(const Box& box) {
   if (!box.valid()) throw Error(ErrorKind::bad_input, "box", "the bounds must be finite and in order");

@@ -8,8 +8,8 @@
 
 namespace fieldfab::frep {
 
-/// A tape and the memory to run it in, as plain pointers: the files compiled for AVX must not instantiate anything that the linker
-/// could share with code meant for other processors.
+/// A tape and the memory to run it in, as plain pointers: the files compiled for AVX must not instantiate anything that the
+/// linker could share with code meant for other processors.
 struct BatchRun {
   const Clause* code;
   const std::uint32_t* slot;

@@ -3,6 +3,8 @@
 namespace fieldfab::frep {
 
 void run_values_avx512(const BatchRun& run, float* out) { run_values(run, out); }
-void run_gradients_avx512(const BatchRun& run, float* out, float* dx, float* dy, float* dz) { run_gradients(run, out, dx, dy, dz); }
+void run_gradients_avx512(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
+  run_gradients(run, out, dx, dy, dz);
+}
 
 }  // namespace fieldfab::frep

@@ -1,5 +1,5 @@
-// The loops of the batch evaluators. Included by batch_portable.cpp, batch_avx2.cpp and batch_avx512.cpp, each compiled for its own
-// instruction set. Plain loops that the compiler vectorises; nothing here but internal linkage and out-of-line calls.
+// The loops of the batch evaluators. Included by batch_portable.cpp, batch_avx2.cpp and batch_avx512.cpp, each compiled for its
+// own instruction set. Plain loops that the compiler vectorises; nothing here but internal linkage and out-of-line calls.
 #include "batch.h"
 #include "derivative.h"
 
@@ -23,48 +23,48 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
 }
 
 // One loop for each way the arguments may come; `a` and `b` name the numbers in `expression`.
-#define FIELDFAB_UNARY(expression)                                  \
-  {                                                                 \
-    const float* pa = first.array;                                  \
-    if (pa == nullptr) {                                            \
-      const float a = first.number;                                 \
-      const float same = (expression);                              \
-      for (std::size_t i = 0; i < n; ++i) out[i] = same;            \
-    } else {                                                        \
-      for (std::size_t i = 0; i < n; ++i) {                         \
-        const float a = pa[i];                                      \
-        out[i] = (expression);                                      \
-      }                                                             \
-    }                                                               \
-    break;                                                          \
+#define FIELDFAB_UNARY(expression)                       \
+  {                                                      \
+    const float* pa = first.array;                       \
+    if (pa == nullptr) {                                 \
+      const float a = first.number;                      \
+      const float same = (expression);                   \
+      for (std::size_t i = 0; i < n; ++i) out[i] = same; \
+    } else {                                             \
+      for (std::size_t i = 0; i < n; ++i) {              \
+        const float a = pa[i];                           \
+        out[i] = (expression);                           \
+      }                                                  \
+    }                                                    \
+    break;                                               \
   }
-#define FIELDFAB_BINARY(expression)                                 \
-  {                                                                 \
-    const float* pa = first.array;                                  \
-    const float* pb = second.array;                                 \
-    if (pa != nullptr && pb != nullptr) {                           \
-      for (std::size_t i = 0; i < n; ++i) {                         \
-        const float a = pa[i], b = pb[i];                           \
-        out[i] = (expression);                                      \
-      }                                                             \
-    } else if (pa != nullptr) {                                     \
-      const float b = second.number;                                \
-      for (std::size_t i = 0; i < n; ++i) {                         \
-        const float a = pa[i];                                      \
-        out[i] = (expression);                                      \
-      }                                                             \
-    } else if (pb != nullptr) {                                     \
-      const float a = first.number;                                 \
-      for (std::size_t i = 0; i < n; ++i) {                         \
-        const float b = pb[i];                                      \
-        out[i] = (expression);                                      \
-      }                                                             \
-    } else {                                                        \
-      const float a = first.number, b = second.number;              \
-      const float same = (expression);                              \
-      for (std::size_t i = 0; i < n; ++i) out[i] = same;            \
-    }                                                               \
-    break;                                                          \
+#define FIELDFAB_BINARY(expression)                      \
+  {                                                      \
+    const float* pa = first.array;                       \
+    const float* pb = second.array;                      \
+    if (pa != nullptr && pb != nullptr) {                \
+      for (std::size_t i = 0; i < n; ++i) {              \
+        const float a = pa[i], b = pb[i];                \
+        out[i] = (expression);                           \
+      }                                                  \
+    } else if (pa != nullptr) {                          \
+      const float b = second.number;                     \
+      for (std::size_t i = 0; i < n; ++i) {              \
+        const float a = pa[i];                           \
+        out[i] = (expression);                           \
+      }                                                  \
+    } else if (pb != nullptr) {                          \
+      const float a = first.number;                      \
+      for (std::size_t i = 0; i < n; ++i) {              \
+        const float b = pb[i];                           \
+        out[i] = (expression);                           \
+      }                                                  \
+    } else {                                             \
+      const float a = first.number, b = second.number;   \
+      const float same = (expression);                   \
+      for (std::size_t i = 0; i < n; ++i) out[i] = same; \
+    }                                                    \
+    break;                                               \
   }
 
 /// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it is written.
@@ -100,7 +100,8 @@ void copy_root(const Argument& root, float* out, std::size_t n) {
 void run_values(const BatchRun& run, float* out) {
   for (std::size_t i = 0; i < run.clauses; ++i) {
     const Clause& clause = run.code[i];
-    run_clause(clause.op, argument(run, clause.a, run.stride), argument(run, clause.b, run.stride), run.scratch + run.slot[i] * run.stride, run.count);
+    run_clause(clause.op, argument(run, clause.a, run.stride), argument(run, clause.b, run.stride),
+               run.scratch + run.slot[i] * run.stride, run.count);
   }
   copy_root(argument(run, run.root, run.stride), out, run.count);
 }
@@ -120,7 +121,8 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
     const Argument a = argument(run, clause.a, 4 * stride), b = argument(run, clause.b, 4 * stride);
     run_clause(clause.op, a, b, value, n);
     for (std::size_t i = 0; i < n; ++i) {
-      const Partials d = partials(clause.op, a.array != nullptr ? a.array[i] : a.number, b.array != nullptr ? b.array[i] : b.number, value[i]);
+      const Partials d =
+          partials(clause.op, a.array != nullptr ? a.array[i] : a.number, b.array != nullptr ? b.array[i] : b.number, value[i]);
       da[i] = d.a;
       db[i] = d.b;
     }

@@ -7,8 +7,8 @@
 
 namespace fieldfab::frep {
 
-/// Where an argument comes from: a constant (top bit set, index into Tape::constants), else the value of that number. Values 0, 1 and 2
-/// are x, y and z; value 3 + i is what clause i makes.
+/// Where an argument comes from: a constant (top bit set, index into Tape::constants), else the value of that number. Values 0, 1
+/// and 2 are x, y and z; value 3 + i is what clause i makes.
 using Operand = std::uint32_t;
 inline constexpr Operand constant_bit = 1U << 31;
 inline constexpr Operand first_value = 3;

@@ -1,5 +1,5 @@
-// Partial derivatives of each operation: shared, as text, by the reference evaluator and by the batch evaluators of every instruction
-// set, so that all give the same bits. Internal linkage on purpose: each instruction set compiles a copy of its own.
+// Partial derivatives of each operation: shared, as text, by the reference evaluator and by the batch evaluators of every
+// instruction set, so that all give the same bits. Internal linkage on purpose: each instruction set compiles a copy of its own.
 #pragma once
 
 #include "fieldfab/frep/opcode.h"

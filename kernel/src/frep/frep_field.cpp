@@ -13,9 +13,13 @@ void run_values_reference(const BatchRun& run, float* out) {
   for (std::size_t i = 0; i < run.count; ++i) {
     const auto value = [&](Operand operand) {
       if ((operand & constant_bit) != 0) return run.constants[operand & ~constant_bit];
-      return operand == 0 ? run.x[i] : operand == 1 ? run.y[i] : operand == 2 ? run.z[i] : run.scratch[run.slot[operand - first_value]];
+      return operand == 0   ? run.x[i]
+             : operand == 1 ? run.y[i]
+             : operand == 2 ? run.z[i]
+                            : run.scratch[run.slot[operand - first_value]];
     };
-    for (std::size_t c = 0; c < run.clauses; ++c) run.scratch[run.slot[c]] = apply(run.code[c].op, value(run.code[c].a), value(run.code[c].b));
+    for (std::size_t c = 0; c < run.clauses; ++c)
+      run.scratch[run.slot[c]] = apply(run.code[c].op, value(run.code[c].a), value(run.code[c].b));
     out[i] = value(run.root);
   }
 }
@@ -37,7 +41,9 @@ Runner runner(Evaluator evaluator) {
 }
 
 /// The interval of the floats that coordinates from `box` round to.
-Interval range(const Box& box, int axis) { return {static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false}; }
+Interval range(const Box& box, int axis) {
+  return {static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false};
+}
 
 class FrepField final : public Field {
  public:
@@ -56,8 +62,8 @@ class FrepField final : public Field {
     constexpr std::size_t stride = 64;
     float* scratch = scratch_floats(4 * tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      run_.gradients(batch(points, first, std::min(stride, points.count - first), scratch, stride), out + first, slopes.dx + first,
-                     slopes.dy + first, slopes.dz + first);
+      run_.gradients(batch(points, first, std::min(stride, points.count - first), scratch, stride), out + first,
+                     slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
@@ -76,9 +82,19 @@ class FrepField final : public Field {
   [[nodiscard]] std::size_t active_nodes() const { return tape_.code.size(); }
 
  private:
-  [[nodiscard]] BatchRun batch(const Points& points, std::size_t first, std::size_t count, float* scratch, std::size_t stride) const {
-    return {tape_.code.data(), tape_.slot.data(), tape_.code.size(), tape_.constants.data(), tape_.root,
-            points.x + first,  points.y + first,  points.z + first,  count,                  scratch,    stride};
+  [[nodiscard]] BatchRun batch(const Points& points, std::size_t first, std::size_t count, float* scratch,
+                               std::size_t stride) const {
+    return {tape_.code.data(),
+            tape_.slot.data(),
+            tape_.code.size(),
+            tape_.constants.data(),
+            tape_.root,
+            points.x + first,
+            points.y + first,
+            points.z + first,
+            count,
+            scratch,
+            stride};
   }
 
   /// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
@@ -110,7 +126,8 @@ Evaluator best_evaluator() {
 
 bool available(Evaluator evaluator) {
 #if defined(__x86_64__)
-  if (evaluator == Evaluator::avx512) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+  if (evaluator == Evaluator::avx512)
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
   if (evaluator == Evaluator::avx2) return __builtin_cpu_supports("avx2") != 0;
 #else
   if (evaluator == Evaluator::avx512 || evaluator == Evaluator::avx2) return false;
@@ -131,7 +148,8 @@ std::string_view name(Evaluator evaluator) {
 
 FieldPtr make_field(const Expression& expression, Evaluator evaluator) {
   if (evaluator == Evaluator::automatic) evaluator = best_evaluator();
-  if (!available(evaluator)) throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
+  if (!available(evaluator))
+    throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
   return std::make_shared<FrepField>(make_tape(expression), runner(evaluator));
 }
 

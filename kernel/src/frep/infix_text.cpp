@@ -40,7 +40,8 @@ std::vector<Token> tokens_of(const TextSource& source) {
     } else if (is_digit(c) || (c == '.' && at + 1 < text.size() && is_digit(text[at + 1]))) {
       std::size_t after = at;
       const double value = source.number(after);
-      if (after < text.size() && is_letter(text[after])) source.fail(after, fmt::format("unexpected {} after a number", source.shown(after)));
+      if (after < text.size() && is_letter(text[after]))
+        source.fail(after, fmt::format("unexpected {} after a number", source.shown(after)));
       tokens.push_back({TokenKind::number, at, text.substr(at, after - at), value});
       at = after;
     } else if (is_letter(c)) {
@@ -90,7 +91,8 @@ class InfixParser {
         continue;
       }
       if (!define_function(at)) result = statement(at);
-      if (tokens_[at].kind != TokenKind::end && tokens_[at].kind != TokenKind::end_of_statement) unexpected(at, "the end of the statement");
+      if (tokens_[at].kind != TokenKind::end && tokens_[at].kind != TokenKind::end_of_statement)
+        unexpected(at, "the end of the statement");
     }
     if (!result) source_.fail(source_.text().size(), "the text has no result: its last statement is the solid");
     return *result;
@@ -123,9 +125,11 @@ class InfixParser {
     }
     if (parameters.empty() && tokens_[after].is(')')) ++after;
     if (!tokens_[after - 1].is(')') || !tokens_[after].is('=')) return false;
-    if (find_function(tokens_[at].text) != nullptr) source_.fail(tokens_[at].at, fmt::format("'{}' is a function already", tokens_[at].text));
+    if (find_function(tokens_[at].text) != nullptr)
+      source_.fail(tokens_[at].at, fmt::format("'{}' is a function already", tokens_[at].text));
     const UserFunction made{parameters, after + 1, functions_.size()};
-    if (!functions_.emplace(tokens_[at].text, made).second) source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
+    if (!functions_.emplace(tokens_[at].text, made).second)
+      source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
     // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
     Names trial;
     for (const std::string_view parameter : parameters) trial.emplace(parameter, Expression::x());
@@ -140,7 +144,8 @@ class InfixParser {
     const bool binding = tokens_[at].kind == TokenKind::name && tokens_[at + 1].is('=');
     if (!binding) return expression(at, nullptr);
     const Token& name = tokens_[at];
-    if (constant(name.text)) source_.fail(name.at, fmt::format("'{}' has a meaning already and cannot be given another", name.text));
+    if (constant(name.text))
+      source_.fail(name.at, fmt::format("'{}' has a meaning already and cannot be given another", name.text));
     at += 2;
     Expression value = expression(at, nullptr);
     names_.insert_or_assign(name.text, value);
@@ -269,7 +274,9 @@ class InfixParser {
       const std::uint8_t rank = token.kind == TokenKind::sign ? precedence(token.text[0]) : std::uint8_t{0};
       if (rank > 0) {
         const bool to_the_right = token.is('^');
-        while (!waiting.empty() && waiting.back().kind <= Waiting::unary && (waiting.back().precedence > rank || (waiting.back().precedence == rank && !to_the_right))) reduce();
+        while (!waiting.empty() && waiting.back().kind <= Waiting::unary &&
+               (waiting.back().precedence > rank || (waiting.back().precedence == rank && !to_the_right)))
+          reduce();
         waiting.push_back({Waiting::binary, rank, token.text[0], at++});
         operand = true;
       } else if (token.is(')')) {
@@ -291,8 +298,11 @@ class InfixParser {
         operand = true;
       } else {
         reduce_to_bracket();
-        if (!waiting.empty()) source_.fail(tokens_[at].at, fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (token.kind == TokenKind::sign || token.kind == TokenKind::name || token.kind == TokenKind::number) unexpected(at, "an operator");
+        if (!waiting.empty())
+          source_.fail(tokens_[at].at,
+                       fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
+        if (token.kind == TokenKind::sign || token.kind == TokenKind::name || token.kind == TokenKind::number)
+          unexpected(at, "an operator");
         return std::move(values.back());
       }
     }
@@ -321,7 +331,8 @@ class InfixParser {
       if (const auto found = locals->find(name); found != locals->end()) return found->second;
     if (const auto value = constant(name)) return *value;
     if (const auto found = names_.find(name); found != names_.end()) return found->second;
-    if (find_function(name) != nullptr || functions_.contains(name)) source_.fail(tokens_[at].at, fmt::format("'{}' is a function: write {}(...)", name, name));
+    if (find_function(name) != nullptr || functions_.contains(name))
+      source_.fail(tokens_[at].at, fmt::format("'{}' is a function: write {}(...)", name, name));
     std::vector<std::string_view> known{"x", "y", "z", "pi", "tau"};
     for (const auto& [other, value] : names_) known.push_back(other);
     source_.fail(tokens_[at].at, fmt::format("unknown name '{:.40}'{}", name, suggestion(name, known)));
@@ -345,7 +356,8 @@ class InfixParser {
       Names bound;
       for (std::size_t i = 0; i < parameters.size(); ++i) bound.insert_or_assign(parameters[i].name, values[i]);
       constexpr int deepest = 100;
-      if (depth_ >= deepest) source_.fail(tokens_[call.token].at, fmt::format("functions call each other more than {} deep", deepest));
+      if (depth_ >= deepest)
+        source_.fail(tokens_[call.token].at, fmt::format("functions call each other more than {} deep", deepest));
       ++depth_;
       const std::size_t outer = std::exchange(callable_, user->second.order);
       std::size_t body = user->second.first;
@@ -382,23 +394,31 @@ class InfixParser {
         if (place == parameters.size()) {
           std::string list;
           for (const auto& parameter : parameters) list += fmt::format("{}{}", list.empty() ? "" : ", ", parameter.name);
-          source_.fail(tokens_[argument.token].at, fmt::format("'{}' has no parameter '{:.40}'; it has: {}", name, argument.name, list.empty() ? "none" : list));
+          source_.fail(tokens_[argument.token].at, fmt::format("'{}' has no parameter '{:.40}'; it has: {}", name, argument.name,
+                                                               list.empty() ? "none" : list));
         }
       } else {
         ++next;
       }
       if (place >= given.size()) {
-        if (!any_number) source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name, parameters.size(), parameters.size() == 1 ? "" : "s"));
+        if (!any_number)
+          source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name, parameters.size(),
+                                                               parameters.size() == 1 ? "" : "s"));
         given.emplace_back();
       }
-      if (given[place]) source_.fail(tokens_[argument.token].at, fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place].name : "?"));
+      if (given[place])
+        source_.fail(tokens_[argument.token].at,
+                     fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place].name : "?"));
       given[place] = argument.value;
     }
     std::vector<Expression> values;
     for (std::size_t i = 0; i < given.size(); ++i) {
-      if (given[i]) values.push_back(*given[i]);
-      else if (parameters[i].fallback) values.emplace_back(*parameters[i].fallback);
-      else source_.fail(tokens_[call.token].at, fmt::format("'{}' lacks its argument '{}'", name, parameters[i].name));
+      if (given[i])
+        values.push_back(*given[i]);
+      else if (parameters[i].fallback)
+        values.emplace_back(*parameters[i].fallback);
+      else
+        source_.fail(tokens_[call.token].at, fmt::format("'{}' lacks its argument '{}'", name, parameters[i].name));
     }
     return values;
   }
@@ -444,7 +464,8 @@ std::string print_infix(const Expression& expression) {
       case 1:
         height[i] = height[entry.a] + 1;
         atom[i] = entry.op != Opcode::negate;
-        text[i] = entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")" : fmt::format("{}({})", op.infix, take(entry.a, true));
+        text[i] =
+            entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")" : fmt::format("{}({})", op.infix, take(entry.a, true));
         break;
       default:
         height[i] = std::max(height[entry.a], height[entry.b]) + 1;

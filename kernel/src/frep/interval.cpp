@@ -89,7 +89,8 @@ Interval tangent(const Interval& a) {
   const bool nan = a.maybe_nan || has_infinity(a);
   if (!(std::abs(a.lower) < 4096) || !(std::abs(a.upper) < 4096)) return {-infinity, infinity, nan};
   constexpr double slack = 1e-6;
-  if (std::floor((a.upper + pi / 2 + slack) / pi) > std::floor((a.lower + pi / 2 - slack) / pi)) return {-infinity, infinity, nan};
+  if (std::floor((a.upper + pi / 2 + slack) / pi) > std::floor((a.lower + pi / 2 - slack) / pi))
+    return {-infinity, infinity, nan};
   return widened(std::tan(a.lower), std::tan(a.upper), nan);
 }
 
@@ -175,7 +176,8 @@ Interval apply(Opcode op, Interval a, Interval b) {
     }
     case Opcode::arctangent: return growing(a, -infinity, infinity, [](float v) { return std::atan(v); });
     case Opcode::absolute:
-      return {has_zero(a) ? 0 : std::min(std::abs(a.lower), std::abs(a.upper)), std::max(std::abs(a.lower), std::abs(a.upper)), nan};
+      return {has_zero(a) ? 0 : std::min(std::abs(a.lower), std::abs(a.upper)), std::max(std::abs(a.lower), std::abs(a.upper)),
+              nan};
     case Opcode::square: return square(a);
     case Opcode::square_root:
       if (a.upper < 0) return Interval::unknown();
@@ -198,7 +200,13 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::arctangent2: return arctangent2(a, b, nan);
     case Opcode::modulo: return modulo(a, b, nan);
     case Opcode::compare:
-      return ordered(a.lower > b.upper ? 1.0F : a.lower >= b.upper ? 0.0F : -1.0F, a.upper < b.lower ? -1.0F : a.upper <= b.lower ? 0.0F : 1.0F, nan);
+      return ordered(a.lower > b.upper    ? 1.0F
+                     : a.lower >= b.upper ? 0.0F
+                                          : -1.0F,
+                     a.upper < b.lower    ? -1.0F
+                     : a.upper <= b.lower ? 0.0F
+                                          : 1.0F,
+                     nan);
   }
   return Interval::unknown();
 }

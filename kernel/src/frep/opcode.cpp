@@ -8,14 +8,13 @@ namespace fieldfab::frep {
 namespace {
 
 constexpr std::array<OpcodeInfo, opcode_count> table{{
-    {0, 'f', "const", ""},     {0, 'X', "var-x", "x"},     {0, 'Y', "var-y", "y"},     {0, 'Z', "var-z", "z"},
-    {1, 's', "sin", "sin"},    {1, 'c', "cos", "cos"},     {1, 't', "tan", "tan"},     {1, 'S', "asin", "asin"},
-    {1, 'C', "acos", "acos"},  {1, 'T', "atan", "atan"},   {1, 'b', "abs", "abs"},     {1, 'q', "square", "square"},
-    {1, 'r', "sqrt", "sqrt"},  {1, 'n', "neg", "-"},       {1, 'x', "exp", "exp"},     {1, 'l', "ln", "ln"},
-    {1, 'd', "floor", "floor"}, {1, 'u', "ceil", "ceil"},
-    {2, '+', "add", "+"},      {2, '-', "sub", "-"},       {2, '*', "mul", "*"},       {2, '/', "div", "/"},
-    {2, 'i', "min", "min"},    {2, 'a', "max", "max"},     {2, 'p', "pow", "^"},       {2, 'A', "atan2", "atan2"},
-    {2, '%', "mod", "mod"},    {2, 'k', "compare", "compare"},
+    {0, 'f', "const", ""},      {0, 'X', "var-x", "x"},     {0, 'Y', "var-y", "y"}, {0, 'Z', "var-z", "z"},
+    {1, 's', "sin", "sin"},     {1, 'c', "cos", "cos"},     {1, 't', "tan", "tan"}, {1, 'S', "asin", "asin"},
+    {1, 'C', "acos", "acos"},   {1, 'T', "atan", "atan"},   {1, 'b', "abs", "abs"}, {1, 'q', "square", "square"},
+    {1, 'r', "sqrt", "sqrt"},   {1, 'n', "neg", "-"},       {1, 'x', "exp", "exp"}, {1, 'l', "ln", "ln"},
+    {1, 'd', "floor", "floor"}, {1, 'u', "ceil", "ceil"},   {2, '+', "add", "+"},   {2, '-', "sub", "-"},
+    {2, '*', "mul", "*"},       {2, '/', "div", "/"},       {2, 'i', "min", "min"}, {2, 'a', "max", "max"},
+    {2, 'p', "pow", "^"},       {2, 'A', "atan2", "atan2"}, {2, '%', "mod", "mod"}, {2, 'k', "compare", "compare"},
 }};
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();

@@ -38,7 +38,8 @@ ValueAndGradient evaluate_gradient(const Expression& expression, float x, float 
   std::vector<ValueAndGradient> result(flat.order.size());
   for_each_node(flat, [&](const Flat::Entry& entry, std::size_t i) {
     if (info(entry.op).arity == 0) {
-      result[i] = leaf<ValueAndGradient>(entry, {static_cast<float>(entry.constant), {0, 0, 0}}, {x, {1, 0, 0}}, {y, {0, 1, 0}}, {z, {0, 0, 1}});
+      result[i] = leaf<ValueAndGradient>(entry, {static_cast<float>(entry.constant), {0, 0, 0}}, {x, {1, 0, 0}}, {y, {0, 1, 0}},
+                                         {z, {0, 0, 1}});
       return;
     }
     const ValueAndGradient& a = result[entry.a];

@@ -38,7 +38,9 @@ E cone(const E& radius, const E& height) {
 
 E torus(const E& ring, const E& tube) { return length(length(x(), y()) - ring, z()) - tube; }
 
-E capsule(const E& radius, const E& distance) { return length(x(), y(), z() - max(-distance / 2.0, min(distance / 2.0, z()))) - radius; }
+E capsule(const E& radius, const E& distance) {
+  return length(x(), y(), z() - max(-distance / 2.0, min(distance / 2.0, z()))) - radius;
+}
 
 E half_space(const E& nx, const E& ny, const E& nz, const E& distance) {
   return (x() * nx + y() * ny + z() * nz) / length(nx, ny, nz) - distance;
@@ -98,9 +100,15 @@ E morph(const E& a, const E& b, const E& weight) { return (1.0 - weight) * a + w
 
 E move(const E& a, const E& dx, const E& dy, const E& dz) { return remap(a, x() - dx, y() - dy, z() - dz); }
 
-E rotate_x(const E& a, const E& angle) { return remap(a, x(), cos(angle) * y() + sin(angle) * z(), cos(angle) * z() - sin(angle) * y()); }
-E rotate_y(const E& a, const E& angle) { return remap(a, cos(angle) * x() - sin(angle) * z(), y(), sin(angle) * x() + cos(angle) * z()); }
-E rotate_z(const E& a, const E& angle) { return remap(a, cos(angle) * x() + sin(angle) * y(), cos(angle) * y() - sin(angle) * x(), z()); }
+E rotate_x(const E& a, const E& angle) {
+  return remap(a, x(), cos(angle) * y() + sin(angle) * z(), cos(angle) * z() - sin(angle) * y());
+}
+E rotate_y(const E& a, const E& angle) {
+  return remap(a, cos(angle) * x() - sin(angle) * z(), y(), sin(angle) * x() + cos(angle) * z());
+}
+E rotate_z(const E& a, const E& angle) {
+  return remap(a, cos(angle) * x() + sin(angle) * y(), cos(angle) * y() - sin(angle) * x(), z());
+}
 
 E scale(const E& a, const E& factor) { return remap(a, x() / factor, y() / factor, z() / factor) * factor; }
 E scale_xyz(const E& a, const E& sx, const E& sy, const E& sz) { return remap(a, x() / sx, y() / sy, z() / sz); }

@@ -8,9 +8,7 @@
 namespace fieldfab::frep {
 namespace {
 
-int arity(Opcode op) {
-  return op >= Opcode::add ? 2 : op >= Opcode::sine ? 1 : 0;
-}
+int arity(Opcode op) { return op >= Opcode::add ? 2 : op >= Opcode::sine ? 1 : 0; }
 
 bool is_value(Operand operand) { return (operand & constant_bit) == 0; }
 
@@ -32,7 +30,8 @@ void assign_slots(Tape& tape) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const Clause& clause = tape.code[i];
     const auto release = [&](Operand operand) {
-      if (is_value(operand) && operand >= first_value && last_use[operand - first_value] == i) free.push_back(tape.slot[operand - first_value]);
+      if (is_value(operand) && operand >= first_value && last_use[operand - first_value] == i)
+        free.push_back(tape.slot[operand - first_value]);
     };
     release(clause.a);
     if (arity(clause.op) == 2 && clause.b != clause.a) release(clause.b);
@@ -86,7 +85,8 @@ Tape make_tape(const Expression& expression) {
   return tape;
 }
 
-Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, std::vector<Interval>& ranges) {
+Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z,
+                         std::vector<Interval>& ranges) {
   ranges.resize(first_value + tape.code.size());
   ranges[0] = x;
   ranges[1] = y;
@@ -143,7 +143,8 @@ bool prune(const Tape& tape, const std::vector<Interval>& ranges, Purpose purpos
       const Interval a = operand_range(tape, ranges, clause.a);
       if (a.lower > 0 && !a.maybe_nan) choice[i] = Choice::first, changed = true;
     }
-    const std::uint8_t how = clause.op == Opcode::negate || choice[i] == Choice::first ? need[i] : static_cast<std::uint8_t>(needed_value);
+    const std::uint8_t how =
+        clause.op == Opcode::negate || choice[i] == Choice::first ? need[i] : static_cast<std::uint8_t>(needed_value);
     require(clause.a, how);
     if (arity(clause.op) == 2) require(clause.b, how);
   }
@@ -152,7 +153,9 @@ bool prune(const Tape& tape, const std::vector<Interval>& ranges, Purpose purpos
   pruned.code.clear();
   pruned.constants = tape.constants;
   renamed.resize(count);
-  const auto rename = [&](Operand operand) { return is_value(operand) && operand >= first_value ? renamed[operand - first_value] : operand; };
+  const auto rename = [&](Operand operand) {
+    return is_value(operand) && operand >= first_value ? renamed[operand - first_value] : operand;
+  };
   for (std::size_t i = 0; i < count; ++i) {
     if (need[i] == unneeded) continue;
     const Clause& clause = tape.code[i];

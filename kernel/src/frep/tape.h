@@ -24,10 +24,11 @@ struct Tape {
 Tape make_tape(const Expression& expression);
 
 /// The intervals of all values over a box: `ranges` gets first_value + code.size() entries. Returns the root's.
-Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, std::vector<Interval>& ranges);
+Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z,
+                         std::vector<Interval>& ranges);
 
-/// The code that still matters where the values are known to be in `ranges` (Algs 3.3 and 3.4). False, and `pruned` untouched, where that
-/// is all of it.
+/// The code that still matters where the values are known to be in `ranges` (Algs 3.3 and 3.4). False, and `pruned` untouched,
+/// where that is all of it.
 bool prune(const Tape& tape, const std::vector<Interval>& ranges, Purpose purpose, Tape& pruned);
 
 }  // namespace fieldfab::frep

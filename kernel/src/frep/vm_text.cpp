@@ -39,13 +39,16 @@ Expression parse_vm(std::string_view text, std::string_view name) {
       if (c == '#') break;
       const std::size_t start = at;
       while (at < end && text[at] != ' ' && text[at] != '\t' && text[at] != '\r') {
-        if (static_cast<unsigned char>(text[at]) < 32) source.fail(at, fmt::format("{} in a name: this is not a .vm program", source.shown(at)));
+        if (static_cast<unsigned char>(text[at]) < 32)
+          source.fail(at, fmt::format("{} in a name: this is not a .vm program", source.shown(at)));
         ++at;
       }
       if (count == std::size(words)) source.fail(start, "too many words: expected NAME OP ARGUMENTS");
       words[count++] = text.substr(start, at - start);
     }
-    const auto place = [&](std::size_t word) { return word < count ? static_cast<std::size_t>(words[word].data() - text.data()) : end; };
+    const auto place = [&](std::size_t word) {
+      return word < count ? static_cast<std::size_t>(words[word].data() - text.data()) : end;
+    };
     at = end + 1;
     if (count == 0) continue;
     if (count == 1) source.fail(place(1), fmt::format("expected an operation after the name {:.40}", words[0]));
@@ -53,7 +56,9 @@ Expression parse_vm(std::string_view text, std::string_view name) {
     const auto op = opcode_of(words[1]);
     if (!op) source.fail(place(1), fmt::format("unknown operation {:.40}", words[1]));
     const std::size_t arguments = *op == Opcode::constant ? 1 : static_cast<std::size_t>(info(*op).arity);
-    if (count != arguments + 2) source.fail(place(std::min(count, arguments + 2)), fmt::format("{} takes {} argument{}, found {}", words[1], arguments, arguments == 1 ? "" : "s", count - 2));
+    if (count != arguments + 2)
+      source.fail(place(std::min(count, arguments + 2)),
+                  fmt::format("{} takes {} argument{}, found {}", words[1], arguments, arguments == 1 ? "" : "s", count - 2));
     const auto argument = [&](std::size_t word) -> const Expression& {
       const auto found = values.find(words[word]);
       if (found == values.end()) source.fail(place(word), fmt::format("unknown name {:.40}", words[word]));

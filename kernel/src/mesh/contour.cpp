@@ -1,5 +1,5 @@
-// Contouring in three steps: an octree of leaf cells, the curves in which the surface crosses the faces between them, and a fan of
-// triangles from a vertex inside each cell to the closed loops of curves around it. docs/contouring.md has the proof.
+// Contouring in three steps: an octree of leaf cells, the curves in which the surface crosses the faces between them, and a fan
+// of triangles from a vertex inside each cell to the closed loops of curves around it. docs/contouring.md has the proof.
 #include "fieldfab/mesh/contour.h"
 
 #include "contour_cells.h"

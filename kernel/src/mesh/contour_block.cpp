@@ -8,7 +8,7 @@ namespace {
 
 constexpr int points_a_side = block_side + 1;
 constexpr int point_count = points_a_side * points_a_side * points_a_side;
-constexpr std::array<int, 3> stride{1, points_a_side, points_a_side * points_a_side};
+constexpr std::array<int, 3> stride{1, points_a_side, points_a_side* points_a_side};
 
 constexpr int point_index(int x, int y, int z) { return x + stride[1] * y + stride[2] * z; }
 
@@ -96,7 +96,8 @@ class BlockSampler {
     for (std::size_t i = 0; i < count; ++i) {
       const Edge& edge = edges_[i];
       const std::size_t low = lower_end(edge), high = low + static_cast<std::size_t>(stride[edge.axis]);
-      brackets[i] = {plane_[edge.axis][edge.lower[edge.axis]], plane_[edge.axis][edge.lower[edge.axis] + 1U], value_[low], value_[high]};
+      brackets[i] = {plane_[edge.axis][edge.lower[edge.axis]], plane_[edge.axis][edge.lower[edge.axis] + 1U], value_[low],
+                     value_[high]};
       x[i] = plane_[0][edge.lower[0]];
       y[i] = plane_[1][edge.lower[1]];
       z[i] = plane_[2][edge.lower[2]];
@@ -177,7 +178,8 @@ class BlockSampler {
     return true;
   }
 
-  /// The common case of a block that a plane passes through: a plane cuts every cube simply, so that all cells may be merged at once.
+  /// The common case of a block that a plane passes through: a plane cuts every cube simply, so that all cells may be merged at
+  /// once.
   bool merge_flat(SampledBlock& result) const {
     const std::uint8_t bits = corners(0, 0, 0, block_side);
     if (settings_.max_error <= 0 || !is_simple(bits)) return false;
@@ -234,7 +236,9 @@ class BlockSampler {
               continue;
             }
             std::uint8_t merged = 0;
-            if (settings_.max_error <= 0 || !merge_corners(children, merged) || !gather(x * side, y * side, z * side, side, points)) continue;
+            if (settings_.max_error <= 0 || !merge_corners(children, merged) ||
+                !gather(x * side, y * side, z * side, side, points))
+              continue;
             const LatticePoint lower{lower_[0] + x * side, lower_[1] + y * side, lower_[2] + z * side};
             one[l][at] = reproduces(points, lattice_.cube(lower, level), settings_.max_error, vertex[l][at]);
             signs[l][at] = merged;
@@ -251,14 +255,16 @@ class BlockSampler {
         for (int x = 0; x < block_side; ++x) {
           if (result.block.leaf_of[Block::cell(x, y, z)] != Block::no_leaf) continue;
           int level = 0;
-          while (one[static_cast<std::size_t>(level) + 1][index(x >> (level + 1), y >> (level + 1), z >> (level + 1), level + 1)]) ++level;
+          while (one[static_cast<std::size_t>(level) + 1][index(x >> (level + 1), y >> (level + 1), z >> (level + 1), level + 1)])
+            ++level;
           const std::size_t at = index(x >> level, y >> level, z >> level, level);
           const std::uint8_t bits = signs[static_cast<std::size_t>(level)][at];
           if (bits == 0 || bits == 255) continue;
           const auto number = static_cast<std::uint16_t>(result.block.leafs.size());
           const int mask = ~((1 << level) - 1), side = 1 << level;
           const LatticePoint lower{lower_[0] + (x & mask), lower_[1] + (y & mask), lower_[2] + (z & mask)};
-          result.block.leafs.push_back({lower, level, bits, level > 0 ? vertex[static_cast<std::size_t>(level)][at] : Vec3(Vec3::Zero())});
+          result.block.leafs.push_back(
+              {lower, level, bits, level > 0 ? vertex[static_cast<std::size_t>(level)][at] : Vec3(Vec3::Zero())});
           for (int k = z & mask; k < (z & mask) + side; ++k)
             for (int j = y & mask; j < (y & mask) + side; ++j)
               for (int i = x & mask; i < (x & mask) + side; ++i) result.block.leaf_of[Block::cell(i, j, k)] = number;
@@ -278,7 +284,8 @@ class BlockSampler {
 
 }  // namespace
 
-SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings) {
+SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
+                          const ContourSettings& settings) {
   return BlockSampler(field, lattice, lower, settings).run();
 }
 

@@ -9,8 +9,8 @@ namespace fieldfab::contouring {
 
 /// What the surface in a cube comes to, for merging it with its seven siblings.
 struct Patch {
-  std::uint8_t corners = 0;             ///< as in Leaf; 0 or 255 where there is no surface in the cube
-  std::vector<SurfacePoint> points;     ///< all crossings in the closed cube
+  std::uint8_t corners = 0;          ///< as in Leaf; 0 or 255 where there is no surface in the cube
+  std::vector<SurfacePoint> points;  ///< all crossings in the closed cube
   Vec3 vertex = Vec3::Zero();
   [[nodiscard]] bool uniform() const { return corners == 0 || corners == 255; }
 };

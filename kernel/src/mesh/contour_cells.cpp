@@ -29,9 +29,15 @@ constexpr std::uint32_t first_new = 1U << 31;
 
 class CellFiller {
  public:
-  CellFiller(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves, const ContourSettings& settings,
-             Piece& piece)
-      : solid_(solid), lattice_(lattice), octree_(octree), curves_(curves), flat_(0.5 * settings.max_error), features_(settings.features), piece_(piece) {}
+  CellFiller(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
+             const ContourSettings& settings, Piece& piece)
+      : solid_(solid),
+        lattice_(lattice),
+        octree_(octree),
+        curves_(curves),
+        flat_(0.5 * settings.max_error),
+        features_(settings.features),
+        piece_(piece) {}
 
   /// Fills one leaf, given the curves on its faces.
   void fill(const Leaf& leaf, std::span<CellCurve> around) {
@@ -56,9 +62,13 @@ class CellFiller {
   }
 
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
-  [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const { return static_cast<std::uint32_t>(curves_.positions.size()) + bend; }
+  [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const {
+    return static_cast<std::uint32_t>(curves_.positions.size()) + bend;
+  }
 
-  static Position to_floats(const Vec3& p) { return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())}; }
+  static Position to_floats(const Vec3& p) {
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+  }
 
   std::uint32_t add(const Vec3& position) {
     piece_.vertices.push_back(to_floats(position));
@@ -88,7 +98,8 @@ class CellFiller {
       double sum = 0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<Eigen::Index>(axis);
-        if (p[axis] == q[axis] && (p[axis] == cell.lower[a] || p[axis] == cell.upper[a])) return std::numeric_limits<double>::infinity();
+        if (p[axis] == q[axis] && (p[axis] == cell.lower[a] || p[axis] == cell.upper[a]))
+          return std::numeric_limits<double>::infinity();
         sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
       }
       return sum;
@@ -114,7 +125,8 @@ class CellFiller {
       for (const CellCurve& curve : loop) points.push_back(curves_.points[curve.from]);
       const PlacedVertex inside = place_vertex(points, cell);
       vertex = inside.position;
-      if (const PlacedVertex beyond = place_vertex(points, cell.grown(lattice_.voxel())); features_ && beyond.error < 0.5 * inside.error)
+      if (const PlacedVertex beyond = place_vertex(points, cell.grown(lattice_.voxel()));
+          features_ && beyond.error < 0.5 * inside.error)
         wish = to_floats(beyond.position);
     }
     const Box inner = cell.grown(-lattice_.margin());
@@ -131,8 +143,9 @@ class CellFiller {
     }
   }
 
-  /// Several patches in one smallest cell. The cell's centre is taken to be inside or outside; the regions of its boundary that are of
-  /// the other kind are drawn in halfway to the centre, keeping their rims. Seen from the centre that is one layer, so nothing meets.
+  /// Several patches in one smallest cell. The cell's centre is taken to be inside or outside; the regions of its boundary that
+  /// are of the other kind are drawn in halfway to the centre, keeping their rims. Seen from the centre that is one layer, so
+  /// nothing meets.
   void fill_several(const Leaf& leaf, std::span<const CellCurve> around) {
     if (leaf.level != 0) throw Error(ErrorKind::internal, "contour", "a merged cell has several patches");
     const Box cell = box(leaf);
@@ -153,9 +166,12 @@ class CellFiller {
   template <class IsOther, class Draw>
   void fill_face_regions(const Box& cell, unsigned axis, unsigned side, bool centre_inside, std::span<const CellCurve> around,
                          const IsOther& is_other, const Draw& draw) {
-    const auto a = static_cast<Eigen::Index>(axis), u = static_cast<Eigen::Index>((axis + 1) % 3), v = static_cast<Eigen::Index>((axis + 2) % 3);
+    const auto a = static_cast<Eigen::Index>(axis), u = static_cast<Eigen::Index>((axis + 1) % 3),
+               v = static_cast<Eigen::Index>((axis + 2) % 3);
     const double plane = side != 0 ? cell.upper[a] : cell.lower[a];
-    const auto at = [&](std::uint32_t vertex, Eigen::Index i) { return static_cast<double>(curves_.positions[vertex][static_cast<std::size_t>(i)]); };
+    const auto at = [&](std::uint32_t vertex, Eigen::Index i) {
+      return static_cast<double>(curves_.positions[vertex][static_cast<std::size_t>(i)]);
+    };
 
     // The rim of the face, counter-clockwise seen from outside: four corners, and a vertex between two where the sign changes.
     std::array<unsigned, 4> corner{0U, 1U << u, 1U << u | 1U << v, 1U << v};
@@ -205,7 +221,7 @@ class CellFiller {
   const Lattice& lattice_;
   const Octree& octree_;
   const Curves& curves_;
-  const double flat_;    ///< how far a loop may be from a plane to be filled without a vertex inside, mm
+  const double flat_;  ///< how far a loop may be from a plane to be filled without a vertex inside, mm
   const bool features_;
   Piece& piece_;
   std::vector<SurfacePoint> scratch_;

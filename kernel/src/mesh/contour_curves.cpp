@@ -25,7 +25,8 @@ struct EdgeFace {
   int lower, upper, normal_offset, side;
   bool forward;
 };
-constexpr std::array<EdgeFace, 4> faces_of_edge{{{0, 1, 1, 1, true}, {1, 2, 2, 0, true}, {3, 2, 1, 3, false}, {0, 3, 2, 2, false}}};
+constexpr std::array<EdgeFace, 4> faces_of_edge{
+    {{0, 1, 1, 1, true}, {1, 2, 2, 0, true}, {3, 2, 1, 3, false}, {0, 3, 2, 2, false}}};
 
 class CurveTracer {
  public:
@@ -85,14 +86,17 @@ class CurveTracer {
       }
       // An edge inside a leaf, or inside the face between two, is not an edge of the cells.
       int distinct = 1;
-      for (std::size_t i = 1; i < 4; ++i) distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) == cells.begin() + static_cast<std::ptrdiff_t>(i);
+      for (std::size_t i = 1; i < 4; ++i)
+        distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) ==
+                    cells.begin() + static_cast<std::ptrdiff_t>(i);
       if (distinct < 3) continue;
 
       const auto vertex = static_cast<std::uint32_t>(found.points.size());
       found.points.push_back(crossing.point);
       found.positions.push_back(on_edge(block, crossing));
       for (const EdgeFace& face : faces_of_edge) {
-        const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)], upper = cells[static_cast<std::size_t>(face.upper)];
+        const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)],
+                            upper = cells[static_cast<std::size_t>(face.upper)];
         if (lower == upper) continue;
         found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((a + face.normal_offset) % 3),
                              static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});
@@ -125,7 +129,8 @@ class CurveTracer {
         continue;
       }
       const double next = lattice_.plane(static_cast<int>(axis), index + 1), margin = lattice_.margin();
-      position[axis] = static_cast<float>(std::clamp(static_cast<double>(crossing.point.position[static_cast<int>(axis)]), plane + margin, next - margin));
+      position[axis] = static_cast<float>(
+          std::clamp(static_cast<double>(crossing.point.position[static_cast<int>(axis)]), plane + margin, next - margin));
     }
     return position;
   }
@@ -182,7 +187,8 @@ class CurveTracer {
   }
 
   /// Gives a curve a bend where the tangent lines at its ends meet, if the surface passes closer there than on the straight line:
-  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend begins halfway and wishes to go there.
+  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend begins halfway and wishes to go
+  /// there.
   void bend_curves() {
     struct Bend {
       std::size_t curve;
@@ -214,7 +220,9 @@ class CurveTracer {
         curve.bend = static_cast<std::uint32_t>(out_.bends.size());
         const Box inner = rectangle(curve).grown(-lattice_.margin());
         const int u = (curve.axis + 1) % 3, v = (curve.axis + 2) % 3;
-        const auto within = [&](int axis) { return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis]; };
+        const auto within = [&](int axis) {
+          return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis];
+        };
         if (within(u) && within(v)) {
           out_.bends.push_back(to_floats(bend.place));
         } else {
@@ -228,7 +236,8 @@ class CurveTracer {
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
   }
 
-  /// Halfway along the straight line between a curve's ends; strictly inside the face, since the ends lie on different sides of it.
+  /// Halfway along the straight line between a curve's ends; strictly inside the face, since the ends lie on different sides of
+  /// it.
   [[nodiscard]] Vec3 middle_of(const FaceCurve& curve) const {
     const auto& p = out_.positions[curve.from];
     const auto& q = out_.positions[curve.to];

@@ -30,7 +30,8 @@ Lattice::Lattice(const Box& bounds, double voxel) : voxel_(voxel) {
                 fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", voxel, cells,
                             1 << greatest_level));
 
-  const double farthest = std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root_level_))).cwiseAbs().maxCoeff());
+  const double farthest =
+      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root_level_))).cwiseAbs().maxCoeff());
   const double float_step = std::ldexp(farthest, -23);
   if (voxel < 256 * float_step || farthest > 1e30)
     throw Error(ErrorKind::bad_input, "voxel",

@@ -25,9 +25,7 @@ class Lattice {
   Lattice(const Box& bounds, double voxel);
 
   /// The plane of that index across `axis`, mm.
-  [[nodiscard]] double plane(int axis, std::int32_t index) const {
-    return static_cast<float>(origin_[axis] + voxel_ * index);
-  }
+  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + voxel_ * index); }
   [[nodiscard]] Box cube(const LatticePoint& lower, int level) const;
   /// Level of the cube that holds everything.
   [[nodiscard]] int root_level() const { return root_level_; }

@@ -35,10 +35,10 @@ LatticePoint child_of(const LatticePoint& lower, unsigned child, int child_level
 struct Octree::Node {
   LatticePoint lower;
   int level;
-  FieldPtr field;                         ///< the solid in this cube, while it is still to be subdivided or sampled
-  std::int32_t children = -1;             ///< index of the first of eight
-  std::int32_t block = -1;                ///< index among blocks_
-  std::optional<Patch> patch = {};        ///< known where the cube is uniform or one patch
+  FieldPtr field;                   ///< the solid in this cube, while it is still to be subdivided or sampled
+  std::int32_t children = -1;       ///< index of the first of eight
+  std::int32_t block = -1;          ///< index among blocks_
+  std::optional<Patch> patch = {};  ///< known where the cube is uniform or one patch
 };
 
 Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress) {
@@ -149,7 +149,8 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
     }
     if (leaf_of_node[i] == none) continue;
     if (node.children >= 0)
-      for (std::int32_t child = 0; child < 8; ++child) leaf_of_node[static_cast<std::size_t>(node.children + child)] = leaf_of_node[i];
+      for (std::int32_t child = 0; child < 8; ++child)
+        leaf_of_node[static_cast<std::size_t>(node.children + child)] = leaf_of_node[i];
     if (node.block >= 0) {
       Block& block = blocks_[static_cast<std::size_t>(node.block)];
       block.first_leaf = static_cast<std::uint32_t>(leaf_of_node[i]);
@@ -183,7 +184,8 @@ std::array<const Block*, 8> Octree::lower_neighbours(const Block& block) const {
     if (*std::min_element(lower.begin(), lower.end()) < 0) continue;
     const std::uint64_t key = block_key(lower);
     const auto found = std::lower_bound(block_keys_.begin(), block_keys_.end(), key);
-    if (found != block_keys_.end() && *found == key) neighbours[which] = &blocks_[block_order_[static_cast<std::size_t>(found - block_keys_.begin())]];
+    if (found != block_keys_.end() && *found == key)
+      neighbours[which] = &blocks_[block_order_[static_cast<std::size_t>(found - block_keys_.begin())]];
   }
   return neighbours;
 }

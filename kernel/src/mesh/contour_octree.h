@@ -40,9 +40,7 @@ struct Block {
   std::array<std::uint16_t, block_side * block_side * block_side> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf
   std::uint32_t first_leaf = 0;                                             ///< index of leafs[0] among all leafs
 
-  static std::size_t cell(int x, int y, int z) {
-    return static_cast<std::size_t>(x + block_side * (y + block_side * z));
-  }
+  static std::size_t cell(int x, int y, int z) { return static_cast<std::size_t>(x + block_side * (y + block_side * z)); }
 };
 
 /// The leaf cells of a contour, and where each smallest cell lies among them.

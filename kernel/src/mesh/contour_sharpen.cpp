@@ -93,13 +93,14 @@ class Neighbourhood {
     return {p[0], p[1], p[2]};
   }
 
-  /// No triangle may fold over or shrink to nothing: a fold would be valid by a hair only, and no better than what it replaces. A triangle
-  /// faces out where it does so for the surface at one of its corners at least; at a crease they differ.
+  /// No triangle may fold over or shrink to nothing: a fold would be valid by a hair only, and no better than what it replaces. A
+  /// triangle faces out where it does so for the surface at one of its corners at least; at a crease they differ.
   [[nodiscard]] bool faces_out(const std::vector<std::uint32_t>& fan) const {
     const double least_area = 1e-8 * cell_ * cell_;
     for (const std::uint32_t t : fan) {
       std::array<Eigen::Vector3d, 3> corner;
-      for (std::size_t i = 0; i < 3; ++i) corner[i] = Eigen::Vector3f(mesh_.vertices[mesh_.triangles[t][i]].data()).cast<double>();
+      for (std::size_t i = 0; i < 3; ++i)
+        corner[i] = Eigen::Vector3f(mesh_.vertices[mesh_.triangles[t][i]].data()).cast<double>();
       const Eigen::Vector3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
       const double doubled_area = normal.norm();
       if (doubled_area < least_area) return false;
@@ -167,7 +168,8 @@ class Neighbourhood {
 
 }  // namespace
 
-void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh, Progress& progress) {
+void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh,
+           Progress& progress) {
   if (wishes.empty()) return;
   Neighbourhood neighbourhood(wishes, reach, points, mesh);
   std::vector<std::size_t> open(wishes.size());

@@ -26,7 +26,8 @@ bool has_ambiguous_face(unsigned corners) {
     for (unsigned side = 0; side < 2; ++side) {
       const unsigned u = 1U << (axis + 1) % 3, v = 1U << (axis + 2) % 3, base = side << axis;
       const auto inside = [&](unsigned corner) { return (corners >> corner & 1U) != 0; };
-      if (inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) && inside(base) != inside(base | u)) return true;
+      if (inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) && inside(base) != inside(base | u))
+        return true;
     }
   return false;
 }
@@ -34,7 +35,8 @@ bool has_ambiguous_face(unsigned corners) {
 std::array<bool, 256> find_simple() {
   std::array<bool, 256> simple{};
   for (unsigned corners = 1; corners < 255; ++corners)
-    simple[corners] = component(corners) == corners && component(~corners & 255U) == (~corners & 255U) && !has_ambiguous_face(corners);
+    simple[corners] =
+        component(corners) == corners && component(~corners & 255U) == (~corners & 255U) && !has_ambiguous_face(corners);
   return simple;
 }
 
@@ -49,7 +51,8 @@ bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& me
   std::array<bool, 27> inside{};  // the 3x3x3 lattice points of the eight cells, x fastest
   for (unsigned child = 0; child < 8; ++child)
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const unsigned x = (child & 1U) + (corner & 1U), y = (child >> 1 & 1U) + (corner >> 1 & 1U), z = (child >> 2) + (corner >> 2);
+      const unsigned x = (child & 1U) + (corner & 1U), y = (child >> 1 & 1U) + (corner >> 1 & 1U),
+                     z = (child >> 2) + (corner >> 2);
       inside[x + 3 * y + 9 * z] = (children[child] >> corner & 1U) != 0;
     }
   unsigned corners = 0;
@@ -58,7 +61,8 @@ bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& me
   merged = static_cast<std::uint8_t>(corners);
   if (!is_simple(merged)) return false;
 
-  // The middle of each edge, face and of the cell must agree with one of the corners around it: otherwise something is hidden there.
+  // The middle of each edge, face and of the cell must agree with one of the corners around it: otherwise something is hidden
+  // there.
   for (unsigned z = 0; z < 3; ++z)
     for (unsigned y = 0; y < 3; ++y)
       for (unsigned x = 0; x < 3; ++x) {

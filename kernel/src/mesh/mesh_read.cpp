@@ -44,7 +44,8 @@ class MeshReader {
   }
 
   TriangleMesh off() {
-    if (const std::string_view magic = next(); magic != "OFF" && magic != "COFF" && magic != "NOFF") fail("does not begin with OFF");
+    if (const std::string_view magic = next(); magic != "OFF" && magic != "COFF" && magic != "NOFF")
+      fail("does not begin with OFF");
     const std::size_t vertices = count(), faces = count();
     count();  // edges, which nobody uses
     for (std::size_t i = 0; i < vertices; ++i) {
@@ -101,7 +102,8 @@ class MeshReader {
       if (word == "comment" || word == "obj_info") skip_line();
     }
     skip_line();
-    if (format != "ascii" && format != "binary_little_endian") fail(fmt::format("is PLY of the form '{:.30}', which is not read", format));
+    if (format != "ascii" && format != "binary_little_endian")
+      fail(fmt::format("is PLY of the form '{:.30}', which is not read", format));
     const bool binary = format != "ascii";
     for (const Element& element : elements)
       for (std::size_t i = 0; i < element.count; ++i) read_element(element, binary);
@@ -127,8 +129,10 @@ class MeshReader {
   /// The next word before byte `end`; empty where there is none. A '#' begins a comment.
   std::string_view next_before(std::size_t end) {
     while (at_ < end && (is_space(bytes_[at_]) || bytes_[at_] == '#')) {
-      if (bytes_[at_] == '#') at_ = std::min(bytes_.find('\n', at_), end);
-      else ++at_;
+      if (bytes_[at_] == '#')
+        at_ = std::min(bytes_.find('\n', at_), end);
+      else
+        ++at_;
     }
     const std::size_t start = at_;
     while (at_ < end && !is_space(bytes_[at_])) ++at_;
@@ -142,7 +146,8 @@ class MeshReader {
     if (word.starts_with('+')) word.remove_prefix(1);
     Number value{};
     const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (result.ec != std::errc{} || result.ptr != word.data() + word.size()) fail(fmt::format("expected a number, found '{:.30}'", word));
+    if (result.ec != std::errc{} || result.ptr != word.data() + word.size())
+      fail(fmt::format("expected a number, found '{:.30}'", word));
     return value;
   }
   std::size_t count() { return parse<std::size_t>(next()); }
@@ -256,7 +261,8 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path)
   }
   for (std::array<std::uint32_t, 3> t : soup.triangles) {
     for (std::uint32_t& vertex : t) {
-      if (vertex >= renamed.size()) throw Error(ErrorKind::bad_input, path.string(), "a face refers to a vertex that is not there");
+      if (vertex >= renamed.size())
+        throw Error(ErrorKind::bad_input, path.string(), "a face refers to a vertex that is not there");
       vertex = renamed[vertex];
     }
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
@@ -274,7 +280,11 @@ TriangleMesh read_mesh(const std::filesystem::path& path) {
   std::string bytes = read_file(path, std::uintmax_t{1} << 36);
   if (extension == ".3mf") return merged(read_3mf(path), path);
   MeshReader reader(std::move(bytes), path);
-  return merged(extension == ".stl" ? reader.stl() : extension == ".ply" ? reader.ply() : extension == ".off" ? reader.off() : reader.obj(), path);
+  return merged(extension == ".stl"   ? reader.stl()
+                : extension == ".ply" ? reader.ply()
+                : extension == ".off" ? reader.off()
+                                      : reader.obj(),
+                path);
 }
 
 }  // namespace fieldfab

@@ -47,9 +47,10 @@ void write_stl(const TriangleMesh& mesh, PendingFile& file, Progress& progress) 
 }
 
 void write_ply(const TriangleMesh& mesh, PendingFile& file, Progress& progress) {
-  file.write(fmt::format("ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\nelement vertex {}\nproperty float x\nproperty float y\n"
-                         "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-                         mesh.vertices.size(), mesh.triangles.size()));
+  file.write(fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\nelement vertex {}\nproperty float x\nproperty float y\n"
+      "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.vertices.size(), mesh.triangles.size()));
   each(mesh.vertices, progress, 0, [&](const std::array<float, 3>& p) { file.write(p.data(), sizeof p); });
   each(mesh.triangles, progress, 0.5, [&](const std::array<std::uint32_t, 3>& triangle) {
     char face[13] = {3};
@@ -58,7 +59,8 @@ void write_ply(const TriangleMesh& mesh, PendingFile& file, Progress& progress) 
   });
 }
 
-/// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that both are exact.
+/// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that both are
+/// exact.
 void write_off(const TriangleMesh& mesh, PendingFile& file, Progress& progress) {
   file.write(fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size()));
   fmt::memory_buffer line;
@@ -93,7 +95,8 @@ void write_obj(const TriangleMesh& mesh, PendingFile& file, Progress& progress) 
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
 
@@ -105,7 +108,8 @@ bool is_mesh_extension(const std::string& extension) {
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, Progress& progress) {
   const std::string extension = lower_extension(path);
   if (!is_mesh_extension(extension))
-    throw Error(ErrorKind::bad_input, path.string(), fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
+    throw Error(ErrorKind::bad_input, path.string(),
+                fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
   if (mesh.triangles.size() > 0x7fffffff || mesh.vertices.size() > 0x7fffffff)
     throw Error(ErrorKind::too_large, path.string(), "mesh files hold at most 2^31 vertices and triangles");
   PendingFile file(path);

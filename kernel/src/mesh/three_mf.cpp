@@ -49,14 +49,16 @@ void write_3mf(const TriangleMesh& mesh, const std::filesystem::path& path) {
   Handle<NMR::PLib3MFModelBuildItem> item;
   Handle<NMR::PLib3MFModelWriter> writer;
   std::vector<NMR::MODELMESHVERTEX> vertices(mesh.vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) std::copy(mesh.vertices[i].begin(), mesh.vertices[i].end(), vertices[i].m_fPosition);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    std::copy(mesh.vertices[i].begin(), mesh.vertices[i].end(), vertices[i].m_fPosition);
   std::vector<NMR::MODELMESHTRIANGLE> triangles(mesh.triangles.size());
-  for (std::size_t i = 0; i < triangles.size(); ++i) std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), triangles[i].m_nIndices);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), triangles[i].m_nIndices);
   file.must(NMR::lib3mf_createmodel(model.out()));
   file.must(NMR::lib3mf_model_setunit(model.get(), NMR::MODELUNIT_MILLIMETER));
   file.must(NMR::lib3mf_model_addmeshobject(model.get(), object.out()));
-  file.must(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()), triangles.data(),
-                                               static_cast<DWORD>(triangles.size())));
+  file.must(NMR::lib3mf_meshobject_setgeometry(object.get(), vertices.data(), static_cast<DWORD>(vertices.size()),
+                                               triangles.data(), static_cast<DWORD>(triangles.size())));
   file.must(NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, item.out()));
   file.must(NMR::lib3mf_model_querywriter(model.get(), "3mf", writer.out()));
   file.must(NMR::lib3mf_writer_writetofileutf8(writer.get(), path.c_str()));
@@ -87,7 +89,8 @@ TriangleMesh read_3mf(const std::filesystem::path& path) {
     file.must(NMR::lib3mf_meshobject_gettriangleindices(object.get(), triangles.data(), triangle_count, nullptr));
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const auto& p : vertices) mesh.vertices.push_back({p.m_fPosition[0], p.m_fPosition[1], p.m_fPosition[2]});
-    for (const auto& t : triangles) mesh.triangles.push_back({first + t.m_nIndices[0], first + t.m_nIndices[1], first + t.m_nIndices[2]});
+    for (const auto& t : triangles)
+      mesh.triangles.push_back({first + t.m_nIndices[0], first + t.m_nIndices[1], first + t.m_nIndices[2]});
   }
 }
 

@@ -29,7 +29,8 @@ Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), c
 
 Model load_model(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".math") return from_text(frep::parse_math, path);
   if (extension == ".vm") return from_text(frep::parse_vm, path);
   if (extension == ".frep") return from_text(frep::parse_infix, path);
@@ -41,7 +42,8 @@ Model load_model(const std::filesystem::path& path) {
     model.voxel = asdf->voxel();
     return model;
   }
-  throw Error(ErrorKind::bad_input, path.string(), fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .asdf", extension));
+  throw Error(ErrorKind::bad_input, path.string(),
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .asdf", extension));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {
@@ -53,11 +55,14 @@ Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progres
   if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf->region();
   const SolidBounds found = solid_bounds(*model.field, progress);
   if (found.empty && empty == EmptySolid::allowed) return {Vec3::Constant(-1), Vec3::Constant(1)};
-  if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give --bounds to work on a region all the same");
+  if (found.empty)
+    throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give --bounds to work on a region all the same");
   std::string open;
   for (int axis = 0; axis < 3; ++axis)
     if (!found.bounded[axis]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[axis]);
-  if (!open.empty()) throw Error(ErrorKind::bad_input, "bounds", fmt::format("the solid is unbounded along {}; give --bounds x0,y0,z0,x1,y1,z1", open));
+  if (!open.empty())
+    throw Error(ErrorKind::bad_input, "bounds",
+                fmt::format("the solid is unbounded along {}; give --bounds x0,y0,z0,x1,y1,z1", open));
   return found.box.grown(found.box.size().maxCoeff() / 64);
 }
 

@@ -12,7 +12,8 @@
 namespace fieldfab {
 namespace {
 
-// libpng reports errors by longjmp unless its handlers throw; ours throw through its C frames, which Debian builds with unwind tables.
+// libpng reports errors by longjmp unless its handlers throw; ours throw through its C frames, which Debian builds with unwind
+// tables.
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
   const auto* path = static_cast<const std::filesystem::path*>(png_get_error_ptr(png));
   throw Error(ErrorKind::bad_input, path->string(), fmt::format("PNG: {}", message));
@@ -55,10 +56,14 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   PendingFile file(path);
   Writer writer(path);
   png_set_write_fn(
-      writer.png, &file, [](png_structp png, png_bytep data, std::size_t size) { static_cast<PendingFile*>(png_get_io_ptr(png))->write(data, size); },
+      writer.png, &file,
+      [](png_structp png, png_bytep data, std::size_t size) {
+        static_cast<PendingFile*>(png_get_io_ptr(png))->write(data, size);
+      },
       [](png_structp) {});
-  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), image.depth,
-               image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+               image.depth, image.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (image.pixels_per_mm > 0) {
     const auto per_metre = static_cast<png_uint_32>(std::lround(std::min(image.pixels_per_mm * 1000, 2e9)));
     png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
@@ -77,8 +82,10 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   for (int y = 0; y < image.height; ++y) {
     const std::uint16_t* from = image.pixels.data() + static_cast<std::size_t>(y) * row_samples;
     for (std::size_t i = 0; i < row_samples; ++i) {
-      if (image.depth == 16) row[2 * i] = static_cast<png_byte>(from[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(from[i] & 255);
-      else row[i] = static_cast<png_byte>(from[i]);
+      if (image.depth == 16)
+        row[2 * i] = static_cast<png_byte>(from[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(from[i] & 255);
+      else
+        row[i] = static_cast<png_byte>(from[i]);
     }
     png_write_row(writer.png, row.data());
   }
@@ -120,14 +127,16 @@ Image read_png(const std::filesystem::path& path) {
   png_read_image(reader.png, rows.data());
   png_read_end(reader.png, reader.info);
 
-  const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
+  const std::size_t samples =
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
   image.pixels.resize(samples);
   for (std::size_t i = 0; i < samples; ++i)
     image.pixels[i] = image.depth == 16 ? static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]) : data[i];
 
   if (png_uint_32 x = 0, y = 0; true) {
     int unit = 0;
-    if (png_get_pHYs(reader.png, reader.info, &x, &y, &unit) != 0 && unit == PNG_RESOLUTION_METER) image.pixels_per_mm = x / 1000.0;
+    if (png_get_pHYs(reader.png, reader.info, &x, &y, &unit) != 0 && unit == PNG_RESOLUTION_METER)
+      image.pixels_per_mm = x / 1000.0;
   }
   png_textp texts = nullptr;
   const int count = png_get_text(reader.png, reader.info, &texts, nullptr);

@@ -13,9 +13,9 @@
 namespace fieldfab {
 namespace {
 
-constexpr int split = 4;       // parts an axis at each level of recursion
-constexpr int leaf_side = 16;  // pixels a side that are evaluated one by one
-constexpr int task_side = 128; // regions up to this size are one thread's work
+constexpr int split = 4;        // parts an axis at each level of recursion
+constexpr int leaf_side = 16;   // pixels a side that are evaluated one by one
+constexpr int task_side = 128;  // regions up to this size are one thread's work
 
 /// Pixels [left, right) x [top, bottom).
 struct Rectangle {
@@ -28,7 +28,8 @@ std::vector<Rectangle> parts_of(const Rectangle& r) {
   std::vector<Rectangle> parts;
   const int step = (r.longer() + split - 1) / split;
   for (int y = r.top; y < r.bottom; y += step)
-    for (int x = r.left; x < r.right; x += step) parts.push_back({x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)});
+    for (int x = r.left; x < r.right; x += step)
+      parts.push_back({x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)});
   return parts;
 }
 
@@ -40,7 +41,8 @@ Box box_of(const PixelGrid& grid, const Rectangle& r, double low, double high) {
 /// Goes down the rectangles in parallel, restricting the Field on the way; `leaf` gets those that one thread should do.
 class Descent {
  public:
-  Descent(const PixelGrid& grid, double low, double high, Progress& progress) : grid_(grid), low_(low), high_(high), progress_(progress) {}
+  Descent(const PixelGrid& grid, double low, double high, Progress& progress)
+      : grid_(grid), low_(low), high_(high), progress_(progress) {}
 
   template <class Decided, class Leaf>
   void run(const FieldPtr& field, const Rectangle& r, const Decided& decided, const Leaf& leaf) {
@@ -74,15 +76,19 @@ class PlaneTile {
   PlaneTile(const PixelGrid& grid, std::vector<std::uint8_t>& inside) : grid_(grid), inside_(inside) {}
 
   void fill(const Rectangle& r) const {
-    for (int y = r.top; y < r.bottom; ++y) std::fill_n(inside_.begin() + static_cast<std::ptrdiff_t>(grid_.index(r.left, y)), r.right - r.left, std::uint8_t{1});
+    for (int y = r.top; y < r.bottom; ++y)
+      std::fill_n(inside_.begin() + static_cast<std::ptrdiff_t>(grid_.index(r.left, y)), r.right - r.left, std::uint8_t{1});
   }
 
   void draw(const FieldPtr& field, const Rectangle& r) const {
     if (r.longer() <= leaf_side) return evaluate(*field, r);
     for (const Rectangle& part : parts_of(r)) {
-      const Restriction here = field->restricted(box_of(grid_, part, grid_.region.lower.z(), grid_.region.lower.z()), Purpose::occupancy);
-      if (here.range.inside()) fill(part);
-      else if (!here.range.outside()) draw(here.field, part);
+      const Restriction here =
+          field->restricted(box_of(grid_, part, grid_.region.lower.z(), grid_.region.lower.z()), Purpose::occupancy);
+      if (here.range.inside())
+        fill(part);
+      else if (!here.range.outside())
+        draw(here.field, part);
     }
   }
 
@@ -156,7 +162,8 @@ class HeightTile {
     std::size_t count = 0;
     for (int row = r.top; row < r.bottom; ++row)
       for (int column = r.left; column < r.right; ++column)
-        for (int layer = high; layer >= low; --layer, ++count) x[count] = grid_.x(column), y[count] = grid_.y(row), z[count] = plane(layer);
+        for (int layer = high; layer >= low; --layer, ++count)
+          x[count] = grid_.x(column), y[count] = grid_.y(row), z[count] = plane(layer);
     field.values({x.data(), y.data(), z.data(), count}, value.data());
 
     std::array<float, columns> inside, outside, hx, hy, middle, sign;
@@ -191,7 +198,8 @@ class HeightTile {
 }  // namespace
 
 PixelGrid PixelGrid::over(const Box& region, int size) {
-  if (size < 1 || size > 16384) throw Error(ErrorKind::bad_input, "size", fmt::format("{} pixels; from 1 to 16384 are possible", size));
+  if (size < 1 || size > 16384)
+    throw Error(ErrorKind::bad_input, "size", fmt::format("{} pixels; from 1 to 16384 are possible", size));
   const Vec3 extent = region.size();
   if (!region.valid() || extent.x() <= 0 || extent.y() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a picture needs finite bounds with a positive size along x and y");
@@ -205,7 +213,9 @@ std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& g
   const PlaneTile tile(grid, inside);
   const auto fill = [&](const Rectangle& r) { return tile.fill(r), true; };
   const double z = grid.region.lower.z();
-  Descent(grid, z, z, progress).run(field.shared_from_this(), {0, 0, grid.width, grid.height}, fill, [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r); });
+  Descent(grid, z, z, progress)
+      .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, fill,
+           [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r); });
   return inside;
 }
 

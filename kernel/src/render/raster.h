@@ -15,7 +15,9 @@ struct PixelGrid {
 
   /// Pixels so that the longer side has `size`; throws bad_input for a region without extent or a size out of range.
   static PixelGrid over(const Box& region, int size);
-  [[nodiscard]] float x(int column) const { return static_cast<float>(region.lower.x() + (column + 0.5) * region.size().x() / width); }
+  [[nodiscard]] float x(int column) const {
+    return static_cast<float>(region.lower.x() + (column + 0.5) * region.size().x() / width);
+  }
   [[nodiscard]] float y(int row) const { return static_cast<float>(region.upper.y() - (row + 0.5) * region.size().y() / height); }
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   [[nodiscard]] std::size_t index(int column, int row) const {

@@ -24,8 +24,9 @@ Box turned(const Box& box, const Eigen::Affine3d& by) {
   Vec3 first = by * box.lower;
   Box result{first, first};
   for (unsigned corner = 1; corner < 8; ++corner) {
-    const Vec3 p = by * Vec3((corner & 1U) != 0 ? box.upper.x() : box.lower.x(), (corner & 2U) != 0 ? box.upper.y() : box.lower.y(),
-                             (corner & 4U) != 0 ? box.upper.z() : box.lower.z());
+    const Vec3 p =
+        by * Vec3((corner & 1U) != 0 ? box.upper.x() : box.lower.x(), (corner & 2U) != 0 ? box.upper.y() : box.lower.y(),
+                  (corner & 4U) != 0 ? box.upper.z() : box.lower.z());
     result = hull(result, {p, p});
   }
   return result;
@@ -110,7 +111,8 @@ Image height_map(const PixelGrid& grid, const std::vector<float>& heights) {
   image.has_heights = true;
   const double low = grid.region.lower.z(), range = grid.region.size().z();
   for (std::size_t i = 0; i < heights.size(); ++i)
-    if (std::isfinite(heights[i])) image.pixels[i] = static_cast<std::uint16_t>(std::clamp(1 + (heights[i] - low) / range * 65534, 1.0, 65535.0));
+    if (std::isfinite(heights[i]))
+      image.pixels[i] = static_cast<std::uint16_t>(std::clamp(1 + (heights[i] - low) / range * 65534, 1.0, 65535.0));
   return image;
 }
 
@@ -118,13 +120,18 @@ Image normal_map(const PixelGrid& grid, const std::vector<float>& heights, const
   Image image = blank(grid, 3, 8);
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (std::isfinite(heights[i]))
-      for (int c = 0; c < 3; ++c) image.pixels[3 * i + static_cast<std::size_t>(c)] = static_cast<std::uint16_t>(std::lround(127.5F + 127.5F * normals[i][c]));
+      for (int c = 0; c < 3; ++c)
+        image.pixels[3 * i + static_cast<std::size_t>(c)] =
+            static_cast<std::uint16_t>(std::lround(127.5F + 127.5F * normals[i][c]));
   return image;
 }
 
-Image shaded(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals, const std::vector<float>& openness) {
-  const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(), fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
-  const Eigen::Vector3f material(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
+Image shaded(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals,
+             const std::vector<float>& openness) {
+  const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(),
+                        fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
+  const Eigen::Vector3f material(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F),
+      sky(0.78F, 0.86F, 1.0F);
   Image image = blank(grid, 3, 8);
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
@@ -134,7 +141,8 @@ Image shaded(const PixelGrid& grid, const std::vector<float>& heights, const Nor
         const Eigen::Vector3f& n = normals[i];
         const float open = openness[i];
         const float shine = std::pow(std::max(0.0F, (2 * n.dot(key) * n - key).z()), 24.0F);
-        colour = material.cwiseProduct(0.28F * open * (0.6F + 0.4F * n.z()) * sky + 0.72F * (0.35F + 0.65F * open) * std::max(0.0F, n.dot(key)) * warm +
+        colour = material.cwiseProduct(0.28F * open * (0.6F + 0.4F * n.z()) * sky +
+                                       0.72F * (0.35F + 0.65F * open) * std::max(0.0F, n.dot(key)) * warm +
                                        0.22F * std::max(0.0F, n.dot(fill)) * cool);
         colour += Eigen::Vector3f::Constant(0.18F * shine * open);
       } else {
@@ -143,7 +151,8 @@ Image shaded(const PixelGrid& grid, const std::vector<float>& heights, const Nor
         colour = colour.cwiseProduct(colour);
       }
       for (int c = 0; c < 3; ++c)
-        image.pixels[3 * i + static_cast<std::size_t>(c)] = static_cast<std::uint16_t>(std::lround(255 * std::sqrt(std::clamp(colour[c], 0.0F, 1.0F))));
+        image.pixels[3 * i + static_cast<std::size_t>(c)] =
+            static_cast<std::uint16_t>(std::lround(255 * std::sqrt(std::clamp(colour[c], 0.0F, 1.0F))));
     }
   return image;
 }
@@ -162,7 +171,8 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   if (settings.mode == RenderMode::bitmap) return bitmap(field, PixelGrid::over(bounds, settings.size), progress);
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a picture of a solid needs finite bounds with a positive size along x, y and z");
-  if (!std::isfinite(settings.alpha) || !std::isfinite(settings.beta)) throw Error(ErrorKind::bad_input, "angle", "must be a finite number");
+  if (!std::isfinite(settings.alpha) || !std::isfinite(settings.beta))
+    throw Error(ErrorKind::bad_input, "angle", "must be a finite number");
 
   FieldPtr seen = intersect(field.shared_from_this(), box_field(bounds));
   Box region = bounds;

@@ -15,9 +15,9 @@ namespace fieldfab {
 
 /// How an Asdf is built.
 struct AsdfSettings {
-  double voxel = 0;        ///< wanted edge of the smallest cell, mm; the region's sides are divided into ceil(side / voxel) cells
-  double max_error = -1;   ///< leaf cells merge while interpolation stays within this many mm; negative: a tenth of a voxel
-  bool merge_leafs = true; ///< false: a plain octree of smallest leaf cells
+  double voxel = 0;       ///< wanted edge of the smallest cell, mm; the region's sides are divided into ceil(side / voxel) cells
+  double max_error = -1;  ///< leaf cells merge while interpolation stays within this many mm; negative: a tenth of a voxel
+  bool merge_leafs = true;  ///< false: a plain octree of smallest leaf cells
 };
 
 /// Counts of the cells of an Asdf, by kind.
@@ -79,7 +79,7 @@ class Asdf final : public Field {
   std::array<int, 3> lattice_{};
   double max_error_ = 0;
   std::shared_ptr<const Tree> tree_;
-  std::uint32_t root_ = 0;             ///< the cell this Field begins at; a restriction shares the tree and begins lower
+  std::uint32_t root_ = 0;                ///< the cell this Field begins at; a restriction shares the tree and begins lower
   std::array<int, 3> first_{}, count_{};  ///< the lattice cells that root_ covers
 };
 

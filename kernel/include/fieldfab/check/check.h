@@ -13,10 +13,10 @@ namespace fieldfab {
 
 /// One measured value against its bound.
 struct CheckRow {
-  std::string name;     ///< what was measured, e.g. "mesh self-intersections (CGAL)"
+  std::string name;  ///< what was measured, e.g. "mesh self-intersections (CGAL)"
   double measured = 0;
-  double bound = 0;     ///< passes where measured <= bound
-  std::string unit;     ///< "", "mm", "%", ...
+  double bound = 0;  ///< passes where measured <= bound
+  std::string unit;  ///< "", "mm", "%", ...
   [[nodiscard]] bool passed() const { return measured <= bound; }
 };
 

@@ -8,11 +8,11 @@ namespace fieldfab {
 
 /// What sort of failure it is; the command line turns each into an exit code.
 enum class ErrorKind {
-  bad_input,    ///< a file, an expression or an option that cannot be used (exit 2)
-  io,           ///< a file that cannot be read or written (exit 2)
-  too_large,    ///< a request that would need more memory than there is (exit 2)
-  cancelled,    ///< the caller's Progress said stop (exit 130)
-  internal,     ///< a promise of ours was broken (exit 3)
+  bad_input,  ///< a file, an expression or an option that cannot be used (exit 2)
+  io,         ///< a file that cannot be read or written (exit 2)
+  too_large,  ///< a request that would need more memory than there is (exit 2)
+  cancelled,  ///< the caller's Progress said stop (exit 130)
+  internal,   ///< a promise of ours was broken (exit 3)
 };
 
 /// Thrown at public boundaries. `what()` is "PLACE: MESSAGE" in one line, PLACE being a file, a file:line:column or an option.

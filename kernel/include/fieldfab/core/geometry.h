@@ -23,9 +23,7 @@ struct Box {
     return (p.array() >= lower.array()).all() && (p.array() <= upper.array()).all();
   }
   /// All bounds finite and no axis reversed.
-  [[nodiscard]] bool valid() const {
-    return lower.allFinite() && upper.allFinite() && (lower.array() <= upper.array()).all();
-  }
+  [[nodiscard]] bool valid() const { return lower.allFinite() && upper.allFinite() && (lower.array() <= upper.array()).all(); }
   /// The box moved outward by `margin` mm on every side (inward where negative).
   [[nodiscard]] Box grown(double margin) const { return {lower.array() - margin, upper.array() + margin}; }
 

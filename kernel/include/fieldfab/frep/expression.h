@@ -50,8 +50,8 @@ class Expression {
 struct Flat {
   struct Entry {
     Opcode op;
-    double constant;       ///< where op is constant
-    std::uint32_t a, b;    ///< indices of the arguments; 0 where there is none
+    double constant;     ///< where op is constant
+    std::uint32_t a, b;  ///< indices of the arguments; 0 where there is none
   };
   std::vector<Entry> order;
 };
@@ -64,8 +64,8 @@ std::size_t node_count(const Expression& root);
 Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z);
 
 /// An expression with the same value wherever the original and every step of it is a finite number: constants folded (in double
-/// precision), identities (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits and the sign of a zero
-/// (which shows only where it is divided by); no constant becomes NaN or infinite by it.
+/// precision), identities (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits and the sign
+/// of a zero (which shows only where it is divided by); no constant becomes NaN or infinite by it.
 Expression simplify(const Expression& root);
 
 // The operators of arithmetic, simplified as they are made where both sides are constants or one is a neutral element.

@@ -44,10 +44,10 @@ inline constexpr int opcode_count = static_cast<int>(Opcode::compare) + 1;
 
 /// How an operation is written and how many arguments it takes.
 struct OpcodeInfo {
-  int arity;              ///< 0, 1 or 2
-  char math;              ///< its letter in a prefix math string ('f' for a constant)
-  std::string_view vm;    ///< its word in a .vm file
-  std::string_view infix; ///< its function name, or operator sign, in .frep text
+  int arity;               ///< 0, 1 or 2
+  char math;               ///< its letter in a prefix math string ('f' for a constant)
+  std::string_view vm;     ///< its word in a .vm file
+  std::string_view infix;  ///< its function name, or operator sign, in .frep text
 };
 
 /// The table's line for `op`.
@@ -55,7 +55,8 @@ const OpcodeInfo& info(Opcode op);
 
 /// The value of an operation on numbers in single precision: the definition that every evaluator must reproduce bit for bit.
 /// min and max: the first argument where it is not greater (less) than the second, NaN where either is NaN;
-/// modulo(a, b): a - b*floor(a/b), so the sign is b's; compare: -1, 0 or 1 (NaN where either is NaN); power: the C library's powf.
+/// modulo(a, b): a - b*floor(a/b), so the sign is b's; compare: -1, 0 or 1 (NaN where either is NaN); power: the C library's
+/// powf.
 float apply(Opcode op, float a, float b = 0);
 
 }  // namespace fieldfab::frep

@@ -1,4 +1,5 @@
-/// A TriangleMesh as an OpenMesh, for those who want its half-edges. OpenMesh's headers are heavy: include this only in .cpp files.
+/// A TriangleMesh as an OpenMesh, for those who want its half-edges. OpenMesh's headers are heavy: include this only in .cpp
+/// files.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -5,25 +5,26 @@
 #include <optional>
 #include <string>
 
+#include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/expression.h"
-#include "fieldfab/core/progress.h"
 
 namespace fieldfab {
 
 /// A solid read from a file.
 struct Model {
   FieldPtr field;
-  std::string kind;                              ///< "f-rep" or "asdf"
-  std::optional<frep::Expression> expression;    ///< where it came from text
-  std::optional<double> voxel;                   ///< where the file has a resolution of its own
+  std::string kind;                            ///< "f-rep" or "asdf"
+  std::optional<frep::Expression> expression;  ///< where it came from text
+  std::optional<double> voxel;                 ///< where the file has a resolution of its own
 };
 
 /// Reads .math, .vm, .frep or .asdf. Throws io, or bad_input (also for an extension no reader knows, with a list of those known).
 Model load_model(const std::filesystem::path& path);
 
 /// The region to work in: `wanted` where given (checked), else what solid_bounds() finds, a little grown. Throws bad_input for
-/// an unbounded solid, naming the axes and asking for --bounds, and for an empty one unless that is allowed (any box will do for it then).
+/// an unbounded solid, naming the axes and asking for --bounds, and for an empty one unless that is allowed (any box will do for
+/// it then).
 enum class EmptySolid { refused, allowed };
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress = Progress::none(),
                    EmptySolid empty = EmptySolid::refused);

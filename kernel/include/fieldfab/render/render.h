@@ -17,13 +17,13 @@ RenderMode render_mode(std::string_view name);
 /// What to show and how.
 struct RenderSettings {
   RenderMode mode = RenderMode::shaded;
-  int size = 512;            ///< pixels along the longer side of the picture
-  double alpha = 0;          ///< turn about z, radians (Keeter App. C)
-  double beta = 0;           ///< then tilt about x, radians
+  int size = 512;    ///< pixels along the longer side of the picture
+  double alpha = 0;  ///< turn about z, radians (Keeter App. C)
+  double beta = 0;   ///< then tilt about x, radians
 };
 
-/// Renders the part of `field` inside `bounds`, seen from +z after the turn. A bitmap shows the plane z = bounds.lower.z, sampled at
-/// pixel centres: white inside. A height map has 16 bits: 0 is nothing, 1 .. 65535 run over zmin .. zmax. The same pixels for
+/// Renders the part of `field` inside `bounds`, seen from +z after the turn. A bitmap shows the plane z = bounds.lower.z, sampled
+/// at pixel centres: white inside. A height map has 16 bits: 0 is nothing, 1 .. 65535 run over zmin .. zmax. The same pixels for
 /// any number of threads. Throws bad_input, cancelled.
 Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress = Progress::none());
 
