@@ -35,6 +35,7 @@ class BlockSampler {
     result.block.lower = lower_;
     result.block.leaf_of.fill(Block::no_leaf);
     sample();
+    if (take_plane(result)) return result;
     find_edges();
     if (edges_.empty()) {
       result.whole = Patch{static_cast<std::uint8_t>(inside_[0] ? 255 : 0), {}};
@@ -42,7 +43,7 @@ class BlockSampler {
     }
     locate_edges();
     find_normals();
-    if (!merge_flat(result)) merge(result);
+    merge(result);
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
         result.block.crossings.push_back({edge.axis, edge.lower, inside_[lower_end(edge)] != 0, edge.point});
@@ -107,7 +108,7 @@ class BlockSampler {
       return t >= 0 && t <= 1 ? b.low + t * (b.high - b.low) : 0.5 * (b.low + b.high);  // also where a value is infinite or NaN
     };
     const std::array<std::vector<float>*, 3> coordinate{&x, &y, &z};
-    const double close_enough = 1e-6 * lattice_.voxel();
+    const double close_enough = std::max(1e-6 * lattice_.voxel(), 4 * lattice_.float_step());
     constexpr int rounds = 12;
     for (int round = 0; round < rounds; ++round) {
       for (std::size_t i = 0; i < count; ++i) (*coordinate[edges_[i].axis])[i] = static_cast<float>(guess(brackets[i]));
@@ -178,16 +179,54 @@ class BlockSampler {
     return true;
   }
 
-  /// The common case of a block that a plane passes through: a plane cuts every cube simply, so that all cells may be merged at
-  /// once.
-  bool merge_flat(SampledBlock& result) const {
+  /// The common case of a block that a plane passes through: the samples are those of a linear function. A plane cuts every cube
+  /// simply, so all cells merge at once, and only the edges on the block's faces will ever be asked for.
+  bool take_plane(SampledBlock& result) const {
     const std::uint8_t bits = corners(0, 0, 0, block_side);
     if (settings_.max_error <= 0 || !is_simple(bits)) return false;
+    Vec3 slope;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      slope[static_cast<Eigen::Index>(axis)] = (double{value_[static_cast<std::size_t>(block_side * stride[axis])]} - value_[0]) /
+                                               (double{plane_[axis][block_side]} - plane_[axis][0]);
+    const double length = slope.norm();
+    if (!std::isfinite(length) || length == 0) return false;
+    const auto tolerance = static_cast<float>(1e-3 * settings_.max_error * length);
+    std::array<std::array<float, points_a_side>, 3> part;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (std::size_t i = 0; i < points_a_side; ++i)
+        part[axis][i] = static_cast<float>(slope[static_cast<Eigen::Index>(axis)] * (double{plane_[axis][i]} - plane_[axis][0]));
+    const float* value = value_.data();
+    for (std::size_t k = 0; k < points_a_side; ++k)
+      for (std::size_t j = 0; j < points_a_side; ++j, value += points_a_side) {
+        const float start = value_[0] + part[1][j] + part[2][k];
+        bool off = false;
+        for (std::size_t i = 0; i < points_a_side; ++i) off |= !(std::abs(value[i] - (start + part[0][i])) <= tolerance);
+        if (off) return false;
+      }
+
     Patch patch;
     patch.corners = bits;
-    patch.points.reserve(edges_.size());
-    for (const Edge& edge : edges_) patch.points.push_back(edge.point);
-    if (!is_flat(patch.points, settings_.max_error, patch.vertex)) return false;
+    const Eigen::Vector3f normal = (slope / length).cast<float>();
+    Vec3 sum = Vec3::Zero();
+    for (std::uint8_t axis = 0; axis < 3; ++axis)
+      for (std::uint8_t p = 0; p <= block_side; ++p)
+        for (std::uint8_t q = 0; q <= block_side; ++q) {
+          if (p % block_side != 0 && q % block_side != 0) continue;
+          for (std::uint8_t t = 0; t < block_side; ++t) {
+            std::array<std::uint8_t, 3> lower{};
+            lower[axis] = t, lower[(axis + 1U) % 3] = p, lower[(axis + 2U) % 3] = q;
+            const auto at = static_cast<std::size_t>(point_index(lower[0], lower[1], lower[2]));
+            const std::size_t next = at + static_cast<std::size_t>(stride[axis]);
+            if (inside_[at] == inside_[next]) continue;
+            SurfacePoint point{{plane_[0][lower[0]], plane_[1][lower[1]], plane_[2][lower[2]]}, normal};
+            const double share = value_[at] / (double{value_[at]} - value_[next]);
+            point.position[axis] = static_cast<float>(plane_[axis][t] + share * (double{plane_[axis][t + 1U]} - plane_[axis][t]));
+            patch.points.push_back(point);
+            sum += point.position.cast<double>();
+            if (p < block_side && q < block_side) result.block.crossings.push_back({axis, lower, inside_[at] != 0, point});
+          }
+        }
+    patch.vertex = sum / static_cast<double>(patch.points.size());
     result.whole = std::move(patch);
     return true;
   }

@@ -32,11 +32,11 @@ Lattice::Lattice(const Box& bounds, double voxel) : voxel_(voxel) {
 
   const double farthest =
       std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root_level_))).cwiseAbs().maxCoeff());
-  const double float_step = std::ldexp(farthest, -23);
-  if (voxel < 256 * float_step || farthest > 1e30)
+  float_step_ = std::ldexp(farthest, -23);
+  if (voxel < 256 * float_step_ || farthest > 1e30)
     throw Error(ErrorKind::bad_input, "voxel",
                 fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", voxel, farthest));
-  margin_ = std::max(std::ldexp(voxel, -11), 8 * float_step);
+  margin_ = std::max(std::ldexp(voxel, -11), 8 * float_step_);
 }
 
 Box Lattice::cube(const LatticePoint& lower, int level) const {

@@ -32,11 +32,13 @@ class Lattice {
   [[nodiscard]] double voxel() const { return voxel_; }
   /// How far a vertex keeps from the ends of its edge, the rim of its face, the faces of its cell, mm.
   [[nodiscard]] double margin() const { return margin_; }
+  /// The step between neighbouring floats at the lattice's farthest coordinate, mm: nothing can be located more finely.
+  [[nodiscard]] double float_step() const { return float_step_; }
 
  private:
   Vec3 origin_;
   double voxel_;
-  double margin_;
+  double margin_, float_step_;
   int root_level_ = block_level;
 };
 
