@@ -73,7 +73,7 @@ PendingFile::PendingFile(std::filesystem::path target) : target_(std::move(targe
     return;
   }
   std::string pattern =
-      (target_.parent_path() / ("." + target_.stem().string() + ".XXXXXX")).string() + target_.extension().string();
+      (target_.parent_path() / fmt::format(".{}.XXXXXX{}", target_.stem().string(), target_.extension().string())).string();
   descriptor_ = ::mkostemps(pattern.data(), static_cast<int>(target_.extension().string().size()), O_CLOEXEC);
   if (descriptor_ < 0) fail(target_, "write");
   temporary_ = pattern;

@@ -19,12 +19,18 @@ enum class ErrorKind {
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::string place, const std::string& message)
-      : std::runtime_error(place.empty() ? message : place + ": " + message), kind_(kind), place_(std::move(place)) {}
+      : std::runtime_error(line(place, message)), kind_(kind), place_(std::move(place)) {}
 
   [[nodiscard]] ErrorKind kind() const noexcept { return kind_; }
   [[nodiscard]] const std::string& place() const noexcept { return place_; }
 
  private:
+  static std::string line(const std::string& place, const std::string& message) {
+    std::string text = place;
+    if (!text.empty()) text.append(": ");
+    return text.append(message);
+  }
+
   ErrorKind kind_;
   std::string place_;
 };
