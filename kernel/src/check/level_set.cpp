@@ -17,6 +17,10 @@ namespace {
 
 constexpr int leaf_side = 8;
 
+// Where a design's parts abut the Field is 0 on a plane within the solid; designs have such planes on round numbers, so samples
+// keep off them.
+const Vec3 shift{0.3819660, 0.2360680, 0.4142136};  // voxels
+
 /// A cube of side leaf_side << level voxels whose corner is at `lower`, in voxels.
 struct Cube {
   openvdb::Coord lower;
@@ -34,7 +38,9 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
   openvdb::initialize();
   const auto band = static_cast<float>(half_width * voxel);
   auto grid = openvdb::FloatGrid::create(band);
-  grid->setTransform(openvdb::math::Transform::createLinearTransform(voxel));
+  const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
+  transform->postTranslate({shift.x() * voxel, shift.y() * voxel, shift.z() * voxel});
+  grid->setTransform(transform);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
 
   // Cubes that the surface may pass, a voxel beyond each included, so that the samples enclose every sign change.
@@ -42,8 +48,8 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     const int side = leaf_side << cube.level;
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = (cube.lower[axis] - 2) * voxel;
-      box.upper[axis] = (cube.lower[axis] + side + 1) * voxel;
+      box.lower[axis] = (cube.lower[axis] + shift[axis] - 2) * voxel;
+      box.upper[axis] = (cube.lower[axis] + shift[axis] + side + 1) * voxel;
     }
     return box;
   };
@@ -92,8 +98,9 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     std::array<float, count> x, y, z, value, dx, dy, dz;
     for (openvdb::Index n = 0; n < count; ++n) {
       const openvdb::Coord at = leafs[i]->offsetToGlobalCoord(n);
-      x[n] = static_cast<float>(at.x() * voxel), y[n] = static_cast<float>(at.y() * voxel),
-      z[n] = static_cast<float>(at.z() * voxel);
+      x[n] = static_cast<float>((at.x() + shift.x()) * voxel);
+      y[n] = static_cast<float>((at.y() + shift.y()) * voxel);
+      z[n] = static_cast<float>((at.z() + shift.z()) * voxel);
     }
     open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     for (openvdb::Index n = 0; n < count; ++n) {
