@@ -94,8 +94,8 @@ class FrepPanel:
 
     def reject(self):
         document = self.document
+        document.abortTransaction()  # first: leaving edit mode would commit what is pending
         FreeCADGui.getDocument(document.Name).resetEdit()
-        document.abortTransaction()
         FreeCADGui.Control.closeDialog()
         document.recompute()
         return True
