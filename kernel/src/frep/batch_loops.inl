@@ -106,11 +106,71 @@ void run_values(const BatchRun& run, float* out) {
   copy_root(argument(run, run.root, run.stride), out, run.count);
 }
 
+constexpr std::size_t gradient_points = 64;
+
+/// Numbers and arrays alike as an array.
+const float* as_array(const Argument& argument, float* space, std::size_t n) {
+  if (argument.array != nullptr) return argument.array;
+  for (std::size_t i = 0; i < n; ++i) space[i] = argument.number;
+  return space;
+}
+
+/// The partial derivatives of one operation at n points; a loop for each operation, so that it can be vectorised.
+template <Opcode op>
+void partial_loop(const float* a, const float* b, const float* value, float* da, float* db, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const Partials d = partials(op, a[i], b[i], value[i]);
+    da[i] = d.a;
+    db[i] = d.b;
+  }
+}
+
+void run_partials(Opcode op, const float* a, const float* b, const float* value, float* da, float* db, std::size_t n) {
+#define FIELDFAB_PARTIALS(name) \
+  case Opcode::name: return partial_loop<Opcode::name>(a, b, value, da, db, n);
+  switch (op) {
+    FIELDFAB_PARTIALS(sine)
+    FIELDFAB_PARTIALS(cosine)
+    FIELDFAB_PARTIALS(tangent)
+    FIELDFAB_PARTIALS(arcsine)
+    FIELDFAB_PARTIALS(arccosine)
+    FIELDFAB_PARTIALS(arctangent)
+    FIELDFAB_PARTIALS(absolute)
+    FIELDFAB_PARTIALS(square)
+    FIELDFAB_PARTIALS(square_root)
+    FIELDFAB_PARTIALS(negate)
+    FIELDFAB_PARTIALS(exponential)
+    FIELDFAB_PARTIALS(logarithm)
+    FIELDFAB_PARTIALS(add)
+    FIELDFAB_PARTIALS(subtract)
+    FIELDFAB_PARTIALS(multiply)
+    FIELDFAB_PARTIALS(divide)
+    FIELDFAB_PARTIALS(minimum)
+    FIELDFAB_PARTIALS(maximum)
+    FIELDFAB_PARTIALS(power)
+    FIELDFAB_PARTIALS(arctangent2)
+    FIELDFAB_PARTIALS(modulo)
+    default: return partial_loop<Opcode::floor>(a, b, value, da, db, n);
+  }
+#undef FIELDFAB_PARTIALS
+}
+
+void run_chain(const float* da, const Argument& ga, const float* db, const Argument& gb, float* out, std::size_t n) {
+  if (ga.array != nullptr && gb.array != nullptr) {
+    for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga.array[i], db[i], gb.array[i]);
+  } else if (ga.array != nullptr) {
+    for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga.array[i], db[i], gb.number);
+  } else if (gb.array != nullptr) {
+    for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga.number, db[i], gb.array[i]);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) out[i] = chain(da[i], ga.number, db[i], gb.number);
+  }
+}
+
 /// Forward differentiation: each slot holds a value and three slopes, `stride` floats each.
 void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
   const std::size_t stride = run.stride, n = run.count;
-  constexpr std::size_t most = 64;
-  float da[most], db[most], value[most];
+  float da[gradient_points], db[gradient_points], value[gradient_points], a_space[gradient_points], b_space[gradient_points];
   const auto slope = [&](Operand operand, int axis) -> Argument {
     if ((operand & constant_bit) != 0) return {nullptr, 0};
     if (operand < first_value) return {nullptr, static_cast<int>(operand) == axis ? 1.0F : 0.0F};
@@ -120,19 +180,10 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
     const Clause& clause = run.code[c];
     const Argument a = argument(run, clause.a, 4 * stride), b = argument(run, clause.b, 4 * stride);
     run_clause(clause.op, a, b, value, n);
-    for (std::size_t i = 0; i < n; ++i) {
-      const Partials d =
-          partials(clause.op, a.array != nullptr ? a.array[i] : a.number, b.array != nullptr ? b.array[i] : b.number, value[i]);
-      da[i] = d.a;
-      db[i] = d.b;
-    }
+    run_partials(clause.op, as_array(a, a_space, n), as_array(b, b_space, n), value, da, db, n);
     float* made = run.scratch + 4 * run.slot[c] * stride;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Argument ga = slope(clause.a, axis), gb = slope(clause.b, axis);
-      float* to = made + static_cast<std::size_t>(axis + 1) * stride;
-      for (std::size_t i = 0; i < n; ++i)
-        to[i] = chain(da[i], ga.array != nullptr ? ga.array[i] : ga.number, db[i], gb.array != nullptr ? gb.array[i] : gb.number);
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      run_chain(da, slope(clause.a, axis), db, slope(clause.b, axis), made + static_cast<std::size_t>(axis + 1) * stride, n);
     for (std::size_t i = 0; i < n; ++i) made[i] = value[i];
   }
   copy_root(argument(run, run.root, 4 * stride), out, n);

@@ -2,9 +2,12 @@
 // of triangles from a vertex inside each cell to the closed loops of curves around it. docs/contouring.md has the proof.
 #include "fieldfab/mesh/contour.h"
 
+#include <algorithm>
+
 #include "contour_cells.h"
 #include "contour_curves.h"
 #include "contour_octree.h"
+#include "contour_sharpen.h"
 #include "fieldfab/field/operations.h"
 
 namespace fieldfab {
@@ -20,7 +23,11 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   progress.report(0.8, "tracing curves");
   const Curves curves = trace_curves(*solid, lattice, octree, settings.features, progress);
   progress.report(0.9, "filling cells");
-  return fill_cells(*solid, lattice, octree, curves, settings, progress);
+  FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
+  progress.report(0.95, "sharpening edges");
+  sharpen(*solid, lattice.voxel(), std::clamp(0.2 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
+          filled.creased, filled.mesh, progress);
+  return std::move(filled.mesh);
 }
 
 }  // namespace fieldfab

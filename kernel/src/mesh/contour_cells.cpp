@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
@@ -22,7 +21,7 @@ struct CellCurve {
 struct Piece {
   std::vector<Position> vertices;
   std::vector<Triangle> triangles;
-  std::vector<Wish> wishes;
+  std::vector<std::uint32_t> creased;  ///< triangles of cells that a sharp edge may pass through
 };
 
 constexpr std::uint32_t first_new = 1U << 31;
@@ -41,11 +40,14 @@ class CellFiller {
 
   /// Fills one leaf, given the curves on its faces.
   void fill(const Leaf& leaf, std::span<CellCurve> around) {
+    const auto first = static_cast<std::uint32_t>(piece_.triangles.size());
     const std::size_t length = first_loop(around);
     if (length < around.size())
       fill_several(leaf, around);
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
+    if (features_ && is_creased(leaf, around))
+      for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
   }
 
  private:
@@ -73,6 +75,18 @@ class CellFiller {
   std::uint32_t add(const Vec3& position) {
     piece_.vertices.push_back(to_floats(position));
     return first_new + static_cast<std::uint32_t>(piece_.vertices.size() - 1);
+  }
+
+  /// Whether the surface turns by more than 25 degrees in a leaf, and the planes that touch it meet near by: where they do not,
+  /// the cells are too coarse to say anything of an edge.
+  [[nodiscard]] bool is_creased(const Leaf& leaf, std::span<const CellCurve> around) {
+    constexpr float least_cosine = 0.9F;
+    scratch_.clear();
+    for (const CellCurve& curve : around) scratch_.push_back(curves_.points[curve.from]);
+    const Eigen::Vector3f normal = scratch_[0].normal;
+    return std::any_of(scratch_.begin(), scratch_.end(),
+                       [&](const SurfacePoint& p) { return p.normal.dot(normal) < least_cosine; }) &&
+           place_vertex(scratch_, box(leaf).grown(2 * lattice_.voxel())).error < 0.1 * lattice_.voxel();
   }
 
   /// A straight loop of three or four points that lie in a plane needs no vertex inside the cell.
@@ -118,20 +132,13 @@ class CellFiller {
   void fill_fan(const Leaf& leaf, std::span<const CellCurve> loop) {
     const Box cell = box(leaf);
     Vec3 vertex = leaf.vertex;
-    std::optional<Position> wish;
     if (leaf.level == 0) {
-      std::vector<SurfacePoint>& points = scratch_;
-      points.clear();
-      for (const CellCurve& curve : loop) points.push_back(curves_.points[curve.from]);
-      const PlacedVertex inside = place_vertex(points, cell);
-      vertex = inside.position;
-      if (const PlacedVertex beyond = place_vertex(points, cell.grown(lattice_.voxel()));
-          features_ && beyond.error < 0.5 * inside.error)
-        wish = to_floats(beyond.position);
+      scratch_.clear();
+      for (const CellCurve& curve : loop) scratch_.push_back(curves_.points[curve.from]);
+      vertex = place_vertex(scratch_, cell).position;
     }
     const Box inner = cell.grown(-lattice_.margin());
     const std::uint32_t apex = add(vertex.cwiseMax(inner.lower).cwiseMin(inner.upper));
-    if (wish) piece_.wishes.push_back({apex, *wish});
     for (const CellCurve& curve : loop) {
       if (curve.bend == no_vertex) {
         piece_.triangles.push_back({apex, curve.to, curve.from});
@@ -229,8 +236,8 @@ class CellFiller {
 
 }  // namespace
 
-TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
-                        const ContourSettings& settings, Progress& progress) {
+FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
+                       const ContourSettings& settings, Progress& progress) {
   // The curves of each leaf, brought together by counting.
   const std::vector<Leaf>& leafs = octree.leafs();
   std::vector<std::uint32_t> start(leafs.size() + 1, 0);
@@ -252,9 +259,8 @@ TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree
       if (start[i] < start[i + 1]) filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
   });
 
-  std::vector<Wish> wishes = curves.wishes;
-  for (Wish& wish : wishes) wish.vertex += static_cast<std::uint32_t>(curves.positions.size());
-  TriangleMesh mesh;
+  FilledCells filled;
+  TriangleMesh& mesh = filled.mesh;
   mesh.vertices = curves.positions;
   mesh.vertices.insert(mesh.vertices.end(), curves.bends.begin(), curves.bends.end());
   std::size_t vertices = mesh.vertices.size(), triangles = 0;
@@ -264,17 +270,16 @@ TriangleMesh fill_cells(const Field& solid, const Lattice& lattice, const Octree
   mesh.triangles.reserve(triangles);
   for (Piece& piece : pieces) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const std::uint32_t t : piece.creased) filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
     for (Triangle triangle : piece.triangles) {
       for (std::uint32_t& vertex : triangle)
         if (vertex >= first_new) vertex = vertex - first_new + offset;
       mesh.triangles.push_back(triangle);
     }
-    for (const Wish& wish : piece.wishes) wishes.push_back({wish.vertex - first_new + offset, wish.target});
     mesh.vertices.insert(mesh.vertices.end(), piece.vertices.begin(), piece.vertices.end());
     piece = {};
   }
-  grant(wishes, lattice.voxel(), curves.points, mesh, progress);
-  return mesh;
+  return filled;
 }
 
 }  // namespace fieldfab::contouring

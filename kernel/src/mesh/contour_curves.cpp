@@ -187,8 +187,8 @@ class CurveTracer {
   }
 
   /// Gives a curve a bend where the tangent lines at its ends meet, if the surface passes closer there than on the straight line:
-  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend begins halfway and wishes to go
-  /// there.
+  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend is halfway, for sharpen() to
+  /// move.
   void bend_curves() {
     struct Bend {
       std::size_t curve;
@@ -223,12 +223,7 @@ class CurveTracer {
         const auto within = [&](int axis) {
           return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis];
         };
-        if (within(u) && within(v)) {
-          out_.bends.push_back(to_floats(bend.place));
-        } else {
-          out_.wishes.push_back({curve.bend, to_floats(bend.place)});
-          out_.bends.push_back(to_floats(middle_of(curve)));
-        }
+        out_.bends.push_back(to_floats(within(u) && within(v) ? bend.place : middle_of(curve)));
       }
   }
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "contour_octree.h"
-#include "contour_sharpen.h"
 
 namespace fieldfab::contouring {
 
@@ -26,7 +25,6 @@ struct Curves {
   std::vector<std::array<float, 3>> positions;  ///< the same, kept off the ends of their edges
   std::vector<std::array<float, 3>> bends;      ///< strictly within their faces
   std::vector<FaceCurve> curves;                ///< sorted by lower leaf
-  std::vector<Wish> wishes;                     ///< bends (indices among `bends`) that belong beyond the rim of their face
 };
 
 /// Finds the curves. `solid` is asked where a face is ambiguous and whether a bend meets the surface.

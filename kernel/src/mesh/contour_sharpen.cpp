@@ -1,190 +1,395 @@
 #include "contour_sharpen.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Segment_3.h>
-#include <CGAL/Triangle_3.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
+#include "contour_vertex.h"
+#include "fieldfab/core/parallel.h"
+#include "mesh_editor.h"
+
 namespace fieldfab::contouring {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
-using Triangle = std::array<std::uint32_t, 3>;
-using Position = std::array<float, 3>;
+/// Points in a structure of arrays, and what the Field says there.
+class Samples {
+ public:
+  void clear() { x_.clear(), y_.clear(), z_.clear(); }
+  void add(const Eigen::Vector3f& p) { x_.push_back(p.x()), y_.push_back(p.y()), z_.push_back(p.z()); }
+  void ask(const Field& solid) {
+    for (auto* values : {&value_, &dx_, &dy_, &dz_}) values->resize(x_.size());
+    solid.gradients({x_.data(), y_.data(), z_.data(), x_.size()}, value_.data(), {dx_.data(), dy_.data(), dz_.data()});
+  }
+  [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] Eigen::Vector3f point(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
+  [[nodiscard]] Eigen::Vector3f slope(std::size_t i) const { return {dx_[i], dy_[i], dz_[i]}; }
+  /// Distance from the surface to first order, mm; 0 where the Field has no usable gradient, so that nothing is tried there.
+  [[nodiscard]] float distance(std::size_t i) const {
+    const float distance = value_[i] / slope(i).norm();
+    return std::isfinite(distance) ? distance : 0.0F;
+  }
+  void step(std::size_t i, const Eigen::Vector3f& by) { x_[i] += by.x(), y_[i] += by.y(), z_[i] += by.z(); }
 
-struct FloatBox {
-  Position lower{INFINITY, INFINITY, INFINITY}, upper{-INFINITY, -INFINITY, -INFINITY};
-  void add(const Position& p) {
-    for (std::size_t i = 0; i < 3; ++i) lower[i] = std::min(lower[i], p[i]), upper[i] = std::max(upper[i], p[i]);
-  }
-  [[nodiscard]] bool meets(const FloatBox& other) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (upper[i] < other.lower[i] || other.upper[i] < lower[i]) return false;
-    return true;
-  }
+ private:
+  std::vector<float> x_, y_, z_, value_, dx_, dy_, dz_;
 };
 
-/// The triangles that wishes concern, found by place.
-class Neighbourhood {
+/// A place where the mesh is off the surface: a vertex, the middle of an edge, or the middle of a triangle.
+struct Flaw {
+  std::array<std::uint32_t, 3> vertices;
+  int count;  ///< of vertices: 1, 2 or 3
+  float error;
+};
+
+/// How far triangles are from the surface.
+struct Misfit {
+  float farthest = 0;  ///< mm
+  float squares = 0;   ///< squared distance, summed over area
+  [[nodiscard]] bool closer_than(const Misfit& other) const { return squares <= 0.8F * other.squares; }
+};
+
+/// A patch that is to become a fan around one vertex.
+struct Star {
+  std::uint32_t vertex;
+  std::vector<std::uint32_t> old;                 ///< the patch's triangles
+  std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges around it, each as the triangle within has it
+};
+
+class Sharpener {
  public:
-  Neighbourhood(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh)
-      : points_(points), mesh_(mesh), cell_(4 * reach) {
-    constexpr std::uint32_t no_wish = ~0U;
-    std::vector<std::uint32_t> wish_of(mesh.vertices.size(), no_wish);
-    fans_.resize(wishes.size());
-    for (std::size_t i = 0; i < wishes.size(); ++i) wish_of[wishes[i].vertex] = static_cast<std::uint32_t>(i);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      for (const std::uint32_t vertex : mesh.triangles[t])
-        if (wish_of[vertex] != no_wish) fans_[wish_of[vertex]].push_back(t);
+  Sharpener(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
+            Progress& progress)
+      : solid_(solid),
+        voxel_(static_cast<float>(voxel)),
+        tolerance_(static_cast<float>(tolerance)),
+        mesh_(mesh),
+        progress_(progress),
+        editor_(mesh, creased, 3 * voxel),
+        open_(creased.begin(), creased.end()) {}
 
-    // A triangle may come to lie anywhere between where it is and where the wishes of its vertices would take it.
-    const auto range = [&](std::uint32_t t) {
-      FloatBox box;
-      for (const std::uint32_t vertex : mesh.triangles[t]) {
-        box.add(mesh.vertices[vertex]);
-        if (wish_of[vertex] != no_wish) box.add(wishes[wish_of[vertex]].target);
+  void run() {
+    constexpr int rounds = 8;
+    for (int round = 0; round < rounds && !open_.empty(); ++round) {
+      features_only_ = round < rounds / 2;
+      const std::vector<Flaw> flaws = find_flaws();
+      open_.clear();
+      for (std::size_t i = 0; i < flaws.size(); ++i) {
+        if (i % 64 == 0) progress_.check();
+        mend(flaws[i]);
       }
-      return box;
-    };
-    for (const auto& fan : fans_)
-      for (const std::uint32_t t : fan) for_cells(range(t), [&](std::uint64_t key) { triangles_in_.try_emplace(key); });
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-      for_cells(range(t), [&](std::uint64_t key) {
-        if (const auto found = triangles_in_.find(key); found != triangles_in_.end()) found->second.push_back(t);
-      });
-  }
-
-  /// Moves the wish's vertex to `target` if that keeps the mesh valid; puts it back otherwise.
-  bool move(std::size_t wish, std::uint32_t vertex, const Position& target) {
-    const Position before = std::exchange(mesh_.vertices[vertex], target);
-    if (faces_out(fans_[wish]) && fits(fans_[wish])) return true;
-    mesh_.vertices[vertex] = before;
-    return false;
+    }
   }
 
  private:
-  template <class Visit>
-  void for_cells(const FloatBox& box, const Visit& visit) const {
-    std::array<std::int64_t, 3> low, high;
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = static_cast<std::int64_t>(std::floor(box.lower[i] / cell_));
-      high[i] = static_cast<std::int64_t>(std::floor(box.upper[i] / cell_));
-    }
-    for (std::int64_t x = low[0]; x <= high[0]; ++x)
-      for (std::int64_t y = low[1]; y <= high[1]; ++y)
-        for (std::int64_t z = low[2]; z <= high[2]; ++z)
-          visit((static_cast<std::uint64_t>(x) & 0x1fffff) << 42 | (static_cast<std::uint64_t>(y) & 0x1fffff) << 21 |
-                (static_cast<std::uint64_t>(z) & 0x1fffff));
+  [[nodiscard]] Eigen::Vector3f at(std::uint32_t vertex) const { return Eigen::Vector3f(mesh_.vertices[vertex].data()); }
+  [[nodiscard]] Eigen::Vector3f middle(const Flaw& flaw) const {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int i = 0; i < flaw.count; ++i) sum += at(flaw.vertices[static_cast<std::size_t>(i)]);
+    return sum / static_cast<float>(flaw.count);
   }
 
-  [[nodiscard]] FloatBox box_of(std::uint32_t t) const {
-    FloatBox box;
-    for (const std::uint32_t vertex : mesh_.triangles[t]) box.add(mesh_.vertices[vertex]);
-    return box;
-  }
-
-  [[nodiscard]] Point point(std::uint32_t vertex) const {
-    const Position& p = mesh_.vertices[vertex];
-    return {p[0], p[1], p[2]};
-  }
-
-  /// No triangle may fold over or shrink to nothing: a fold would be valid by a hair only, and no better than what it replaces. A
-  /// triangle faces out where it does so for the surface at one of its corners at least; at a crease they differ.
-  [[nodiscard]] bool faces_out(const std::vector<std::uint32_t>& fan) const {
-    const double least_area = 1e-8 * cell_ * cell_;
-    for (const std::uint32_t t : fan) {
-      std::array<Eigen::Vector3d, 3> corner;
-      for (std::size_t i = 0; i < 3; ++i)
-        corner[i] = Eigen::Vector3f(mesh_.vertices[mesh_.triangles[t][i]].data()).cast<double>();
-      const Eigen::Vector3d normal = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
-      const double doubled_area = normal.norm();
-      if (doubled_area < least_area) return false;
-      bool any = false, out = false;
-      for (const std::uint32_t vertex : mesh_.triangles[t]) {
-        if (vertex >= points_.size()) continue;
-        any = true;
-        out = out || points_[vertex].normal.cast<double>().dot(normal) > 0.3 * doubled_area;
+  /// The vertices, edges and triangles of the open triangles that are off by more than the tolerance: vertices first, then edges;
+  /// the worst first.
+  std::vector<Flaw> find_flaws() {
+    std::vector<Flaw> places;
+    std::sort(open_.begin(), open_.end());
+    open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
+    for (const std::uint32_t t : open_) {
+      const Triangle& v = mesh_.triangles[t];
+      places.push_back({v, 3, 0});
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t a = v[i], b = v[(i + 1) % 3];
+        places.push_back({{a, 0, 0}, 1, 0});
+        places.push_back({{std::min(a, b), std::max(a, b), 0}, 2, 0});
       }
-      if (any && !out) return false;
     }
-    return true;
+    const auto order = [](const Flaw& one, const Flaw& other) {
+      return one.count != other.count ? one.count < other.count : one.vertices < other.vertices;
+    };
+    std::sort(places.begin(), places.end(), order);
+    places.erase(std::unique(places.begin(), places.end(),
+                             [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
+                 places.end());
+
+    constexpr std::size_t chunk = 1024;
+    parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
+      progress_.check();
+      Samples samples;
+      const std::size_t first = part * chunk, last = std::min(places.size(), first + chunk);
+      for (std::size_t i = first; i < last; ++i) samples.add(middle(places[i]));
+      samples.ask(solid_);
+      for (std::size_t i = first; i < last; ++i) places[i].error = std::abs(samples.distance(i - first));
+    });
+    std::erase_if(places, [&](const Flaw& flaw) { return flaw.error <= tolerance_; });
+    std::stable_sort(places.begin(), places.end(), [](const Flaw& one, const Flaw& other) {
+      return one.count != other.count ? one.count < other.count : one.error > other.error;
+    });
+    return places;
   }
 
-  bool fits(const std::vector<std::uint32_t>& fan) {
+  static std::uint64_t key_of(const Flaw& flaw) {
+    std::uint64_t key = static_cast<std::uint64_t>(flaw.count);
+    for (const std::uint32_t vertex : flaw.vertices) key = (key ^ vertex) * 0x9e3779b97f4a7c15U;
+    return key;
+  }
+
+  void mend(const Flaw& flaw) {
+    if (error_at(middle(flaw)) <= tolerance_) return;  // mended with another
+    constexpr int most_attempts = 2;
+    if (++attempts_[key_of(flaw)] > most_attempts) return;
+    if (flaw.count == 1) {
+      move(flaw);
+    } else if (flaw.count == 2) {
+      if (!flip(flaw)) divide_edge(flaw);
+    } else {
+      divide_triangle(flaw);
+    }
+  }
+
+  /// Where the surface's sharpest feature within `radius` of a point is: the surface is found in all directions around, and the
+  /// planes that touch it there say whether they meet in a corner, an edge, or are one surface.
+  [[nodiscard]] PlacedVertex feature_near(const Eigen::Vector3f& centre, float radius) {
+    Samples& around = scratch_;
+    around.clear();
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1; ++z) {
+          Eigen::Vector3f direction(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+          if (x != 0 || y != 0 || z != 0) direction.normalize();
+          around.add(centre + radius * direction);
+        }
+    constexpr int newton_steps = 3;
+    for (int step = 0; step < newton_steps; ++step) {
+      around.ask(solid_);
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const Eigen::Vector3f slope = around.slope(i);
+        const float length = slope.norm();
+        if (length > 0 && std::isfinite(length))
+          around.step(i, -std::clamp(around.distance(i), -radius, radius) / length * slope);
+      }
+    }
+    around.ask(solid_);
+    std::vector<SurfacePoint>& points = found_;
+    points.clear();
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const Eigen::Vector3f slope = around.slope(i), point = around.point(i);
+      const float length = slope.norm();
+      if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * radius &&
+          (point - centre).squaredNorm() < 4 * radius * radius)
+        points.push_back({point, slope / length});
+    }
+    const Vec3 middle = centre.cast<double>();
+    if (points.empty()) return {middle, 0, 0};
+    const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(radius));
+    return place_vertex(points, {middle - side, middle + side});
+  }
+
+  void move(const Flaw& flaw) {
+    const std::uint32_t vertex = flaw.vertices[0];
+    const auto fan = editor_.fan(vertex);
+    if (fan.empty()) return;
+    Star star{vertex, {fan.begin(), fan.end()}, {}};
     for (const std::uint32_t t : fan) {
-      const Triangle& triangle = mesh_.triangles[t];
-      if (CGAL::collinear(point(triangle[0]), point(triangle[1]), point(triangle[2]))) return false;
-      const FloatBox box = box_of(t);
-      near_.clear();
-      for_cells(box, [&](std::uint64_t key) {
-        if (const auto found = triangles_in_.find(key); found != triangles_in_.end())
-          near_.insert(near_.end(), found->second.begin(), found->second.end());
-      });
-      std::sort(near_.begin(), near_.end());
-      near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-      for (const std::uint32_t other : near_)
-        if (other != t && box.meets(box_of(other)) && overlap(triangle, mesh_.triangles[other])) return false;
+      const Triangle& v = mesh_.triangles[t];
+      const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
+      star.rim.push_back({v[(i + 1) % 3], v[(i + 2) % 3]});
     }
+    const Position start = mesh_.vertices[vertex];
+    if (!place(star, at(vertex))) mesh_.vertices[vertex] = start;
+  }
+
+  /// Makes the star's triangles with its vertex on the sharpest feature near `centre` that this is possible for.
+  bool place(const Star& star, const Eigen::Vector3f& centre) {
+    const Misfit before = misfit(triangles(star.old));
+    for (const float radius : {0.25F, 0.5F, 1.0F, 2.0F}) {
+      PlacedVertex target = feature_near(centre, radius * voxel_);
+      const bool sharp = target.directions > 1;
+      if (sharp) {  // found from planes that touch the surface up to `radius` away: closer by, a curved crease is where they say
+        const PlacedVertex closer = feature_near(target.position.cast<float>(), 0.25F * radius * voxel_);
+        if (closer.directions > 1) target = closer;
+      }
+      if (features_only_ && !sharp) continue;
+      const Eigen::Vector3f position = target.position.cast<float>();
+      mesh_.vertices[star.vertex] = {position.x(), position.y(), position.z()};
+      if (span(star, before)) return true;
+    }
+    return false;
+  }
+
+  /// Replaces the star's old triangles by those between its rim and its vertex. Where one would be folded over, the rim is moved
+  /// out past the triangle beyond, which is as good as flipping that edge first.
+  bool span(Star star, Misfit before) {
+    const bool on_surface = error_at(at(star.vertex)) < 0.5F * tolerance_;
+    constexpr int greatest_growth = 3;
+    for (int growth = 0; growth <= greatest_growth; ++growth) {
+      std::vector<Triangle> fresh;
+      for (const auto& [a, b] : star.rim) fresh.push_back({a, b, star.vertex});
+      const Misfit after = misfit(fresh);
+      std::vector<std::size_t> folded;
+      for (std::size_t i = 0; i < fresh.size(); ++i)
+        if (!faces_out(i, fresh[i])) folded.push_back(i);
+      if (folded.empty())
+        return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) && commit(star.old, fresh);
+      for (const std::size_t i : folded)
+        if (!grow(star, i, before)) return false;
+    }
+    return false;
+  }
+
+  /// Takes the triangle beyond one edge of the rim into the star.
+  bool grow(Star& star, std::size_t edge, Misfit& before) {
+    const auto [a, b] = star.rim[edge];
+    std::array<std::uint32_t, 2> sides{};
+    if (!editor_.sides(a, b, sides)) return false;
+    const auto is_old = [&](std::uint32_t t) { return std::find(star.old.begin(), star.old.end(), t) != star.old.end(); };
+    if (is_old(sides[0]) == is_old(sides[1])) return false;
+    const std::uint32_t beyond = is_old(sides[0]) ? sides[1] : sides[0];
+    const std::uint32_t corner = opposite(beyond, a, b);
+    if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; })) return false;
+    const Misfit added = misfit({&mesh_.triangles[beyond], 1});
+    before = {std::max(before.farthest, added.farthest), before.squares + added.squares};
+    star.old.push_back(beyond);
+    star.rim[edge] = {a, corner};
+    star.rim.push_back({corner, b});
     return true;
   }
 
-  /// Whether two triangles of the mesh have more in common than their common vertices and the edge between those.
-  [[nodiscard]] bool overlap(const Triangle& one, const Triangle& other) const {
-    std::array<std::size_t, 3> common{};  // positions in `one` of the vertices that are also in `other`
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      if (std::find(other.begin(), other.end(), one[i]) != other.end()) common[count++] = i;
-    const Kernel::Triangle_3 a(point(one[0]), point(one[1]), point(one[2]));
-    const Kernel::Triangle_3 b(point(other[0]), point(other[1]), point(other[2]));
-    if (count == 0) return CGAL::do_intersect(a, b);
-    if (count == 1) {
-      const std::size_t i = common[0];
-      const auto j = static_cast<std::size_t>(std::find(other.begin(), other.end(), one[i]) - other.begin());
-      const Kernel::Segment_3 facing_a(point(one[(i + 1) % 3]), point(one[(i + 2) % 3]));
-      const Kernel::Segment_3 facing_b(point(other[(j + 1) % 3]), point(other[(j + 2) % 3]));
-      return CGAL::do_intersect(facing_a, b) || CGAL::do_intersect(facing_b, a);
-    }
-    if (count == 3) return true;
-    const std::size_t lone = 3 - common[0] - common[1];
-    const std::uint32_t p = one[common[0]], q = one[common[1]];
-    const std::uint32_t third = *std::find_if(other.begin(), other.end(), [&](std::uint32_t v) { return v != p && v != q; });
-    const Point ends[2] = {point(p), point(q)};
-    return CGAL::coplanar(ends[0], ends[1], point(one[lone]), point(third)) &&
-           CGAL::coplanar_orientation(ends[0], ends[1], point(one[lone]), point(third)) == CGAL::POSITIVE;
+  bool flip(const Flaw& flaw) {
+    Diamond diamond;
+    if (!find_diamond(flaw, diamond)) return false;
+    const auto [old, from, to, one, other] = diamond;
+    const Misfit before = misfit(triangles(old));
+    const std::array<Triangle, 2> fresh{{{one, other, to}, {other, one, from}}};
+    return misfit(fresh).closer_than(before) && faces_out(0, fresh[0]) && faces_out(1, fresh[1]) && commit(old, fresh);
   }
 
-  const std::vector<SurfacePoint>& points_;
+  void divide_edge(const Flaw& flaw) {
+    Diamond diamond;
+    if (!find_diamond(flaw, diamond)) return;
+    const auto [old, from, to, one, other] = diamond;
+    divide(flaw, {0, {old[0], old[1]}, {{one, from}, {to, one}, {other, to}, {from, other}}});
+  }
+
+  void divide_triangle(const Flaw& flaw) {
+    const auto [a, b, c] = flaw.vertices;
+    for (const std::uint32_t t : editor_.fan(a)) {
+      if (mesh_.triangles[t] != flaw.vertices) continue;
+      divide(flaw, {0, {t}, {{a, b}, {b, c}, {c, a}}});
+      return;
+    }
+  }
+
+  /// Gives the star a new vertex on the feature that the flaw misses.
+  void divide(const Flaw& flaw, Star star) {
+    const Eigen::Vector3f centre = middle(flaw);
+    star.vertex = static_cast<std::uint32_t>(mesh_.vertices.size());
+    mesh_.vertices.push_back({centre.x(), centre.y(), centre.z()});
+    if (!place(star, centre)) mesh_.vertices.pop_back();
+  }
+
+  /// The two triangles at an edge.
+  struct Diamond {
+    std::array<std::uint32_t, 2> sides;
+    std::uint32_t from, to;    ///< the edge, as the first triangle has it
+    std::uint32_t one, other;  ///< the vertices opposite
+  };
+  bool find_diamond(const Flaw& edge, Diamond& diamond) const {
+    const auto [a, b, unused] = edge.vertices;
+    if (!editor_.sides(a, b, diamond.sides)) return false;
+    diamond.one = opposite(diamond.sides[0], a, b);
+    diamond.other = opposite(diamond.sides[1], a, b);
+    const Triangle& first = mesh_.triangles[diamond.sides[0]];
+    const auto i = static_cast<std::size_t>(std::find(first.begin(), first.end(), diamond.one) - first.begin());
+    diamond.from = first[(i + 1) % 3];
+    diamond.to = first[(i + 2) % 3];
+    return diamond.one != diamond.other;
+  }
+
+  [[nodiscard]] std::uint32_t opposite(std::uint32_t triangle, std::uint32_t a, std::uint32_t b) const {
+    const Triangle& v = mesh_.triangles[triangle];
+    return *std::find_if(v.begin(), v.end(), [&](std::uint32_t vertex) { return vertex != a && vertex != b; });
+  }
+
+  [[nodiscard]] std::vector<Triangle> triangles(std::span<const std::uint32_t> numbers) const {
+    std::vector<Triangle> found;
+    for (const std::uint32_t t : numbers) found.push_back(mesh_.triangles[t]);
+    return found;
+  }
+
+  void sample(std::span<const Triangle> triangles) {
+    scratch_.clear();
+    for (const Triangle& v : triangles) {
+      const Eigen::Vector3f a = at(v[0]), b = at(v[1]), c = at(v[2]);
+      scratch_.add((a + b + c) / 3.0F);
+      for (const Eigen::Vector3f& p :
+           {a, b, c, Eigen::Vector3f(0.5F * (a + b)), Eigen::Vector3f(0.5F * (b + c)), Eigen::Vector3f(0.5F * (c + a))})
+        scratch_.add(p);
+    }
+    scratch_.ask(solid_);
+  }
+  static constexpr std::size_t samples_a_triangle = 7;
+
+  Misfit misfit(std::span<const Triangle> triangles) {
+    sample(triangles);
+    Misfit misfit;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Triangle& v = triangles[i];
+      float squares = 0;
+      for (std::size_t j = samples_a_triangle * i; j < samples_a_triangle * (i + 1); ++j) {
+        const float distance = scratch_.distance(j);
+        squares += distance * distance;
+        misfit.farthest = std::max(misfit.farthest, std::abs(distance));
+      }
+      misfit.squares += squares * (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0])).norm();
+    }
+    return misfit;
+  }
+
+  float error_at(const Eigen::Vector3f& point) {
+    scratch_.clear();
+    scratch_.add(point);
+    scratch_.ask(solid_);
+    return std::abs(scratch_.distance(0));
+  }
+
+  /// Whether a triangle, the `i`th of those that misfit() was last asked for, is neither folded over nor shrunk to nothing.
+  [[nodiscard]] bool faces_out(std::size_t i, const Triangle& v) const {
+    const Eigen::Vector3f normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
+    const float area = normal.norm();
+    if (area < 1e-6F * voxel_ * voxel_) return false;
+    for (std::size_t j = samples_a_triangle * i; j < samples_a_triangle * (i + 1); ++j)
+      if (normal.dot(scratch_.slope(j)) > 0.1F * area * scratch_.slope(j).norm()) return true;
+    return false;
+  }
+
+  bool commit(std::span<const std::uint32_t> old, std::span<const Triangle> fresh) {
+    if (!editor_.replace(old, fresh)) return false;
+    for (const Triangle& triangle : fresh)
+      for (const std::uint32_t vertex : triangle) {
+        const auto fan = editor_.fan(vertex);
+        open_.insert(open_.end(), fan.begin(), fan.end());
+      }
+    return true;
+  }
+
+  const Field& solid_;
+  const float voxel_, tolerance_;
   TriangleMesh& mesh_;
-  double cell_;
-  std::vector<std::vector<std::uint32_t>> fans_;  ///< by wish: the triangles around its vertex
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> triangles_in_;
-  std::vector<std::uint32_t> near_;
+  Progress& progress_;
+  MeshEditor editor_;
+  std::vector<std::uint32_t> open_;                  ///< triangles still to be looked at
+  std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: what failed twice will not be tried for ever
+  bool features_only_ = true;  ///< vertices on smooth surfaces near a crease wait until the crease is in place
+  Samples scratch_;
+  std::vector<SurfacePoint> found_;
 };
 
 }  // namespace
 
-void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh,
-           Progress& progress) {
-  if (wishes.empty()) return;
-  Neighbourhood neighbourhood(wishes, reach, points, mesh);
-  std::vector<std::size_t> open(wishes.size());
-  for (std::size_t i = 0; i < open.size(); ++i) open[i] = i;
-  // A wish may have to wait for its neighbour's; the last round settles for half the way.
-  for (const float share : {1.0F, 1.0F, 0.5F}) {
-    std::erase_if(open, [&](std::size_t i) {
-      if (i % 64 == 0) progress.check();
-      const Position& from = mesh.vertices[wishes[i].vertex];
-      Position target = wishes[i].target;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        if (share < 1) target[axis] = from[axis] + share * (target[axis] - from[axis]);
-      return neighbourhood.move(i, wishes[i].vertex, target);
-    });
-  }
+void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
+             Progress& progress) {
+  if (!creased.empty()) Sharpener(solid, voxel, tolerance, creased, mesh, progress).run();
 }
 
 }  // namespace fieldfab::contouring

@@ -1,25 +1,18 @@
-/// Moving vertices out of their cells and faces onto sharp edges and corners, where the mesh allows it.
+/// Bringing a valid mesh onto the sharp edges and corners that its cells cut off.
 #pragma once
 
-#include <vector>
+#include <span>
 
-#include "contour_vertex.h"
 #include "fieldfab/core/progress.h"
+#include "fieldfab/field/field.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab::contouring {
 
-/// A vertex that would lie better elsewhere: on a crease that pokes out of its cell or face.
-struct Wish {
-  std::uint32_t vertex;
-  std::array<float, 3> target;
-};
-
-/// Grants every wish that keeps the mesh as valid as it was: a vertex moves only after each of its triangles, in its new place,
-/// has been found, with exact predicates, to meet no other triangle but in their common vertex or edge, and not to be degenerate.
-/// So a mesh without self-intersections stays one, whatever is wished for. Wishes should be short: about `reach` mm. The first
-/// vertices of the mesh are those of `points`, whose normals tell a triangle that faces out from one that has folded over.
-void grant(const std::vector<Wish>& wishes, double reach, const std::vector<SurfacePoint>& points, TriangleMesh& mesh,
-           Progress& progress);
+/// Moves vertices, flips edges and divides edges and triangles near the triangles `creased` until the mesh is within `tolerance`
+/// mm of the solid's surface there, or nothing more helps. Every step brings the mesh closer and is made only where it keeps the
+/// mesh valid (mesh_editor.h). `voxel` is the size of the smallest cells, mm. Throws cancelled.
+void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
+             Progress& progress);
 
 }  // namespace fieldfab::contouring

@@ -32,7 +32,7 @@ PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell)
   solver.compute(normals);
 
   // Directions are taken in one by one, the best determined first; each must earn its place.
-  PlacedVertex best{mean, farthest_plane(points, mean)};
+  PlacedVertex best{mean, farthest_plane(points, mean), 0};
   const double worthwhile = 1e-4 * cell.size().x();
   Vec3 vertex = mean;
   for (int i = 2; i >= 0; --i) {
@@ -42,7 +42,7 @@ PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell)
     vertex += direction * (direction.dot(right) / strength);
     if (!cell.contains(vertex)) continue;
     const double error = farthest_plane(points, vertex);
-    if (error < 0.5 * best.error && error < best.error - worthwhile) best = {vertex, error};
+    if (error < 0.5 * best.error && error < best.error - worthwhile) best = {vertex, error, 3 - i};
   }
   return best;
 }

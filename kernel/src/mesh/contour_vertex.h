@@ -18,6 +18,7 @@ struct SurfacePoint {
 struct PlacedVertex {
   Vec3 position;
   double error;
+  int directions;  ///< that the planes determine: 0 or 1 on a smooth surface, 2 on a crease, 3 in a corner
 };
 
 /// The point of `cell` that lies best on all tangent planes: on the crease where two meet, in the corner where three do, in the
