@@ -7,14 +7,15 @@ namespace fieldfab {
 namespace {
 
 constexpr double far_away = 1e6;                // mm; what reaches this far counts as unbounded
-constexpr std::size_t most_work = 400'000'000;  // operations a face; what is undecided after so many stays inside
+constexpr std::size_t most_work = 40'000'000;  // operations a face; what is undecided after so many stays inside
 
 /// A part of space that may hold some of the solid.
 struct Suspect {
   Box box;
   FieldPtr field;
   double reach;  // how far the box goes in the direction searched
-  bool operator<(const Suspect& other) const { return reach < other.reach; }
+  int depth;     // of those that reach as far, the smallest comes first: one that holds some of the solid ends the search
+  bool operator<(const Suspect& other) const { return reach != other.reach ? reach < other.reach : depth < other.depth; }
 };
 
 bool holds_nothing(const Interval& range) { return range.lower >= 0 && !range.maybe_nan; }
@@ -25,7 +26,7 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
                 Progress& progress, double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
   std::priority_queue<Suspect> suspects;
-  suspects.push({within, field, reach_of(within)});
+  suspects.push({within, field, reach_of(within), 0});
   for (std::size_t work = 0; !suspects.empty();) {
     progress.check();
     const Suspect next = suspects.top();
@@ -41,7 +42,7 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
     for (const bool upper : {false, true}) {
       Box half = next.box;
       (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
-      suspects.push({half, inside.field, reach_of(half)});
+      suspects.push({half, inside.field, reach_of(half), next.depth + 1});
     }
   }
   return false;

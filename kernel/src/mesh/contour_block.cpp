@@ -1,6 +1,7 @@
 #include "contour_block.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace fieldfab::contouring {
@@ -30,24 +31,23 @@ class BlockSampler {
             static_cast<float>(lattice.plane(axis, lower[static_cast<std::size_t>(axis)] + i));
   }
 
-  SampledBlock run() {
-    SampledBlock result;
-    result.block.lower = lower_;
-    result.block.leaf_of.fill(Block::no_leaf);
+  std::optional<Patch> run(Block& block) {
+    block.lower = lower_;
     sample();
-    if (take_plane(result)) return result;
+    find_sign_changes();
+    Patch whole;
+    if (take_plane(block, whole)) return whole;
     find_edges();
     if (edges_.empty()) {
-      result.whole = Patch{static_cast<std::uint8_t>(inside_[0] ? 255 : 0), {}};
-      return result;
+      whole.corners = inside(0, 0, 0) ? 255 : 0;
+      return whole;
     }
     locate_edges();
     find_normals();
-    merge(result);
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
-        result.block.crossings.push_back({edge.axis, edge.lower, inside_[lower_end(edge)] != 0, edge.point});
-    return result;
+        block.crossings.push_back({edge.axis, edge.lower, inside(edge.lower[0], edge.lower[1], edge.lower[2]), edge.point});
+    return merge(block);
   }
 
  private:
@@ -66,22 +66,45 @@ class BlockSampler {
           z[at] = plane_[2][k];
         }
     field_.values({x.data(), y.data(), z.data(), point_count}, value_.data());
-    for (std::size_t i = 0; i < point_count; ++i) inside_[i] = value_[i] < 0;
+    for (std::size_t row = 0; row < inside_.size(); ++row) {
+      unsigned bits = 0;
+      for (unsigned i = 0; i < points_a_side; ++i) bits |= static_cast<unsigned>(value_[row * points_a_side + i] < 0) << i;
+      inside_[row] = static_cast<std::uint16_t>(bits);
+    }
+  }
+
+  void find_sign_changes() {
+    for (auto& rows : changes_) rows.fill(0);
+    for (int z = 0; z < points_a_side; ++z)
+      for (int y = 0; y < points_a_side; ++y) {
+        const unsigned here = row(y, z);
+        const auto at = static_cast<std::size_t>(y + points_a_side * z);
+        changes_[0][at] = static_cast<std::uint16_t>((here ^ here >> 1) & ((1U << block_side) - 1));
+        if (y < block_side) changes_[1][at] = static_cast<std::uint16_t>(here ^ row(y + 1, z));
+        if (z < block_side) changes_[2][at] = static_cast<std::uint16_t>(here ^ row(y, z + 1));
+      }
+  }
+
+  [[nodiscard]] unsigned row(int y, int z) const { return inside_[static_cast<std::size_t>(y + points_a_side * z)]; }
+  [[nodiscard]] bool inside(int x, int y, int z) const { return (row(y, z) >> x & 1U) != 0; }
+
+  /// Calls visit(x, y, z) for the lower end of each edge along `axis` with a sign change.
+  template <class Visit>
+  void for_sign_changes(int axis, const Visit& visit) const {
+    for (int z = 0; z < points_a_side; ++z)
+      for (int y = 0; y < points_a_side; ++y) {
+        unsigned changes = changes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(y + points_a_side * z)];
+        for (; changes != 0; changes &= changes - 1) visit(std::countr_zero(changes), y, z);
+      }
   }
 
   void find_edges() {
-    edge_at_.fill(-1);
-    for (std::uint8_t axis = 0; axis < 3; ++axis) {
-      const int nx = points_a_side - (axis == 0), ny = points_a_side - (axis == 1), nz = points_a_side - (axis == 2);
-      for (int z = 0; z < nz; ++z)
-        for (int y = 0; y < ny; ++y)
-          for (int x = 0; x < nx; ++x) {
-            const int at = point_index(x, y, z);
-            if (inside_[static_cast<std::size_t>(at)] == inside_[static_cast<std::size_t>(at + stride[axis])]) continue;
-            edge_at_[static_cast<std::size_t>(axis * point_count + at)] = static_cast<std::int16_t>(edges_.size());
-            edges_.push_back({axis, {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)}});
-          }
-    }
+    for (int axis = 0; axis < 3; ++axis)
+      for_sign_changes(axis, [&](int x, int y, int z) {
+        edge_at_[static_cast<std::size_t>(axis * point_count + point_index(x, y, z))] = static_cast<std::int16_t>(edges_.size());
+        edges_.push_back({static_cast<std::uint8_t>(axis),
+                          {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)}});
+      });
   }
 
   /// Finds each zero between its two lattice points: the Illinois form of false position, all edges in step, one batch a round.
@@ -152,10 +175,9 @@ class BlockSampler {
 
   [[nodiscard]] std::uint8_t corners(int x, int y, int z, int side) const {
     unsigned bits = 0;
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const int at = point_index(x + side * static_cast<int>(corner & 1U), y + side * static_cast<int>(corner >> 1 & 1U),
-                                 z + side * static_cast<int>(corner >> 2));
-      if (inside_[static_cast<std::size_t>(at)]) bits |= 1U << corner;
+    for (int corner = 0; corner < 4; ++corner) {
+      const unsigned here = row(y + side * (corner & 1), z + side * (corner >> 1)) >> x;
+      bits |= ((here & 1U) | (here >> side & 1U) << 1) << (2 * corner);
     }
     return static_cast<std::uint8_t>(bits);
   }
@@ -165,12 +187,13 @@ class BlockSampler {
     points.clear();
     for (int axis = 0; axis < 3; ++axis) {
       const int nx = side + (axis != 0), ny = side + (axis != 1), nz = side + (axis != 2);
-      for (int k = 0; k < nz; ++k)
-        for (int j = 0; j < ny; ++j) {
-          const std::int16_t* row = &edge_at_[static_cast<std::size_t>(axis * point_count + point_index(x, y + j, z + k))];
-          for (int i = 0; i < nx; ++i) {
-            if (row[i] < 0) continue;
-            const SurfacePoint& point = edges_[static_cast<std::size_t>(row[i])].point;
+      const unsigned wanted = ((1U << nx) - 1) << x;
+      for (int k = z; k < z + nz; ++k)
+        for (int j = y; j < y + ny; ++j) {
+          unsigned changes = changes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(j + points_a_side * k)] & wanted;
+          for (; changes != 0; changes &= changes - 1) {
+            const int at = axis * point_count + point_index(std::countr_zero(changes), j, k);
+            const SurfacePoint& point = edges_[static_cast<std::size_t>(edge_at_[static_cast<std::size_t>(at)])].point;
             if (point.normal.isZero(0)) return false;
             points.push_back(point);
           }
@@ -181,7 +204,7 @@ class BlockSampler {
 
   /// The common case of a block that a plane passes through: the samples are those of a linear function. A plane cuts every cube
   /// simply, so all cells merge at once, and only the edges on the block's faces will ever be asked for.
-  bool take_plane(SampledBlock& result) const {
+  bool take_plane(Block& block, Patch& patch) const {
     const std::uint8_t bits = corners(0, 0, 0, block_side);
     if (settings_.max_error <= 0 || !is_simple(bits)) return false;
     Vec3 slope;
@@ -204,35 +227,35 @@ class BlockSampler {
         if (off) return false;
       }
 
-    Patch patch;
     patch.corners = bits;
     const Eigen::Vector3f normal = (slope / length).cast<float>();
     Vec3 sum = Vec3::Zero();
-    for (std::uint8_t axis = 0; axis < 3; ++axis)
-      for (std::uint8_t p = 0; p <= block_side; ++p)
-        for (std::uint8_t q = 0; q <= block_side; ++q) {
-          if (p % block_side != 0 && q % block_side != 0) continue;
-          for (std::uint8_t t = 0; t < block_side; ++t) {
-            std::array<std::uint8_t, 3> lower{};
-            lower[axis] = t, lower[(axis + 1U) % 3] = p, lower[(axis + 2U) % 3] = q;
-            const auto at = static_cast<std::size_t>(point_index(lower[0], lower[1], lower[2]));
-            const std::size_t next = at + static_cast<std::size_t>(stride[axis]);
-            if (inside_[at] == inside_[next]) continue;
-            SurfacePoint point{{plane_[0][lower[0]], plane_[1][lower[1]], plane_[2][lower[2]]}, normal};
-            const double share = value_[at] / (double{value_[at]} - value_[next]);
-            point.position[axis] = static_cast<float>(plane_[axis][t] + share * (double{plane_[axis][t + 1U]} - plane_[axis][t]));
-            patch.points.push_back(point);
-            sum += point.position.cast<double>();
-            if (p < block_side && q < block_side) result.block.crossings.push_back({axis, lower, inside_[at] != 0, point});
-          }
-        }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for_sign_changes(static_cast<int>(axis), [&](int x, int y, int z) {
+        const std::array<int, 3> lower{x, y, z};
+        const int p = lower[(axis + 1) % 3], q = lower[(axis + 2) % 3];
+        if (p % block_side != 0 && q % block_side != 0) return;
+        const auto t = static_cast<std::size_t>(lower[axis]), at = static_cast<std::size_t>(point_index(x, y, z));
+        const double here = value_[at], next = value_[at + static_cast<std::size_t>(stride[axis])];
+        SurfacePoint point{{plane_[0][static_cast<std::size_t>(x)], plane_[1][static_cast<std::size_t>(y)],
+                            plane_[2][static_cast<std::size_t>(z)]},
+                           normal};
+        point.position[static_cast<Eigen::Index>(axis)] =
+            static_cast<float>(plane_[axis][t] + here / (here - next) * (double{plane_[axis][t + 1]} - plane_[axis][t]));
+        patch.points.push_back(point);
+        sum += point.position.cast<double>();
+        if (p < block_side && q < block_side)
+          block.crossings.push_back({static_cast<std::uint8_t>(axis),
+                                     {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)},
+                                     here < 0,
+                                     point});
+      });
     patch.vertex = sum / static_cast<double>(patch.points.size());
-    result.whole = std::move(patch);
     return true;
   }
 
-  /// Merges cells bottom-up, eight at a time, and lists the leafs that remain.
-  void merge(SampledBlock& result) {
+  /// Merges cells bottom-up, eight at a time, and lists the leafs that remain; or gives the block's one patch.
+  std::optional<Patch> merge(Block& block) {
     // By level: whether each cube is one patch (or uniform). A cube that is not keeps its leafs below.
     std::array<std::array<bool, 512>, block_level + 1> one{};
     std::array<std::array<std::uint8_t, 512>, block_level + 1> signs{};
@@ -284,30 +307,29 @@ class BlockSampler {
           }
     }
 
-    if (one[block_level][0]) {
-      // edges_ of the whole block: gather() has just put them in `points`
-      result.whole = Patch{signs[block_level][0], std::move(points), vertex[block_level][0]};
-      return;
-    }
+    if (one[block_level][0])  // gather() has just put the edges of the whole block in `points`
+      return Patch{signs[block_level][0], std::move(points), vertex[block_level][0]};
+    block.leaf_of.assign(block_side * block_side * block_side, Block::no_leaf);
     for (int z = 0; z < block_side; ++z)
       for (int y = 0; y < block_side; ++y)
         for (int x = 0; x < block_side; ++x) {
-          if (result.block.leaf_of[Block::cell(x, y, z)] != Block::no_leaf) continue;
+          if (block.leaf_of[Block::cell(x, y, z)] != Block::no_leaf) continue;
           int level = 0;
           while (one[static_cast<std::size_t>(level) + 1][index(x >> (level + 1), y >> (level + 1), z >> (level + 1), level + 1)])
             ++level;
           const std::size_t at = index(x >> level, y >> level, z >> level, level);
           const std::uint8_t bits = signs[static_cast<std::size_t>(level)][at];
           if (bits == 0 || bits == 255) continue;
-          const auto number = static_cast<std::uint16_t>(result.block.leafs.size());
+          const auto number = static_cast<std::uint16_t>(block.leafs.size());
           const int mask = ~((1 << level) - 1), side = 1 << level;
           const LatticePoint lower{lower_[0] + (x & mask), lower_[1] + (y & mask), lower_[2] + (z & mask)};
-          result.block.leafs.push_back(
+          block.leafs.push_back(
               {lower, level, bits, level > 0 ? vertex[static_cast<std::size_t>(level)][at] : Vec3(Vec3::Zero())});
           for (int k = z & mask; k < (z & mask) + side; ++k)
             for (int j = y & mask; j < (y & mask) + side; ++j)
-              for (int i = x & mask; i < (x & mask) + side; ++i) result.block.leaf_of[Block::cell(i, j, k)] = number;
+              for (int i = x & mask; i < (x & mask) + side; ++i) block.leaf_of[Block::cell(i, j, k)] = number;
         }
+    return {};
   }
 
   const Field& field_;
@@ -316,16 +338,18 @@ class BlockSampler {
   const ContourSettings& settings_;
   std::array<std::array<float, points_a_side>, 3> plane_;
   std::array<float, point_count> value_;
-  std::array<std::uint8_t, point_count> inside_;
-  std::array<std::int16_t, 3 * point_count> edge_at_;
+  std::array<std::uint16_t, points_a_side * points_a_side> inside_;  // by row along x: a bit a point
+  std::array<std::array<std::uint16_t, points_a_side * points_a_side>, 3>
+      changes_;                                        // by axis and row: a bit an edge whose sign changes
+  std::array<std::int16_t, 3 * point_count> edge_at_;  // index into edges_, where the sign changes
   std::vector<Edge> edges_;
 };
 
 }  // namespace
 
-SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
-                          const ContourSettings& settings) {
-  return BlockSampler(field, lattice, lower, settings).run();
+std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
+                                  const ContourSettings& settings, Block& block) {
+  return BlockSampler(field, lattice, lower, settings).run(block);
 }
 
 bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex) {
@@ -356,7 +380,8 @@ bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double
         point.normal[axis] = 0;
         on_face.push_back(point);
       }
-      if (!on_face.empty() && place_vertex(on_face, cell).error > max_error) return false;
+      Vec3 unused;
+      if (!on_face.empty() && !is_flat(on_face, max_error, unused) && place_vertex(on_face, cell).error > max_error) return false;
     }
   return true;
 }

@@ -15,14 +15,10 @@ struct Patch {
   [[nodiscard]] bool uniform() const { return corners == 0 || corners == 255; }
 };
 
-/// A sampled block; `whole` where all of it is one patch (then `block.leafs` is empty until it is known how far it merges).
-struct SampledBlock {
-  Block block;
-  std::optional<Patch> whole;
-};
-
-/// Samples `field` (the solid restricted to the block) at the block's 9x9x9 lattice points and merges its cells.
-SampledBlock sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings);
+/// Samples `field` (the solid restricted to the block) at the block's 9x9x9 lattice points and merges its cells. Returns the
+/// patch where all of the block is one; then `block` gets its crossings only, until it is known how far it merges.
+std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
+                                  const ContourSettings& settings, Block& block);
 
 /// Whether all points lie in one plane, to a thousandth of `max_error`; sets `vertex` to their middle.
 bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex);

@@ -113,7 +113,7 @@ class CurveTracer {
         cell[axis] += block_side;
       }
     const Block* block = neighbours[which];
-    const std::uint16_t leaf = block == nullptr ? Block::no_leaf : block->leaf_of[Block::cell(cell[0], cell[1], cell[2])];
+    const std::uint16_t leaf = block == nullptr ? Block::no_leaf : block->leaf_at(cell[0], cell[1], cell[2]);
     if (leaf == Block::no_leaf)
       throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
     return block->first_leaf + leaf;

@@ -91,10 +91,8 @@ void Octree::sample_blocks(const Lattice& lattice, const ContourSettings& settin
   std::atomic<std::size_t> done{0};
   parallel_for(open.size(), [&](std::size_t i) {
     progress.check();
-    SampledBlock result = sample_block(*open[i]->field, lattice, open[i]->lower, settings);
+    open[i]->patch = sample_block(*open[i]->field, lattice, open[i]->lower, settings, sampled[i]);
     open[i]->field.reset();
-    open[i]->patch = std::move(result.whole);
-    sampled[i] = std::move(result.block);
     if (const std::size_t count = ++done; count % 256 == 0)
       progress.report(0.8 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
   });
@@ -154,7 +152,6 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
     if (node.block >= 0) {
       Block& block = blocks_[static_cast<std::size_t>(node.block)];
       block.first_leaf = static_cast<std::uint32_t>(leaf_of_node[i]);
-      block.leaf_of.fill(0);
     }
   }
   nodes_ = {};

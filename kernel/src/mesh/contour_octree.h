@@ -37,9 +37,12 @@ struct Block {
   LatticePoint lower;
   std::vector<Crossing> crossings;  ///< on edges whose lower end is below 8 on every axis, so that each edge has one block
   std::vector<Leaf> leafs;
-  std::array<std::uint16_t, block_side * block_side * block_side> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf
-  std::uint32_t first_leaf = 0;                                             ///< index of leafs[0] among all leafs
+  std::vector<std::uint16_t> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf; empty where all is leaf 0
+  std::uint32_t first_leaf = 0;        ///< index of leafs[0] among all leafs
 
+  [[nodiscard]] std::uint16_t leaf_at(int x, int y, int z) const {
+    return leaf_of.empty() ? std::uint16_t{0} : leaf_of[cell(x, y, z)];
+  }
   static std::size_t cell(int x, int y, int z) { return static_cast<std::size_t>(x + block_side * (y + block_side * z)); }
 };
 

@@ -56,6 +56,9 @@ struct Star {
   std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges around it, each as the triangle within has it
 };
 
+// How far features are looked for, in voxels. A wedge of 30 degrees that is thinner than a voxel goes on for two.
+constexpr float least_reach = 0.25F, greatest_reach = 2.0F;
+
 class Sharpener {
  public:
   Sharpener(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
@@ -69,9 +72,10 @@ class Sharpener {
         open_(creased.begin(), creased.end()) {}
 
   void run() {
-    constexpr int rounds = 8;
+    constexpr int rounds = 6;
     for (int round = 0; round < rounds && !open_.empty(); ++round) {
       features_only_ = round < rounds / 2;
+      if (round == rounds / 2) attempts_.clear();
       const std::vector<Flaw> flaws = find_flaws();
       open_.clear();
       for (std::size_t i = 0; i < flaws.size(); ++i) {
@@ -128,6 +132,19 @@ class Sharpener {
     return places;
   }
 
+  /// All that mending a flaw may touch: where its feature may be, and the triangles around it.
+  [[nodiscard]] Box neighbourhood(const Flaw& flaw) const {
+    const Vec3 centre = middle(flaw).cast<double>();
+    Box box{centre, centre};
+    for (int i = 0; i < flaw.count; ++i)
+      for (const std::uint32_t t : editor_.fan(flaw.vertices[static_cast<std::size_t>(i)]))
+        for (const std::uint32_t vertex : mesh_.triangles[t]) {
+          box.lower = box.lower.cwiseMin(at(vertex).cast<double>());
+          box.upper = box.upper.cwiseMax(at(vertex).cast<double>());
+        }
+    return box.grown(2 * greatest_reach * static_cast<double>(voxel_));
+  }
+
   static std::uint64_t key_of(const Flaw& flaw) {
     std::uint64_t key = static_cast<std::uint64_t>(flaw.count);
     for (const std::uint32_t vertex : flaw.vertices) key = (key ^ vertex) * 0x9e3779b97f4a7c15U;
@@ -135,9 +152,12 @@ class Sharpener {
   }
 
   void mend(const Flaw& flaw) {
+    local_ = solid_.shared_from_this();
     if (error_at(middle(flaw)) <= tolerance_) return;  // mended with another
-    constexpr int most_attempts = 2;
+    constexpr int most_attempts = 1;
     if (++attempts_[key_of(flaw)] > most_attempts) return;
+    local_box_ = neighbourhood(flaw);
+    local_ = solid_.restricted(local_box_).field;
     if (flaw.count == 1) {
       move(flaw);
     } else if (flaw.count == 2) {
@@ -160,16 +180,19 @@ class Sharpener {
           around.add(centre + radius * direction);
         }
     constexpr int newton_steps = 3;
+    around.ask(*local_);
     for (int step = 0; step < newton_steps; ++step) {
-      around.ask(solid_);
+      float farthest = 0;
       for (std::size_t i = 0; i < around.size(); ++i) {
         const Eigen::Vector3f slope = around.slope(i);
         const float length = slope.norm();
+        farthest = std::max(farthest, std::abs(around.distance(i)));
         if (length > 0 && std::isfinite(length))
           around.step(i, -std::clamp(around.distance(i), -radius, radius) / length * slope);
       }
+      if (farthest < 1e-4F * radius) break;
+      around.ask(*local_);
     }
-    around.ask(solid_);
     std::vector<SurfacePoint>& points = found_;
     points.clear();
     for (std::size_t i = 0; i < around.size(); ++i) {
@@ -202,7 +225,7 @@ class Sharpener {
   /// Makes the star's triangles with its vertex on the sharpest feature near `centre` that this is possible for.
   bool place(const Star& star, const Eigen::Vector3f& centre) {
     const Misfit before = misfit(triangles(star.old));
-    for (const float radius : {0.25F, 0.5F, 1.0F, 2.0F}) {
+    for (float radius = least_reach; radius <= greatest_reach; radius *= 2) {
       PlacedVertex target = feature_near(centre, radius * voxel_);
       const bool sharp = target.directions > 1;
       if (sharp) {  // found from planes that touch the surface up to `radius` away: closer by, a curved crease is where they say
@@ -247,6 +270,7 @@ class Sharpener {
     const std::uint32_t beyond = is_old(sides[0]) ? sides[1] : sides[0];
     const std::uint32_t corner = opposite(beyond, a, b);
     if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; })) return false;
+    if (!local_box_.contains(at(corner).cast<double>())) return false;
     const Misfit added = misfit({&mesh_.triangles[beyond], 1});
     before = {std::max(before.farthest, added.farthest), before.squares + added.squares};
     star.old.push_back(beyond);
@@ -326,7 +350,7 @@ class Sharpener {
            {a, b, c, Eigen::Vector3f(0.5F * (a + b)), Eigen::Vector3f(0.5F * (b + c)), Eigen::Vector3f(0.5F * (c + a))})
         scratch_.add(p);
     }
-    scratch_.ask(solid_);
+    scratch_.ask(*local_);
   }
   static constexpr std::size_t samples_a_triangle = 7;
 
@@ -349,7 +373,7 @@ class Sharpener {
   float error_at(const Eigen::Vector3f& point) {
     scratch_.clear();
     scratch_.add(point);
-    scratch_.ask(solid_);
+    scratch_.ask(*local_);
     return std::abs(scratch_.distance(0));
   }
 
@@ -378,7 +402,9 @@ class Sharpener {
   TriangleMesh& mesh_;
   Progress& progress_;
   MeshEditor editor_;
-  std::vector<std::uint32_t> open_;                  ///< triangles still to be looked at
+  std::vector<std::uint32_t> open_;  ///< triangles still to be looked at
+  FieldPtr local_;                   ///< the solid, as it is in `local_box_`, the neighbourhood() of the flaw at hand
+  Box local_box_;
   std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: what failed twice will not be tried for ever
   bool features_only_ = true;  ///< vertices on smooth surfaces near a crease wait until the crease is in place
   Samples scratch_;
