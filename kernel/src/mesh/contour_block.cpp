@@ -1,5 +1,6 @@
 #include "contour_block.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -251,86 +252,87 @@ class BlockSampler {
                                      point});
       });
     patch.vertex = sum / static_cast<double>(patch.points.size());
+    thin(patch.points, lattice_.cube(lower_, block_level));
     return true;
   }
 
-  /// Merges cells bottom-up, eight at a time, and lists the leafs that remain; or gives the block's one patch.
+  /// Finds the largest cubes of cells that are one patch each and lists them as leafs; or gives the block's one patch.
   std::optional<Patch> merge(Block& block) {
-    // By level: whether each cube is one patch (or uniform). A cube that is not keeps its leafs below.
-    std::array<std::array<bool, 512>, block_level + 1> one{};
-    std::array<std::array<std::uint8_t, 512>, block_level + 1> signs{};
-    std::array<std::array<Vec3, 64>, block_level + 1> vertex;
-    const auto index = [](int x, int y, int z, int level) {
-      const int side = block_side >> level;
-      return static_cast<std::size_t>(x + side * (y + side * z));
-    };
+    find_simple_cubes();
+    block.leaf_of.assign(block_side * block_side * block_side, Block::no_leaf);
+    if (std::optional<Patch> whole = descend(block, 0, 0, 0, block_level)) {
+      block.leaf_of = {};
+      return whole;
+    }
+    return {};
+  }
+
+  static std::size_t cube_index(int x, int y, int z, int level) {
+    return static_cast<std::size_t>((x >> level) + (block_side >> level) * ((y >> level) + (block_side >> level) * (z >> level)));
+  }
+
+  /// By level, bottom-up: which cubes hold one patch, or none, as far as their signs tell.
+  void find_simple_cubes() {
     for (int z = 0; z < block_side; ++z)
       for (int y = 0; y < block_side; ++y)
         for (int x = 0; x < block_side; ++x) {
           const std::uint8_t bits = corners(x, y, z, 1);
-          signs[0][index(x, y, z, 0)] = bits;
-          one[0][index(x, y, z, 0)] = bits == 0 || bits == 255 || is_simple(bits);
+          cubes_[0][cube_index(x, y, z, 0)] = {bits, bits == 0 || bits == 255 || is_simple(bits)};
         }
-
-    std::vector<SurfacePoint> points;
     for (int level = 1; level <= block_level; ++level) {
-      const int side = 1 << level, count = block_side >> level;
-      for (int z = 0; z < count; ++z)
-        for (int y = 0; y < count; ++y)
-          for (int x = 0; x < count; ++x) {
+      const int side = 1 << level;
+      for (int z = 0; z < block_side; z += side)
+        for (int y = 0; y < block_side; y += side)
+          for (int x = 0; x < block_side; x += side) {
             std::array<std::uint8_t, 8> children{};
             bool all = true;
             unsigned any = 0, every = 255;
-            for (unsigned child = 0; child < 8; ++child) {
-              const std::size_t at = index(2 * x + static_cast<int>(child & 1U), 2 * y + static_cast<int>(child >> 1 & 1U),
-                                           2 * z + static_cast<int>(child >> 2), level - 1);
-              children[child] = signs[static_cast<std::size_t>(level) - 1][at];
-              all = all && one[static_cast<std::size_t>(level) - 1][at];
-              any |= children[child];
-              every &= children[child];
+            for (int child = 0; child < 8; ++child) {
+              const Cube& cube = cubes_[static_cast<std::size_t>(level) - 1][cube_index(
+                  x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2, level - 1)];
+              children[static_cast<std::size_t>(child)] = cube.corners;
+              all = all && cube.simple;
+              any |= cube.corners;
+              every &= cube.corners;
             }
-            const std::size_t at = index(x, y, z, level);
-            const auto l = static_cast<std::size_t>(level);
-            if (!all) continue;
-            if (any == 0 || every == 255) {
-              one[l][at] = true;
-              signs[l][at] = static_cast<std::uint8_t>(any);
-              continue;
-            }
-            std::uint8_t merged = 0;
-            if (settings_.max_error <= 0 || !merge_corners(children, merged) ||
-                !gather(x * side, y * side, z * side, side, points))
-              continue;
-            const LatticePoint lower{lower_[0] + x * side, lower_[1] + y * side, lower_[2] + z * side};
-            one[l][at] = reproduces(points, lattice_.cube(lower, level), settings_.max_error, vertex[l][at]);
-            signs[l][at] = merged;
+            Cube& cube = cubes_[static_cast<std::size_t>(level)][cube_index(x, y, z, level)];
+            cube = {static_cast<std::uint8_t>(any), all};
+            if (all && any != 0 && every != 255) cube.simple = merge_corners(children, cube.corners);
           }
     }
+  }
 
-    if (one[block_level][0])  // gather() has just put the edges of the whole block in `points`
-      return Patch{signs[block_level][0], std::move(points), vertex[block_level][0]};
-    block.leaf_of.assign(block_side * block_side * block_side, Block::no_leaf);
-    for (int z = 0; z < block_side; ++z)
-      for (int y = 0; y < block_side; ++y)
-        for (int x = 0; x < block_side; ++x) {
-          if (block.leaf_of[Block::cell(x, y, z)] != Block::no_leaf) continue;
-          int level = 0;
-          while (one[static_cast<std::size_t>(level) + 1][index(x >> (level + 1), y >> (level + 1), z >> (level + 1), level + 1)])
-            ++level;
-          const std::size_t at = index(x >> level, y >> level, z >> level, level);
-          const std::uint8_t bits = signs[static_cast<std::size_t>(level)][at];
-          if (bits == 0 || bits == 255) continue;
-          const auto number = static_cast<std::uint16_t>(block.leafs.size());
-          const int mask = ~((1 << level) - 1), side = 1 << level;
-          const LatticePoint lower{lower_[0] + (x & mask), lower_[1] + (y & mask), lower_[2] + (z & mask)};
-          block.leafs.push_back(
-              {lower, level, bits, level > 0 ? vertex[static_cast<std::size_t>(level)][at] : Vec3(Vec3::Zero())});
-          for (int k = z & mask; k < (z & mask) + side; ++k)
-            for (int j = y & mask; j < (y & mask) + side; ++j)
-              for (int i = x & mask; i < (x & mask) + side; ++i) block.leaf_of[Block::cell(i, j, k)] = number;
-        }
+  /// Makes the cube one leaf where one patch reproduces what is in it, leafs of its parts otherwise. A patch that is the whole
+  /// block is returned: whether it is a leaf is not known here.
+  std::optional<Patch> descend(Block& block, int x, int y, int z, int level) {
+    const Cube& cube = cubes_[static_cast<std::size_t>(level)][cube_index(x, y, z, level)];
+    if (cube.simple && (cube.corners == 0 || cube.corners == 255)) return {};
+    const LatticePoint lower{lower_[0] + x, lower_[1] + y, lower_[2] + z};
+    const int side = 1 << level;
+    Vec3 vertex = Vec3::Zero();
+    if (level > 0) {
+      const bool one = cube.simple && settings_.max_error > 0 && gather(x, y, z, side, points_) &&
+                       reproduces(points_, lattice_.cube(lower, level), settings_.max_error, vertex);
+      if (!one) {
+        for (int child = 0; child < 8; ++child)
+          descend(block, x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2, level - 1);
+        return {};
+      }
+      if (level == block_level) return Patch{cube.corners, std::move(points_), vertex};
+    }
+    const auto number = static_cast<std::uint16_t>(block.leafs.size());
+    block.leafs.push_back({lower, level, cube.corners, vertex});
+    for (int k = z; k < z + side; ++k)
+      for (int j = y; j < y + side; ++j)
+        for (int i = x; i < x + side; ++i) block.leaf_of[Block::cell(i, j, k)] = number;
     return {};
   }
+
+  /// A cube of cells: the signs at its corners, and whether it may be one patch.
+  struct Cube {
+    std::uint8_t corners = 0;
+    bool simple = false;
+  };
 
   const Field& field_;
   const Lattice& lattice_;
@@ -343,6 +345,8 @@ class BlockSampler {
       changes_;                                        // by axis and row: a bit an edge whose sign changes
   std::array<std::int16_t, 3 * point_count> edge_at_;  // index into edges_, where the sign changes
   std::vector<Edge> edges_;
+  std::array<std::array<Cube, 512>, block_level + 1> cubes_;  // by level; see cube_index()
+  std::vector<SurfacePoint> points_;
 };
 
 }  // namespace
@@ -363,6 +367,25 @@ bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& ve
   }
   vertex = sum / static_cast<double>(points.size());
   return true;
+}
+
+void thin(std::vector<SurfacePoint>& points, const Box& cell) {
+  std::vector<SurfacePoint> kept;
+  const Eigen::Vector3f normal = points[0].normal;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double plane : {cell.lower[axis], cell.upper[axis]}) {
+      const Eigen::Vector3f along = normal.cross(Eigen::Vector3f::Unit(axis));
+      const SurfacePoint* first = nullptr;
+      const SurfacePoint* last = nullptr;
+      for (const SurfacePoint& point : points) {
+        if (static_cast<double>(point.position[axis]) != plane) continue;
+        if (first == nullptr || point.position.dot(along) < first->position.dot(along)) first = &point;
+        if (last == nullptr || point.position.dot(along) > last->position.dot(along)) last = &point;
+      }
+      if (first != nullptr) kept.push_back(*first);
+      if (last != first) kept.push_back(*last);
+    }
+  if (!kept.empty()) points = std::move(kept);
 }
 
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex) {

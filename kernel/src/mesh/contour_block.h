@@ -23,6 +23,9 @@ std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, co
 /// Whether all points lie in one plane, to a thousandth of `max_error`; sets `vertex` to their middle.
 bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex);
 
+/// Leaves of points in one plane only those that say where it leaves `cell`: two on each face.
+void thin(std::vector<SurfacePoint>& points, const Box& cell);
+
 /// Whether one vertex in `cell`, and one on each of its faces, reproduces all `points` to `max_error`; sets `vertex`.
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex);
 

@@ -131,7 +131,11 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
       const auto& points = nodes_[first + child].patch->points;
       merged.points.insert(merged.points.end(), points.begin(), points.end());
     }
-    if (!reproduces(merged.points, lattice.cube(node.lower, node.level), max_error, merged.vertex)) continue;
+    const Box cell = lattice.cube(node.lower, node.level);
+    if (is_flat(merged.points, max_error, merged.vertex))
+      thin(merged.points, cell);
+    else if (!reproduces(merged.points, cell, max_error, merged.vertex))
+      continue;
     for (std::size_t child = 0; child < 8; ++child) nodes_[first + child].patch->points = {};
     node.patch = std::move(merged);
   }

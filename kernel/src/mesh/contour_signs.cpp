@@ -40,6 +40,22 @@ std::array<bool, 256> find_simple() {
   return simple;
 }
 
+unsigned point_of_corner(unsigned corner) { return 2 * (corner & 1U) + 6 * (corner >> 1 & 1U) + 18 * (corner >> 2); }
+
+/// For each of 3x3x3 lattice points the corners, as points, of the edge, face or cube that it is the middle of. It must agree
+/// with one of them: otherwise something is hidden there.
+std::array<unsigned, 27> find_corners_around() {
+  std::array<unsigned, 27> around{};
+  for (unsigned point = 0; point < 27; ++point)
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const std::array<unsigned, 3> at{point % 3, point / 3 % 3, point / 9};
+      bool near = true;
+      for (unsigned axis = 0; axis < 3; ++axis) near = near && (at[axis] == 1 || at[axis] == 2 * (corner >> axis & 1U));
+      if (near) around[point] |= 1U << point_of_corner(corner);
+    }
+  return around;
+}
+
 }  // namespace
 
 bool is_simple(std::uint8_t corners) {
@@ -48,32 +64,18 @@ bool is_simple(std::uint8_t corners) {
 }
 
 bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& merged) {
-  std::array<bool, 27> inside{};  // the 3x3x3 lattice points of the eight cells, x fastest
-  for (unsigned child = 0; child < 8; ++child)
-    for (unsigned corner = 0; corner < 8; ++corner) {
-      const unsigned x = (child & 1U) + (corner & 1U), y = (child >> 1 & 1U) + (corner >> 1 & 1U),
-                     z = (child >> 2) + (corner >> 2);
-      inside[x + 3 * y + 9 * z] = (children[child] >> corner & 1U) != 0;
-    }
+  unsigned inside = 0;  // a bit for each of the 3x3x3 lattice points of the eight cells, x fastest
+  for (unsigned child = 0; child < 8; ++child) {
+    const unsigned c = children[child], low = (c & 3U) | (c & 12U) << 1, high = (c >> 4 & 3U) | (c >> 4 & 12U) << 1;
+    inside |= (low | high << 9) << ((child & 1U) + 3 * (child >> 1 & 1U) + 9 * (child >> 2));
+  }
   unsigned corners = 0;
-  for (unsigned corner = 0; corner < 8; ++corner)
-    if (inside[2 * (corner & 1U) + 6 * (corner >> 1 & 1U) + 18 * (corner >> 2)]) corners |= 1U << corner;
+  for (unsigned corner = 0; corner < 8; ++corner) corners |= (inside >> point_of_corner(corner) & 1U) << corner;
   merged = static_cast<std::uint8_t>(corners);
   if (!is_simple(merged)) return false;
-
-  // The middle of each edge, face and of the cell must agree with one of the corners around it: otherwise something is hidden
-  // there.
-  for (unsigned z = 0; z < 3; ++z)
-    for (unsigned y = 0; y < 3; ++y)
-      for (unsigned x = 0; x < 3; ++x) {
-        bool agrees = false;
-        for (unsigned corner = 0; corner < 8 && !agrees; ++corner) {
-          const unsigned cx = 2 * (corner & 1U), cy = 2 * (corner >> 1 & 1U), cz = 2 * (corner >> 2);
-          if ((x != 1 && x != cx) || (y != 1 && y != cy) || (z != 1 && z != cz)) continue;
-          agrees = inside[x + 3 * y + 9 * z] == inside[cx + 3 * cy + 9 * cz];
-        }
-        if (!agrees) return false;
-      }
+  static const std::array<unsigned, 27> around = find_corners_around();
+  for (unsigned point = 0; point < 27; ++point)
+    if (((inside >> point & 1U) != 0 ? inside & around[point] : ~inside & around[point]) == 0) return false;
   return true;
 }
 

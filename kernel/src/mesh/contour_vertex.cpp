@@ -29,7 +29,7 @@ PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell)
     right += n * n.dot(point.position.cast<double>() - mean);
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.compute(normals);
+  solver.computeDirect(normals);
 
   // Directions are taken in one by one, the best determined first; each must earn its place.
   PlacedVertex best{mean, farthest_plane(points, mean), 0};
