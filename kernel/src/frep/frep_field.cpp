@@ -71,7 +71,7 @@ class FrepField final : public Field {
   }
 
   [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose) const override {
-    std::vector<Interval>& known = ranges();
+    Ranges& known = ranges();
     const Interval root = evaluate_ranges(tape_, range(box, 0), range(box, 1), range(box, 2), known);
     Tape pruned;
     if (root.decided() || !prune(tape_, known, purpose, pruned)) return {root, shared_from_this()};
@@ -107,8 +107,8 @@ class FrepField final : public Field {
     }
     return scratch.data();
   }
-  static std::vector<Interval>& ranges() {
-    static thread_local std::vector<Interval> kept;
+  static Ranges& ranges() {
+    static thread_local Ranges kept;
     return kept;
   }
 

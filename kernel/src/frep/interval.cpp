@@ -2,11 +2,10 @@
 #include <cmath>
 
 #include "fieldfab/frep/reference.h"
+#include "interval_arithmetic.h"
 
 namespace fieldfab::frep {
 namespace {
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// The C library's float functions are within an ulp or so of the truth and nearly, but not provably, monotone.
 constexpr int library_margin = 4;
@@ -28,27 +27,6 @@ Interval ordered(float lower, float upper, bool maybe_nan) {
   return {lower, upper, maybe_nan};
 }
 
-bool has_zero(const Interval& a) { return a.lower <= 0 && a.upper >= 0; }
-bool has_infinity(const Interval& a) { return a.lower == -infinity || a.upper == infinity; }
-
-Interval add(const Interval& a, const Interval& b, bool nan) {
-  nan = nan || (a.upper == infinity && b.lower == -infinity) || (a.lower == -infinity && b.upper == infinity);
-  const float lower = a.lower + b.lower, upper = a.upper + b.upper;
-  return {lower == lower ? lower : -infinity, upper == upper ? upper : infinity, nan};
-}
-
-Interval multiply(const Interval& a, const Interval& b, bool nan) {
-  nan = nan || (has_zero(a) && has_infinity(b)) || (has_infinity(a) && has_zero(b));
-  float lower = infinity, upper = -infinity;
-  for (const float x : {a.lower, a.upper})
-    for (const float y : {b.lower, b.upper}) {
-      const float product = x == 0 || y == 0 ? 0 : x * y;  // 0 * infinity: the infinity may be as small as any large number
-      lower = std::min(lower, product);
-      upper = std::max(upper, product);
-    }
-  return {lower, upper, nan};
-}
-
 Interval divide(const Interval& a, const Interval& b, bool nan) {
   nan = nan || (has_zero(a) && has_zero(b)) || (has_infinity(a) && has_infinity(b));
   if (has_zero(b)) return {-infinity, infinity, nan};
@@ -61,11 +39,6 @@ Interval divide(const Interval& a, const Interval& b, bool nan) {
       upper = std::max(upper, quotient);
     }
   return {lower, upper, nan};
-}
-
-Interval square(const Interval& a) {
-  const float l = a.lower * a.lower, u = a.upper * a.upper;
-  return {has_zero(a) ? 0 : std::min(l, u), std::max(l, u), a.maybe_nan};
 }
 
 /// sin over [lower, upper], phase 0; cos with phase pi/2. Past a few thousand radians the position of the crests is not trusted.
@@ -175,14 +148,12 @@ Interval apply(Opcode op, Interval a, Interval b) {
       return flipped;
     }
     case Opcode::arctangent: return growing(a, -infinity, infinity, [](float v) { return std::atan(v); });
-    case Opcode::absolute:
-      return {has_zero(a) ? 0 : std::min(std::abs(a.lower), std::abs(a.upper)), std::max(std::abs(a.lower), std::abs(a.upper)),
-              nan};
+    case Opcode::absolute: return absolute(a);
     case Opcode::square: return square(a);
     case Opcode::square_root:
       if (a.upper < 0) return Interval::unknown();
       return {std::sqrt(std::max(a.lower, 0.0F)), std::sqrt(a.upper), nan || a.lower < 0};
-    case Opcode::negate: return {-a.upper, -a.lower, nan};
+    case Opcode::negate: return negate(a);
     case Opcode::exponential: {
       const Interval wide = growing(a, -infinity, infinity, [](float v) { return std::exp(v); });
       return {std::max(0.0F, wide.lower), wide.upper, wide.maybe_nan};
@@ -191,11 +162,11 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::floor: return {std::floor(a.lower), std::floor(a.upper), nan};
     case Opcode::ceiling: return {std::ceil(a.lower), std::ceil(a.upper), nan};
     case Opcode::add: return add(a, b, nan);
-    case Opcode::subtract: return add(a, {-b.upper, -b.lower, b.maybe_nan}, nan);
+    case Opcode::subtract: return add(a, negate(b), nan);
     case Opcode::multiply: return multiply(a, b, nan);
     case Opcode::divide: return divide(a, b, nan);
-    case Opcode::minimum: return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), nan};
-    case Opcode::maximum: return {std::max(a.lower, b.lower), std::max(a.upper, b.upper), nan};
+    case Opcode::minimum: return minimum(a, b, nan);
+    case Opcode::maximum: return maximum(a, b, nan);
     case Opcode::power: return power(a, b, nan);
     case Opcode::arctangent2: return arctangent2(a, b, nan);
     case Opcode::modulo: return modulo(a, b, nan);

@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "fieldfab/frep/reference.h"
+#include "interval_arithmetic.h"
 
 namespace fieldfab::frep {
 namespace {
@@ -51,7 +52,7 @@ Choice choose(Opcode op, const Interval& a, const Interval& b) {
   return a.lower >= b.upper ? Choice::first : b.lower > a.upper ? Choice::second : Choice::both;
 }
 
-Interval operand_range(const Tape& tape, const std::vector<Interval>& ranges, Operand operand) {
+Interval operand_range(const Tape& tape, const Ranges& ranges, Operand operand) {
   return is_value(operand) ? ranges[operand] : Interval::of(tape.constants[operand & ~constant_bit]);
 }
 
@@ -85,27 +86,33 @@ Tape make_tape(const Expression& expression) {
   return tape;
 }
 
-Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z,
-                         std::vector<Interval>& ranges) {
+Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, Ranges& ranges) {
   ranges.resize(first_value + tape.code.size());
-  ranges[0] = x;
-  ranges[1] = y;
-  ranges[2] = z;
-  Interval* out = ranges.data() + first_value;
+  ranges.set(0, x);
+  ranges.set(1, y);
+  ranges.set(2, z);
+  std::size_t at = first_value;
   for (const Clause& clause : tape.code) {
-    const Interval a = operand_range(tape, ranges, clause.a);
-    if (arity(clause.op) == 1) {
-      *out++ = apply(clause.op, a);
-      continue;
+    const Interval a = operand_range(tape, ranges, clause.a), b = operand_range(tape, ranges, clause.b);
+    const bool nan = a.maybe_nan || b.maybe_nan;
+    switch (clause.op) {
+      case Opcode::add: ranges.set(at, add(a, b, nan)); break;
+      case Opcode::subtract: ranges.set(at, add(a, negate(b), nan)); break;
+      // A value times itself is its square, and their products are the same floats.
+      case Opcode::multiply: ranges.set(at, clause.a == clause.b ? square(a) : multiply(a, b, nan)); break;
+      case Opcode::minimum: ranges.set(at, minimum(a, b, nan)); break;
+      case Opcode::maximum: ranges.set(at, maximum(a, b, nan)); break;
+      case Opcode::negate: ranges.set(at, negate(a)); break;
+      case Opcode::absolute: ranges.set(at, absolute(a)); break;
+      case Opcode::square: ranges.set(at, square(a)); break;
+      default: ranges.set(at, apply(clause.op, a, b));
     }
-    // A value times itself is its square, and their products are the same floats.
-    *out++ = clause.op == Opcode::multiply && clause.a == clause.b ? apply(Opcode::square, a)
-                                                                   : apply(clause.op, a, operand_range(tape, ranges, clause.b));
+    ++at;
   }
   return operand_range(tape, ranges, tape.root);
 }
 
-bool prune(const Tape& tape, const std::vector<Interval>& ranges, Purpose purpose, Tape& pruned) {
+bool prune(const Tape& tape, const Ranges& ranges, Purpose purpose, Tape& pruned) {
   const std::size_t count = tape.code.size();
   enum Need : std::uint8_t { unneeded = 0, needed_sign = 1, needed_value = 2 };
   static thread_local std::vector<std::uint8_t> need;

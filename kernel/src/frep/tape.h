@@ -23,12 +23,24 @@ struct Tape {
 
 Tape make_tape(const Expression& expression);
 
+/// The intervals of all values of a tape over a box, by operand. Kept as three arrays: a processor waits long for a structure
+/// that was written in parts and is read as one.
+struct Ranges {
+  std::vector<float> lower, upper;
+  std::vector<std::uint8_t> maybe_nan;
+
+  void resize(std::size_t count) { lower.resize(count), upper.resize(count), maybe_nan.resize(count); }
+  void set(std::size_t i, const Interval& range) {
+    lower[i] = range.lower, upper[i] = range.upper, maybe_nan[i] = static_cast<std::uint8_t>(range.maybe_nan);
+  }
+  [[nodiscard]] Interval operator[](std::size_t i) const { return {lower[i], upper[i], maybe_nan[i] != 0}; }
+};
+
 /// The intervals of all values over a box: `ranges` gets first_value + code.size() entries. Returns the root's.
-Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z,
-                         std::vector<Interval>& ranges);
+Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, Ranges& ranges);
 
 /// The code that still matters where the values are known to be in `ranges` (Algs 3.3 and 3.4). False, and `pruned` untouched,
 /// where that is all of it.
-bool prune(const Tape& tape, const std::vector<Interval>& ranges, Purpose purpose, Tape& pruned);
+bool prune(const Tape& tape, const Ranges& ranges, Purpose purpose, Tape& pruned);
 
 }  // namespace fieldfab::frep

@@ -330,8 +330,8 @@ class BlockSampler {
 
   /// A cube of cells: the signs at its corners, and whether it may be one patch.
   struct Cube {
-    std::uint8_t corners = 0;
-    bool simple = false;
+    std::uint8_t corners;
+    bool simple;
   };
 
   const Field& field_;
