@@ -57,6 +57,11 @@ class Builder {
       report(range);
       return whole;
     }
+    if (BuildCell plane;
+        settings_.merge_leafs && settings_.max_error > 0 && here.field->affine() && one_plane(*here.field, range, plane)) {
+      report(range);
+      return plane;
+    }
     if (longest(range) <= block_side) {
       BuildCell block = sampled(*here.field, range);
       report(range);
@@ -89,6 +94,31 @@ class Builder {
     return result;
   }
 
+  /// A range where the Field is affine needs no more than its corners; those of its parts are looked at too, because where
+  /// numbers are large, rounding may be all that is left of the function.
+  bool one_plane(const Field& field, const LatticeRange& range, BuildCell& cell) const {
+    const Box whole = box(range);
+    std::array<std::array<float, 3>, 3> at;  // by axis: first, middle, last
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      at[axis] = {static_cast<float>(whole.lower[a]), static_cast<float>(whole.centre()[a]), static_cast<float>(whole.upper[a])};
+    }
+    std::array<float, 27> x, y, z, value;
+    for (std::size_t i = 0; i < 27; ++i) {
+      x[i] = at[0][i % 3];
+      y[i] = at[1][i / 3 % 3];
+      z[i] = at[2][i / 9];
+    }
+    field.values({x.data(), y.data(), z.data(), 27}, value.data());
+    unsigned inside = 0;
+    for (std::size_t i = 0; i < 27; ++i) inside |= static_cast<unsigned>(value[i] < 0) << i;
+    if (inside == 0 || inside == (1U << 27) - 1) {
+      cell.kind = inside != 0 ? CellKind::filled : CellKind::empty;
+      return true;
+    }
+    return one_leaf({value.data(), nullptr, 0, {1, 3, 9}}, {2, 2, 2}, size_of(range), cell);
+  }
+
   /// A block whose lattice points are evaluated in one batch.
   BuildCell sampled(const Field& field, const LatticeRange& range) {
     std::array<std::size_t, 3> points;
@@ -104,69 +134,107 @@ class Builder {
       for (std::size_t j = 0; j < points[1]; ++j)
         for (std::size_t i = 0; i < points[0]; ++i, ++at) x[at] = planes[0][i], y[at] = planes[1][j], z[at] = planes[2][k];
     field.values({x.data(), y.data(), z.data(), at}, value.data());
-    const auto sample = [&](int i, int j, int k) {
-      return value[static_cast<std::size_t>(i - range.first[0]) +
-                   points[0] *
-                       (static_cast<std::size_t>(j - range.first[1]) + points[1] * static_cast<std::size_t>(k - range.first[2]))];
-    };
-    return from_samples(sample, range);
+    std::array<std::uint16_t, (block_side + 1) * (block_side + 1)> inside;
+    for (std::size_t row = 0; row < points[1] * points[2]; ++row) {
+      unsigned bits = 0;
+      for (std::size_t i = 0; i < points[0]; ++i) bits |= static_cast<unsigned>(value[points[0] * row + i] < 0) << i;
+      inside[row] = static_cast<std::uint16_t>(bits);
+    }
+    return from_samples({value.data(), inside.data(), 0, {1, points[0], points[0] * points[1]}}, range);
   }
 
-  template <class Sample>
-  BuildCell from_samples(const Sample& sample, const LatticeRange& range) {
-    bool inside = false, outside = false;
-    for (int k = range.first[2]; k <= range.first[2] + range.count[2]; ++k)
-      for (int j = range.first[1]; j <= range.first[1] + range.count[1]; ++j)
-        for (int i = range.first[0]; i <= range.first[0] + range.count[0]; ++i) (sample(i, j, k) < 0 ? inside : outside) = true;
+  /// The values at the lattice points of a range, and how far apart neighbours are along each axis.
+  struct Samples {
+    const float* value;
+    const std::uint16_t* inside;  // a row along x each: bit `shift` says that its first value is below 0
+    unsigned shift;
+    std::array<std::size_t, 3> stride;
+
+    [[nodiscard]] const float* row(int j, int k) const {
+      return value + stride[1] * static_cast<std::size_t>(j) + stride[2] * static_cast<std::size_t>(k);
+    }
+    [[nodiscard]] Samples from(const LatticeRange& whole, const LatticeRange& part) const {
+      Samples samples = *this;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        samples.value += stride[axis] * static_cast<std::size_t>(part.first[axis] - whole.first[axis]);
+      samples.shift += static_cast<unsigned>(part.first[0] - whole.first[0]);
+      samples.inside += (part.first[1] - whole.first[1]) +
+                        static_cast<std::ptrdiff_t>(stride[2] / stride[1]) * (part.first[2] - whole.first[2]);
+      return samples;
+    }
+    /// At a corner of a range with so many cells (bits: x, y, z).
+    [[nodiscard]] float corner(std::size_t number, const std::array<int, 3>& count) const {
+      std::size_t at = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if ((number >> axis & 1U) != 0) at += stride[axis] * static_cast<std::size_t>(count[axis]);
+      return value[at];
+    }
+  };
+
+  BuildCell from_samples(const Samples& samples, const LatticeRange& range) {
+    unsigned inside = 0, outside = 0;
+    for (int k = 0; k <= range.count[2]; ++k)
+      for (int j = 0; j <= range.count[1]; ++j) {
+        const unsigned row =
+            samples.inside[static_cast<std::size_t>(j) + samples.stride[2] / samples.stride[1] * static_cast<std::size_t>(k)];
+        inside |= row;
+        outside |= ~row;
+      }
+    const unsigned points = (2U << range.count[0]) - 1;
+    inside = inside >> samples.shift & points;
+    outside = outside >> samples.shift & points;
     BuildCell cell;
-    if (!inside || !outside) {
-      cell.kind = inside ? CellKind::filled : CellKind::empty;
+    if (inside == 0 || outside == 0) {
+      cell.kind = inside != 0 ? CellKind::filled : CellKind::empty;
       return cell;
     }
     const unsigned axes = range.divisible();
     if (axes == 0) {
       cell.kind = CellKind::leaf;
-      for (int corner = 0; corner < 8; ++corner)
-        cell.corners[static_cast<std::size_t>(corner)] =
-            sample(range.first[0] + (corner & 1), range.first[1] + (corner >> 1 & 1), range.first[2] + (corner >> 2));
+      for (std::size_t corner = 0; corner < 8; ++corner) cell.corners[corner] = samples.corner(corner, {1, 1, range.count[2]});
       return cell;
     }
-    if (settings_.merge_leafs && settings_.max_error > 0 && one_leaf(sample, range, cell)) return cell;
+    if (settings_.merge_leafs && settings_.max_error > 0 && one_leaf(samples, range.count, size_of(range), cell)) return cell;
     std::vector<BuildCell> children(std::size_t{1} << std::popcount(axes));
-    for (std::size_t i = 0; i < children.size(); ++i)
-      children[i] = from_samples(sample, range.child(axes, static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      const LatticeRange child = range.child(axes, static_cast<unsigned>(i));
+      children[i] = from_samples(samples.from(range, child), child);
+    }
     return joined(std::move(children), axes, range);
   }
 
-  /// Tries the whole of `range` as one leaf: interpolation must reproduce every sample to max_error, and its sign.
-  template <class Sample>
-  bool one_leaf(const Sample& sample, const LatticeRange& range, BuildCell& leaf) const {
-    std::array<double, 3> size;
-    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = range.count[axis] * size_[axis];
-    for (int corner = 0; corner < 8; ++corner) {
-      const float value =
-          sample(range.first[0] + (corner & 1) * range.count[0], range.first[1] + (corner >> 1 & 1) * range.count[1],
-                 range.first[2] + (corner >> 2) * range.count[2]);
-      if (!std::isfinite(value)) return false;
-      leaf.corners[static_cast<std::size_t>(corner)] = value;
+  [[nodiscard]] std::array<double, 3> size_of(const LatticeRange& range) const {
+    return {range.count[0] * size_[0], range.count[1] * size_[1], range.count[2] * size_[2]};
+  }
+
+  /// Tries `count` cells of `size` mm in all as one leaf: interpolation must reproduce every sample to max_error, and its sign.
+  bool one_leaf(const Samples& samples, const std::array<int, 3>& count, const std::array<double, 3>& size,
+                BuildCell& leaf) const {
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      leaf.corners[corner] = samples.corner(corner, count);
+      if (!std::isfinite(leaf.corners[corner])) return false;
     }
     const auto& c = leaf.corners;
     const double allowed = settings_.max_error * steepness(c, size);
     double worst = 0;
-    for (int k = 0; k <= range.count[2]; ++k)
-      for (int j = 0; j <= range.count[1]; ++j) {
+    for (int k = 0; k <= count[2]; ++k)
+      for (int j = 0; j <= count[1]; ++j) {
         // Along x interpolation is a straight line between two values interpolated on the range's faces.
-        const double v = static_cast<double>(j) / range.count[1], w = static_cast<double>(k) / range.count[2];
+        const double v = static_cast<double>(j) / count[1], w = static_cast<double>(k) / count[2];
         const auto face = [&](std::size_t i) {
           return (1 - w) * ((1 - v) * c[i] + v * c[i + 2]) + w * ((1 - v) * c[i + 4] + v * c[i + 6]);
         };
-        const double low = face(0), high = face(1);
-        for (int i = 0; i <= range.count[0]; ++i) {
-          const double truth = sample(range.first[0] + i, range.first[1] + j, range.first[2] + k),
-                       between = low + (high - low) * i / range.count[0];
-          worst = std::max(worst, std::abs(truth - between));
-          if (!(worst <= allowed) || (truth < 0) != (between < 0)) return false;
+        const double low = face(0), step = (face(1) - low) / count[0];
+        const float* row = samples.row(j, k);
+        double farthest = 0;
+        bool differs = false;
+        for (int i = 0; i <= count[0]; ++i) {
+          const double truth = row[i], between = low + step * i, off = std::abs(truth - between);
+          farthest = off > farthest ? off : farthest;
+          differs |= (truth < 0) != (between < 0) || off != off;
         }
+        worst = std::max(worst, farthest);
+        if (differs || !(worst <= allowed)) return false;
       }
     leaf.kind = CellKind::leaf;
     leaf.slack = allowed > 0 ? std::nextafter(static_cast<float>(settings_.max_error * worst / allowed), INFINITY) : 0;

@@ -53,7 +53,8 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
     double difference = 0;
     for (std::size_t corner = 0; corner < 8; ++corner)
       difference += (corner >> axis & 1U) != 0 ? corners[corner] : -corners[corner];
-    sum += std::pow(difference / 4 / size[axis], 2);
+    const double slope = difference / 4 / size[axis];
+    sum += slope * slope;
   }
   return std::sqrt(sum);
 }
@@ -83,10 +84,9 @@ bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double
   return true;
 }
 
-/// Tries to join two cells along `axis`.
+/// Tries to join two cells of one kind along `axis`.
 bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a, const LatticeRange& range_b,
           const std::array<double, 3>& cell_size, double max_error, BuildCell& joined) {
-  if (a.kind != b.kind) return false;
   if (a.kind == CellKind::empty || a.kind == CellKind::filled) {
     joined.kind = a.kind;
     return true;
@@ -145,7 +145,8 @@ BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const Latti
     };
     for (unsigned i = 0; i < pairs && all; ++i) {
       const auto [a, b] = pair(i);
-      all = join(children[a], children[b], axis, range.child(axes, a), range.child(axes, b), cell_size, max_error, joined[i]);
+      all = children[a].kind == children[b].kind &&
+            join(children[a], children[b], axis, range.child(axes, a), range.child(axes, b), cell_size, max_error, joined[i]);
     }
     if (!all) continue;
     std::vector<BuildCell> fewer(pairs);

@@ -18,7 +18,4 @@ void for_chunks(const Points& points, const Visit& visit) {
     visit(points.part(first, std::min(chunk_size, points.count - first)), first);
 }
 
-/// a * factor, for distances under scaling; factor must be finite and not 0.
-FieldPtr scaled_values(FieldPtr a, double factor);
-
 }  // namespace fieldfab

@@ -53,6 +53,7 @@ class Affine final : public Field {
     }
     return outer;
   }
+  [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }
 
  private:

@@ -78,6 +78,7 @@ class FrepField final : public Field {
     return {root, std::make_shared<FrepField>(std::move(pruned), run_)};
   }
 
+  [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }
   [[nodiscard]] std::size_t cost() const noexcept override { return tape_.code.size() + 1; }
   [[nodiscard]] std::size_t active_nodes() const { return tape_.code.size(); }
 

@@ -112,6 +112,19 @@ Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y,
   return operand_range(tape, ranges, tape.root);
 }
 
+bool is_affine(const Tape& tape) {
+  return std::all_of(tape.code.begin(), tape.code.end(), [](const Clause& clause) {
+    switch (clause.op) {
+      case Opcode::add:
+      case Opcode::subtract:
+      case Opcode::negate: return true;
+      case Opcode::multiply: return !is_value(clause.a) || !is_value(clause.b);
+      case Opcode::divide: return !is_value(clause.b);
+      default: return false;
+    }
+  });
+}
+
 bool prune(const Tape& tape, const Ranges& ranges, Purpose purpose, Tape& pruned) {
   const std::size_t count = tape.code.size();
   enum Need : std::uint8_t { unneeded = 0, needed_sign = 1, needed_value = 2 };

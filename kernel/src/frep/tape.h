@@ -39,6 +39,9 @@ struct Ranges {
 /// The intervals of all values over a box: `ranges` gets first_value + code.size() entries. Returns the root's.
 Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, Ranges& ranges);
 
+/// Whether the tape only adds, subtracts, negates, and multiplies with and divides by constants.
+bool is_affine(const Tape& tape);
+
 /// The code that still matters where the values are known to be in `ranges` (Algs 3.3 and 3.4). False, and `pruned` untouched,
 /// where that is all of it.
 bool prune(const Tape& tape, const Ranges& ranges, Purpose purpose, Tape& pruned);

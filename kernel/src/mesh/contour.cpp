@@ -17,7 +17,9 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   const Lattice lattice(bounds, wanted.voxel);
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
-  const FieldPtr solid = intersect(field.shared_from_this(), box_field(bounds));
+  // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
+  constexpr double steep = 1e3;
+  const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
 
   const Octree octree(*solid, lattice, settings, progress);
   progress.report(0.8, "tracing curves");

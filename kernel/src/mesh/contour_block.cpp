@@ -45,6 +45,7 @@ class BlockSampler {
     }
     locate_edges();
     find_normals();
+    block.crossings.reserve(edges_.size());
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
         block.crossings.push_back({edge.axis, edge.lower, inside(edge.lower[0], edge.lower[1], edge.lower[2]), edge.point});
@@ -100,6 +101,7 @@ class BlockSampler {
   }
 
   void find_edges() {
+    edges_.reserve(2 * block_side * block_side);
     for (int axis = 0; axis < 3; ++axis)
       for_sign_changes(axis, [&](int x, int y, int z) {
         edge_at_[static_cast<std::size_t>(axis * point_count + point_index(x, y, z))] = static_cast<std::int16_t>(edges_.size());
@@ -229,6 +231,8 @@ class BlockSampler {
       }
 
     patch.corners = bits;
+    patch.points.reserve(8 * block_side);
+    block.crossings.reserve(3 * block_side);
     const Eigen::Vector3f normal = (slope / length).cast<float>();
     Vec3 sum = Vec3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -371,6 +375,7 @@ bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& ve
 
 void thin(std::vector<SurfacePoint>& points, const Box& cell) {
   std::vector<SurfacePoint> kept;
+  kept.reserve(12);
   const Eigen::Vector3f normal = points[0].normal;
   for (int axis = 0; axis < 3; ++axis)
     for (const double plane : {cell.lower[axis], cell.upper[axis]}) {

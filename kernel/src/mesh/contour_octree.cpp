@@ -126,6 +126,9 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
       continue;
     }
     Patch merged;
+    std::size_t count = 0;
+    for (std::size_t child = 0; child < 8; ++child) count += nodes_[first + child].patch->points.size();
+    merged.points.reserve(count);
     if (max_error <= 0 || !merge_corners(corners, merged.corners)) continue;
     for (std::size_t child = 0; child < 8; ++child) {
       const auto& points = nodes_[first + child].patch->points;

@@ -65,6 +65,9 @@ class Field : public std::enable_shared_from_this<Field> {
   /// A box that holds the solid, where the Field knows one from its making; Box::everything() otherwise. See solid_bounds().
   [[nodiscard]] virtual Box known_bounds() const noexcept { return Box::everything(); }
 
+  /// Whether the function is known to be a + b x + c y + d z, but for rounding: then a few values tell all of them.
+  [[nodiscard]] virtual bool affine() const noexcept { return false; }
+
   /// Rough cost of one value, in arithmetic operations: for choosing batch and block sizes and for statistics.
   [[nodiscard]] virtual std::size_t cost() const noexcept { return 1; }
 

@@ -39,6 +39,9 @@ FieldPtr transform(FieldPtr a, const Eigen::Affine3d& placement);
 /// a(x', y', z') with x', y', z' given as Fields: the general map of Appendix A.
 FieldPtr map(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z);
 
+/// The same solid with its values multiplied: by a factor above 0.
+FieldPtr scaled_values(FieldPtr a, double factor);
+
 /// The box as an exact distance field inside, the largest axis distance outside; a flat axis yields an empty solid.
 FieldPtr box_field(const Box& box);
 
