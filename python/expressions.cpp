@@ -26,13 +26,27 @@ Expression parse_any(const std::string& text) {
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
 
-py::object evaluate(const Expression& expression, const Floats& x, const Floats& y, const Floats& z) {
-  const FieldPtr field = frep::make_field(expression);
-  return py::vectorize([](float a, float b, float c, const Field* f) {
-    float out = 0;
-    f->values({&a, &b, &c, 1}, &out);
-    return out;
-  })(x, y, z, field.get());
+/// Values at points given by coordinates that broadcast against each other; a number where all three are.
+py::object evaluate(const Expression& expression, const py::object& x, const py::object& y, const py::object& z) {
+  const py::module_ numpy = py::module_::import("numpy");
+  const py::sequence broadcast = numpy.attr("broadcast_arrays")(x, y, z);
+  const Floats xs(broadcast[0]), ys(broadcast[1]), zs(broadcast[2]);  // laid out and rounded to float
+  Floats out(std::vector<py::ssize_t>(xs.shape(), xs.shape() + xs.ndim()));
+  float* to = out.mutable_data();
+  const Points points{xs.data(), ys.data(), zs.data(), static_cast<std::size_t>(xs.size())};
+  {
+    py::gil_scoped_release release;
+    frep::make_field(expression)->values(points, to);
+  }
+  if (out.ndim() == 0) return py::float_(*to);
+  return out;
+}
+
+/// Without the newline that ends a file.
+std::string text_of(const Expression& expression) {
+  std::string text = frep::print_infix(expression);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
 }
 
 }  // namespace
@@ -70,7 +84,7 @@ void bind_expressions(py::module_& module) {
           "__eq__", [](const Expression& a, const Expression& b) { return a == b; }, py::is_operator(),
           "Whether both are the same formula, node for node.")
       .def("__hash__", [](const Expression& a) { return std::hash<const void*>{}(a.id()); })
-      .def("__str__", [](const Expression& a) { return frep::print_infix(a); })
+      .def("__str__", text_of)
       .def("__repr__",
            [](const Expression& a) { return "<fieldfab.Expression of " + std::to_string(frep::node_count(a)) + " nodes>"; })
       .def(

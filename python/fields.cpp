@@ -37,7 +37,11 @@ py::tuple gradients(const Field& field, const Floats& points) {
   const auto count = static_cast<py::ssize_t>(arrays.x.size());
   Floats out(count), slopes({count, py::ssize_t{3}});
   std::vector<float> dx(arrays.x.size()), dy(dx), dz(dx);
-  field.gradients(arrays.get(), out.mutable_data(), {dx.data(), dy.data(), dz.data()});
+  {
+    float* to = out.mutable_data();
+    py::gil_scoped_release release;
+    field.gradients(arrays.get(), to, {dx.data(), dy.data(), dz.data()});
+  }
   auto to = slopes.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < count; ++i) {
     const auto n = static_cast<std::size_t>(i);
@@ -184,7 +188,7 @@ void bind_fields(py::module_& module) {
   py::class_<Asdf, Field, std::shared_ptr<Asdf>>(module, "Asdf", "An adaptively sampled distance field (Keeter, Appendix C.1).")
       .def_static(
           "load", [=](const std::filesystem::path& path) { return mutable_asdf(Asdf::load(path)); }, py::arg("filename"))
-      .def("save", &Asdf::save, py::arg("filename"), py::call_guard<py::gil_scoped_release>())
+      .def("save", &Asdf::save, py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes an .asdf file.")
       .def(
           "slice", [=](const Asdf& a, double z) { return mutable_asdf(a.slice(z)); }, py::arg("z"),
           "The cut at a height, as a flat Asdf.")

@@ -73,7 +73,8 @@ void bind_results(py::module_& module) {
       .def_property_readonly("zmin", [](const Image& i) { return i.bounds.lower.z(); })
       .def_property_readonly("zmax", [](const Image& i) { return i.bounds.upper.z(); })
       .def(
-          "save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); }, py::arg("filename"))
+          "save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); }, py::arg("filename"),
+          py::call_guard<py::gil_scoped_release>(), "Writes a .png file.")
       .def_static("load", &read_png, py::arg("filename"));
   module.def(
       "render",

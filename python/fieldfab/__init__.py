@@ -5,6 +5,11 @@
     ff.mesh(part, voxel=0.1).save("part.stl")
 """
 
-from . import shapes
+import sys
+
+from . import _core
 from ._core import *  # noqa: F401,F403: the module is the package's whole interface
-from ._core import Error
+from ._core import Error, shapes
+
+__all__ = [name for name in vars(_core) if not name.startswith("_")]
+sys.modules[__name__ + ".shapes"] = shapes  # so that `from fieldfab.shapes import sphere` works

@@ -88,3 +88,40 @@ def test_progress_cancels_and_raises():
 
     with pytest.raises(KeyError):
         ff.build(BALL, voxel=0.01, progress=fail)
+
+
+def test_stubs_name_what_there_is():
+    import ast
+    import pathlib
+
+    package = pathlib.Path(ff.__file__).parent
+    for module, stub in [(ff._core, "_core.pyi"), (ff.shapes, "shapes.pyi")]:
+        tree = ast.parse((package / stub).read_text())
+        described = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
+        for name, thing in vars(module).items():
+            if name.startswith("_") or name in ("X", "Y", "Z", "shapes"):
+                continue
+            assert name in described, f"{stub} lacks {name}"
+            signature = (thing.__doc__ or "").splitlines()[:1]
+            if isinstance(described[name], ast.FunctionDef) and signature and "(" in signature[0]:
+                found = [part.split(":")[0].strip() for part in signature[0].split("(", 1)[1].split(", ") if ":" in part]
+                assert [a.arg for a in described[name].args.args] == found, name
+            if isinstance(described[name], ast.ClassDef) and thing is not ff.Error:
+                members = {node.name for node in described[name].body if isinstance(node, ast.FunctionDef)}
+                own = {n for n in vars(thing) if not n.startswith("_")}
+                assert own <= members, f"{stub}: {name} lacks {own - members}"
+                assert {n for n in members if not n.startswith("_")} <= own, name
+        assert {n for n in described} <= set(vars(module)), stub
+
+
+def test_small_things():
+    assert ff.Error("x").kind == "bad_input"
+    assert not str(BALL).endswith("\n")
+    assert ff.X(1, 2, 3) == 1 and isinstance(ff.X(1, 2, 3), float)
+    grid = BALL(np.linspace(-1, 1, 4)[:, None], np.zeros(3)[None, :], 0)
+    assert grid.shape == (4, 3) and grid.dtype == np.float32 and grid[0, 0] == pytest.approx(0, abs=1e-6)
+    with pytest.raises(ValueError):
+        ff.X(np.zeros(3), np.zeros(4), 0)
+    from fieldfab.shapes import sphere
+
+    assert sphere(1) == BALL

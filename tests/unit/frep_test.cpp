@@ -29,8 +29,8 @@ TEST(Expressions, ThatAreEqualAreOneNode) {
   EXPECT_EQ(square(x) + y, square(Expression::x()) + y);
   EXPECT_FALSE(x + y == y + x);
   EXPECT_EQ(node_count(max(square(x) + square(y) - 1.0, -(square(x) + square(y) - 0.5))), 11U);  // Fig. 3-2b
-  EXPECT_THROW(Expression(std::numeric_limits<double>::infinity()), Error);
-  EXPECT_THROW(Expression(std::numeric_limits<double>::quiet_NaN()), Error);
+  EXPECT_THROW(Expression{std::numeric_limits<double>::infinity()}, Error);
+  EXPECT_THROW(Expression{std::numeric_limits<double>::quiet_NaN()}, Error);
   EXPECT_EQ(Expression(0.0), Expression(-0.0));
 }
 

@@ -1,0 +1,3 @@
+from ._core import *
+from ._core import Error as Error
+from . import shapes as shapes
