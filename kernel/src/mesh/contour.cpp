@@ -27,7 +27,7 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   progress.report(0.9, "filling cells");
   FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
   progress.report(0.95, "sharpening edges");
-  sharpen(*solid, lattice.voxel(), std::clamp(0.2 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
+  sharpen(*solid, lattice.voxel(), std::clamp(0.5 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
           filled.creased, filled.mesh, progress);
   return std::move(filled.mesh);
 }

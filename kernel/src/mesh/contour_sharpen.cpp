@@ -40,6 +40,7 @@ struct Flaw {
   std::array<std::uint32_t, 3> vertices;
   int count;  ///< of vertices: 1, 2 or 3
   float error;
+  std::array<std::int32_t, 3> area;  ///< the cube of space it is in: flaws of one are mended together
 };
 
 /// How far triangles are from the surface.
@@ -57,7 +58,8 @@ struct Star {
 };
 
 // How far features are looked for, in voxels. A wedge of 30 degrees that is thinner than a voxel goes on for two.
-constexpr float least_reach = 0.25F, greatest_reach = 2.0F;
+constexpr std::array reaches{0.25F, 0.5F, 1.0F, 2.0F};
+constexpr float area_side = 16;  // in voxels; for a large expression, restricting is what takes the time
 
 class Sharpener {
  public:
@@ -94,18 +96,18 @@ class Sharpener {
   }
 
   /// The vertices, edges and triangles of the open triangles that are off by more than the tolerance: vertices first, then edges;
-  /// the worst first.
+  /// in each area the worst first.
   std::vector<Flaw> find_flaws() {
     std::vector<Flaw> places;
     std::sort(open_.begin(), open_.end());
     open_.erase(std::unique(open_.begin(), open_.end()), open_.end());
     for (const std::uint32_t t : open_) {
       const Triangle& v = mesh_.triangles[t];
-      places.push_back({v, 3, 0});
+      places.push_back({v, 3, 0, {}});
       for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t a = v[i], b = v[(i + 1) % 3];
-        places.push_back({{a, 0, 0}, 1, 0});
-        places.push_back({{std::min(a, b), std::max(a, b), 0}, 2, 0});
+        places.push_back({{a, 0, 0}, 1, 0, {}});
+        places.push_back({{std::min(a, b), std::max(a, b), 0}, 2, 0, {}});
       }
     }
     const auto order = [](const Flaw& one, const Flaw& other) {
@@ -116,20 +118,43 @@ class Sharpener {
                              [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
                  places.end());
 
-    constexpr std::size_t chunk = 1024;
+    constexpr std::size_t chunk = 256;  // near each other, as their numbers are
     parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
       progress_.check();
       Samples samples;
       const std::size_t first = part * chunk, last = std::min(places.size(), first + chunk);
-      for (std::size_t i = first; i < last; ++i) samples.add(middle(places[i]));
-      samples.ask(solid_);
+      Box box{middle(places[first]).cast<double>(), middle(places[first]).cast<double>()};
+      for (std::size_t i = first; i < last; ++i) {
+        samples.add(middle(places[i]));
+        box = united(box, middle(places[i]));
+      }
+      samples.ask(*solid_.restricted(box).field);
       for (std::size_t i = first; i < last; ++i) places[i].error = std::abs(samples.distance(i - first));
     });
     std::erase_if(places, [&](const Flaw& flaw) { return flaw.error <= tolerance_; });
+    for (Flaw& flaw : places)
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        flaw.area[axis] =
+            static_cast<std::int32_t>(std::floor(middle(flaw)[static_cast<Eigen::Index>(axis)] / (area_side * voxel_)));
     std::stable_sort(places.begin(), places.end(), [](const Flaw& one, const Flaw& other) {
-      return one.count != other.count ? one.count < other.count : one.error > other.error;
+      if (one.count != other.count) return one.count < other.count;
+      return one.area != other.area ? one.area < other.area : one.error > other.error;
     });
     return places;
+  }
+
+  /// Restricts the solid to an area and what is near it.
+  void enter(const std::array<std::int32_t, 3>& area) {
+    if (area_field_ && area == area_) return;
+    area_ = area;
+    const double side = static_cast<double>(area_side * voxel_);
+    const Vec3 lower = side * Vec3(area[0], area[1], area[2]);
+    area_box_ = Box{lower, lower + Vec3::Constant(side)}.grown(side / 2);
+    area_field_ = solid_.restricted(area_box_).field;
+  }
+
+  static Box united(const Box& box, const Eigen::Vector3f& point) {
+    return {box.lower.cwiseMin(point.cast<double>()), box.upper.cwiseMax(point.cast<double>())};
   }
 
   /// All that mending a flaw may touch: where its feature may be, and the triangles around it.
@@ -138,11 +163,8 @@ class Sharpener {
     Box box{centre, centre};
     for (int i = 0; i < flaw.count; ++i)
       for (const std::uint32_t t : editor_.fan(flaw.vertices[static_cast<std::size_t>(i)]))
-        for (const std::uint32_t vertex : mesh_.triangles[t]) {
-          box.lower = box.lower.cwiseMin(at(vertex).cast<double>());
-          box.upper = box.upper.cwiseMax(at(vertex).cast<double>());
-        }
-    return box.grown(2 * greatest_reach * static_cast<double>(voxel_));
+        for (const std::uint32_t vertex : mesh_.triangles[t]) box = united(box, at(vertex));
+    return box.grown(2 * static_cast<double>(reaches.back() * voxel_));
   }
 
   static std::uint64_t key_of(const Flaw& flaw) {
@@ -152,12 +174,14 @@ class Sharpener {
   }
 
   void mend(const Flaw& flaw) {
-    local_ = solid_.shared_from_this();
+    enter(flaw.area);
+    local_ = area_field_;
     if (error_at(middle(flaw)) <= tolerance_) return;  // mended with another
     constexpr int most_attempts = 1;
     if (++attempts_[key_of(flaw)] > most_attempts) return;
     local_box_ = neighbourhood(flaw);
-    local_ = solid_.restricted(local_box_).field;
+    const bool within = area_box_.contains(local_box_.lower) && area_box_.contains(local_box_.upper);
+    local_ = (within ? *area_field_ : solid_).restricted(local_box_).field;
     if (flaw.count == 1) {
       move(flaw);
     } else if (flaw.count == 2) {
@@ -167,45 +191,48 @@ class Sharpener {
     }
   }
 
-  /// Where the surface's sharpest feature within `radius` of a point is: the surface is found in all directions around, and the
-  /// planes that touch it there say whether they meet in a corner, an edge, or are one surface.
-  [[nodiscard]] PlacedVertex feature_near(const Eigen::Vector3f& centre, float radius) {
+  /// Where the surface's sharpest feature within each of `within` mm of a point is: the surface is found in all directions
+  /// around, and the planes that touch it there say whether they meet in a corner, an edge, or are one surface.
+  template <std::size_t count>
+  std::array<PlacedVertex, count> features_near(const Eigen::Vector3f& centre, const std::array<float, count>& within) {
+    constexpr std::size_t directions = 27;
     Samples& around = scratch_;
     around.clear();
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1; ++z) {
-          Eigen::Vector3f direction(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-          if (x != 0 || y != 0 || z != 0) direction.normalize();
-          around.add(centre + radius * direction);
-        }
+    for (const float reach : within)
+      for (int i = 0; i < static_cast<int>(directions); ++i) {
+        Eigen::Vector3f direction(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
+                                  static_cast<float>(i / 9 - 1));
+        if (!direction.isZero(0)) direction.normalize();
+        around.add(centre + reach * direction);
+      }
     constexpr int newton_steps = 3;
     around.ask(*local_);
     for (int step = 0; step < newton_steps; ++step) {
-      float farthest = 0;
+      bool settled = true;
       for (std::size_t i = 0; i < around.size(); ++i) {
-        const Eigen::Vector3f slope = around.slope(i);
-        const float length = slope.norm();
-        farthest = std::max(farthest, std::abs(around.distance(i)));
+        const float reach = within[i / directions], length = around.slope(i).norm();
+        settled = settled && std::abs(around.distance(i)) < 1e-4F * reach;
         if (length > 0 && std::isfinite(length))
-          around.step(i, -std::clamp(around.distance(i), -radius, radius) / length * slope);
+          around.step(i, -std::clamp(around.distance(i), -reach, reach) / length * around.slope(i));
       }
-      if (farthest < 1e-4F * radius) break;
+      if (settled) break;
       around.ask(*local_);
     }
-    std::vector<SurfacePoint>& points = found_;
-    points.clear();
-    for (std::size_t i = 0; i < around.size(); ++i) {
-      const Eigen::Vector3f slope = around.slope(i), point = around.point(i);
-      const float length = slope.norm();
-      if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * radius &&
-          (point - centre).squaredNorm() < 4 * radius * radius)
-        points.push_back({point, slope / length});
-    }
+    std::array<PlacedVertex, count> features;
     const Vec3 middle = centre.cast<double>();
-    if (points.empty()) return {middle, 0, 0};
-    const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(radius));
-    return place_vertex(points, {middle - side, middle + side});
+    for (std::size_t r = 0; r < count; ++r) {
+      const float reach = within[r];
+      found_.clear();
+      for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
+        const float length = around.slope(i).norm();
+        if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
+            (around.point(i) - centre).squaredNorm() < 4 * reach * reach)
+          found_.push_back({around.point(i), around.slope(i) / length});
+      }
+      const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(reach));
+      features[r] = found_.empty() ? PlacedVertex{middle, 0, 0} : place_vertex(found_, {middle - side, middle + side});
+    }
+    return features;
   }
 
   void move(const Flaw& flaw) {
@@ -225,14 +252,20 @@ class Sharpener {
   /// Makes the star's triangles with its vertex on the sharpest feature near `centre` that this is possible for.
   bool place(const Star& star, const Eigen::Vector3f& centre) {
     const Misfit before = misfit(triangles(star.old));
-    for (float radius = least_reach; radius <= greatest_reach; radius *= 2) {
-      PlacedVertex target = feature_near(centre, radius * voxel_);
+    std::array<float, reaches.size()> within = reaches;
+    for (float& reach : within) reach *= voxel_;
+    constexpr int most_tries = 2;
+    int tries = 0;
+    const auto features = features_near(centre, within);
+    for (std::size_t r = 0; r < features.size() && tries < most_tries; ++r) {
+      PlacedVertex target = features[r];
       const bool sharp = target.directions > 1;
-      if (sharp) {  // found from planes that touch the surface up to `radius` away: closer by, a curved crease is where they say
-        const PlacedVertex closer = feature_near(target.position.cast<float>(), 0.25F * radius * voxel_);
-        if (closer.directions > 1) target = closer;
-      }
       if (features_only_ && !sharp) continue;
+      if (sharp) {  // found from planes that touch the surface up to `reach` away: closer by, a curved crease is where they say
+        const auto [closer] = features_near(target.position.cast<float>(), std::array{0.25F * within[r]});
+        if (closer.directions > 1) target = closer;
+        ++tries;
+      }
       const Eigen::Vector3f position = target.position.cast<float>();
       mesh_.vertices[star.vertex] = {position.x(), position.y(), position.z()};
       if (span(star, before)) return true;
@@ -405,6 +438,9 @@ class Sharpener {
   std::vector<std::uint32_t> open_;  ///< triangles still to be looked at
   FieldPtr local_;                   ///< the solid, as it is in `local_box_`, the neighbourhood() of the flaw at hand
   Box local_box_;
+  std::array<std::int32_t, 3> area_{};  ///< the area that was entered last
+  Box area_box_;
+  FieldPtr area_field_;
   std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: what failed twice will not be tried for ever
   bool features_only_ = true;  ///< vertices on smooth surfaces near a crease wait until the crease is in place
   Samples scratch_;
