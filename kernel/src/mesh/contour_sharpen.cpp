@@ -58,7 +58,8 @@ struct Star {
 };
 
 // How far features are looked for, in voxels. A wedge of 30 degrees that is thinner than a voxel goes on for two.
-constexpr std::array reaches{0.25F, 0.5F, 1.0F, 2.0F};
+constexpr std::array near_reaches{0.25F, 0.5F, 1.0F};
+constexpr std::array far_reaches{2.0F};
 constexpr float area_side = 16;  // in voxels; for a large expression, restricting is what takes the time
 
 class Sharpener {
@@ -157,14 +158,16 @@ class Sharpener {
     return {box.lower.cwiseMin(point.cast<double>()), box.upper.cwiseMax(point.cast<double>())};
   }
 
-  /// All that mending a flaw may touch: where its feature may be, and the triangles around it.
-  [[nodiscard]] Box neighbourhood(const Flaw& flaw) const {
+  /// Restricts the solid to all that mending a flaw may touch: the triangles around it, and `reach` voxels about those.
+  void confine(const Flaw& flaw, float reach) {
     const Vec3 centre = middle(flaw).cast<double>();
-    Box box{centre, centre};
+    local_box_ = {centre, centre};
     for (int i = 0; i < flaw.count; ++i)
       for (const std::uint32_t t : editor_.fan(flaw.vertices[static_cast<std::size_t>(i)]))
-        for (const std::uint32_t vertex : mesh_.triangles[t]) box = united(box, at(vertex));
-    return box.grown(2 * static_cast<double>(reaches.back() * voxel_));
+        for (const std::uint32_t vertex : mesh_.triangles[t]) local_box_ = united(local_box_, at(vertex));
+    local_box_ = local_box_.grown(1.1 * static_cast<double>(reach * voxel_));
+    const bool within = area_box_.contains(local_box_.lower) && area_box_.contains(local_box_.upper);
+    local_ = (within ? *area_field_ : solid_).restricted(local_box_).field;
   }
 
   static std::uint64_t key_of(const Flaw& flaw) {
@@ -179,9 +182,7 @@ class Sharpener {
     if (error_at(middle(flaw)) <= tolerance_) return;  // mended with another
     constexpr int most_attempts = 1;
     if (++attempts_[key_of(flaw)] > most_attempts) return;
-    local_box_ = neighbourhood(flaw);
-    const bool within = area_box_.contains(local_box_.lower) && area_box_.contains(local_box_.upper);
-    local_ = (within ? *area_field_ : solid_).restricted(local_box_).field;
+    confine(flaw, near_reaches.back());
     if (flaw.count == 1) {
       move(flaw);
     } else if (flaw.count == 2) {
@@ -226,7 +227,7 @@ class Sharpener {
       for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
         const float length = around.slope(i).norm();
         if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
-            (around.point(i) - centre).squaredNorm() < 4 * reach * reach)
+            (around.point(i) - centre).squaredNorm() < 4 * reach * reach && local_box_.contains(around.point(i).cast<double>()))
           found_.push_back({around.point(i), around.slope(i) / length});
       }
       const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(reach));
@@ -245,28 +246,39 @@ class Sharpener {
       const auto i = static_cast<std::size_t>(std::find(v.begin(), v.end(), vertex) - v.begin());
       star.rim.push_back({v[(i + 1) % 3], v[(i + 2) % 3]});
     }
-    const Position start = mesh_.vertices[vertex];
-    if (!place(star, at(vertex))) mesh_.vertices[vertex] = start;
+    place(star, flaw);
   }
 
-  /// Makes the star's triangles with its vertex on the sharpest feature near `centre` that this is possible for.
-  bool place(const Star& star, const Eigen::Vector3f& centre) {
+  /// Makes the star's triangles with its vertex on the sharpest feature near the flaw that this is possible for.
+  bool place(const Star& star, const Flaw& flaw) {
+    const Eigen::Vector3f centre = middle(flaw);
+    const Position start = mesh_.vertices[star.vertex];
     const Misfit before = misfit(triangles(star.old));
-    std::array<float, reaches.size()> within = reaches;
-    for (float& reach : within) reach *= voxel_;
+    if (place_within(star, centre, before, near_reaches)) return true;
+    mesh_.vertices[star.vertex] = start;
+    confine(flaw, far_reaches.back());
+    if (place_within(star, centre, before, far_reaches)) return true;
+    mesh_.vertices[star.vertex] = start;
+    return false;
+  }
+
+  template <std::size_t count>
+  bool place_within(const Star& star, const Eigen::Vector3f& centre, const Misfit& before, std::array<float, count> reaches) {
+    for (float& reach : reaches) reach *= voxel_;
     constexpr int most_tries = 2;
     int tries = 0;
-    const auto features = features_near(centre, within);
-    for (std::size_t r = 0; r < features.size() && tries < most_tries; ++r) {
+    const auto features = features_near(centre, reaches);
+    for (std::size_t r = 0; r < count && tries < most_tries; ++r) {
       PlacedVertex target = features[r];
       const bool sharp = target.directions > 1;
       if (features_only_ && !sharp) continue;
       if (sharp) {  // found from planes that touch the surface up to `reach` away: closer by, a curved crease is where they say
-        const auto [closer] = features_near(target.position.cast<float>(), std::array{0.25F * within[r]});
+        const auto [closer] = features_near(target.position.cast<float>(), std::array{0.25F * reaches[r]});
         if (closer.directions > 1) target = closer;
         ++tries;
       }
       const Eigen::Vector3f position = target.position.cast<float>();
+      if (!local_box_.contains(target.position)) continue;
       mesh_.vertices[star.vertex] = {position.x(), position.y(), position.z()};
       if (span(star, before)) return true;
     }
@@ -342,7 +354,7 @@ class Sharpener {
     const Eigen::Vector3f centre = middle(flaw);
     star.vertex = static_cast<std::uint32_t>(mesh_.vertices.size());
     mesh_.vertices.push_back({centre.x(), centre.y(), centre.z()});
-    if (!place(star, centre)) mesh_.vertices.pop_back();
+    if (!place(star, flaw)) mesh_.vertices.pop_back();
   }
 
   /// The two triangles at an edge.
