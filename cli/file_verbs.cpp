@@ -55,7 +55,7 @@ class RenderVerb final : public Verb {
     const SolidBounds found = solid_bounds(*model.field, progress);
     if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty");
     if (!found.bounded[0] || !found.bounded[1])
-      throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give --bounds x0,y0,z0,x1,y1,z1");
+      throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give bounds x0,y0,z0,x1,y1,z1");
     Box box = found.box.grown(found.box.size().head<2>().maxCoeff() / 64);
     box.lower.z() = box.upper.z() = 0;
     return box;

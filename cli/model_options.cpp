@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "verbs.h"
 
@@ -14,6 +15,11 @@ double positive(const std::optional<double>& value, const char* option) {
   if (!std::isfinite(*value) || *value <= 0)
     throw Error(ErrorKind::bad_input, option, fmt::format("{} is not a positive number", *value));
   return *value;
+}
+
+FieldPtr plate(const FieldPtr& flat, double height) {
+  constexpr double wide = 1e9;
+  return intersect(flat, box_field({{-wide, -wide, 0}, {wide, wide, height}}));
 }
 
 }  // namespace
@@ -49,12 +55,20 @@ std::optional<Box> ModelOptions::region() const {
 
 Model ModelOptions::load() const {
   Model loaded = load_model(model);
-  if (thickness) {
-    const double height = positive(thickness, "--thickness");
-    constexpr double wide = 1e9;
-    loaded.field = intersect(loaded.field, box_field({{-wide, -wide, 0}, {wide, wide, height}}));
-  }
+  if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
+}
+
+std::optional<double> ModelOptions::make_plate_if_flat(Model& loaded, Progress& progress) {
+  if (thickness || !bounds.empty() || loaded.voxel) return std::nullopt;
+  const SolidBounds found = solid_bounds(*loaded.field, progress);
+  if (found.empty || !found.bounded[0] || !found.bounded[1] || found.bounded[2]) return std::nullopt;
+  constexpr double cells_a_side = 512, cells_thick = 8;
+  const double side = std::max(found.box.size().x(), found.box.size().y());
+  if (!voxel && !resolution) voxel = side / cells_a_side;
+  const double height = cells_thick * cell(found.box, loaded);
+  loaded.field = plate(loaded.field, height);
+  return height;
 }
 
 double ModelOptions::cell(const Box& region, const Model& loaded) const {

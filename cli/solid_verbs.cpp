@@ -101,12 +101,17 @@ class CheckVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const Stopwatch clock;
-    const Model model = options_.load();
+    Model model = options_.load();
+    const std::optional<double> plate = options_.make_plate_if_flat(model, progress);
     const Box bounds = working_bounds(model, options_.region(), progress, EmptySolid::allowed);
     const double cell = options_.cell(bounds, model);
     const CheckReport report = check(*model.field, bounds, {cell, options_.max_error.value_or(-1), seed_}, progress);
     Outcome outcome;
     outcome.json = {{"model", options_.model}, {"passed", report.passed()}, {"voxel", cell}, {"bounds", json_of(bounds)}};
+    if (plate) {
+      outcome.json["plate"] = *plate;
+      outcome.line += fmt::format("flat: checked as a plate {:.4g} mm thick, in cells of {:.4g} mm\n", *plate, cell);
+    }
     auto rows = nlohmann::ordered_json::array();
     for (const CheckRow& row : report.rows) {
       outcome.line += fmt::format("{:<58} {:>12.5g} {:>3} {:>12.5g} {:<3} {}\n", row.name, row.measured, "<=", row.bound,

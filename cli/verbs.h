@@ -30,6 +30,9 @@ struct ModelOptions {
   [[nodiscard]] std::optional<Box> region() const;
   /// Loads the model; a flat one is given --thickness.
   [[nodiscard]] Model load() const;
+  /// Makes a plate of a model that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
+  /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the model was left alone.
+  std::optional<double> make_plate_if_flat(Model& loaded, Progress& progress);
   /// The smallest cell, mm: as asked for, or as the file has it, or 1/128 of the longest side.
   [[nodiscard]] double cell(const Box& bounds, const Model& loaded) const;
   /// Throws bad_input unless `output` is given.

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <memory>
 
 #include "asdf_tree.h"
 #include "fieldfab/core/error.h"
@@ -61,6 +62,24 @@ std::uint32_t checksum(std::string_view bytes) {
     bytes.remove_prefix(part);
   }
   return static_cast<std::uint32_t>(sum);
+}
+
+/// What a zstd frame holds, if that is `size` bytes; less or nothing otherwise. Memory grows with what is there, not with `size`,
+/// which a damaged file may give as anything.
+std::string decompressed(std::string_view frame, std::size_t size) {
+  const std::unique_ptr<ZSTD_DCtx, decltype(&ZSTD_freeDCtx)> context(ZSTD_createDCtx(), &ZSTD_freeDCtx);
+  std::string raw;
+  ZSTD_inBuffer in{frame.data(), frame.size(), 0};
+  std::vector<char> part(ZSTD_DStreamOutSize());
+  for (std::size_t left = 1; left != 0;) {
+    ZSTD_outBuffer out{part.data(), part.size(), 0};
+    const std::size_t before = in.pos;
+    left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(left) != 0 || out.pos > size - raw.size()) return {};
+    raw.append(part.data(), out.pos);
+    if (left != 0 && out.pos == 0 && in.pos == before) return {};  // it ends too early
+  }
+  return in.pos == in.size ? raw : std::string();
 }
 
 /// Every cell and every leaf must be reached exactly once, and no axis may be split that is one cell wide.
@@ -243,9 +262,8 @@ std::shared_ptr<const Asdf> Asdf::load(const std::filesystem::path& path) {
   std::memcpy(&size, body.data(), 8);
   if (size > CellWord::most_cells * (sizeof(CellWord) + sizeof(LeafSamples)) + 1024) damaged(path, "its size is not possible");
   require_memory(2 * size, path.string());
-  std::string raw(size, '\0');
-  const std::size_t got = ZSTD_decompress(raw.data(), raw.size(), body.data() + 8, body.size() - 8);
-  if (ZSTD_isError(got) != 0 || got != size) damaged(path, "it cannot be decompressed");
+  const std::string raw = decompressed(body.substr(8), size);
+  if (raw.size() != size) damaged(path, "it cannot be decompressed");
   return AsdfFile::from_bytes(raw, path);
 }
 

@@ -56,13 +56,14 @@ Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progres
   const SolidBounds found = solid_bounds(*model.field, progress);
   if (found.empty && empty == EmptySolid::allowed) return {Vec3::Constant(-1), Vec3::Constant(1)};
   if (found.empty)
-    throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give --bounds to work on a region all the same");
+    throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give bounds to work on a region all the same");
   std::string open;
   for (int axis = 0; axis < 3; ++axis)
     if (!found.bounded[axis]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[axis]);
   if (!open.empty())
     throw Error(ErrorKind::bad_input, "bounds",
-                fmt::format("the solid is unbounded along {}; give --bounds x0,y0,z0,x1,y1,z1", open));
+                fmt::format("the solid is unbounded along {}; give bounds x0,y0,z0,x1,y1,z1{}", open,
+                            open == "z" ? ", or a thickness to make a plate of a flat model" : ""));
   return found.box.grown(found.box.size().maxCoeff() / 64);
 }
 
