@@ -1,6 +1,8 @@
 // Contouring against CGAL: valid whatever the Field, true to it where it is resolved.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -69,6 +71,64 @@ TEST(Contour, KeepsACubeACube) {
     }
     EXPECT_NEAR(mesh.volume(), 8, 1e-3 * voxel * 24);
   }
+}
+
+/// Area-weighted quantile of the mesh's distance from the solid, to first order, in voxels: at seven places of each triangle.
+double distance_quantile(const TriangleMesh& mesh, const Field& solid, double voxel, double share) {
+  std::vector<std::pair<double, double>> distances;  // and the area each stands for
+  double area = 0;
+  for (const auto& triangle : mesh.triangles) {
+    std::array<Vec3, 3> corner;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& v = mesh.vertices[triangle[i]];
+      corner[i] = {v[0], v[1], v[2]};
+    }
+    const double size = 0.5 * (corner[1] - corner[0]).cross(corner[2] - corner[0]).norm();
+    for (const Vec3& weight :
+         {Vec3(1, 1, 1), Vec3(4, 1, 1), Vec3(1, 4, 1), Vec3(1, 1, 4), Vec3(1, 1, 0), Vec3(0, 1, 1), Vec3(1, 0, 1)}) {
+      const Vec3 p = (weight[0] * corner[0] + weight[1] * corner[1] + weight[2] * corner[2]) / weight.sum();
+      distances.emplace_back(std::abs(solid.value(p)) / solid.gradient(p).norm() / voxel, size / 7);
+    }
+    area += size;
+  }
+  std::sort(distances.begin(), distances.end());
+  double below = 0;
+  for (const auto& [distance, weight] : distances)
+    if ((below += weight) >= share * area) return distance;
+  return distances.back().first;
+}
+
+// Corners cut off and edges like saws are what a lattice leaves of a cube that is turned against it.
+TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
+  int exact = 0, corners = 0;
+  for (int turn = 1; turn <= 8; ++turn)
+    for (const double voxel : {0.2, 0.07}) {
+      const Eigen::Matrix3d rotation =
+          (Eigen::AngleAxisd(0.37 * turn, Vec3(1, 0.3, 0).normalized()) * Eigen::AngleAxisd(0.53 * turn, Vec3::UnitZ())).matrix();
+      const FieldPtr solid = transform(frep::make_field(s::box(2, 2, 2)), Eigen::Affine3d(rotation));
+      const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
+      EXPECT_LT(distance_quantile(mesh, *solid, voxel, 0.99), 1e-3) << "turn " << turn;
+      EXPECT_LT(distance_quantile(mesh, *solid, voxel, 0.999), 0.1) << "turn " << turn;
+      for (int i = 0; i < 8; ++i) {
+        const Vec3 corner = rotation * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const auto& v : mesh.vertices) nearest = std::min(nearest, (corner - Vec3(v[0], v[1], v[2])).norm() / voxel);
+        EXPECT_LT(nearest, 0.03) << "turn " << turn << " corner " << i;
+        exact += nearest < 1e-3;
+        ++corners;
+      }
+    }
+  EXPECT_GE(exact, corners * 95 / 100);
+}
+
+// A wedge of 20 degrees is thinner than a voxel up to three voxels from its edge.
+TEST(Contour, KeepsTheEdgeOfAKnife) {
+  const Expression knife =
+      s::intersect(s::intersect(s::half_space(0, 0.1736, 0.9848, 0), s::half_space(0, 0.1736, -0.9848, 0)), s::box(2, 2, 2));
+  const FieldPtr solid = rotate(rotate(frep::make_field(knife), Vec3::UnitZ(), 0.6), Vec3::UnitX(), 0.4);
+  const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {0.04});
+  expect_valid(mesh, "knife");
+  EXPECT_NEAR(mesh.volume(), 0.1763 * 2, 0.002);
 }
 
 TEST(Contour, IsValidForFieldsThatAreNone) {

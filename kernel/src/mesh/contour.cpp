@@ -18,7 +18,7 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
-  constexpr double steep = 1e3;
+  constexpr double steep = 8;
   const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
 
   const Octree octree(*solid, lattice, settings, progress);
@@ -27,7 +27,7 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   progress.report(0.9, "filling cells");
   FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
   progress.report(0.95, "sharpening edges");
-  sharpen(*solid, lattice.voxel(), std::clamp(0.5 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
+  sharpen(*solid, lattice.voxel(), std::clamp(0.1 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
           filled.creased, filled.mesh, progress);
   return std::move(filled.mesh);
 }

@@ -135,9 +135,13 @@ class BlockSampler {
     };
     const std::array<std::vector<float>*, 3> coordinate{&x, &y, &z};
     const double close_enough = std::max(1e-6 * lattice_.voxel(), 4 * lattice_.float_step());
-    constexpr int rounds = 12;
+    constexpr int rounds = 30;
     for (int round = 0; round < rounds; ++round) {
-      for (std::size_t i = 0; i < count; ++i) (*coordinate[edges_[i].axis])[i] = static_cast<float>(guess(brackets[i]));
+      // Where the two sides differ much in steepness false position creeps: so now and then the bracket is halved.
+      const bool halve = round % 3 == 2;
+      for (std::size_t i = 0; i < count; ++i)
+        (*coordinate[edges_[i].axis])[i] =
+            static_cast<float>(halve ? 0.5 * (brackets[i].low + brackets[i].high) : guess(brackets[i]));
       field_.values({x.data(), y.data(), z.data(), count}, value.data());
       bool settled = true;
       for (std::size_t i = 0; i < count; ++i) {
