@@ -5,35 +5,12 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "contour_vertex.h"
 #include "fieldfab/core/parallel.h"
 #include "mesh_editor.h"
+#include "surface_feature.h"
 
 namespace fieldfab::contouring {
 namespace {
-
-/// Points in a structure of arrays, and what the Field says there.
-class Samples {
- public:
-  void clear() { x_.clear(), y_.clear(), z_.clear(); }
-  void add(const Eigen::Vector3f& p) { x_.push_back(p.x()), y_.push_back(p.y()), z_.push_back(p.z()); }
-  void ask(const Field& solid) {
-    for (auto* values : {&value_, &dx_, &dy_, &dz_}) values->resize(x_.size());
-    solid.gradients({x_.data(), y_.data(), z_.data(), x_.size()}, value_.data(), {dx_.data(), dy_.data(), dz_.data()});
-  }
-  [[nodiscard]] std::size_t size() const { return x_.size(); }
-  [[nodiscard]] Eigen::Vector3f point(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
-  [[nodiscard]] Eigen::Vector3f slope(std::size_t i) const { return {dx_[i], dy_[i], dz_[i]}; }
-  /// Distance from the surface to first order, mm; 0 where the Field has no usable gradient, so that nothing is tried there.
-  [[nodiscard]] float distance(std::size_t i) const {
-    const float distance = value_[i] / slope(i).norm();
-    return std::isfinite(distance) ? distance : 0.0F;
-  }
-  void step(std::size_t i, const Eigen::Vector3f& by) { x_[i] += by.x(), y_[i] += by.y(), z_[i] += by.z(); }
-
- private:
-  std::vector<float> x_, y_, z_, value_, dx_, dy_, dz_;
-};
 
 /// A place where the mesh is off the surface: a vertex, the middle of an edge, or the middle of a triangle.
 struct Flaw {
@@ -82,7 +59,11 @@ class Sharpener {
       const std::vector<Flaw> flaws = find_flaws();
       open_.clear();
       for (std::size_t i = 0; i < flaws.size(); ++i) {
-        if (i % 64 == 0) progress_.check();
+        if (i % 16 == 0) {
+          const double done = round + static_cast<double>(i) / static_cast<double>(flaws.size());
+          progress_.report(0.95 + 0.05 * done / rounds, "sharpening edges");
+          progress_.check();
+        }
         mend(flaws[i]);
       }
     }
@@ -192,50 +173,6 @@ class Sharpener {
     }
   }
 
-  /// Where the surface's sharpest feature within each of `within` mm of a point is: the surface is found in all directions
-  /// around, and the planes that touch it there say whether they meet in a corner, an edge, or are one surface.
-  template <std::size_t count>
-  std::array<PlacedVertex, count> features_near(const Eigen::Vector3f& centre, const std::array<float, count>& within) {
-    constexpr std::size_t directions = 27;
-    Samples& around = scratch_;
-    around.clear();
-    for (const float reach : within)
-      for (int i = 0; i < static_cast<int>(directions); ++i) {
-        Eigen::Vector3f direction(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1),
-                                  static_cast<float>(i / 9 - 1));
-        if (!direction.isZero(0)) direction.normalize();
-        around.add(centre + reach * direction);
-      }
-    constexpr int newton_steps = 3;
-    around.ask(*local_);
-    for (int step = 0; step < newton_steps; ++step) {
-      bool settled = true;
-      for (std::size_t i = 0; i < around.size(); ++i) {
-        const float reach = within[i / directions], length = around.slope(i).norm();
-        settled = settled && std::abs(around.distance(i)) < 1e-4F * reach;
-        if (length > 0 && std::isfinite(length))
-          around.step(i, -std::clamp(around.distance(i), -reach, reach) / length * around.slope(i));
-      }
-      if (settled) break;
-      around.ask(*local_);
-    }
-    std::array<PlacedVertex, count> features;
-    const Vec3 middle = centre.cast<double>();
-    for (std::size_t r = 0; r < count; ++r) {
-      const float reach = within[r];
-      found_.clear();
-      for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
-        const float length = around.slope(i).norm();
-        if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
-            (around.point(i) - centre).squaredNorm() < 4 * reach * reach && local_box_.contains(around.point(i).cast<double>()))
-          found_.push_back({around.point(i), around.slope(i) / length});
-      }
-      const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(reach));
-      features[r] = found_.empty() ? PlacedVertex{middle, 0, 0} : place_vertex(found_, {middle - side, middle + side});
-    }
-    return features;
-  }
-
   void move(const Flaw& flaw) {
     const std::uint32_t vertex = flaw.vertices[0];
     const auto fan = editor_.fan(vertex);
@@ -267,13 +204,15 @@ class Sharpener {
     for (float& reach : reaches) reach *= voxel_;
     constexpr int most_tries = 2;
     int tries = 0;
-    const auto features = features_near(centre, reaches);
+    const std::vector<PlacedVertex> features = features_near(*local_, local_box_, centre, reaches, scratch_);
     for (std::size_t r = 0; r < count && tries < most_tries; ++r) {
       PlacedVertex target = features[r];
       const bool sharp = target.directions > 1;
       if (features_only_ && !sharp) continue;
       if (sharp) {  // found from planes that touch the surface up to `reach` away: closer by, a curved crease is where they say
-        const auto [closer] = features_near(target.position.cast<float>(), std::array{0.25F * reaches[r]});
+        const std::array closer_by{0.25F * reaches[r]};
+        const PlacedVertex closer =
+            features_near(*local_, local_box_, target.position.cast<float>(), closer_by, scratch_).front();
         if (closer.directions > 1) target = closer;
         ++tries;
       }
@@ -456,7 +395,6 @@ class Sharpener {
   std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: what failed twice will not be tried for ever
   bool features_only_ = true;  ///< vertices on smooth surfaces near a crease wait until the crease is in place
   Samples scratch_;
-  std::vector<SurfacePoint> found_;
 };
 
 }  // namespace
