@@ -78,7 +78,8 @@ class FrepPanel:
     # What FreeCAD asks of a task panel.
     def getStandardButtons(self):
         buttons = QtWidgets.QDialogButtonBox
-        return int(buttons.Ok | buttons.Cancel | buttons.Apply)
+        wanted = buttons.Ok | buttons.Cancel | buttons.Apply
+        return int(getattr(wanted, "value", wanted))  # an enum.Flag with Qt 6
 
     def clicked(self, button):
         if button == QtWidgets.QDialogButtonBox.Apply:
