@@ -17,13 +17,9 @@ constexpr std::array<OpcodeInfo, opcode_count> table{{
     {2, 'p', "pow", "^"},       {2, 'A', "atan2", "atan2"}, {2, '%', "mod", "mod"}, {2, 'k', "compare", "compare"},
 }};
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
-}  // namespace
-
-const OpcodeInfo& info(Opcode op) { return table[static_cast<std::size_t>(op)]; }
-
-float apply(Opcode op, float a, float b) {
+template <class Number>
+Number evaluate(Opcode op, Number a, Number b) {
+  constexpr Number nan = std::numeric_limits<Number>::quiet_NaN();
   switch (op) {
     case Opcode::constant:
     case Opcode::x:
@@ -52,9 +48,16 @@ float apply(Opcode op, float a, float b) {
     case Opcode::power: return std::pow(a, b);
     case Opcode::arctangent2: return std::atan2(a, b);
     case Opcode::modulo: return a - b * std::floor(a / b);
-    case Opcode::compare: return a != a || b != b ? nan : static_cast<float>((a > b) - (a < b));
+    case Opcode::compare: return a != a || b != b ? nan : static_cast<Number>((a > b) - (a < b));
   }
   return nan;
 }
+
+}  // namespace
+
+const OpcodeInfo& info(Opcode op) { return table[static_cast<std::size_t>(op)]; }
+
+float apply(Opcode op, float a, float b) { return evaluate(op, a, b); }
+double apply(Opcode op, double a, double b) { return evaluate(op, a, b); }
 
 }  // namespace fieldfab::frep

@@ -9,43 +9,12 @@ namespace {
 
 bool is_constant(const Expression& e, double value) { return e.opcode() == Opcode::constant && e.constant() == value; }
 
-/// The operation on constants, in double precision.
-double fold(Opcode op, double a, double b) {
-  switch (op) {
-    case Opcode::sine: return std::sin(a);
-    case Opcode::cosine: return std::cos(a);
-    case Opcode::tangent: return std::tan(a);
-    case Opcode::arcsine: return std::asin(a);
-    case Opcode::arccosine: return std::acos(a);
-    case Opcode::arctangent: return std::atan(a);
-    case Opcode::absolute: return std::fabs(a);
-    case Opcode::square: return a * a;
-    case Opcode::square_root: return std::sqrt(a);
-    case Opcode::negate: return -a;
-    case Opcode::exponential: return std::exp(a);
-    case Opcode::logarithm: return std::log(a);
-    case Opcode::floor: return std::floor(a);
-    case Opcode::ceiling: return std::ceil(a);
-    case Opcode::add: return a + b;
-    case Opcode::subtract: return a - b;
-    case Opcode::multiply: return a * b;
-    case Opcode::divide: return a / b;
-    case Opcode::minimum: return std::fmin(a, b);
-    case Opcode::maximum: return std::fmax(a, b);
-    case Opcode::power: return std::pow(a, b);
-    case Opcode::arctangent2: return std::atan2(a, b);
-    case Opcode::modulo: return a - b * std::floor(a / b);
-    case Opcode::compare: return (a > b) - (a < b);
-    default: return std::numeric_limits<double>::quiet_NaN();
-  }
-}
-
 /// A folded constant must also be a number in the single precision in which it will be used.
 bool usable(double value) { return std::isfinite(static_cast<float>(value)); }
 
 Expression simple(Opcode op, const Expression& a) {
   if (a.opcode() == Opcode::constant)
-    if (const double value = fold(op, a.constant(), 0); usable(value)) return value;
+    if (const double value = apply(op, a.constant(), 0.0); usable(value)) return value;
   const Opcode inner = a.opcode();
   if (op == Opcode::negate && inner == Opcode::negate) return a.argument(0);
   if ((op == Opcode::square || op == Opcode::absolute) && (inner == Opcode::negate || inner == Opcode::absolute))
@@ -57,7 +26,7 @@ Expression simple(Opcode op, const Expression& a) {
 
 Expression simple(Opcode op, const Expression& a, const Expression& b) {
   if (a.opcode() == Opcode::constant && b.opcode() == Opcode::constant)
-    if (const double value = fold(op, a.constant(), b.constant()); usable(value)) return value;
+    if (const double value = apply(op, a.constant(), b.constant()); usable(value)) return value;
   switch (op) {
     case Opcode::add:
       if (is_constant(a, 0)) return b;

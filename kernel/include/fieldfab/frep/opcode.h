@@ -58,5 +58,7 @@ const OpcodeInfo& info(Opcode op);
 /// modulo(a, b): a - b*floor(a/b), so the sign is b's; compare: -1, 0 or 1 (NaN where either is NaN); power: the C library's
 /// powf.
 float apply(Opcode op, float a, float b = 0);
+/// The same in double precision, for constants.
+double apply(Opcode op, double a, double b);
 
 }  // namespace fieldfab::frep
