@@ -6,7 +6,7 @@
 namespace fieldfab {
 namespace {
 
-constexpr double far_away = 1e6;                // mm; what reaches this far counts as unbounded
+constexpr double far_away = 1e6;               // mm; what reaches this far counts as unbounded
 constexpr std::size_t most_work = 40'000'000;  // operations a face; what is undecided after so many stays inside
 
 /// A part of space that may hold some of the solid.
