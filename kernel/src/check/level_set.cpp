@@ -48,8 +48,9 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     const int side = leaf_side << cube.level;
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = (cube.lower[axis] + shift[axis] - 2) * voxel;
-      box.upper[axis] = (cube.lower[axis] + shift[axis] + side + 1) * voxel;
+      const int first = cube.lower[static_cast<unsigned>(axis)];
+      box.lower[axis] = (first + shift[axis] - 2) * voxel;
+      box.upper[axis] = (first + shift[axis] + side + 1) * voxel;
     }
     return box;
   };

@@ -247,7 +247,7 @@ FieldPtr subtract(FieldPtr a, FieldPtr b) { return intersect(std::move(a), compl
 FieldPtr complement(FieldPtr a) { return std::make_shared<Linear>(std::move(a), -1.0F, 0.0F); }
 FieldPtr offset(FieldPtr a, double distance) { return std::make_shared<Linear>(std::move(a), 1.0F, -finite(distance, "offset")); }
 
-FieldPtr shell(FieldPtr a, double thickness) {
+FieldPtr shell(const FieldPtr& a, double thickness) {
   if (!(thickness > 0)) throw Error(ErrorKind::bad_input, "shell", "the thickness must be above 0 mm");
   const float half = finite(thickness / 2, "shell");
   return intersect(std::make_shared<Linear>(a, 1.0F, -half), std::make_shared<Linear>(a, -1.0F, -half));

@@ -13,7 +13,7 @@ std::array<Opcode, 128> find_letters() {
   std::array<Opcode, 128> letters;
   letters.fill(Opcode::constant);
   for (int op = static_cast<int>(Opcode::x); op < opcode_count; ++op)
-    letters[static_cast<std::size_t>(info(static_cast<Opcode>(op)).math)] = static_cast<Opcode>(op);
+    letters[static_cast<unsigned char>(info(static_cast<Opcode>(op)).math)] = static_cast<Opcode>(op);
   return letters;
 }
 
@@ -62,7 +62,7 @@ class MathParser {
       ++at_;
       return;
     }
-    const Opcode op = c > 0 ? letters[static_cast<std::size_t>(c)] : Opcode::constant;
+    const Opcode op = c > 0 ? letters[static_cast<unsigned char>(c)] : Opcode::constant;
     if (op == Opcode::constant) source_.fail(at_, fmt::format("unknown operation {}", source_.shown(at_)));
     ++at_;
     if (op == Opcode::x || op == Opcode::y || op == Opcode::z)

@@ -28,11 +28,9 @@ constexpr std::uint32_t first_new = 1U << 31;
 
 class CellFiller {
  public:
-  CellFiller(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
-             const ContourSettings& settings, Piece& piece)
+  CellFiller(const Field& solid, const Lattice& lattice, const Curves& curves, const ContourSettings& settings, Piece& piece)
       : solid_(solid),
         lattice_(lattice),
-        octree_(octree),
         curves_(curves),
         flat_(0.5 * settings.max_error),
         features_(settings.features),
@@ -226,7 +224,6 @@ class CellFiller {
 
   const Field& solid_;
   const Lattice& lattice_;
-  const Octree& octree_;
   const Curves& curves_;
   const double flat_;  ///< how far a loop may be from a plane to be filled without a vertex inside, mm
   const bool features_;
@@ -254,7 +251,7 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
   std::vector<Piece> pieces((leafs.size() + chunk - 1) / chunk);
   parallel_for(pieces.size(), [&](std::size_t part) {
     progress.check();
-    CellFiller filler(solid, lattice, octree, curves, settings, pieces[part]);
+    CellFiller filler(solid, lattice, curves, settings, pieces[part]);
     for (std::size_t i = part * chunk; i < std::min(leafs.size(), (part + 1) * chunk); ++i)
       if (start[i] < start[i + 1]) filler.fill(leafs[i], std::span(around).subspan(start[i], start[i + 1] - start[i]));
   });

@@ -231,6 +231,7 @@ class Sharpener {
     constexpr int greatest_growth = 3;
     for (int growth = 0; growth <= greatest_growth; ++growth) {
       std::vector<Triangle> fresh;
+      fresh.reserve(star.rim.size());
       for (const auto& [a, b] : star.rim) fresh.push_back({a, b, star.vertex});
       const Misfit after = misfit(fresh);
       std::vector<std::size_t> folded;

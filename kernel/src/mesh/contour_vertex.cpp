@@ -7,10 +7,9 @@ namespace fieldfab::contouring {
 namespace {
 
 double farthest_plane(std::span<const SurfacePoint> points, const Vec3& vertex) {
-  const Eigen::Vector3d from = vertex;
   double farthest = 0;
   for (const SurfacePoint& point : points)
-    farthest = std::max(farthest, std::abs(point.normal.cast<double>().dot(from - point.position.cast<double>())));
+    farthest = std::max(farthest, std::abs(point.normal.cast<double>().dot(vertex - point.position.cast<double>())));
   return farthest;
 }
 

@@ -22,7 +22,7 @@ std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, co
   around.clear();
   for (const float reach : reaches)
     for (int i = 0; i < static_cast<int>(directions); ++i) {
-      Eigen::Vector3f direction(static_cast<float>(i % 3 - 1), static_cast<float>(i / 3 % 3 - 1), static_cast<float>(i / 9 - 1));
+      Eigen::Vector3f direction = Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<float>();
       if (!direction.isZero(0)) direction.normalize();
       around.add(centre + reach * direction);
     }

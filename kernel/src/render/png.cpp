@@ -123,6 +123,7 @@ Image read_png(const std::filesystem::path& path) {
   require_memory(row_bytes * static_cast<std::uintmax_t>(image.height) * 3, path.string());
   std::vector<png_byte> data(row_bytes * static_cast<std::size_t>(image.height));
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(image.height));
   for (int y = 0; y < image.height; ++y) rows.push_back(data.data() + static_cast<std::size_t>(y) * row_bytes);
   png_read_image(reader.png, rows.data());
   png_read_end(reader.png, reader.info);

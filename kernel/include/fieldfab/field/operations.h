@@ -19,7 +19,7 @@ FieldPtr complement(FieldPtr a);
 /// a - distance: grown by `distance` mm where `a` is a distance field (shrunk where negative).
 FieldPtr offset(FieldPtr a, double distance);
 /// max(a - t/2, -t/2 - a): a wall of `thickness` mm about the surface (Table 3.3). Throws bad_input unless thickness > 0.
-FieldPtr shell(FieldPtr a, double thickness);
+FieldPtr shell(const FieldPtr& a, double thickness);
 /// min(min(a, b), sqrt|a| + sqrt|b| - sqrt(r)): a union with a rounded inner seam that reaches `radius` mm (Table 3.3).
 FieldPtr blend(FieldPtr a, FieldPtr b, double radius);
 /// (1 - weight) * a + weight * b: `a` at 0, `b` at 1 (Table 3.3).
