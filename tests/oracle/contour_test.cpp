@@ -37,6 +37,7 @@ struct Sample {
 std::vector<Sample> samples() {
   return {{"cube", s::box(2, 2, 2), 8},
           {"sphere", s::sphere(1.2), 4.0 / 3 * std::numbers::pi * 1.728},
+          {"hollow ball", s::shell(s::sphere(1.2), 0.4), 4.0 / 3 * std::numbers::pi * (2.744 - 1)},
           {"torus", s::torus(1, 0.4), 2 * std::numbers::pi * std::numbers::pi * 0.16},
           {"gyroid shell", s::intersect(s::shell(s::gyroid(1.5), 0.2), s::sphere(1.5)), 0},
           {"twisted box", s::twist(s::box(1.4, 1.4, 2), 0.6), 1.4 * 1.4 * 2},

@@ -1,9 +1,9 @@
 #include "level_set.h"
 
 #include <openvdb/openvdb.h>
+#include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/LevelSetMeasure.h>
-#include <openvdb/tools/LevelSetRebuild.h>
 #include <openvdb/tools/SignedFloodFill.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
@@ -43,14 +43,14 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
   grid->setTransform(transform);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
 
-  // Cubes that the surface may pass, a voxel beyond each included, so that the samples enclose every sign change.
+  // Cubes that have the surface within half_width voxels.
   const auto box_of = [&](const Cube& cube) {
     const int side = leaf_side << cube.level;
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
       const int first = cube.lower[static_cast<unsigned>(axis)];
-      box.lower[axis] = (first + shift[axis] - 2) * voxel;
-      box.upper[axis] = (first + shift[axis] + side + 1) * voxel;
+      box.lower[axis] = (first + shift[axis] - half_width) * voxel;
+      box.upper[axis] = (first + shift[axis] + side - 1 + half_width) * voxel;
     }
     return box;
   };
@@ -112,7 +112,9 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     }
   });
   openvdb::tools::signedFloodFill(grid->tree());
-  vdb_->grid = open.empty() ? grid : openvdb::tools::levelSetRebuild(*grid, 0.0F, static_cast<float>(half_width));
+  // Only the places where the sign changes are kept of the samples; the distances are swept from there. (Rebuilding the level set
+  // by way of a mesh, which OpenVDB does as well, fills cavities.)
+  vdb_->grid = open.empty() ? grid : openvdb::tools::sdfToSdf(*grid);
 }
 
 LevelSet::~LevelSet() = default;

@@ -9,7 +9,7 @@
 
 namespace fieldfab {
 
-/// A narrow-band signed distance grid of `half_width` voxels to either side, rebuilt by OpenVDB from samples of the Field.
+/// A signed distance grid of at least `half_width` voxels to either side, swept by OpenVDB from samples of the Field.
 class LevelSet {
  public:
   static constexpr double half_width = 4;
@@ -19,7 +19,7 @@ class LevelSet {
   [[nodiscard]] bool empty() const;
   [[nodiscard]] double volume() const;  ///< mm^3
   [[nodiscard]] double area() const;    ///< mm^2
-  /// Signed distance, mm; plus or minus half_width voxels where it is farther.
+  /// Signed distance, mm; where it is more than half_width voxels, at least that.
   [[nodiscard]] double value(const Vec3& point) const;
   /// Points of the surface, as OpenVDB meshes it.
   [[nodiscard]] std::vector<Vec3> surface_points() const;
