@@ -30,35 +30,36 @@ struct Cube {
 
 }  // namespace
 
+/// The grid counts in voxels from the middle of the bounds: OpenVDB's tolerances are absolute numbers, and its volume is a sum over
+/// the surface whose errors grow with the distance from the origin.
 struct LevelSet::Vdb {
   openvdb::FloatGrid::Ptr grid;
+  double voxel;  // mm
+  Vec3 origin;   // mm
+
+  [[nodiscard]] Vec3 in_mm(const Vec3& voxels) const { return origin + voxel * voxels; }
+  [[nodiscard]] Vec3 in_mm(const openvdb::Coord& at) const { return in_mm(Vec3(at.x(), at.y(), at.z())); }
 };
 
 LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress& progress) : vdb_(std::make_unique<Vdb>()) {
+  vdb_->voxel = voxel;
+  vdb_->origin = bounds.centre() + voxel * shift;
   openvdb::initialize();
-  const auto band = static_cast<float>(half_width * voxel);
+  const auto band = static_cast<float>(half_width);
   auto grid = openvdb::FloatGrid::create(band);
-  const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
-  transform->postTranslate({shift.x() * voxel, shift.y() * voxel, shift.z() * voxel});
-  grid->setTransform(transform);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
 
   // Cubes that have the surface within half_width voxels.
   const auto box_of = [&](const Cube& cube) {
-    const int side = leaf_side << cube.level;
-    Box box;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int first = cube.lower[static_cast<unsigned>(axis)];
-      box.lower[axis] = (first + shift[axis] - half_width) * voxel;
-      box.upper[axis] = (first + shift[axis] + side - 1 + half_width) * voxel;
-    }
-    return box;
+    const double side = leaf_side << cube.level;
+    const Vec3 lower = vdb_->in_mm(cube.lower);
+    return Box{lower, lower + Vec3::Constant((side - 1) * voxel)}.grown(half_width * voxel);
   };
   int level = 0;
-  while ((leaf_side << level) * voxel < bounds.size().maxCoeff() + 4 * voxel) ++level;
-  const auto align = [&](double mm) { return static_cast<int>(std::floor(mm / voxel / leaf_side)) * leaf_side - leaf_side; };
+  const double reach = bounds.size().maxCoeff() / 2 / voxel + half_width + 1;  // from the middle, voxels
+  while ((leaf_side << level) < reach) ++level;
   std::vector<Cube> open;
-  const openvdb::Coord origin(align(bounds.lower.x()), align(bounds.lower.y()), align(bounds.lower.z()));
+  const openvdb::Coord origin(-(leaf_side << level));
   for (int i = 0; i < 8; ++i) {
     const int side = leaf_side << level;
     open.push_back({origin.offsetBy((i & 1) * side, (i >> 1 & 1) * side, (i >> 2) * side), level, solid.shared_from_this()});
@@ -98,17 +99,15 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
     constexpr std::size_t count = leaf_side * leaf_side * leaf_side;
     std::array<float, count> x, y, z, value, dx, dy, dz;
     for (openvdb::Index n = 0; n < count; ++n) {
-      const openvdb::Coord at = leafs[i]->offsetToGlobalCoord(n);
-      x[n] = static_cast<float>((at.x() + shift.x()) * voxel);
-      y[n] = static_cast<float>((at.y() + shift.y()) * voxel);
-      z[n] = static_cast<float>((at.z() + shift.z()) * voxel);
+      const Vec3 at = vdb_->in_mm(leafs[i]->offsetToGlobalCoord(n));
+      x[n] = static_cast<float>(at.x()), y[n] = static_cast<float>(at.y()), z[n] = static_cast<float>(at.z());
     }
     open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     for (openvdb::Index n = 0; n < count; ++n) {
       const double slope = std::sqrt(double{dx[n]} * dx[n] + double{dy[n]} * dy[n] + double{dz[n]} * dz[n]);
-      double distance = value[n] / slope;  // to first order
-      if (!std::isfinite(distance)) distance = value[n] < 0 ? -voxel : voxel;
-      leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width * voxel, half_width * voxel)));
+      double distance = value[n] / slope / voxel;  // to first order
+      if (!std::isfinite(distance)) distance = value[n] < 0 ? -1 : 1;
+      leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width, half_width)));
     }
   });
   openvdb::tools::signedFloodFill(grid->tree());
@@ -120,12 +119,17 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
 LevelSet::~LevelSet() = default;
 
 bool LevelSet::empty() const { return vdb_->grid->activeVoxelCount() == 0; }
-double LevelSet::volume() const { return empty() ? 0 : openvdb::tools::levelSetVolume(*vdb_->grid, true); }
-double LevelSet::area() const { return empty() ? 0 : openvdb::tools::levelSetArea(*vdb_->grid, true); }
+double LevelSet::volume() const {
+  return empty() ? 0 : openvdb::tools::levelSetVolume(*vdb_->grid, false) * std::pow(vdb_->voxel, 3);
+}
+double LevelSet::area() const {
+  return empty() ? 0 : openvdb::tools::levelSetArea(*vdb_->grid, false) * std::pow(vdb_->voxel, 2);
+}
 
 double LevelSet::value(const Vec3& p) const {
   const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> sampler(*vdb_->grid);
-  return sampler.wsSample({p.x(), p.y(), p.z()});
+  const Vec3 at = (p - vdb_->origin) / vdb_->voxel;
+  return sampler.isSample(openvdb::Vec3R(at.x(), at.y(), at.z())) * vdb_->voxel;
 }
 
 std::vector<Vec3> LevelSet::surface_points() const {
@@ -135,7 +139,7 @@ std::vector<Vec3> LevelSet::surface_points() const {
   if (empty()) return result;
   openvdb::tools::volumeToMesh(*vdb_->grid, points, quads, 0.0);
   result.reserve(points.size());
-  for (const auto& p : points) result.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& p : points) result.push_back(vdb_->in_mm(Vec3(p.x(), p.y(), p.z())));
   return result;
 }
 
