@@ -1,6 +1,7 @@
 #include "fieldfab/field/bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
 
 namespace fieldfab {
@@ -18,13 +19,18 @@ struct Suspect {
   bool operator<(const Suspect& other) const { return reach != other.reach ? reach < other.reach : depth < other.depth; }
 };
 
-bool holds_nothing(const Interval& range) { return range.lower >= 0 && !range.maybe_nan; }
+/// NaN is outside, as 0 is.
+bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 
-/// How far the solid reaches within `within` along sign * axis, to `tolerance`: the suspect that reaches farthest is looked at
-/// next, cleared or halved. Axes marked `whole` are never divided. Returns false where there is nothing.
-bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, double tolerance, const bool (&whole)[3],
-                Progress& progress, double& reach) {
+/// Which axes a search never divides.
+using Whole = std::array<bool, 3>;
+
+/// How far the solid reaches within `within` along sign * axis, to 1/512 of its size: the suspect that reaches farthest is looked at
+/// next, cleared or halved along the axis that was halved least. Returns false where there is nothing.
+bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, const Whole& whole, Progress& progress,
+                double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
+  const Vec3 size = within.size();
   std::priority_queue<Suspect> suspects;
   suspects.push({within, field, reach_of(within), 0});
   for (std::size_t work = 0; !suspects.empty();) {
@@ -35,10 +41,11 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
     const Restriction inside = next.field->restricted(next.box, Purpose::occupancy);
     if (holds_nothing(inside.range)) continue;
     reach = next.reach;
-    if (inside.range.inside() || next.box.size()[axis] <= tolerance || work >= most_work) return true;
+    const Vec3 left = next.box.size();
+    if (inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
     int longest = axis;
     for (int other = 0; other < 3; ++other)
-      if (!whole[other] && next.box.size()[other] > next.box.size()[longest]) longest = other;
+      if (!whole[static_cast<std::size_t>(other)] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
     for (const bool upper : {false, true}) {
       Box half = next.box;
       (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
@@ -48,47 +55,76 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
   return false;
 }
 
+/// The search of solid_bounds(), a round at a time.
+class BoundsSearch {
+ public:
+  BoundsSearch(const Field& field, Progress& progress) : field_(field), progress_(progress) {
+    const Box known = field.known_bounds();
+    found.box = known.valid() ? known : Box{Vec3::Constant(-far_away), Vec3::Constant(far_away)};
+    for (int axis = 0; axis < 3; ++axis) {
+      found.bounded[axis] = true;
+      flat_[static_cast<std::size_t>(axis)] = found.box.size()[axis] == 0;
+    }
+  }
+
+  /// Shaves the box along the axes that are bounded, as far as is known, until that does not shrink it much any more. Axes that
+  /// turn out to be unbounded stay whole: most often the Field does not depend on them.
+  void shave() {
+    for (double before = std::numeric_limits<double>::infinity();;) {
+      Whole whole = flat_;
+      for (int axis = 0; axis < 3; ++axis) whole[static_cast<std::size_t>(axis)] |= !found.bounded[axis];
+      double size = 0;
+      for (int axis = 0; axis < 3 && !found.empty; ++axis) {
+        if (whole[static_cast<std::size_t>(axis)]) continue;
+        search(axis, whole);
+        whole[static_cast<std::size_t>(axis)] = !found.bounded[axis];
+        if (found.bounded[axis]) size = std::max(size, found.box.size()[axis]);
+      }
+      if (found.empty || size > 0.75 * before || size == 0) return;
+      before = size;
+    }
+  }
+
+  /// Looks again at the axes that seemed unbounded: along the others there is less to look at now, and these may be divided.
+  /// A twisted bar shows its bounds across only where its length is known. False where that changes nothing.
+  bool reconsider() {
+    bool changed = false;
+    if (found.bounded[0] || found.bounded[1] || found.bounded[2])
+      for (int axis = 0; axis < 3 && !found.empty; ++axis) {
+        if (found.bounded[axis]) continue;
+        search(axis, flat_);
+        changed |= found.bounded[axis];
+      }
+    return changed && !found.empty;
+  }
+
+  SolidBounds found;
+
+ private:
+  void search(int axis, const Whole& whole) {
+    progress_.report(0, "finding the bounds");
+    const FieldPtr here = field_.restricted(found.box, Purpose::occupancy).field;
+    double upper = 0, lower = 0;
+    found.empty = !find_reach(here, found.box, axis, 1, whole, progress_, upper) ||
+                  !find_reach(here, found.box, axis, -1, whole, progress_, lower);
+    found.bounded[axis] = upper < far_away * 0.99 && lower < far_away * 0.99;
+    if (found.empty || !found.bounded[axis]) return;
+    found.box.upper[axis] = upper;
+    found.box.lower[axis] = -lower;
+  }
+
+  const Field& field_;
+  Progress& progress_;
+  Whole flat_{};
+};
+
 }  // namespace
 
 SolidBounds solid_bounds(const Field& field, Progress& progress) {
-  SolidBounds found;
-  found.box = {Vec3::Constant(-far_away), Vec3::Constant(far_away)};
-  const Box known = field.known_bounds();
-  if (known.valid()) found.box = known;
-  bool whole[3] = {};
-  for (int axis = 0; axis < 3; ++axis) {
-    found.bounded[axis] = true;
-    whole[axis] = found.box.size()[axis] == 0;
-  }
-
-  // Each round searches the six faces to a share of the present size, until that stops shrinking.
-  for (double before = std::numeric_limits<double>::infinity();;) {
-    progress.report(0, "finding the bounds");
-    const Restriction here = field.restricted(found.box, Purpose::occupancy);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (whole[axis]) continue;
-      const double tolerance = found.box.size()[axis] / 512;
-      double upper = 0, lower = 0;
-      if (!find_reach(here.field, found.box, axis, 1, tolerance, whole, progress, upper) ||
-          !find_reach(here.field, found.box, axis, -1, tolerance, whole, progress, lower)) {
-        found.empty = true;
-        return found;
-      }
-      if (upper >= far_away * 0.99 || -lower <= -far_away * 0.99) {
-        found.bounded[axis] = false;
-        whole[axis] = true;
-        continue;
-      }
-      found.box.upper[axis] = upper;
-      found.box.lower[axis] = -lower;
-    }
-    if (whole[0] && whole[1] && whole[2]) return found;
-    double size = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      if (!whole[axis]) size = std::max(size, found.box.size()[axis]);
-    if (size > 0.75 * before || size == 0) return found;
-    before = size;
-  }
+  BoundsSearch search(field, progress);
+  do search.shave();
+  while (!search.found.empty && search.reconsider());
+  return search.found;
 }
 
 }  // namespace fieldfab
