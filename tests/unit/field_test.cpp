@@ -8,6 +8,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/frep/expression.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
@@ -70,6 +71,48 @@ TEST(Bounds, AreFoundNotGuessed) {
                 {{-std::sqrt(2.0), -std::sqrt(2.0), -1}, {std::sqrt(2.0), std::sqrt(2.0), 1}});
   expect_bounds(frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm"))),
                 {Vec3::Constant(-2.3363), Vec3::Constant(2.3363)});
+}
+
+frep::Expression turned(const frep::Expression& shape, int turn) {
+  return s::move(s::rotate_x(s::rotate_z(shape, 0.37 * turn), 0.53 * turn), 20, -7, 3);
+}
+
+// Across a twisted bar intervals know nothing until its length is known, and in x, y and z a turned bar's length is along none.
+TEST(Bounds, AreFoundOfWhatIsTwistedTaperedAndTurned) {
+  const double half = std::sqrt(2 * 0.49 + 1);  // of the twisted bar's diagonal
+  for (int turn = 0; turn < 10; ++turn) {
+    for (const frep::Expression& shape : {s::twist(s::box(1.4, 1.4, 2), 0.6), s::taper(s::box(1.6, 1.6, 2), 4, 0.5)}) {
+      const FieldPtr solid = frep::make_field(turned(shape, turn));
+      const SolidBounds found = solid_bounds(*solid);
+      ASSERT_TRUE(found.is_bounded()) << turn;
+      EXPECT_TRUE(found.box.contains({20, -7, 3}));
+      EXPECT_LT(found.box.diagonal(), 2 * std::sqrt(3.0) * 1.1 * half);
+      // Nothing of it is beyond any side.
+      for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {-1.0, 1.0}) {
+          Box beyond{found.box.lower - Vec3::Constant(3), found.box.upper + Vec3::Constant(3)};
+          (sign > 0 ? beyond.lower : beyond.upper)[axis] = (sign > 0 ? found.box.upper : found.box.lower)[axis];
+          for (int i = 0; i < 4000; ++i) {
+            const Vec3 share(std::fmod(i * 0.7548776662, 1), std::fmod(i * 0.5698402910, 1), i / 4000.0);
+            EXPECT_GE(solid->value(beyond.lower + share.cwiseProduct(beyond.size())), 0);
+          }
+        }
+    }
+  }
+}
+
+TEST(Framed, IsTheSameFieldInOtherCoordinates) {
+  const frep::Expression shape = s::unite(s::twist(s::box(1.4, 1.4, 2), 0.6), s::taper(s::torus(1, 0.3), 4, 0.5));
+  for (int turn = 1; turn < 10; ++turn)
+    for (const FieldPtr& solid :
+         {frep::make_field(turned(shape, turn)), offset(rotate(frep::make_field(turned(shape, turn)), {1, 2, 3}, 0.8), 0.1)}) {
+      const Framed framed = solid->framed();
+      ASSERT_NE(framed.field, solid);
+      for (int i = 0; i < 100; ++i) {
+        const Vec3 p = Vec3(20, -7, 3) + 2 * Vec3(std::sin(i * 1.7), std::sin(i * 2.9), std::sin(i * 4.3));
+        EXPECT_NEAR(framed.field->value(framed.axes.inverse() * (p - framed.origin)), solid->value(p), 1e-3);
+      }
+    }
 }
 
 TEST(Bounds, TellTheUnboundedAndTheEmpty) {

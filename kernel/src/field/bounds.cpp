@@ -25,8 +25,8 @@ bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 /// Which axes a search never divides.
 using Whole = std::array<bool, 3>;
 
-/// How far the solid reaches within `within` along sign * axis, to 1/512 of its size: the suspect that reaches farthest is looked at
-/// next, cleared or halved along the axis that was halved least. Returns false where there is nothing.
+/// How far the solid reaches within `within` along sign * axis, to 1/512 of its size: the suspect that reaches farthest is looked
+/// at next, cleared or halved along the axis that was halved least. Returns false where there is nothing.
 bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, const Whole& whole, Progress& progress,
                 double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
@@ -58,29 +58,35 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
 /// The search of solid_bounds(), a round at a time.
 class BoundsSearch {
  public:
-  BoundsSearch(const Field& field, Progress& progress) : field_(field), progress_(progress) {
-    const Box known = field.known_bounds();
-    found.box = known.valid() ? known : Box{Vec3::Constant(-far_away), Vec3::Constant(far_away)};
+  BoundsSearch(const Field& field, const Box& known, Progress& progress) : field_(field), progress_(progress) {
+    found_.box = known.valid() ? known : Box{Vec3::Constant(-far_away), Vec3::Constant(far_away)};
     for (int axis = 0; axis < 3; ++axis) {
-      found.bounded[axis] = true;
-      flat_[static_cast<std::size_t>(axis)] = found.box.size()[axis] == 0;
+      found_.bounded[axis] = true;
+      flat_[static_cast<std::size_t>(axis)] = found_.box.size()[axis] == 0;
     }
   }
 
+  SolidBounds run() {
+    do shave();
+    while (!found_.empty && reconsider());
+    return found_;
+  }
+
+ private:
   /// Shaves the box along the axes that are bounded, as far as is known, until that does not shrink it much any more. Axes that
   /// turn out to be unbounded stay whole: most often the Field does not depend on them.
   void shave() {
     for (double before = std::numeric_limits<double>::infinity();;) {
       Whole whole = flat_;
-      for (int axis = 0; axis < 3; ++axis) whole[static_cast<std::size_t>(axis)] |= !found.bounded[axis];
+      for (int axis = 0; axis < 3; ++axis) whole[static_cast<std::size_t>(axis)] |= !found_.bounded[axis];
       double size = 0;
-      for (int axis = 0; axis < 3 && !found.empty; ++axis) {
+      for (int axis = 0; axis < 3 && !found_.empty; ++axis) {
         if (whole[static_cast<std::size_t>(axis)]) continue;
         search(axis, whole);
-        whole[static_cast<std::size_t>(axis)] = !found.bounded[axis];
-        if (found.bounded[axis]) size = std::max(size, found.box.size()[axis]);
+        whole[static_cast<std::size_t>(axis)] = !found_.bounded[axis];
+        if (found_.bounded[axis]) size = std::max(size, found_.box.size()[axis]);
       }
-      if (found.empty || size > 0.75 * before || size == 0) return;
+      if (found_.empty || size > 0.75 * before || size == 0) return;
       before = size;
     }
   }
@@ -89,42 +95,45 @@ class BoundsSearch {
   /// A twisted bar shows its bounds across only where its length is known. False where that changes nothing.
   bool reconsider() {
     bool changed = false;
-    if (found.bounded[0] || found.bounded[1] || found.bounded[2])
-      for (int axis = 0; axis < 3 && !found.empty; ++axis) {
-        if (found.bounded[axis]) continue;
+    if (found_.bounded[0] || found_.bounded[1] || found_.bounded[2])
+      for (int axis = 0; axis < 3 && !found_.empty; ++axis) {
+        if (found_.bounded[axis]) continue;
         search(axis, flat_);
-        changed |= found.bounded[axis];
+        changed |= found_.bounded[axis];
       }
-    return changed && !found.empty;
+    return changed && !found_.empty;
   }
 
-  SolidBounds found;
-
- private:
   void search(int axis, const Whole& whole) {
     progress_.report(0, "finding the bounds");
-    const FieldPtr here = field_.restricted(found.box, Purpose::occupancy).field;
+    const FieldPtr here = field_.restricted(found_.box, Purpose::occupancy).field;
     double upper = 0, lower = 0;
-    found.empty = !find_reach(here, found.box, axis, 1, whole, progress_, upper) ||
-                  !find_reach(here, found.box, axis, -1, whole, progress_, lower);
-    found.bounded[axis] = upper < far_away * 0.99 && lower < far_away * 0.99;
-    if (found.empty || !found.bounded[axis]) return;
-    found.box.upper[axis] = upper;
-    found.box.lower[axis] = -lower;
+    found_.empty = !find_reach(here, found_.box, axis, 1, whole, progress_, upper) ||
+                   !find_reach(here, found_.box, axis, -1, whole, progress_, lower);
+    found_.bounded[axis] = upper < far_away * 0.99 && lower < far_away * 0.99;
+    if (found_.empty || !found_.bounded[axis]) return;
+    found_.box.upper[axis] = upper;
+    found_.box.lower[axis] = -lower;
   }
 
   const Field& field_;
   Progress& progress_;
   Whole flat_{};
+  SolidBounds found_;
 };
 
 }  // namespace
 
 SolidBounds solid_bounds(const Field& field, Progress& progress) {
-  BoundsSearch search(field, progress);
-  do search.shave();
-  while (!search.found.empty && search.reconsider());
-  return search.found;
+  const SolidBounds found = BoundsSearch(field, field.known_bounds(), progress).run();
+  if (found.empty || found.is_bounded()) return found;
+  const Framed framed = field.framed();
+  if (framed.field.get() == &field) return found;
+  const SolidBounds inner = BoundsSearch(*framed.field, framed.field->known_bounds(), progress).run();
+  if (inner.empty || !inner.is_bounded()) return found;
+  const Box box = image_of(inner.box, framed.axes, framed.origin);
+  const double rounding = 1e-6 * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
+  return BoundsSearch(field, box.grown(rounding), progress).run();
 }
 
 }  // namespace fieldfab

@@ -4,6 +4,8 @@ namespace fieldfab {
 
 Restriction Field::restricted(const Box& box, Purpose /*purpose*/) const { return {interval(box), shared_from_this()}; }
 
+Framed Field::framed() const { return {shared_from_this(), Eigen::Matrix3d::Identity(), Vec3::Zero()}; }
+
 float Field::value(const Vec3& point) const noexcept {
   const Eigen::Vector3f p = point.cast<float>();
   float out = 0;

@@ -44,14 +44,12 @@ class Affine final : public Field {
     const Box inner = a_->known_bounds();
     if (!inner.valid()) return Box::everything();
     const Eigen::Affine3d to_outer = to_inner_.inverse();
-    Box outer{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = to_outer * Vec3((corner & 1) != 0 ? inner.upper.x() : inner.lower.x(),
-                                     (corner & 2) != 0 ? inner.upper.y() : inner.lower.y(),
-                                     (corner & 4) != 0 ? inner.upper.z() : inner.lower.z());
-      outer = hull(outer, {p, p});
-    }
-    return outer;
+    return image_of(inner, to_outer.linear(), to_outer.translation());
+  }
+  [[nodiscard]] Framed framed() const override {
+    Framed inner = a_->framed();
+    const Eigen::Affine3d to_outer = to_inner_.inverse();
+    return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
   }
   [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }

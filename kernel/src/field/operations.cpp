@@ -167,6 +167,10 @@ class Linear final : public Field {
   [[nodiscard]] Box known_bounds() const noexcept override {
     return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything();
   }
+  [[nodiscard]] Framed framed() const override {
+    Framed inner = a_->framed();
+    return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
+  }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
  private:

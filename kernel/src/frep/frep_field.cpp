@@ -5,6 +5,7 @@
 
 #include "batch.h"
 #include "fieldfab/core/error.h"
+#include "frame.h"
 #include "tape.h"
 
 namespace fieldfab::frep {
@@ -47,7 +48,8 @@ Interval range(const Box& box, int axis) {
 
 class FrepField final : public Field {
  public:
-  FrepField(Tape tape, Runner run) : tape_(std::move(tape)), run_(run) {}
+  FrepField(Tape tape, Runner run, std::optional<Expression> expression = {})
+      : tape_(std::move(tape)), run_(run), expression_(std::move(expression)) {}
 
   void values(const Points& points, float* out) const noexcept override {
     // Slots of a batch should stay in the first-level cache, but loops want some length.
@@ -76,6 +78,12 @@ class FrepField final : public Field {
     Tape pruned;
     if (root.decided() || !prune(tape_, known, purpose, pruned)) return {root, shared_from_this()};
     return {root, std::make_shared<FrepField>(std::move(pruned), run_)};
+  }
+
+  [[nodiscard]] Framed framed() const override {
+    const std::optional<FramedExpression> own = expression_ ? in_own_frame(*expression_) : std::nullopt;
+    if (!own) return Field::framed();
+    return {std::make_shared<FrepField>(make_tape(own->expression), run_), own->axes, Vec3::Zero()};
   }
 
   [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }
@@ -115,6 +123,7 @@ class FrepField final : public Field {
 
   Tape tape_;
   Runner run_;
+  std::optional<Expression> expression_;  ///< what the tape was made from; restrictions have none
 };
 
 }  // namespace
@@ -151,7 +160,7 @@ FieldPtr make_field(const Expression& expression, Evaluator evaluator) {
   if (evaluator == Evaluator::automatic) evaluator = best_evaluator();
   if (!available(evaluator))
     throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
-  return std::make_shared<FrepField>(make_tape(expression), runner(evaluator));
+  return std::make_shared<FrepField>(make_tape(expression), runner(evaluator), expression);
 }
 
 std::size_t active_nodes(const Field& field) {

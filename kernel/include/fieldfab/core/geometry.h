@@ -41,4 +41,10 @@ inline Box intersection(const Box& a, const Box& b) { return {a.lower.cwiseMax(b
 /// The smallest box that holds both.
 inline Box hull(const Box& a, const Box& b) { return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)}; }
 
+/// The smallest box that holds the points origin + axes * u of all u in a box.
+inline Box image_of(const Box& box, const Eigen::Matrix3d& axes, const Vec3& origin) {
+  const Vec3 centre = origin + axes * box.centre(), half = axes.cwiseAbs() * (0.5 * box.size());
+  return {centre - half, centre + half};
+}
+
 }  // namespace fieldfab

@@ -11,10 +11,12 @@ struct SolidBounds {
   Box box;               ///< holds the whole solid; tight to about 1/256 of its size; only meaningful where `bounded`
   bool bounded[3] = {};  ///< per axis: false where the solid goes on without end
   bool empty = false;    ///< the search proved that there is no solid
+  [[nodiscard]] bool is_bounded() const { return bounded[0] && bounded[1] && bounded[2]; }
 };
 
-/// Searches for the smallest box that holds the solid, from Field::known_bounds() or from intervals over ever larger boxes
-/// (to 1e6 mm), then shaves empty slabs from each side. Never guesses: what intervals cannot exclude stays inside the box.
+/// Searches for the smallest box that holds the solid, from Field::known_bounds() or from intervals over boxes as far
+/// as 1e6 mm, shaving off empty slabs from each side; where that fails in x, y and z it is tried in Field::framed(). Never
+/// guesses: what intervals cannot exclude stays inside the box.
 SolidBounds solid_bounds(const Field& field, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -43,6 +43,14 @@ struct Restriction {
   FieldPtr field;  ///< never null; may be the same Field where nothing could be gained
 };
 
+/// A Field seen in other coordinates: at `origin + axes * u` the one it comes from has the value that `field` has at u, but for
+/// rounding.
+struct Framed {
+  FieldPtr field;
+  Eigen::Matrix3d axes;  ///< its columns; independent, but not always at right angles or of unit length
+  Vec3 origin;
+};
+
 /// A solid, as the sign and value of a function. Points with value < 0 are inside; 0, above and NaN are not.
 class Field : public std::enable_shared_from_this<Field> {
  public:
@@ -64,6 +72,10 @@ class Field : public std::enable_shared_from_this<Field> {
 
   /// A box that holds the solid, where the Field knows one from its making; Box::everything() otherwise. See solid_bounds().
   [[nodiscard]] virtual Box known_bounds() const noexcept { return Box::everything(); }
+
+  /// This Field in the coordinates in which its intervals are tightest, where it knows them: what was placed askew is straight
+  /// there. By default it is itself, in x, y and z.
+  [[nodiscard]] virtual Framed framed() const;
 
   /// Whether the function is known to be a + b x + c y + d z, but for rounding: then a few values tell all of them.
   [[nodiscard]] virtual bool affine() const noexcept { return false; }
