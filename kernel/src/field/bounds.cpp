@@ -125,7 +125,7 @@ class BoundsSearch {
 }  // namespace
 
 SolidBounds solid_bounds(const Field& field, Progress& progress) {
-  const SolidBounds found = BoundsSearch(field, field.known_bounds(), progress).run();
+  SolidBounds found = BoundsSearch(field, field.known_bounds(), progress).run();
   if (found.empty || found.is_bounded()) return found;
   const Framed framed = field.framed();
   if (framed.field.get() == &field) return found;

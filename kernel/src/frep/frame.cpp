@@ -104,8 +104,8 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
     if (is_used[i] == 0 || !forms[i].holds || forms[i].is_constant() || !forms[i].slope.allFinite()) continue;
     const Gradient along = forms[i].slope.normalized();
     is_straight = is_straight && along.cwiseAbs().maxCoeff() > 1 - 1e-9;
-    const auto same =
-        std::find_if(directions.begin(), directions.end(), [&](const auto& d) { return std::abs(d.along.dot(along)) > 1 - 1e-9; });
+    const auto same = std::find_if(directions.begin(), directions.end(),
+                                   [&](const auto& d) { return std::abs(d.along.dot(along)) > 1 - 1e-9; });
     constexpr std::size_t most = 64;  // more are not worth the search
     if (same != directions.end())
       ++same->forms;

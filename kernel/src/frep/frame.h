@@ -14,8 +14,9 @@ struct FramedExpression {
   Eigen::Matrix3d axes;
 };
 
-/// Rewrites an expression so that the linear forms a x + b y + c z + d it works on are along the axes: the forms used most, as far
-/// as three of them are independent. Nothing where they already are. In that frame intervals are tight: a turned box is a box.
+/// Rewrites an expression so that the linear forms a x + b y + c z + d it works on are along the axes: the forms used most, as
+/// far as three of them are independent. Nothing where they already are. In that frame intervals are tight: a turned box is a
+/// box.
 std::optional<FramedExpression> in_own_frame(const Expression& expression);
 
 }  // namespace fieldfab::frep
