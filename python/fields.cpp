@@ -142,7 +142,7 @@ void bind_fields(py::module_& module) {
               py::gil_scoped_release release;
               found = solid_bounds(*f);
             }
-            if (found.empty || !found.bounded[0] || !found.bounded[1] || !found.bounded[2]) return py::none();
+            if (found.empty || !found.is_bounded()) return py::none();
             return bounds_to_python(found.box);
           },
           "The box of the solid, found by interval search; None where it is empty or unbounded.")

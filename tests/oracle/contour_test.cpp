@@ -174,6 +174,19 @@ TEST(Contour, RefusesNonsenseAndStopsWhenTold) {
   EXPECT_TRUE(contour(*frep::make_field(s::sphere(-1)), bounds, {0.1}).triangles.empty());
 }
 
+// OpenVDB's tolerances are absolute, and its volume is a sum whose errors grow with the distance from the origin.
+TEST(Check, PassesWhatIsRightAtAnyScaleAndPlace) {
+  for (const double size : {1e-3, 1e-2, 1.0, 1e3}) {
+    const FieldPtr solid = frep::make_field(
+        s::move(s::scale(s::rotate_x(s::subtract(s::box(2, 1, 1), s::sphere(0.7)), 0.4), size), 9 * size, -7 * size, 5 * size));
+    const Vec3 centre = size * Vec3(9, -7, 5);
+    const CheckReport report =
+        check(*solid, {centre - Vec3::Constant(1.5 * size), centre + Vec3::Constant(1.5 * size)}, {0.03 * size});
+    for (const CheckRow& row : report.rows)
+      EXPECT_TRUE(row.passed()) << size << ": " << row.name << ' ' << row.measured << " > " << row.bound;
+  }
+}
+
 TEST(Check, PassesWhatIsRight) {
   for (const Sample& sample : samples()) {
     const FieldPtr solid = rotate(frep::make_field(sample.solid), {1, 2, 3}, 0.7);

@@ -33,9 +33,9 @@ struct Cube {
 /// The grid counts in voxels from the middle of the bounds: OpenVDB's tolerances are absolute numbers, and its volume is a sum
 /// over the surface whose errors grow with the distance from the origin.
 struct LevelSet::Vdb {
-  openvdb::FloatGrid::Ptr grid;
-  double voxel;  // mm
-  Vec3 origin;   // mm
+  openvdb::FloatGrid::Ptr grid;  // null where no surface was met
+  double voxel;                  // mm
+  Vec3 origin;                   // mm
 
   [[nodiscard]] Vec3 in_mm(const Vec3& voxels) const { return origin + voxel * voxels; }
   [[nodiscard]] Vec3 in_mm(const openvdb::Coord& at) const { return in_mm(Vec3(at.x(), at.y(), at.z())); }
@@ -113,12 +113,16 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
   openvdb::tools::signedFloodFill(grid->tree());
   // Only the places where the sign changes are kept of the samples; the distances are swept from there. (Rebuilding the level set
   // by way of a mesh, which OpenVDB does as well, fills cavities.)
-  vdb_->grid = open.empty() ? grid : openvdb::tools::sdfToSdf(*grid);
+  openvdb::tools::FastSweeping<openvdb::FloatGrid> sweeping;
+  if (sweeping.initSdf(*grid, 0, true)) {
+    sweeping.sweep();
+    vdb_->grid = sweeping.sdfGrid();
+  }
 }
 
 LevelSet::~LevelSet() = default;
 
-bool LevelSet::empty() const { return vdb_->grid->activeVoxelCount() == 0; }
+bool LevelSet::empty() const { return !vdb_->grid; }
 double LevelSet::volume() const {
   return empty() ? 0 : openvdb::tools::levelSetVolume(*vdb_->grid, false) * std::pow(vdb_->voxel, 3);
 }

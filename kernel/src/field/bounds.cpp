@@ -1,7 +1,6 @@
 #include "fieldfab/field/bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <queue>
 
 namespace fieldfab {
@@ -23,7 +22,7 @@ struct Suspect {
 bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 
 /// Which axes a search never divides.
-using Whole = std::array<bool, 3>;
+using Whole = Eigen::Array<bool, 3, 1>;
 
 /// How far the solid reaches within `within` along sign * axis, to 1/512 of its size: the suspect that reaches farthest is looked
 /// at next, cleared or halved along the axis that was halved least. Returns false where there is nothing.
@@ -45,7 +44,7 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
     if (inside.range.inside() || left[axis] <= size[axis] / 512 || work >= most_work) return true;
     int longest = axis;
     for (int other = 0; other < 3; ++other)
-      if (!whole[static_cast<std::size_t>(other)] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
+      if (!whole[other] && left[other] * size[longest] > left[longest] * size[other]) longest = other;
     for (const bool upper : {false, true}) {
       Box half = next.box;
       (upper ? half.lower : half.upper)[longest] = next.box.centre()[longest];
@@ -60,15 +59,13 @@ class BoundsSearch {
  public:
   BoundsSearch(const Field& field, const Box& known, Progress& progress) : field_(field), progress_(progress) {
     found_.box = known.valid() ? known : Box{Vec3::Constant(-far_away), Vec3::Constant(far_away)};
-    for (int axis = 0; axis < 3; ++axis) {
-      found_.bounded[axis] = true;
-      flat_[static_cast<std::size_t>(axis)] = found_.box.size()[axis] == 0;
-    }
+    flat_ = found_.box.size().array() == 0;
+    std::fill_n(found_.bounded, 3, true);
   }
 
   SolidBounds run() {
     do shave();
-    while (!found_.empty && reconsider());
+    while (reconsider());
     return found_;
   }
 
@@ -77,13 +74,11 @@ class BoundsSearch {
   /// turn out to be unbounded stay whole: most often the Field does not depend on them.
   void shave() {
     for (double before = std::numeric_limits<double>::infinity();;) {
-      Whole whole = flat_;
-      for (int axis = 0; axis < 3; ++axis) whole[static_cast<std::size_t>(axis)] |= !found_.bounded[axis];
       double size = 0;
       for (int axis = 0; axis < 3 && !found_.empty; ++axis) {
-        if (whole[static_cast<std::size_t>(axis)]) continue;
+        const Whole whole = flat_ || !Eigen::Map<const Whole>(found_.bounded);
+        if (whole[axis]) continue;
         search(axis, whole);
-        whole[static_cast<std::size_t>(axis)] = !found_.bounded[axis];
         if (found_.bounded[axis]) size = std::max(size, found_.box.size()[axis]);
       }
       if (found_.empty || size > 0.75 * before || size == 0) return;
@@ -95,11 +90,11 @@ class BoundsSearch {
   /// A twisted bar shows its bounds across only where its length is known. False where that changes nothing.
   bool reconsider() {
     bool changed = false;
-    if (found_.bounded[0] || found_.bounded[1] || found_.bounded[2])
+    if (std::count(found_.bounded, found_.bounded + 3, true) > 0)
       for (int axis = 0; axis < 3 && !found_.empty; ++axis) {
         if (found_.bounded[axis]) continue;
         search(axis, flat_);
-        changed |= found_.bounded[axis];
+        changed = changed || found_.bounded[axis];
       }
     return changed && !found_.empty;
   }

@@ -169,6 +169,7 @@ class Linear final : public Field {
   }
   [[nodiscard]] Framed framed() const override {
     Framed inner = a_->framed();
+    if (inner.field == a_) return Field::framed();
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }

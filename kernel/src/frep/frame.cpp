@@ -1,6 +1,5 @@
 #include "frame.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
@@ -42,35 +41,32 @@ Form form_of(const Flat::Entry& entry, const std::vector<Form>& forms) {
   }
 }
 
+constexpr double parallel = 1 - 1e-9;  // a cosine
+
 /// A direction that linear forms have, and how many of them have it.
 struct Direction {
   Gradient along;
   int forms;
 };
 
-/// Up to three independent directions, the ones of most forms first, and what completes them.
+/// Three independent directions as rows, those of most forms first; the axes stand in where there are fewer.
 Eigen::Matrix3d choose_rows(std::vector<Direction> directions) {
   std::stable_sort(directions.begin(), directions.end(), [](const auto& a, const auto& b) { return a.forms > b.forms; });
-  Eigen::Matrix3d rows;
+  for (int axis = 0; axis < 3; ++axis) directions.push_back({Gradient::Unit(axis), 0});
+  Eigen::Matrix3d rows, orthonormal;
   int chosen = 0;
-  const auto consider = [&](const Gradient& along) {
-    constexpr double least_angle = 0.1;
-    Gradient rest = along;
-    if (chosen == 1) rest -= rest.dot(rows.row(0)) * rows.row(0);
-    if (chosen == 2) {
-      const Gradient normal = rows.row(0).cross(rows.row(1)).normalized();
-      rest = rest.dot(normal) * normal;
-    }
-    if (chosen < 3 && rest.norm() > least_angle) rows.row(chosen++) = along;
-  };
-  for (const Direction& direction : directions) consider(direction.along);
-  for (const Gradient& along : {Gradient(Gradient::UnitX()), Gradient(Gradient::UnitY()), Gradient(Gradient::UnitZ())}) {
-    Gradient across = along;
-    for (int i = 0; i < chosen && chosen < 3; ++i) across -= across.dot(rows.row(i)) * rows.row(i);
-    if (chosen < 3 && across.norm() > 0.1) consider(across.normalized());
+  for (const Direction& direction : directions) {
+    Gradient rest = direction.along;
+    for (int i = 0; i < chosen; ++i) rest -= rest.dot(orthonormal.row(i)) * orthonormal.row(i);
+    constexpr double least = 0.1;  // radians from what is chosen
+    if (chosen == 3 || rest.norm() < least) continue;
+    rows.row(chosen) = direction.along;
+    orthonormal.row(chosen++) = rest.normalized();
   }
   return rows;
 }
+
+bool is_finite(const Form& form) { return form.slope.allFinite() && std::isfinite(form.shift); }
 
 Expression written(const Form& form) {
   const std::array<Expression, 3> axis{Expression::x(), Expression::y(), Expression::z()};
@@ -89,47 +85,42 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
   std::vector<Form> forms(count);
   for (std::size_t i = 0; i < count; ++i) forms[i] = form_of(flat.order[i], forms);
 
-  // The largest linear forms: those that something else than a larger one is made from.
-  std::vector<char> is_used(count, 0);
+  // The largest linear forms: those that something not linear is made from.
+  std::vector<char> is_largest(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
+    if (forms[i].holds) continue;
     const Flat::Entry& entry = flat.order[i];
     const int arity = info(entry.op).arity;
-    if (forms[i].holds) continue;
-    if (arity > 0) is_used[entry.a] = 1;
-    if (arity > 1) is_used[entry.b] = 1;
+    for (const std::uint32_t argument : {entry.a, arity == 2 ? entry.b : entry.a}) is_largest[argument] = forms[argument].holds;
   }
   std::vector<Direction> directions;
-  bool is_straight = true;
   for (std::size_t i = 0; i < count; ++i) {
-    if (is_used[i] == 0 || !forms[i].holds || forms[i].is_constant() || !forms[i].slope.allFinite()) continue;
+    if (is_largest[i] == 0 || forms[i].is_constant() || !is_finite(forms[i])) continue;
     const Gradient along = forms[i].slope.normalized();
-    is_straight = is_straight && along.cwiseAbs().maxCoeff() > 1 - 1e-9;
     const auto same = std::find_if(directions.begin(), directions.end(),
-                                   [&](const auto& d) { return std::abs(d.along.dot(along)) > 1 - 1e-9; });
+                                   [&](const Direction& other) { return std::abs(other.along.dot(along)) > parallel; });
     constexpr std::size_t most = 64;  // more are not worth the search
     if (same != directions.end())
       ++same->forms;
     else if (directions.size() < most)
       directions.push_back({along, 1});
   }
-  if (is_straight) return std::nullopt;
+  const auto is_axis = [](const Direction& direction) { return direction.along.cwiseAbs().maxCoeff() > parallel; };
+  if (std::all_of(directions.begin(), directions.end(), is_axis)) return std::nullopt;
 
   const Eigen::Matrix3d axes = choose_rows(std::move(directions)).inverse();
-  std::vector<Expression> fresh;
-  fresh.reserve(count);
+  std::vector<Expression> fresh(count, Expression(0.0));
   for (std::size_t i = 0; i < count; ++i) {
     const Flat::Entry& entry = flat.order[i];
-    if (forms[i].holds) {
-      const bool finite = forms[i].slope.allFinite() && std::isfinite(forms[i].shift);
-      if (is_used[i] != 0 && !finite) return std::nullopt;
-      fresh.push_back(is_used[i] != 0 ? written({forms[i].slope * axes, forms[i].shift, true}) : Expression(0.0));
-    } else if (info(entry.op).arity == 1) {
-      fresh.push_back(Expression::make(entry.op, fresh[entry.a]));
-    } else {
-      fresh.push_back(Expression::make(entry.op, fresh[entry.a], fresh[entry.b]));
+    if (is_largest[i] != 0) {
+      const Form form{forms[i].slope * axes, forms[i].shift, true};
+      if (!is_finite(form)) return std::nullopt;
+      fresh[i] = written(form);
+    } else if (!forms[i].holds) {
+      fresh[i] = info(entry.op).arity == 1 ? Expression::make(entry.op, fresh[entry.a])
+                                           : Expression::make(entry.op, fresh[entry.a], fresh[entry.b]);
     }
   }
-  if (forms.back().holds) return std::nullopt;  // a half-space
   return FramedExpression{fresh.back(), axes};
 }
 

@@ -20,18 +20,6 @@ Eigen::Affine3d turn(const RenderSettings& settings) {
   return Eigen::Affine3d(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
 }
 
-Box turned(const Box& box, const Eigen::Affine3d& by) {
-  Vec3 first = by * box.lower;
-  Box result{first, first};
-  for (unsigned corner = 1; corner < 8; ++corner) {
-    const Vec3 p =
-        by * Vec3((corner & 1U) != 0 ? box.upper.x() : box.lower.x(), (corner & 2U) != 0 ? box.upper.y() : box.lower.y(),
-                  (corner & 4U) != 0 ? box.upper.z() : box.lower.z());
-    result = hull(result, {p, p});
-  }
-  return result;
-}
-
 Image blank(const PixelGrid& grid, int channels, int depth) {
   Image image;
   image.width = grid.width;
@@ -178,7 +166,7 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   Box region = bounds;
   if (settings.alpha != 0 || settings.beta != 0) {
     seen = transform(seen, turn(settings));
-    region = turned(bounds, turn(settings));
+    region = image_of(bounds, turn(settings).linear(), Vec3::Zero());
   }
   const PixelGrid grid = PixelGrid::over(region, settings.size);
   const std::vector<float> heights = rasterise_heights(*seen, grid, progress);
