@@ -30,8 +30,8 @@ struct Cube {
 
 }  // namespace
 
-/// The grid counts in voxels from the middle of the bounds: OpenVDB's tolerances are absolute numbers, and its volume is a sum
-/// over the surface whose errors grow with the distance from the origin.
+/// The grid counts in voxels from the middle of the bounds: OpenVDB's volume is a sum over the surface whose errors grow with the
+/// distance from the origin.
 struct LevelSet::Vdb {
   openvdb::FloatGrid::Ptr grid;  // null where no surface was met
   double voxel;                  // mm

@@ -165,8 +165,9 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   FieldPtr seen = intersect(field.shared_from_this(), box_field(bounds));
   Box region = bounds;
   if (settings.alpha != 0 || settings.beta != 0) {
-    seen = transform(seen, turn(settings));
-    region = image_of(bounds, turn(settings).linear(), Vec3::Zero());
+    const Eigen::Affine3d turned = turn(settings);
+    seen = transform(seen, turned);
+    region = image_of(bounds, turned.linear(), turned.translation());
   }
   const PixelGrid grid = PixelGrid::over(region, settings.size);
   const std::vector<float> heights = rasterise_heights(*seen, grid, progress);
