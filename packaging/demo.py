@@ -61,13 +61,13 @@ def mtm_az():
 def prospero():
     model = DATA / "prospero.vm"
     plane = "--bounds=-1,-1,0,1,1,0"
-    plate = ["--thickness", 0.1, "--bounds=-1.02,-1.02,-0.02,1.02,1.02,0.12", "--resolution", 100]
+    plate = ["--thickness", 0.04, "--bounds=-1.02,-1.02,-0.02,1.02,1.02,0.06", "--resolution", 100]
     figures = {}
     figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", OUT / "prospero.png", "--mode", "bitmap", "--size", 1024, plane)[1]
     figures["distance field of a plate"] = fieldfab("build", model, "-o", OUT / "prospero.asdf", *plate)[1]
     mesh, figures["mesh of a plate"] = fieldfab("mesh", model, "-o", OUT / "prospero.stl", *plate)
     check, figures["check of the plate"] = fieldfab("check", model, *plate)
-    figures["picture of the plate"] = fieldfab("render", model, "-o", OUT / "prospero_plate.png", *plate[:3], "--size", 700, "--beta", -35)[1]
+    figures["picture of the plate"] = fieldfab("render", model, "-o", OUT / "prospero_plate.png", *plate[:3], "--size", 900, "--beta", -35)[1]
     return figures, mesh, check
 
 
