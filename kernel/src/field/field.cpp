@@ -4,6 +4,10 @@ namespace fieldfab {
 
 Restriction Field::restricted(const Box& box, Purpose /*purpose*/) const { return {interval(box), shared_from_this()}; }
 
+void Field::restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const {
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = restricted(boxes[i], purpose);
+}
+
 Framed Field::framed() const { return {shared_from_this(), Eigen::Matrix3d::Identity(), Vec3::Zero()}; }
 
 float Field::value(const Vec3& point) const noexcept {

@@ -1,4 +1,4 @@
-/// Running a tape over a batch of points. One implementation, compiled for several instruction sets.
+/// Running a tape over a batch of points, or of boxes. One implementation, compiled for several instruction sets.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,6 @@ namespace fieldfab::frep {
 /// linker could share with code meant for other processors.
 struct BatchRun {
   const Clause* code;
-  const std::uint32_t* slot;
   std::size_t clauses;
   const float* constants;
   Operand root;
@@ -24,15 +23,48 @@ struct BatchRun {
   std::size_t stride;  ///< floats between slots
 };
 
+/// Boxes whose intervals are evaluated together: each is a lane.
+inline constexpr std::size_t box_lanes = 16;
+
+/// An interval in each lane.
+struct LaneRanges {
+  float lower[box_lanes];
+  float upper[box_lanes];
+};
+
+/// In which lanes a min or max is known to be its first argument or its second; an absolute value its argument or its negative.
+struct Choice {
+  std::uint16_t first, second;
+};
+constexpr bool has_choice(Opcode op) { return op == Opcode::minimum || op == Opcode::maximum || op == Opcode::absolute; }
+
+struct IntervalRun {
+  const Clause* code;
+  std::size_t clauses;
+  const float* constants;
+  Operand root;
+  LaneRanges box[3];    ///< x, y and z; every lane has some box
+  std::size_t lanes;    ///< how many lanes are asked for
+  bool occupancy;       ///< where only a sign matters, choose by sign (Boolean pruning)
+  LaneRanges* scratch;  ///< one for each slot
+  Choice* choices;      ///< one for each clause; written where has_choice()
+};
+
+/// apply() for intervals of numbers; false where the result is not finite or may be NaN.
+bool finite_interval(Opcode op, float a_lower, float a_upper, float b_lower, float b_upper, float* out);
+
 using RunValues = void (*)(const BatchRun&, float* out);
 using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy, float* dz);
+/// Writes the root's intervals. Returns the lanes, a bit each, in which something was not a finite number: their intervals and
+/// choices mean nothing, and are to be had from evaluate_ranges().
+using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
-void run_values_reference(const BatchRun& run, float* out);
-void run_values_portable(const BatchRun& run, float* out);
-void run_values_avx2(const BatchRun& run, float* out);
-void run_values_avx512(const BatchRun& run, float* out);
-void run_gradients_portable(const BatchRun& run, float* out, float* dx, float* dy, float* dz);
-void run_gradients_avx2(const BatchRun& run, float* out, float* dx, float* dy, float* dz);
-void run_gradients_avx512(const BatchRun& run, float* out, float* dx, float* dy, float* dz);
+/// The evaluators for one instruction set.
+struct Runners {
+  RunValues values;
+  RunGradients gradients;
+  RunIntervals intervals;
+};
+extern const Runners reference_runners, portable_runners, avx2_runners, avx512_runners;
 
 }  // namespace fieldfab::frep

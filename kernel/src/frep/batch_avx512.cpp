@@ -1,10 +1,8 @@
 #include "batch_loops.inl"
+#include "interval_loops.inl"
 
 namespace fieldfab::frep {
 
-void run_values_avx512(const BatchRun& run, float* out) { run_values(run, out); }
-void run_gradients_avx512(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
-  run_gradients(run, out, dx, dy, dz);
-}
+constinit const Runners avx512_runners{run_values, run_gradients, run_intervals};
 
 }  // namespace fieldfab::frep

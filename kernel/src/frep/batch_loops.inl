@@ -22,11 +22,11 @@ struct Argument {
 };
 
 inline Argument argument(const BatchRun& run, Operand operand, std::size_t stride) {
-  if ((operand & constant_bit) != 0) return {nullptr, run.constants[operand & ~constant_bit]};
+  if (is_constant(operand)) return {nullptr, run.constants[operand & ~constant_bit]};
   if (operand == 0) return {run.x, 0};
   if (operand == 1) return {run.y, 0};
   if (operand == 2) return {run.z, 0};
-  return {run.scratch + run.slot[operand - first_value] * stride, 0};
+  return {run.scratch + run.code[operand - first_value].slot * stride, 0};
 }
 
 // One loop for each way the arguments may come; `a` and `b` name the numbers in `expression`.
@@ -113,7 +113,7 @@ void run_values(const BatchRun& run, float* out) {
   for (std::size_t i = 0; i < run.clauses; ++i) {
     const Clause& clause = run.code[i];
     run_clause(clause.op, argument(run, clause.a, run.stride), argument(run, clause.b, run.stride),
-               run.scratch + run.slot[i] * run.stride, run.count);
+               run.scratch + clause.slot * run.stride, run.count);
   }
   copy_root(argument(run, run.root, run.stride), out, run.count);
 }
@@ -215,9 +215,9 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
   float zeros[gradient_points], ones[gradient_points];
   for (std::size_t i = 0; i < gradient_points; ++i) zeros[i] = 0, ones[i] = 1;
   const auto slope = [&](Operand operand, int axis) -> const float* {
-    if ((operand & constant_bit) != 0) return zeros;
+    if (is_constant(operand)) return zeros;
     if (operand < first_value) return static_cast<int>(operand) == axis ? ones : zeros;
-    return run.scratch + (4 * run.slot[operand - first_value] + static_cast<std::size_t>(axis) + 1) * stride;
+    return run.scratch + (4 * run.code[operand - first_value].slot + static_cast<std::size_t>(axis) + 1) * stride;
   };
   const auto dual = [&](Operand operand, const Argument& argument, float* space) -> Dual {
     return {as_array(argument, space, n), {slope(operand, 0), slope(operand, 1), slope(operand, 2)}};
@@ -228,7 +228,7 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
     run_clause(clause.op, first, second, value, n);
     const Dual a = dual(clause.a, first, a_space), b = dual(clause.b, second, b_space);
     if (needs_partials(clause.op)) run_partials(clause.op, a.value, b.value, value, da, db, n);
-    float* made = run.scratch + 4 * run.slot[c] * stride;
+    float* made = run.scratch + 4 * clause.slot * stride;
     for (int axis = 0; axis < 3; ++axis)
       run_slopes(clause.op, a, b, da, db, axis, made + static_cast<std::size_t>(axis + 1) * stride, n);
     FIELDFAB_EACH

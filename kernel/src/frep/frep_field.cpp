@@ -6,39 +6,33 @@
 #include "batch.h"
 #include "fieldfab/core/error.h"
 #include "frame.h"
-#include "tape.h"
+#include "prune.h"
+#include "ranges.h"
 
 namespace fieldfab::frep {
 
-void run_values_reference(const BatchRun& run, float* out) {
-  for (std::size_t i = 0; i < run.count; ++i) {
-    const auto value = [&](Operand operand) {
-      if ((operand & constant_bit) != 0) return run.constants[operand & ~constant_bit];
-      return operand == 0   ? run.x[i]
-             : operand == 1 ? run.y[i]
-             : operand == 2 ? run.z[i]
-                            : run.scratch[run.slot[operand - first_value]];
-    };
-    for (std::size_t c = 0; c < run.clauses; ++c)
-      run.scratch[run.slot[c]] = apply(run.code[c].op, value(run.code[c].a), value(run.code[c].b));
-    out[i] = value(run.root);
+namespace {
+
+const Runners& runners(Evaluator evaluator) {
+  switch (evaluator) {
+    case Evaluator::reference: return reference_runners;
+    case Evaluator::avx2: return avx2_runners;
+    case Evaluator::avx512: return avx512_runners;
+    default: return portable_runners;
   }
 }
 
-namespace {
-
-struct Runner {
-  RunValues values;
-  RunGradients gradients;
-};
-
-Runner runner(Evaluator evaluator) {
-  switch (evaluator) {
-    case Evaluator::reference: return {run_values_reference, run_gradients_portable};
-    case Evaluator::avx2: return {run_values_avx2, run_gradients_avx2};
-    case Evaluator::avx512: return {run_values_avx512, run_gradients_avx512};
-    default: return {run_values_portable, run_gradients_portable};
+/// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
+template <class T>
+T* scratch(std::size_t count) {
+  static thread_local std::vector<T> kept;
+  std::vector<T>& memory = kept;
+  constexpr std::size_t keep = (std::size_t{1} << 24) / sizeof(T);
+  if (memory.size() < count || (memory.size() > keep && count < keep)) {
+    memory = {};
+    memory.resize(count);
   }
+  return memory.data();
 }
 
 /// The interval of the floats that coordinates from `box` round to.
@@ -48,36 +42,39 @@ Interval range(const Box& box, int axis) {
 
 class FrepField final : public Field {
  public:
-  FrepField(Tape tape, Runner run, std::optional<Expression> expression = {})
+  FrepField(Tape tape, const Runners& run, std::optional<Expression> expression = {})
       : tape_(std::move(tape)), run_(run), expression_(std::move(expression)) {}
 
   void values(const Points& points, float* out) const noexcept override {
     // Slots of a batch should stay in the first-level cache, but loops want some length.
     constexpr std::size_t cache_floats = 6144;
     const std::size_t stride = std::clamp(cache_floats / (tape_.slots + 1) / 16 * 16, std::size_t{64}, std::size_t{512});
-    float* scratch = scratch_floats(tape_.slots * stride);
+    auto* const space = scratch<float>(tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      run_.values(batch(points, first, std::min(stride, points.count - first), scratch, stride), out + first);
+      run_.values(batch(points, first, std::min(stride, points.count - first), space, stride), out + first);
   }
 
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     constexpr std::size_t stride = 64;
-    float* scratch = scratch_floats(4 * tape_.slots * stride);
+    auto* const space = scratch<float>(4 * tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      run_.gradients(batch(points, first, std::min(stride, points.count - first), scratch, stride), out + first,
+      run_.gradients(batch(points, first, std::min(stride, points.count - first), space, stride), out + first,
                      slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
-  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
-    return evaluate_ranges(tape_, range(box, 0), range(box, 1), range(box, 2), ranges());
-  }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
 
   [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose) const override {
-    Ranges& known = ranges();
-    const Interval root = evaluate_ranges(tape_, range(box, 0), range(box, 1), range(box, 2), known);
-    Tape pruned;
-    if (root.decided() || !prune(tape_, known, purpose, pruned)) return {root, shared_from_this()};
-    return {root, std::make_shared<FrepField>(std::move(pruned), run_)};
+    Restriction result;
+    restricted_all({&box, 1}, purpose, {&result, 1});
+    return result;
+  }
+
+  void restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+    for (std::size_t first = 0; first < boxes.size(); first += box_lanes) {
+      const std::size_t count = std::min(box_lanes, boxes.size() - first);
+      restrict_lanes(boxes.subspan(first, count), purpose, out.subspan(first, count));
+    }
   }
 
   [[nodiscard]] Framed framed() const override {
@@ -91,38 +88,64 @@ class FrepField final : public Field {
   [[nodiscard]] std::size_t active_nodes() const { return tape_.code.size(); }
 
  private:
-  [[nodiscard]] BatchRun batch(const Points& points, std::size_t first, std::size_t count, float* scratch,
+  void restrict_lanes(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const {
+    IntervalRun run{tape_.code.data(),
+                    tape_.code.size(),
+                    tape_.constants->data(),
+                    tape_.root,
+                    {},
+                    boxes.size(),
+                    purpose == Purpose::occupancy,
+                    scratch<LaneRanges>(tape_.slots),
+                    scratch<Choice>(tape_.code.size())};
+    for (std::size_t lane = 0; lane < box_lanes; ++lane)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Interval side = range(boxes[std::min(lane, boxes.size() - 1)], static_cast<int>(axis));
+        run.box[axis].lower[lane] = side.lower;
+        run.box[axis].upper[lane] = side.upper;
+      }
+    LaneRanges root;
+    const std::uint32_t wild = run_.intervals(run, root);
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
+      out[lane].range = {root.lower[lane], root.upper[lane], false};
+      const auto number = static_cast<unsigned>(lane);
+      if ((wild >> lane & 1U) != 0) {
+        out[lane].range = ranges_over(boxes[lane]);
+        if (!out[lane].range.decided()) record_choices(tape_, kept_ranges(), purpose, number, run.choices);
+      }
+      Tape pruned;
+      if (out[lane].range.decided() || !prune(tape_, run.choices, number, pruned))
+        out[lane].field = shared_from_this();
+      else
+        out[lane].field = std::make_shared<FrepField>(std::move(pruned), run_);
+    }
+  }
+
+  /// The intervals of all values over a box are left in kept_ranges().
+  [[nodiscard]] Interval ranges_over(const Box& box) const noexcept {
+    return evaluate_ranges(tape_, range(box, 0), range(box, 1), range(box, 2), kept_ranges());
+  }
+  static Ranges& kept_ranges() {
+    static thread_local Ranges kept;
+    return kept;
+  }
+
+  [[nodiscard]] BatchRun batch(const Points& points, std::size_t first, std::size_t count, float* space,
                                std::size_t stride) const {
     return {tape_.code.data(),
-            tape_.slot.data(),
             tape_.code.size(),
-            tape_.constants.data(),
+            tape_.constants->data(),
             tape_.root,
             points.x + first,
             points.y + first,
             points.z + first,
             count,
-            scratch,
+            space,
             stride};
   }
 
-  /// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
-  static float* scratch_floats(std::size_t count) {
-    static thread_local std::vector<float> scratch;
-    constexpr std::size_t keep = std::size_t{1} << 22;
-    if (scratch.size() < count || (scratch.size() > keep && count < keep)) {
-      scratch = {};
-      scratch.resize(count);
-    }
-    return scratch.data();
-  }
-  static Ranges& ranges() {
-    static thread_local Ranges kept;
-    return kept;
-  }
-
   Tape tape_;
-  Runner run_;
+  const Runners& run_;
   std::optional<Expression> expression_;  ///< what the tape was made from; restrictions have none
 };
 
@@ -160,7 +183,7 @@ FieldPtr make_field(const Expression& expression, Evaluator evaluator) {
   if (evaluator == Evaluator::automatic) evaluator = best_evaluator();
   if (!available(evaluator))
     throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
-  return std::make_shared<FrepField>(make_tape(expression), runner(evaluator), expression);
+  return std::make_shared<FrepField>(make_tape(expression), runners(evaluator), expression);
 }
 
 std::size_t active_nodes(const Field& field) {

@@ -1,6 +1,7 @@
 // Interval arithmetic: one operation on intervals. Why no widening is needed for the IEEE operations: core/interval.h.
 #include <cmath>
 
+#include "batch.h"
 #include "fieldfab/frep/reference.h"
 #include "interval_arithmetic.h"
 
@@ -180,6 +181,12 @@ Interval apply(Opcode op, Interval a, Interval b) {
                      nan);
   }
   return Interval::unknown();
+}
+
+bool finite_interval(Opcode op, float a_lower, float a_upper, float b_lower, float b_upper, float* out) {
+  const Interval range = apply(op, {a_lower, a_upper, false}, {b_lower, b_upper, false});
+  out[0] = range.lower, out[1] = range.upper;
+  return !range.maybe_nan && std::isfinite(range.lower) && std::isfinite(range.upper);
 }
 
 }  // namespace fieldfab::frep

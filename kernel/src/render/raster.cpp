@@ -23,20 +23,28 @@ struct Rectangle {
   [[nodiscard]] int longer() const { return std::max(right - left, bottom - top); }
 };
 
-/// The parts of a rectangle, at most split x split, row by row.
-std::vector<Rectangle> parts_of(const Rectangle& r) {
-  std::vector<Rectangle> parts;
-  const int step = (r.longer() + split - 1) / split;
-  for (int y = r.top; y < r.bottom; y += step)
-    for (int x = r.left; x < r.right; x += step)
-      parts.push_back({x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)});
-  return parts;
-}
-
 /// The box spanned by the pixels' centres.
 Box box_of(const PixelGrid& grid, const Rectangle& r, double low, double high) {
   return {{grid.x(r.left), grid.y(r.bottom - 1), low}, {grid.x(r.right - 1), grid.y(r.top), high}};
 }
+
+/// The parts of a rectangle, at most split x split, row by row, and the Field restricted to each.
+struct Parts {
+  std::size_t count = 0;
+  std::array<Rectangle, split * split> area;
+  std::array<Restriction, split * split> here;
+
+  Parts(const Field& field, const PixelGrid& grid, const Rectangle& r, double low, double high) {
+    std::array<Box, split * split> box;
+    const int step = (r.longer() + split - 1) / split;
+    for (int y = r.top; y < r.bottom; y += step)
+      for (int x = r.left; x < r.right; x += step, ++count) {
+        area[count] = {x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
+        box[count] = box_of(grid, area[count], low, high);
+      }
+    field.restricted_all({box.data(), count}, Purpose::occupancy, {here.data(), count});
+  }
+};
 
 /// Goes down the rectangles in parallel, restricting the Field on the way; `leaf` gets those that one thread should do.
 class Descent {
@@ -47,16 +55,18 @@ class Descent {
   template <class Decided, class Leaf>
   void run(const FieldPtr& field, const Rectangle& r, const Decided& decided, const Leaf& leaf) {
     progress_.check();
-    const Restriction here = field->restricted(box_of(grid_, r, low_, high_), Purpose::occupancy);
-    if (here.range.outside() || (here.range.inside() && decided(r))) {
-      finish(r);
-    } else if (r.longer() <= task_side) {
-      leaf(here.field, r);
-      finish(r);
-    } else {
-      const std::vector<Rectangle> parts = parts_of(r);
-      parallel_for(parts.size(), [&](std::size_t i) { run(here.field, parts[i], decided, leaf); });
+    if (r.longer() <= task_side) {
+      leaf(field, r);
+      return finish(r);
     }
+    const Parts parts(*field, grid_, r, low_, high_);
+    parallel_for(parts.count, [&](std::size_t i) {
+      const Restriction& here = parts.here[i];
+      if (here.range.outside() || (here.range.inside() && decided(parts.area[i])))
+        finish(parts.area[i]);
+      else
+        run(here.field, parts.area[i], decided, leaf);
+    });
   }
 
  private:
@@ -73,7 +83,10 @@ class Descent {
 /// Pixels of a plane, tile by tile (Alg. 3.2 in two dimensions).
 class PlaneTile {
  public:
-  PlaneTile(const PixelGrid& grid, std::vector<std::uint8_t>& inside) : grid_(grid), inside_(inside) {}
+  PlaneTile(const PixelGrid& grid, std::vector<std::uint8_t>& inside) : grid_(grid), inside_(inside) {
+    for (int column = 0; column < grid.width; ++column) x_.push_back(grid.x(column));
+    for (int row = 0; row < grid.height; ++row) y_.push_back(grid.y(row));
+  }
 
   void fill(const Rectangle& r) const {
     for (int y = r.top; y < r.bottom; ++y)
@@ -82,34 +95,36 @@ class PlaneTile {
 
   void draw(const FieldPtr& field, const Rectangle& r) const {
     if (r.longer() <= leaf_side) return evaluate(*field, r);
-    for (const Rectangle& part : parts_of(r)) {
-      const Restriction here =
-          field->restricted(box_of(grid_, part, grid_.region.lower.z(), grid_.region.lower.z()), Purpose::occupancy);
-      if (here.range.inside())
-        fill(part);
-      else if (!here.range.outside())
-        draw(here.field, part);
-    }
+    const double z = grid_.region.lower.z();
+    const Parts parts(*field, grid_, r, z, z);
+    for (std::size_t i = 0; i < parts.count; ++i)
+      if (parts.here[i].range.inside())
+        fill(parts.area[i]);
+      else if (!parts.here[i].range.outside())
+        draw(parts.here[i].field, parts.area[i]);
   }
 
  private:
   void evaluate(const Field& field, const Rectangle& r) const {
     std::array<float, leaf_side * leaf_side> x, y, z, value;
-    std::size_t count = 0;
-    for (int row = r.top; row < r.bottom; ++row)
-      for (int column = r.left; column < r.right; ++column, ++count) {
-        x[count] = grid_.x(column);
-        y[count] = grid_.y(row);
-        z[count] = static_cast<float>(grid_.region.lower.z());
-      }
-    field.values({x.data(), y.data(), z.data(), count}, value.data());
-    count = 0;
-    for (int row = r.top; row < r.bottom; ++row)
-      for (int column = r.left; column < r.right; ++column) inside_[grid_.index(column, row)] = value[count++] < 0;
+    const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
+    const float* const first_x = x_.data() + r.left;
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::copy_n(first_x, columns, x.data() + row * columns);
+      std::fill_n(y.data() + row * columns, columns, y_[static_cast<std::size_t>(r.top) + row]);
+    }
+    std::fill_n(z.data(), rows * columns, static_cast<float>(grid_.region.lower.z()));
+    field.values({x.data(), y.data(), z.data(), rows * columns}, value.data());
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::uint8_t* const pixel = inside_.data() + grid_.index(r.left, r.top + static_cast<int>(row));
+      for (std::size_t column = 0; column < columns; ++column)
+        pixel[column] = static_cast<std::uint8_t>(value[row * columns + column] < 0);
+    }
   }
 
   const PixelGrid& grid_;
   std::vector<std::uint8_t>& inside_;
+  std::vector<float> x_, y_;  ///< of the columns' and rows' centres
 };
 
 /// Heights of a tile, from the top down, leaving out what is hidden (Keeter 3.10).

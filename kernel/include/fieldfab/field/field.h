@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/core/interval.h"
@@ -69,6 +70,10 @@ class Field : public std::enable_shared_from_this<Field> {
   /// The interval over `box` and a Field that gives the same answers at every point of `box` (see Purpose).
   /// Outside of `box` that Field means nothing. The default is this Field itself.
   [[nodiscard]] virtual Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const;
+
+  /// restricted() for several boxes, such as the children of a cell: `out` has one place for each box. A Field that can look at
+  /// several boxes in the time of one does so here; the default takes one after the other.
+  virtual void restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const;
 
   /// A box that holds the solid, where the Field knows one from its making; Box::everything() otherwise. See solid_bounds().
   [[nodiscard]] virtual Box known_bounds() const noexcept { return Box::everything(); }
