@@ -1,0 +1,207 @@
+// Intervals over several boxes at once: a box a lane. Included after batch_loops.inl by the files compiled for each instruction
+// set. Why nothing is widened: core/interval.h.
+#if defined(__AVX2__)
+#include <immintrin.h>
+#elif defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace fieldfab::frep {
+namespace {
+
+#if defined(__AVX512DQ__)
+constexpr std::size_t width = 16;
+#elif defined(__AVX2__)
+constexpr std::size_t width = 8;
+#else
+constexpr std::size_t width = 4;
+#endif
+using Vector = float __attribute__((vector_size(width * 4)));
+using Bits = std::uint32_t __attribute__((vector_size(width * 4)));
+using Mask = decltype(Vector{} < Vector{});
+
+/// One bit for each lane of a comparison.
+inline std::uint32_t lanes_of(Mask mask) {
+#if defined(__AVX512DQ__)
+  return static_cast<std::uint32_t>(_mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)));
+#elif defined(__AVX2__)
+  return static_cast<std::uint32_t>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#elif defined(__SSE2__)
+  return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
+#else
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < width; ++i) bits |= static_cast<std::uint32_t>(mask[i] != 0) << i;
+  return bits;
+#endif
+}
+
+inline Vector least(Vector a, Vector b) { return a < b ? a : b; }
+inline Vector greatest(Vector a, Vector b) { return a > b ? a : b; }
+
+struct Span {
+  Vector lower, upper;
+};
+
+/// Remembers lanes whose intervals were not finite: the distance of their ends then is infinite or NaN, the largest bit patterns.
+class Wildness {
+ public:
+  void watch(const Span& span) {
+    const Bits distance = reinterpret_cast<Bits>(span.upper - span.lower);
+    largest_ = largest_ > distance ? largest_ : distance;
+  }
+  void watch(Mask wild) { largest_ |= reinterpret_cast<Bits>(wild); }
+  [[nodiscard]] std::uint32_t lanes() const { return lanes_of(reinterpret_cast<Mask>(largest_ > 0x7f7fffffU)); }
+
+ private:
+  Bits largest_{};
+};
+
+inline Span product(const Span& a, const Span& b) {
+  const Vector ll = a.lower * b.lower, lu = a.lower * b.upper, ul = a.upper * b.lower, uu = a.upper * b.upper;
+  return {least(least(ll, lu), least(ul, uu)), greatest(greatest(ll, lu), greatest(ul, uu))};
+}
+
+inline Span quotient(const Span& a, const Span& b) {
+  const Vector ll = a.lower / b.lower, lu = a.lower / b.upper, ul = a.upper / b.lower, uu = a.upper / b.upper;
+  return {least(least(ll, lu), least(ul, uu)), greatest(greatest(ll, lu), greatest(ul, uu))};
+}
+
+/// The interval of |a| from that of a; the same for its square, given the ends' squares.
+inline Span folded(const Span& a, Vector at_lower, Vector at_upper) {
+  const Vector small = least(at_lower, at_upper);
+  return {(a.lower <= 0) & (a.upper >= 0) ? Vector{} : small, greatest(at_lower, at_upper)};
+}
+
+inline Vector magnitude(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<Bits>(a) & 0x7fffffffU); }
+
+inline Vector root_of(Vector a) {
+#if defined(__AVX512DQ__)
+  return reinterpret_cast<Vector>(_mm512_maskz_sqrt_ps(0xffff, reinterpret_cast<__m512>(a)));
+#elif defined(__AVX2__)
+  return reinterpret_cast<Vector>(_mm256_sqrt_ps(reinterpret_cast<__m256>(a)));
+#elif defined(__SSE2__)
+  return reinterpret_cast<Vector>(_mm_sqrt_ps(reinterpret_cast<__m128>(a)));
+#else
+  for (std::size_t i = 0; i < width; ++i) a[i] = __builtin_sqrtf(a[i]);
+  return a;
+#endif
+}
+
+/// What some operations share in the lanes of one vector.
+struct Lanes {
+  Wildness& wild;
+  std::uint32_t first, second;  ///< lanes in which an argument was chosen
+};
+
+inline Span run_span(const Clause& clause, const Span& a, const Span& b, bool by_sign, Lanes& lanes) {
+  Span out;
+  switch (clause.op) {
+    case Opcode::minimum:
+      lanes.first = lanes_of(a.upper <= b.lower), lanes.second = lanes_of(b.upper < a.lower);
+      if (by_sign) lanes.first |= lanes_of(b.lower > 0), lanes.second |= lanes_of(a.lower > 0);
+      return {least(a.lower, b.lower), least(a.upper, b.upper)};
+    case Opcode::maximum:
+      lanes.first = lanes_of(a.lower >= b.upper), lanes.second = lanes_of(b.lower > a.upper);
+      if (by_sign) lanes.first |= lanes_of(b.upper < 0), lanes.second |= lanes_of(a.upper < 0);
+      return {greatest(a.lower, b.lower), greatest(a.upper, b.upper)};
+    case Opcode::absolute:
+      lanes.first = lanes_of(a.lower > 0), lanes.second = lanes_of(a.upper < 0);
+      return folded(a, magnitude(a.lower), magnitude(a.upper));
+    case Opcode::negate: return {-a.upper, -a.lower};
+    case Opcode::add: out = {a.lower + b.lower, a.upper + b.upper}; break;
+    case Opcode::subtract: out = {a.lower - b.upper, a.upper - b.lower}; break;
+    case Opcode::multiply:
+      // A value times itself is its square, and their products are the same floats.
+      out = clause.a == clause.b ? folded(a, a.lower * a.lower, a.upper * a.upper) : product(a, b);
+      break;
+    case Opcode::square: out = folded(a, a.lower * a.lower, a.upper * a.upper); break;
+    case Opcode::square_root:
+      lanes.wild.watch(a.lower < 0);
+      return {root_of(a.lower), root_of(a.upper)};
+    default:  // divide
+      lanes.wild.watch((b.lower <= 0) & (b.upper >= 0));
+      out = quotient(a, b);
+  }
+  lanes.wild.watch(out);
+  return out;
+}
+
+constexpr bool in_vectors(Opcode op) {
+  switch (op) {
+    case Opcode::minimum:
+    case Opcode::maximum:
+    case Opcode::absolute:
+    case Opcode::negate:
+    case Opcode::add:
+    case Opcode::subtract:
+    case Opcode::multiply:
+    case Opcode::square:
+    case Opcode::square_root:
+    case Opcode::divide: return true;
+    default: return false;
+  }
+}
+
+/// Operations that are done lane by lane.
+std::uint32_t run_single(Opcode op, const LaneRanges& a, const LaneRanges& b, LaneRanges& out, std::size_t lanes) {
+  std::uint32_t wild = 0;
+  for (std::size_t i = 0; i < lanes; ++i) {
+    float range[2];
+    if (!finite_interval(op, a.lower[i], a.upper[i], b.lower[i], b.upper[i], range)) wild |= 1U << i;
+    out.lower[i] = range[0], out.upper[i] = range[1];
+  }
+  return wild;
+}
+
+inline Vector load(const float* from) {
+  Vector vector;
+  __builtin_memcpy(&vector, from, sizeof vector);
+  return vector;
+}
+inline void store(float* to, Vector vector) { __builtin_memcpy(to, &vector, sizeof vector); }
+
+std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
+  constexpr std::size_t most_parts = box_lanes / width;
+  const std::size_t parts = (run.lanes + width - 1) / width;
+  Wildness wild[most_parts];
+  std::uint32_t wild_lanes = 0;
+  LaneRanges a_space, b_space;
+  const auto argument = [&](Operand operand, LaneRanges& space) -> const LaneRanges* {
+    if (is_made(operand)) return run.scratch + run.code[operand - first_value].slot;
+    if (!is_constant(operand)) return run.box + operand;
+    const float number = run.constants[operand & ~constant_bit];
+    if (number - number != 0) wild_lanes = ~0U;
+    const Vector all = number - Vector{};
+    for (std::size_t part = 0; part < parts; ++part) store(space.lower + part * width, all), store(space.upper + part * width, all);
+    return &space;
+  };
+  for (std::size_t part = 0; part < parts; ++part)
+    for (const LaneRanges& axis : run.box) wild[part].watch({load(axis.lower + part * width), load(axis.upper + part * width)});
+
+  for (std::size_t i = 0; i < run.clauses; ++i) {
+    const Clause& clause = run.code[i];
+    const LaneRanges* a = argument(clause.a, a_space);
+    const LaneRanges* b = clause.b == clause.a ? a : argument(clause.b, b_space);
+    LaneRanges* out = run.scratch + clause.slot;
+    if (!in_vectors(clause.op)) {
+      wild_lanes |= run_single(clause.op, *a, *b, *out, parts * width);
+      continue;
+    }
+    std::uint32_t first = 0, second = 0;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t at = part * width;
+      Lanes lanes{wild[part], 0, 0};
+      const Span made = run_span(clause, {load(a->lower + at), load(a->upper + at)}, {load(b->lower + at), load(b->upper + at)},
+                                 run.occupancy && clause.only_sign_matters, lanes);
+      store(out->lower + at, made.lower), store(out->upper + at, made.upper);
+      first |= lanes.first << at, second |= lanes.second << at;
+    }
+    if (has_choice(clause.op)) run.choices[i] = {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
+  }
+  root = *argument(run.root, a_space);
+  for (std::size_t part = 0; part < parts; ++part) wild_lanes |= wild[part].lanes() << (part * width);
+  return wild_lanes;
+}
+
+}  // namespace
+}  // namespace fieldfab::frep
