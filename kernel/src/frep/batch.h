@@ -33,10 +33,10 @@ struct LaneRanges {
 };
 
 /// In which lanes a min or max is known to be its first argument or its second; an absolute value its argument or its negative.
+/// Where both are set, the first is meant.
 struct Choice {
   std::uint16_t first, second;
 };
-constexpr bool has_choice(Opcode op) { return op == Opcode::minimum || op == Opcode::maximum || op == Opcode::absolute; }
 
 struct IntervalRun {
   const Clause* code;
@@ -47,7 +47,7 @@ struct IntervalRun {
   std::size_t lanes;    ///< how many lanes are asked for
   bool occupancy;       ///< where only a sign matters, choose by sign (Boolean pruning)
   LaneRanges* scratch;  ///< one for each slot
-  Choice* choices;      ///< one for each clause; written where has_choice()
+  Choice* choices;      ///< one for each clause
 };
 
 /// apply() for intervals of numbers; false where the result is not finite or may be NaN.

@@ -106,19 +106,24 @@ class FrepField final : public Field {
       }
     LaneRanges root;
     const std::uint32_t wild = run_.intervals(run, root);
+    bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
-      out[lane].range = {root.lower[lane], root.upper[lane], false};
-      const auto number = static_cast<unsigned>(lane);
+      Interval& range = out[lane].range;
+      range = {root.lower[lane], root.upper[lane], false};
+      out[lane].field = shared_from_this();
       if ((wild >> lane & 1U) != 0) {
-        out[lane].range = ranges_over(boxes[lane]);
-        if (!out[lane].range.decided()) record_choices(tape_, kept_ranges(), purpose, number, run.choices);
+        range = ranges_over(boxes[lane]);
+        if (!range.decided()) record_choices(tape_, kept_ranges(), purpose, static_cast<unsigned>(lane), run.choices);
       }
-      Tape pruned;
-      if (out[lane].range.decided() || !prune(tape_, run.choices, number, pruned))
-        out[lane].field = shared_from_this();
-      else
-        out[lane].field = std::make_shared<FrepField>(std::move(pruned), run_);
+      any |= !range.decided();
     }
+    if (!any) return;
+    static thread_local std::vector<std::uint16_t> kept_needed;
+    std::vector<std::uint16_t>& needed = kept_needed;
+    mark_needed(tape_, run.choices, needed);
+    for (std::size_t lane = 0; lane < boxes.size(); ++lane)
+      if (Tape pruned; !out[lane].range.decided() && prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
+        out[lane].field = std::make_shared<FrepField>(std::move(pruned), run_);
   }
 
   /// The intervals of all values over a box are left in kept_ranges().

@@ -185,6 +185,7 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
     LaneRanges* out = run.scratch + clause.slot;
     if (!in_vectors(clause.op)) {
       wild_lanes |= run_single(clause.op, *a, *b, *out, parts * width);
+      run.choices[i] = {0, 0};
       continue;
     }
     std::uint32_t first = 0, second = 0;
@@ -196,7 +197,7 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
       store(out->lower + at, made.lower), store(out->upper + at, made.upper);
       first |= lanes.first << at, second |= lanes.second << at;
     }
-    if (has_choice(clause.op)) run.choices[i] = {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
+    run.choices[i] = {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(second)};
   }
   root = *argument(run.root, a_space);
   for (std::size_t part = 0; part < parts; ++part) wild_lanes |= wild[part].lanes() << (part * width);

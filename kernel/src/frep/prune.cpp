@@ -1,99 +1,84 @@
 #include "prune.h"
 
-#include <bit>
-
 namespace fieldfab::frep {
 namespace {
 
-/// Which clauses are needed, a bit each, so that those that are not are passed over by the word.
-class Needed {
- public:
-  void reset(std::size_t count) { words_.assign((count + 63) / 64, 0); }
-  void require(Operand operand) {
-    if (is_made(operand)) words_[(operand - first_value) >> 6] |= std::uint64_t{1} << ((operand - first_value) & 63);
-  }
-  /// Visits them from the last to the first; those that a visit requires, which come before it, are visited, too.
-  template <class Visit>
-  void backwards(const Visit& visit) {
-    for (std::size_t word = words_.size(); word-- > 0;)
-      while (words_[word] != 0) {
-        const auto bit = static_cast<std::uint32_t>(std::bit_width(words_[word]) - 1);
-        words_[word] ^= std::uint64_t{1} << bit;
-        visit(static_cast<std::uint32_t>(word * 64 + bit));
-      }
-  }
+// What a box chooses is as good as random to a processor, and a branch it foresees wrongly costs more than a clause: so there are
+// none here on choices and on kinds of operands, and what is not wanted is written to a place that nobody reads.
 
- private:
-  std::vector<std::uint64_t> words_;
-};
+/// All ones for a constant, else zero.
+Operand if_constant(Operand operand) { return static_cast<Operand>(static_cast<std::int32_t>(operand) >> 31); }
+
+/// Where something is kept for an operand; constants share the place of x, where nothing of interest is.
+Operand place_of(Operand operand) { return operand & ~if_constant(operand); }
 
 /// Memory that each thread keeps.
 struct Workspace {
-  Needed needed;
-  std::vector<std::uint32_t> kept;  ///< clauses, the last one first
-  std::vector<Operand> renamed;     ///< by old clause: what it is called in the pruned tape
-  std::vector<std::uint32_t> last_use;
+  std::vector<std::uint32_t> kept;      ///< clauses of the old tape
+  std::vector<Operand> renamed;         ///< by old operand: what it is called in the pruned tape
+  std::vector<Clause> code;             ///< of the pruned tape
+  std::vector<std::uint32_t> last_use;  ///< by new operand
 };
-
-enum class Way : std::uint8_t { whole, first, second };
-
-Way way(const Clause& clause, const Choice& choice, std::uint16_t bit) {
-  if (!has_choice(clause.op)) return Way::whole;
-  return (choice.first & bit) != 0 ? Way::first : (choice.second & bit) != 0 ? Way::second : Way::whole;
-}
 
 }  // namespace
 
-bool prune(const Tape& tape, const Choice* choices, unsigned lane, Tape& pruned) {
+void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed) {
+  needed.assign(first_value + tape.code.size(), 0);
+  std::uint16_t* const lanes = needed.data();
+  lanes[place_of(tape.root)] = 0xffff;
+  for (std::size_t i = tape.code.size(); i-- > 0;) {
+    const Clause& clause = tape.code[i];
+    const std::uint16_t here = lanes[first_value + i];
+    lanes[place_of(clause.a)] |= static_cast<std::uint16_t>(here & ~(choices[i].second & ~choices[i].first));
+    lanes[place_of(clause.b)] |= static_cast<std::uint16_t>(here & ~choices[i].first);
+  }
+}
+
+bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane, Tape& pruned) {
   static thread_local Workspace kept_workspace;
   Workspace& work = kept_workspace;
-  const auto bit = static_cast<std::uint16_t>(1U << lane);
-  const Clause* const code = tape.code.data();
-
-  // From the root down: what is needed.
-  bool chosen = false;
-  work.kept.clear();
-  work.needed.reset(tape.code.size());
-  work.needed.require(tape.root);
-  work.needed.backwards([&](std::uint32_t i) {
-    const Clause& clause = code[i];
-    const Way taken = way(clause, choices[i], bit);
-    chosen |= taken != Way::whole;
-    if (taken != Way::second || clause.op == Opcode::absolute) work.needed.require(clause.a);
-    if (taken != Way::first) work.needed.require(clause.b);
-    work.kept.push_back(i);
-  });
-  if (!chosen && work.kept.size() == tape.code.size()) return false;
-
-  // From the leaves up: what is left, under its new names.
-  work.renamed.resize(tape.code.size());
-  work.last_use.resize(work.kept.size());
-  pruned.code.resize(work.kept.size());
-  std::uint32_t made = 0;
-  const auto renamed = [&](Operand operand) { return is_made(operand) ? work.renamed[operand - first_value] : operand; };
-  const auto emit = [&](Opcode op, bool only_sign_matters, Operand a, Operand b) {
-    pruned.code[made] = {op, only_sign_matters, 0, a, b};
-    if (is_made(a)) work.last_use[a - first_value] = made;
-    if (is_made(b)) work.last_use[b - first_value] = made;
-    work.last_use[made] = ~0U;
-    return first_value + made++;
-  };
-  for (auto place = work.kept.rbegin(); place != work.kept.rend(); ++place) {
-    const Clause& clause = code[*place];
-    const Way taken = way(clause, choices[*place], bit);
-    const Operand a = renamed(clause.a);
-    Operand& name = work.renamed[*place];
-    if (taken == Way::first)
-      name = a;
-    else if (taken == Way::second)  // the absolute value of a negative number is its negative
-      name = clause.op == Opcode::absolute ? emit(Opcode::negate, clause.only_sign_matters, a, a) : renamed(clause.b);
-    else
-      name = emit(clause.op, clause.only_sign_matters, a, renamed(clause.b));
+  const std::size_t count = tape.code.size();
+  work.kept.resize(count + 1);
+  std::uint32_t* const kept = work.kept.data();
+  std::uint32_t left = 0;
+  unsigned chosen = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const unsigned here = needed[first_value + i] >> lane & 1U;
+    chosen |= here & static_cast<unsigned>((choices[i].first | choices[i].second) >> lane);
+    kept[left] = i;
+    left += here;
   }
-  pruned.code.resize(made);
+  if (chosen == 0 && left == count) return false;
+
+  work.renamed.resize(first_value + count);
+  work.code.resize(left + 1);
+  work.last_use.resize(first_value + left + 1);
+  Operand* const renamed = work.renamed.data();
+  std::uint32_t* const last_use = work.last_use.data();
+  for (Operand axis = 0; axis < first_value; ++axis) renamed[axis] = axis;
+  const auto new_name = [&](Operand operand) {
+    return (operand & if_constant(operand)) | (renamed[place_of(operand)] & ~if_constant(operand));
+  };
+  std::uint32_t made = 0;
+  for (std::uint32_t k = 0; k < left; ++k) {
+    const std::uint32_t i = kept[k];
+    const Clause& clause = tape.code[i];
+    const Operand a = new_name(clause.a), b = new_name(clause.b);
+    const unsigned first = choices[i].first >> lane & 1U, second = choices[i].second >> lane & ~first & 1U;
+    const unsigned negative = second & static_cast<unsigned>(clause.op == Opcode::absolute);  // |a| where a < 0
+    const unsigned emitted = negative | ((first | second) ^ 1U);
+    work.code[made] = {negative != 0 ? Opcode::negate : clause.op, clause.only_sign_matters, 0, a, b};
+    last_use[first_value + made] = ~0U;
+    last_use[place_of(a) & (0U - emitted)] = made;
+    last_use[place_of(b) & (0U - emitted)] = made;
+    const Operand chosen_name = (a & (0U - first)) | (b & (0U - second));
+    renamed[first_value + i] = ((first_value + made) & (0U - emitted)) | (chosen_name & (emitted - 1U));
+    made += emitted;
+  }
+  pruned.root = new_name(tape.root);
   pruned.constants = tape.constants;
-  pruned.root = renamed(tape.root);
-  assign_slots(pruned, work.last_use);
+  pruned.slots = assign_slots(work.code.data(), made, last_use);
+  pruned.code.assign(work.code.data(), work.code.data() + made);
   return true;
 }
 

@@ -6,8 +6,11 @@
 
 namespace fieldfab::frep {
 
-/// The code that still matters where the values choose as `choices` tell in bit `lane` (Algs 3.3 and 3.4): one place for each
-/// clause. False, and `pruned` untouched, where that is all of it. Linear in what is left, but for a scan of a bit a clause.
-bool prune(const Tape& tape, const Choice* choices, unsigned lane, Tape& pruned);
+/// Which values are needed where they choose as `choices` tell: `needed` gets a place for each operand, with a bit for each lane.
+/// Linear, for all lanes at once.
+void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed);
+
+/// The code that still matters in the box of one lane (Algs 3.3 and 3.4). False, and `pruned` untouched, where that is all of it.
+bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane, Tape& pruned);
 
 }  // namespace fieldfab::frep

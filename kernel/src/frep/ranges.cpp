@@ -22,8 +22,8 @@ Chosen choose(const Clause& clause, const Interval& a, const Interval& b, bool s
     case Opcode::maximum:
       if ((numbers && a.lower >= b.upper) || (sign && b.inside())) return Chosen::first;
       return (numbers && b.lower > a.upper) || (sign && a.inside()) ? Chosen::second : Chosen::both;
-    default:  // the absolute value
-      return a.outside() ? Chosen::first : a.inside() ? Chosen::second : Chosen::both;
+    case Opcode::absolute: return a.outside() ? Chosen::first : a.inside() ? Chosen::second : Chosen::both;
+    default: return Chosen::both;
   }
 }
 
@@ -47,7 +47,6 @@ Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y,
 void record_choices(const Tape& tape, const Ranges& ranges, Purpose purpose, unsigned lane, Choice* choices) {
   for (std::size_t i = 0; i < tape.code.size(); ++i) {
     const Clause& clause = tape.code[i];
-    if (!has_choice(clause.op)) continue;
     const Chosen chosen = choose(clause, operand_range(tape, ranges, clause.a), operand_range(tape, ranges, clause.b),
                                  purpose == Purpose::occupancy && clause.only_sign_matters);
     const auto bit = static_cast<std::uint16_t>(1U << lane);

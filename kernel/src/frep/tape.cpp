@@ -21,25 +21,26 @@ void mark_signs(Tape& tape) {
 
 }  // namespace
 
-void assign_slots(Tape& tape, const std::vector<std::uint32_t>& last_use) {
-  static thread_local std::vector<std::uint32_t> free_slots;
-  std::vector<std::uint32_t>& free = free_slots;
-  free.clear();
-  tape.slots = 0;
-  Clause* const code = tape.code.data();
-  const auto count = static_cast<std::uint32_t>(tape.code.size());
+std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use) {
+  static thread_local std::vector<std::uint32_t> kept;
+  kept.resize(std::size_t{2} * count + 2);
+  std::uint32_t* const free = kept.data();  // a stack; without branches, which would be foreseen wrongly
+  std::uint32_t top = 0, slots = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     Clause& clause = code[i];
-    if (is_made(clause.a) && last_use[clause.a - first_value] == i) free.push_back(code[clause.a - first_value].slot);
-    if (clause.b != clause.a && is_made(clause.b) && last_use[clause.b - first_value] == i)
-      free.push_back(code[clause.b - first_value].slot);
-    if (free.empty()) {
-      clause.slot = tape.slots++;
-    } else {
-      clause.slot = free.back();
-      free.pop_back();
-    }
+    const auto release = [&](Operand operand, bool other) {
+      const bool made = is_made(operand);
+      free[top] = code[made ? operand - first_value : i].slot;
+      top += made && other && last_use[made ? operand : 0] == i;
+    };
+    release(clause.a, true);
+    release(clause.b, clause.b != clause.a);
+    const bool none = top == 0;
+    clause.slot = none ? slots : free[none ? 0 : top - 1];
+    slots += none;
+    top -= !none;
   }
+  return slots;
 }
 
 Tape make_tape(const Expression& expression) {
@@ -71,11 +72,11 @@ Tape make_tape(const Expression& expression) {
   tape.root = operand.back();
   tape.constants = std::make_shared<const std::vector<float>>(std::move(constants));
   mark_signs(tape);
-  std::vector<std::uint32_t> last_use(tape.code.size(), ~0U);
+  std::vector<std::uint32_t> last_use(first_value + tape.code.size(), ~0U);
   for (std::uint32_t i = 0; i < tape.code.size(); ++i)
     for (const Operand argument : {tape.code[i].a, tape.code[i].b})
-      if (is_made(argument)) last_use[argument - first_value] = i;
-  assign_slots(tape, last_use);
+      if (!is_constant(argument)) last_use[argument] = i;
+  tape.slots = assign_slots(tape.code.data(), static_cast<std::uint32_t>(tape.code.size()), last_use.data());
   return tape;
 }
 

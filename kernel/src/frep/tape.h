@@ -22,8 +22,8 @@ Tape make_tape(const Expression& expression);
 /// Whether the tape only adds, subtracts, negates, and multiplies with and divides by constants.
 bool is_affine(const Tape& tape);
 
-/// Gives each clause the slot of an argument that is used for the last time, where there is one. `last_use[i]` is the last clause
-/// that uses clause i.
-void assign_slots(Tape& tape, const std::vector<std::uint32_t>& last_use);
+/// Gives each clause the slot of an argument that is used for the last time, where there is one; `last_use`, by operand, is the
+/// last clause that uses it. Returns how many slots are used.
+std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use);
 
 }  // namespace fieldfab::frep
