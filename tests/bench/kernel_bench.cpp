@@ -124,6 +124,48 @@ void MtmAzMeshes(benchmark::State& state) {
 }
 BENCHMARK(MtmAzMeshes)->Unit(benchmark::kMillisecond);
 
+void ProsperoBitmap4096(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("prospero.vm");
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, {{-1, -1, 0}, {1, 1, 0}}, {RenderMode::bitmap, 4096}));
+}
+BENCHMARK(ProsperoBitmap4096)->Unit(benchmark::kMillisecond);
+
+void ProsperoBitmap1024TwoThreads(benchmark::State& state) {
+  const ThreadLimit two(2);
+  const FieldPtr field = vm("prospero.vm");
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, {{-1, -1, 0}, {1, 1, 0}}, {RenderMode::bitmap, 1024}));
+}
+BENCHMARK(ProsperoBitmap1024TwoThreads)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void TanglecubeHeights512(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field = vm("tanglecube.vm");
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, tangle_box, {RenderMode::height, 512}));
+  compare(state, 0.178);
+}
+BENCHMARK(TanglecubeHeights512)->Unit(benchmark::kMillisecond);
+
+/// Keeter's example of two lines of text.
+void TextBitmap2048(benchmark::State& state) {
+  const ThreadLimit one(1);
+  const FieldPtr field =
+      frep::make_field(frep::simplify(frep::parse_math(read_file(TEST_DATA "/frep/text/text_00.math"))));
+  const Box box = solid_bounds(*field).box;
+  for (auto _ : state) benchmark::DoNotOptimize(render(*field, box, {RenderMode::bitmap, 2048}));
+  compare(state, 0.078);
+}
+BENCHMARK(TextBitmap2048)->Unit(benchmark::kMillisecond);
+
+/// A first picture of all parts: what someone sees at once.
+void MtmAzFirstPicture(benchmark::State& state) {
+  const ThreadLimit one(1);
+  mtm_az();
+  for (auto _ : state)
+    for (const auto& [field, box] : mtm_az()) benchmark::DoNotOptimize(render(*field, box, {RenderMode::shaded, 96}));
+}
+BENCHMARK(MtmAzFirstPicture)->Unit(benchmark::kMillisecond);
+
 /// Values a second of prospero's whole tape: each evaluator beside the portable one is the ratio of their rates.
 void Evaluator(benchmark::State& state) {
   const auto evaluator = static_cast<frep::Evaluator>(state.range(0));

@@ -175,9 +175,12 @@ Interval Asdf::interval(const Box& box) const noexcept {
   return any ? range : Interval{far, std::numeric_limits<float>::infinity(), false};
 }
 
-Restriction Asdf::restricted(const Box& box, Purpose /*purpose*/) const {
-  const Interval range = interval(box);
-  if (!box.lower.allFinite() || !box.upper.allFinite()) return {range, shared_from_this()};
+void Asdf::restrict_all(std::span<const Box> boxes, Purpose /*purpose*/, std::span<Restriction> out) const {
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = {interval(boxes[i]), subtree(boxes[i])};
+}
+
+FieldPtr Asdf::subtree(const Box& box) const {
+  if (!box.lower.allFinite() || !box.upper.allFinite()) return shared_from_this();
   constexpr double slack = 1e-3;
   const std::array<double, 3> low = lattice_point(region_, lattice_, box.lower),
                               high = lattice_point(region_, lattice_, box.upper);
@@ -198,12 +201,12 @@ Restriction Asdf::restricted(const Box& box, Purpose /*purpose*/) const {
     root = word.first_child() + number;
     covered = covered.child(word.axes(), number);
   }
-  if (root == root_) return {range, shared_from_this()};
+  if (root == root_) return shared_from_this();
   auto part = std::shared_ptr<Asdf>(new Asdf(*this));
   part->root_ = root;
   part->first_ = covered.first;
   part->count_ = covered.count;
-  return {range, part};
+  return part;
 }
 
 AsdfStatistics Asdf::statistics() const {

@@ -30,7 +30,10 @@ class Builder {
     memory_ = available_memory() / 10 * 9;
   }
 
-  BuildCell run(const Field& field) { return cell(field.shared_from_this(), {{0, 0, 0}, count_}); }
+  BuildCell run(const Field& field) {
+    const LatticeRange all{{0, 0, 0}, count_};
+    return cell(field.restricted(box(all)), all);
+  }
 
  private:
   [[nodiscard]] double plane(int axis, int index) const {
@@ -48,9 +51,9 @@ class Builder {
   }
   static int longest(const LatticeRange& range) { return std::max({range.count[0], range.count[1], range.count[2]}); }
 
-  BuildCell cell(const FieldPtr& field, const LatticeRange& range) {
+  /// The cell of a range, to which the Field is restricted already.
+  BuildCell cell(const Restriction& here, const LatticeRange& range) {
     progress_.check();
-    const Restriction here = field->restricted(box(range));
     if (here.range.decided()) {
       BuildCell whole;
       whole.kind = here.range.inside() ? CellKind::filled : CellKind::empty;
@@ -69,7 +72,13 @@ class Builder {
     }
     const unsigned axes = range.divisible();
     std::vector<BuildCell> children(std::size_t{1} << std::popcount(axes));
-    const auto build_child = [&](std::size_t i) { children[i] = cell(here.field, range.child(axes, static_cast<unsigned>(i))); };
+    std::array<Box, 8> boxes;
+    std::array<Restriction, 8> parts;
+    for (unsigned i = 0; i < children.size(); ++i) boxes[i] = box(range.child(axes, i));
+    here.field->restrict_all({boxes.data(), children.size()}, Purpose::value, parts);
+    const auto build_child = [&](std::size_t i) {
+      children[i] = cell(parts[i], range.child(axes, static_cast<unsigned>(i)));
+    };
     if (longest(range) > task_side)
       parallel_for(children.size(), build_child);
     else

@@ -2,10 +2,14 @@
 
 namespace fieldfab {
 
-Restriction Field::restricted(const Box& box, Purpose /*purpose*/) const { return {interval(box), shared_from_this()}; }
+void Field::restrict_all(std::span<const Box> boxes, Purpose /*purpose*/, std::span<Restriction> out) const {
+  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = {interval(boxes[i]), shared_from_this()};
+}
 
-void Field::restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const {
-  for (std::size_t i = 0; i < boxes.size(); ++i) out[i] = restricted(boxes[i], purpose);
+Restriction Field::restricted(const Box& box, Purpose purpose) const {
+  Restriction result;
+  restrict_all({&box, 1}, purpose, {&result, 1});
+  return result;
 }
 
 Framed Field::framed() const { return {shared_from_this(), Eigen::Matrix3d::Identity(), Vec3::Zero()}; }

@@ -1,6 +1,7 @@
 // Operations that move points: affine placements and the general map.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
 #include "chunk.h"
 #include "fieldfab/core/error.h"
@@ -35,10 +36,12 @@ class Affine final : public Field {
     });
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return a_->interval(moved(box)); }
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose) const override {
-    Restriction a = a_->restricted(moved(box), purpose);
-    if (a.field == a_) return {a.range, shared_from_this()};
-    return {a.range, std::make_shared<Affine>(std::move(a.field), to_inner_)};
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+    std::vector<Box> inner;
+    for (const Box& box : boxes) inner.push_back(moved(box));
+    a_->restrict_all(inner, purpose, out);
+    for (Restriction& here : out.first(boxes.size()))
+      here.field = here.field == a_ ? shared_from_this() : std::make_shared<Affine>(std::move(here.field), to_inner_);
   }
   [[nodiscard]] Box known_bounds() const noexcept override {
     const Box inner = a_->known_bounds();
@@ -121,21 +124,29 @@ class Mapped final : public Field {
     for (std::size_t i = 0; i < 3; ++i) range[i] = coordinate_[i]->interval(box);
     return inner_interval(range, a_->interval(inner_box(range)));
   }
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose) const override {
-    std::array<Restriction, 3> inner;
-    std::array<Interval, 3> range;
-    bool same = true;
-    for (std::size_t i = 0; i < 3; ++i) {
-      inner[i] = coordinate_[i]->restricted(box);
-      range[i] = inner[i].range;
-      same = same && inner[i].field == coordinate_[i];
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+    std::array<std::vector<Restriction>, 3> coordinate;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      coordinate[axis].resize(boxes.size());
+      coordinate_[axis]->restrict_all(boxes, Purpose::value, coordinate[axis]);
     }
-    Restriction a = a_->restricted(inner_box(range), purpose);
-    const Interval known = inner_interval(range, a.range);
-    if (known.maybe_nan && !a.range.maybe_nan) a.field = a_;  // a coordinate may be NaN, which no box holds
-    if (same && a.field == a_) return {known, shared_from_this()};
-    return {known, std::make_shared<Mapped>(std::move(a.field), std::move(inner[0].field), std::move(inner[1].field),
-                                            std::move(inner[2].field))};
+    const auto ranges = [&](std::size_t i) {
+      return std::array{coordinate[0][i].range, coordinate[1][i].range, coordinate[2][i].range};
+    };
+    std::vector<Box> inner;
+    for (std::size_t i = 0; i < boxes.size(); ++i) inner.push_back(inner_box(ranges(i)));
+    a_->restrict_all(inner, purpose, out);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      Restriction& here = out[i];
+      const Interval known = inner_interval(ranges(i), here.range);
+      if (known.maybe_nan && !here.range.maybe_nan) here.field = a_;  // a coordinate may be NaN, which no box holds
+      bool same = here.field == a_;
+      for (std::size_t axis = 0; axis < 3; ++axis) same = same && coordinate[axis][i].field == coordinate_[axis];
+      here.range = known;
+      here.field = same ? shared_from_this()
+                        : std::make_shared<Mapped>(std::move(here.field), std::move(coordinate[0][i].field),
+                                                   std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
+    }
   }
   [[nodiscard]] std::size_t cost() const noexcept override {
     return a_->cost() + coordinate_[0]->cost() + coordinate_[1]->cost() + coordinate_[2]->cost();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "chunk.h"
 #include "fieldfab/core/error.h"
@@ -52,6 +53,10 @@ struct Union {
   Only decides(const Interval& a, const Interval& b) const {
     return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both;
   }
+  static constexpr bool signs_are_enough = true;
+  Only decides_sign(const Interval& a, const Interval& b) const {
+    return b.outside() ? Only::first : a.outside() ? Only::second : Only::both;
+  }
 };
 
 struct Intersection {
@@ -60,6 +65,10 @@ struct Intersection {
   Interval range(const Interval& a, const Interval& b) const { return greatest(a, b); }
   Only decides(const Interval& a, const Interval& b) const {
     return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both;
+  }
+  static constexpr bool signs_are_enough = true;
+  Only decides_sign(const Interval& a, const Interval& b) const {
+    return b.inside() ? Only::first : a.inside() ? Only::second : Only::both;
   }
 };
 
@@ -74,7 +83,9 @@ struct Blend {
   Interval range(const Interval& a, const Interval& b) const {
     return least(least(a, b), plus(plus(root_of_magnitude(a), root_of_magnitude(b)), Interval::of(-root)));
   }
+  static constexpr bool signs_are_enough = false;
   Only decides(const Interval&, const Interval&) const { return Only::both; }
+  Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
 };
 
 struct Morph {
@@ -82,7 +93,9 @@ struct Morph {
   float value(float a, float b) const { return first * a + second * b; }
   Weights weights(float, float) const { return {first, second}; }
   Interval range(const Interval& a, const Interval& b) const { return plus(times(a, first), times(b, second)); }
+  static constexpr bool signs_are_enough = false;
   Only decides(const Interval&, const Interval&) const { return Only::both; }
+  Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
 };
 
 /// A Field whose value is a rule over the values of two others.
@@ -122,20 +135,29 @@ class Combined final : public Field {
     return rule_.range(a_->interval(box), b_->interval(box));
   }
 
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose /*purpose*/) const override {
-    // The arguments' signs alone do not give the sign of a blend or a morph; values are asked for throughout.
-    Restriction a = a_->restricted(box), b = b_->restricted(box);
-    const Interval range = rule_.range(a.range, b.range);
-    const bool sure = !a.range.maybe_nan && !b.range.maybe_nan;
-    if (const Only only = rule_.decides(a.range, b.range); sure && only != Only::both)
-      return {range, only == Only::first ? a.field : b.field};
-    if (a.field == a_ && b.field == b_) return {range, shared_from_this()};
-    return {range, std::make_shared<Combined>(std::move(a.field), std::move(b.field), rule_)};
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+    // The arguments' signs alone do not give the sign of a blend or a morph: there values are asked for.
+    const Purpose inner = Rule::signs_are_enough ? purpose : Purpose::value;
+    std::vector<Restriction> other(boxes.size());
+    a_->restrict_all(boxes, inner, out);
+    b_->restrict_all(boxes, inner, other);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      out[i] = joined(std::move(out[i]), std::move(other[i]), inner == Purpose::occupancy);
   }
 
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + b_->cost() + 1; }
 
  private:
+  [[nodiscard]] Restriction joined(Restriction a, Restriction b, bool by_sign) const {
+    const Interval range = rule_.range(a.range, b.range);
+    Only only = Only::both;
+    if (!a.range.maybe_nan && !b.range.maybe_nan) only = rule_.decides(a.range, b.range);
+    if (by_sign && only == Only::both) only = rule_.decides_sign(a.range, b.range);
+    if (only != Only::both) return {range, only == Only::first ? a.field : b.field};
+    if (a.field == a_ && b.field == b_) return {range, shared_from_this()};
+    return {range, std::make_shared<Combined>(std::move(a.field), std::move(b.field), rule_)};
+  }
+
   FieldPtr a_, b_;
   Rule rule_;
 };
@@ -159,10 +181,12 @@ class Linear final : public Field {
     }
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return moved(a_->interval(box)); }
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose /*purpose*/) const override {
-    Restriction a = a_->restricted(box);
-    if (a.field == a_) return {moved(a.range), shared_from_this()};
-    return {moved(a.range), std::make_shared<Linear>(std::move(a.field), factor_, shift_)};
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+    a_->restrict_all(boxes, shift_ == 0 ? purpose : Purpose::value, out);
+    for (Restriction& here : out.first(boxes.size())) {
+      here.range = moved(here.range);
+      here.field = here.field == a_ ? shared_from_this() : std::make_shared<Linear>(std::move(here.field), factor_, shift_);
+    }
   }
   [[nodiscard]] Box known_bounds() const noexcept override {
     return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything();

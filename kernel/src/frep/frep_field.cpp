@@ -64,13 +64,7 @@ class FrepField final : public Field {
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
 
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose) const override {
-    Restriction result;
-    restricted_all({&box, 1}, purpose, {&result, 1});
-    return result;
-  }
-
-  void restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     for (std::size_t first = 0; first < boxes.size(); first += box_lanes) {
       const std::size_t count = std::min(box_lanes, boxes.size() - first);
       restrict_lanes(boxes.subspan(first, count), purpose, out.subspan(first, count));

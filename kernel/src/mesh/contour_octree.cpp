@@ -52,19 +52,15 @@ Octree::~Octree() = default;
 
 void Octree::subdivide(const Field& solid, const Lattice& lattice, Progress& progress) {
   nodes_.push_back({{0, 0, 0}, lattice.root_level(), solid.shared_from_this()});
+  settle({&nodes_[0], 1}, lattice);
   for (std::size_t first = 0, last = 1; first < last; first = last, last = nodes_.size()) {
     const int level = nodes_[first].level;
     progress.report(0.0, "searching for the surface");
-    parallel_for(last - first, [&](std::size_t i) {
-      progress.check();
-      Node& node = nodes_[first + i];
-      Restriction restriction = node.field->restricted(lattice.cube(node.lower, node.level));
-      node.field = std::move(restriction.field);
-      if (restriction.range.decided()) {
-        node.field.reset();
-        node.patch = Patch{static_cast<std::uint8_t>(restriction.range.inside() ? 255 : 0), {}};
-      }
-    });
+    if (first > 0)
+      parallel_for((last - first) / 8, [&](std::size_t i) {
+        progress.check();
+        settle({&nodes_[first + 8 * i], 8}, lattice);
+      });
 
     const auto open = static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
                                                              [](const Node& node) { return !node.patch; }));
@@ -80,6 +76,19 @@ void Octree::subdivide(const Field& solid, const Lattice& lattice, Progress& pro
         nodes_.push_back({child_of(nodes_[i].lower, child, level - 1), level - 1, nodes_[i].field});
       nodes_[i].field.reset();
     }
+  }
+}
+
+/// Restricts siblings, whose Field still is their parent's, to their own cubes; those that the surface misses are done with.
+void Octree::settle(std::span<Node> siblings, const Lattice& lattice) {
+  std::array<Box, 8> cube;
+  std::array<Restriction, 8> here;
+  for (std::size_t i = 0; i < siblings.size(); ++i) cube[i] = lattice.cube(siblings[i].lower, siblings[i].level);
+  const FieldPtr parent = siblings[0].field;
+  parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
+  for (std::size_t i = 0; i < siblings.size(); ++i) {
+    siblings[i].field = here[i].range.decided() ? nullptr : std::move(here[i].field);
+    if (here[i].range.decided()) siblings[i].patch = Patch{static_cast<std::uint8_t>(here[i].range.inside() ? 255 : 0), {}};
   }
 }
 

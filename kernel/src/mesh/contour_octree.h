@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "contour_lattice.h"
@@ -61,6 +62,7 @@ class Octree {
  private:
   struct Node;
   void subdivide(const Field& solid, const Lattice& lattice, Progress& progress);
+  static void settle(std::span<Node> siblings, const Lattice& lattice);
   void sample_blocks(const Lattice& lattice, const ContourSettings& settings, Progress& progress);
   void merge_blocks(const Lattice& lattice, double max_error);
   void number_leafs();

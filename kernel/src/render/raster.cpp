@@ -42,7 +42,7 @@ struct Parts {
         area[count] = {x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
         box[count] = box_of(grid, area[count], low, high);
       }
-    field.restricted_all({box.data(), count}, Purpose::occupancy, {here.data(), count});
+    field.restrict_all({box.data(), count}, Purpose::occupancy, {here.data(), count});
   }
 };
 
@@ -130,32 +130,46 @@ class PlaneTile {
 /// Heights of a tile, from the top down, leaving out what is hidden (Keeter 3.10).
 class HeightTile {
  public:
-  HeightTile(const PixelGrid& grid, std::vector<float>& heights) : grid_(grid), heights_(heights) {
+  HeightTile(const PixelGrid& grid, std::vector<float>& heights, Normals* normals)
+      : grid_(grid), heights_(heights), normals_(normals) {
     const double pixel = std::max(grid.region.size().x() / grid.width, grid.region.size().y() / grid.height);
     layers_ = std::max(1, static_cast<int>(std::ceil(grid.region.size().z() / pixel)));
   }
   [[nodiscard]] int layers() const { return layers_; }
 
-  /// Pixels r between layer `low` and layer `high`, counted from the bottom.
+  /// Pixels r between layer `low` and layer `high`, counted from the bottom; the Field is restricted to them.
   void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
-    const float top = plane(high);
-    if (hidden(r, top)) return;
-    const Restriction here = field->restricted(box_of(grid_, r, plane(low), top), Purpose::occupancy);
-    if (here.range.outside()) return;
-    if (here.range.inside()) return raise(r, top);
-    constexpr int side = 8;
-    if (r.longer() <= side && high - low <= side) return evaluate(*here.field, r, low, high);
-    const int step = std::max(r.longer(), high - low) / 2;
-    for (int upper = high; upper > low; upper -= step) {
-      const int lower = std::max(low, upper - step);
-      const int half = std::max(side, std::min((r.longer() + 1) / 2, step));
-      for (int y = r.top; y < r.bottom; y += half)
-        for (int x = r.left; x < r.right; x += half)
-          draw(here.field, {x, y, std::min(x + half, r.right), std::min(y + half, r.bottom)}, lower, upper);
-    }
+    if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
+    const int step = (std::max(r.longer(), high - low) + split - 1) / split;
+    for (int upper = high; upper > low; upper -= step) draw_slab(*field, r, std::max(low, upper - step), upper, step);
   }
 
  private:
+  static constexpr int side = 10;  // pixels and layers that are evaluated one by one
+  static constexpr std::size_t most_columns = side * side;
+
+  void draw_slab(const Field& field, const Rectangle& r, int low, int high, int step) const {
+    std::array<Rectangle, split * split> area;
+    std::array<Box, split * split> box;
+    std::array<Restriction, split * split> here;
+    std::size_t count = 0;
+    const float top = plane(high);
+    for (int y = r.top; y < r.bottom; y += step)
+      for (int x = r.left; x < r.right; x += step) {
+        const Rectangle part{x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
+        if (hidden(part, top)) continue;
+        area[count] = part;
+        box[count++] = box_of(grid_, part, plane(low), top);
+      }
+    if (count == 0) return;
+    field.restrict_all({box.data(), count}, Purpose::occupancy, {here.data(), count});
+    for (std::size_t i = 0; i < count; ++i)
+      if (here[i].range.inside())
+        raise(*here[i].field, area[i], top);
+      else if (!here[i].range.outside())
+        draw(here[i].field, area[i], low, high);
+  }
+
   [[nodiscard]] float plane(int layer) const {
     return static_cast<float>(grid_.region.lower.z() + grid_.region.size().z() * layer / layers_);
   }
@@ -165,48 +179,114 @@ class HeightTile {
         if (heights_[grid_.index(x, y)] < top) return false;
     return true;
   }
-  void raise(const Rectangle& r, float top) const {
+
+  /// Places where rays meet the solid; more than one for a pixel never is.
+  struct Hits {
+    std::array<float, most_columns> x, y, z;
+    std::array<std::size_t, most_columns> pixel;
+    std::size_t count = 0;
+  };
+
+  /// A box that is filled up to its top plane.
+  void raise(const Field& field, const Rectangle& r, float top) const {
+    Hits hits;
     for (int y = r.top; y < r.bottom; ++y)
-      for (int x = r.left; x < r.right; ++x) heights_[grid_.index(x, y)] = std::max(heights_[grid_.index(x, y)], top);
+      for (int x = r.left; x < r.right; ++x) {
+        const std::size_t pixel = grid_.index(x, y);
+        if (heights_[pixel] >= top) continue;
+        hits.x[hits.count] = grid_.x(x), hits.y[hits.count] = grid_.y(y), hits.z[hits.count] = top;
+        hits.pixel[hits.count++] = pixel;
+        if (hits.count == most_columns) record(field, hits), hits.count = 0;
+      }
+    record(field, hits);
   }
 
-  /// Looks down each column at the layers' planes, then closes in on the crossing by bisection, all columns together.
-  void evaluate(const Field& field, const Rectangle& r, int low, int high) const {
-    constexpr std::size_t columns = 64, most = columns * 9;
+  /// Looks down each column at the layers' planes; where one is inside and the one above is not, closes in on the crossing.
+  void march(const Field& field, const Rectangle& r, int low, int high) const {
+    constexpr std::size_t most = most_columns * (side + 1);
     std::array<float, most> x, y, z, value;
-    std::size_t count = 0;
-    for (int row = r.top; row < r.bottom; ++row)
-      for (int column = r.left; column < r.right; ++column)
-        for (int layer = high; layer >= low; --layer, ++count)
-          x[count] = grid_.x(column), y[count] = grid_.y(row), z[count] = plane(layer);
-    field.values({x.data(), y.data(), z.data(), count}, value.data());
-
-    std::array<float, columns> inside, outside, hx, hy, middle, sign;
-    std::array<std::size_t, columns> pixel;
-    std::size_t hits = 0, at = 0;
-    for (int row = r.top; row < r.bottom; ++row)
-      for (int column = r.left; column < r.right; ++column) {
-        int layer = high;
-        for (std::size_t i = at; layer >= low && !(value[i] < 0); --layer) ++i;
-        at += static_cast<std::size_t>(high - low + 1);
-        if (layer < low || plane(layer) <= heights_[grid_.index(column, row)]) continue;
-        pixel[hits] = grid_.index(column, row);
-        inside[hits] = plane(layer);
-        outside[hits] = layer == high ? plane(high) : plane(layer + 1);
-        hx[hits] = grid_.x(column), hy[hits] = grid_.y(row);
-        ++hits;
+    const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
+    const std::size_t area = columns * rows, planes = static_cast<std::size_t>(high - low) + 1;
+    for (std::size_t row = 0; row < rows; ++row)
+      for (std::size_t column = 0; column < columns; ++column) {
+        x[row * columns + column] = grid_.x(r.left + static_cast<int>(column));
+        y[row * columns + column] = grid_.y(r.top + static_cast<int>(row));
       }
-    constexpr int steps = 12;
-    for (int step = 0; step < steps && hits > 0; ++step) {
-      for (std::size_t i = 0; i < hits; ++i) middle[i] = 0.5F * (inside[i] + outside[i]);
-      field.values({hx.data(), hy.data(), middle.data(), hits}, sign.data());
-      for (std::size_t i = 0; i < hits; ++i) (sign[i] < 0 ? inside : outside)[i] = middle[i];
+    for (std::size_t layer = 0; layer < planes; ++layer) {  // the top one first
+      if (layer > 0) std::copy_n(x.data(), area, x.data() + layer * area), std::copy_n(y.data(), area, y.data() + layer * area);
+      std::fill_n(z.data() + layer * area, area, plane(high - static_cast<int>(layer)));
     }
-    for (std::size_t i = 0; i < hits; ++i) heights_[pixel[i]] = std::max(heights_[pixel[i]], inside[i]);
+    field.values({x.data(), y.data(), z.data(), area * planes}, value.data());
+
+    std::array<int, most_columns> first;  // layer that is inside
+    std::fill_n(first.data(), area, -1);
+    for (std::size_t layer = planes; layer-- > 0;)
+      for (std::size_t i = 0; i < area; ++i) first[i] = value[layer * area + i] < 0 ? static_cast<int>(layer) : first[i];
+    Hits hits;
+    Brackets brackets;
+    for (std::size_t i = 0; i < area; ++i) {
+      if (first[i] < 0) continue;
+      const std::size_t pixel = grid_.index(r.left + static_cast<int>(i % columns), r.top + static_cast<int>(i / columns));
+      const std::size_t at = static_cast<std::size_t>(first[i]) * area + i, above = first[i] == 0 ? at : at - area;
+      if (z[at] <= heights_[pixel]) continue;
+      brackets.inside[hits.count] = z[at], brackets.outside[hits.count] = z[above];
+      brackets.value_inside[hits.count] = value[at], brackets.value_outside[hits.count] = value[above];
+      hits.x[hits.count] = x[i], hits.y[hits.count] = y[i];
+      hits.pixel[hits.count++] = pixel;
+    }
+    close_in(field, brackets, hits);
+    record(field, hits);
+  }
+
+  struct Brackets {
+    std::array<float, most_columns> inside, outside, value_inside, value_outside;
+  };
+
+  /// Regula falsi (the Illinois way), all columns together, down to a thousandth of a layer; hits.z gets the crossings.
+  void close_in(const Field& field, Brackets& b, Hits& hits) const {
+    const float near = 1e-3F * (plane(layers_) - plane(0)) / static_cast<float>(layers_);
+    std::array<float, most_columns> value;
+    std::array<std::int8_t, most_columns> last{};
+    constexpr int most_steps = 14;
+    for (int step = 0;; ++step) {
+      float farthest = 0;
+      for (std::size_t i = 0; i < hits.count; ++i) {
+        const float share = b.value_inside[i] / (b.value_inside[i] - b.value_outside[i]);
+        // Neither NaN nor the very ends: so that a jump is bisected, more or less.
+        const float t = share > 0.02F && share < 0.98F ? share : share <= 0.02F ? 0.02F : share >= 0.98F ? 0.98F : 0.5F;
+        const float middle = b.inside[i] + t * (b.outside[i] - b.inside[i]);
+        farthest = std::max(farthest, step == 0 ? b.outside[i] - b.inside[i] : std::abs(middle - hits.z[i]));
+        hits.z[i] = middle;
+      }
+      if (farthest < near || step == most_steps || hits.count == 0) return;
+      field.values({hits.x.data(), hits.y.data(), hits.z.data(), hits.count}, value.data());
+      for (std::size_t i = 0; i < hits.count; ++i) {
+        const bool in = value[i] < 0;
+        (in ? b.inside : b.outside)[i] = hits.z[i];
+        (in ? b.value_inside : b.value_outside)[i] = value[i];
+        const std::int8_t side_now = in ? 1 : -1;
+        if (last[i] == side_now) (in ? b.value_outside : b.value_inside)[i] *= 0.5F;
+        last[i] = side_now;
+      }
+    }
+  }
+
+  void record(const Field& field, const Hits& hits) const {
+    for (std::size_t i = 0; i < hits.count; ++i) heights_[hits.pixel[i]] = hits.z[i];
+    if (normals_ == nullptr || hits.count == 0) return;
+    std::array<float, most_columns> value, dx, dy, dz;
+    field.gradients({hits.x.data(), hits.y.data(), hits.z.data(), hits.count}, value.data(), {dx.data(), dy.data(), dz.data()});
+    const float top = plane(layers_);
+    for (std::size_t i = 0; i < hits.count; ++i) {
+      const Eigen::Vector3f slope(dx[i], dy[i], dz[i]);
+      const float length = slope.norm();
+      if (hits.z[i] < top && std::isfinite(length) && length > 0) (*normals_)[hits.pixel[i]] = slope / length;
+    }
   }
 
   const PixelGrid& grid_;
   std::vector<float>& heights_;
+  Normals* normals_;
   int layers_;
 };
 
@@ -234,9 +314,10 @@ std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& g
   return inside;
 }
 
-std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Progress& progress) {
+std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Normals* normals, Progress& progress) {
   std::vector<float> heights(grid.count(), -std::numeric_limits<float>::infinity());
-  const HeightTile tile(grid, heights);
+  if (normals != nullptr) normals->assign(grid.count(), Eigen::Vector3f::UnitZ());
+  const HeightTile tile(grid, heights, normals);
   const auto not_filled = [](const Rectangle&) { return false; };
   Descent(grid, grid.region.lower.z(), grid.region.upper.z(), progress)
       .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, not_filled,

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "fieldfab/core/progress.h"
+#include <Eigen/Core>
+
 #include "fieldfab/field/field.h"
 
 namespace fieldfab {
@@ -28,7 +30,12 @@ struct PixelGrid {
 /// For each pixel, whether its centre in the plane z = region.lower.z is inside.
 std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& grid, Progress& progress);
 
-/// For each pixel, the z at which a ray from above enters the solid, or -infinity. Thin parts are found to about a pixel's size.
-std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Progress& progress);
+/// Unit vectors, pixel by pixel.
+using Normals = std::vector<Eigen::Vector3f>;
+
+/// For each pixel, the z at which a ray from above enters the solid, or -infinity. Thin parts are found to about a pixel's size;
+/// what the top of the region cuts through is met there. `normals`, where wanted, gets the unit normals at those places (z where
+/// there is none).
+std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Normals* normals, Progress& progress);
 
 }  // namespace fieldfab

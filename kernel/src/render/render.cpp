@@ -13,8 +13,6 @@
 namespace fieldfab {
 namespace {
 
-using Normals = std::vector<Eigen::Vector3f>;
-
 /// The turn of App. C: alpha about z, then beta about x.
 Eigen::Affine3d turn(const RenderSettings& settings) {
   return Eigen::Affine3d(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
@@ -30,30 +28,6 @@ Image blank(const PixelGrid& grid, int channels, int depth) {
   image.pixels_per_mm = grid.width / grid.region.size().x();
   image.bounds = grid.region;
   return image;
-}
-
-/// Unit normals at the pixels that see the solid, from the Field's gradient just where the ray meets it.
-Normals find_normals(const Field& field, const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
-  Normals normals(grid.count(), Eigen::Vector3f::UnitZ());
-  parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
-    progress.check();
-    std::vector<float> x, y, z;
-    std::vector<std::size_t> pixel;
-    for (int column = 0; column < grid.width; ++column) {
-      const std::size_t i = grid.index(column, static_cast<int>(row));
-      if (!std::isfinite(heights[i])) continue;
-      x.push_back(grid.x(column)), y.push_back(grid.y(static_cast<int>(row))), z.push_back(heights[i]);
-      pixel.push_back(i);
-    }
-    std::vector<float> value(x.size()), dx(x.size()), dy(x.size()), dz(x.size());
-    field.gradients({x.data(), y.data(), z.data(), x.size()}, value.data(), {dx.data(), dy.data(), dz.data()});
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const Eigen::Vector3f slope(dx[i], dy[i], dz[i]);
-      const float length = slope.norm();
-      if (std::isfinite(length) && length > 0) normals[pixel[i]] = slope / length;
-    }
-  });
-  return normals;
 }
 
 /// How open the sky is above each pixel, 0 to 1: horizons in eight directions, read off the height map at growing distances.
@@ -162,17 +136,18 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   if (!std::isfinite(settings.alpha) || !std::isfinite(settings.beta))
     throw Error(ErrorKind::bad_input, "angle", "must be a finite number");
 
-  FieldPtr seen = intersect(field.shared_from_this(), box_field(bounds));
+  FieldPtr seen = field.shared_from_this();
   Box region = bounds;
   if (settings.alpha != 0 || settings.beta != 0) {
     const Eigen::Affine3d turned = turn(settings);
-    seen = transform(seen, turned);
+    seen = transform(intersect(seen, box_field(bounds)), turned);
     region = image_of(bounds, turned.linear(), turned.translation());
   }
   const PixelGrid grid = PixelGrid::over(region, settings.size);
-  const std::vector<float> heights = rasterise_heights(*seen, grid, progress);
-  if (settings.mode == RenderMode::height) return height_map(grid, heights);
-  const Normals normals = find_normals(*seen, grid, heights, progress);
+  Normals normals;
+  const bool only_heights = settings.mode == RenderMode::height;
+  const std::vector<float> heights = rasterise_heights(*seen, grid, only_heights ? nullptr : &normals, progress);
+  if (only_heights) return height_map(grid, heights);
   if (settings.mode == RenderMode::normals) return normal_map(grid, heights, normals);
   return shaded(grid, heights, normals, find_openness(grid, heights, progress));
 }

@@ -46,7 +46,7 @@ class Asdf final : public Field {
   void values(const Points& points, float* out) const noexcept override;
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override;
   [[nodiscard]] Interval interval(const Box& box) const noexcept override;
-  [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const override;
+  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override;
   [[nodiscard]] Box known_bounds() const noexcept override { return region_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 64; }
 
@@ -74,6 +74,8 @@ class Asdf final : public Field {
   /// The cell at a point of the lattice: descends from root_.
   struct Place;
   [[nodiscard]] Place find(const std::array<double, 3>& at) const noexcept;
+  /// The smallest subtree that answers for all of a box.
+  [[nodiscard]] FieldPtr subtree(const Box& box) const;
 
   Box region_;
   std::array<int, 3> lattice_{};

@@ -67,13 +67,12 @@ class Field : public std::enable_shared_from_this<Field> {
   /// An interval that holds every value that values() yields for points of `box` (rounded to float).
   [[nodiscard]] virtual Interval interval(const Box& box) const noexcept = 0;
 
-  /// The interval over `box` and a Field that gives the same answers at every point of `box` (see Purpose).
-  /// Outside of `box` that Field means nothing. The default is this Field itself.
-  [[nodiscard]] virtual Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const;
-
-  /// restricted() for several boxes, such as the children of a cell: `out` has one place for each box. A Field that can look at
-  /// several boxes in the time of one does so here; the default takes one after the other.
-  virtual void restricted_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const;
+  /// For each box the interval over it and a Field that gives the same answers at every point of it (see Purpose); outside of its
+  /// box that Field means nothing. `out` has one place for each box. Several boxes, such as the children of a cell, may cost little
+  /// more than one. The default gives intervals, and this Field itself.
+  virtual void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const;
+  /// restrict_all() for one box.
+  [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const;
 
   /// A box that holds the solid, where the Field knows one from its making; Box::everything() otherwise. See solid_bounds().
   [[nodiscard]] virtual Box known_bounds() const noexcept { return Box::everything(); }
