@@ -62,9 +62,10 @@ void bind_results(py::module_& module) {
             auto& image = self.cast<Image&>();
             std::vector<py::ssize_t> shape{image.height, image.width};
             if (image.channels > 1) shape.push_back(image.channels);
-            return view(image.pixels.data(), shape, self);
+            return image.depth == 16 ? py::object(view(image.pixels16.data(), shape, self))
+                                     : py::object(view(image.pixels8.data(), shape, self));
           },
-          "(height, width) or (height, width, 3) uint16, values below 2^depth")
+          "(height, width) or (height, width, 3); uint8 or, where depth is 16, uint16")
       .def_readonly("width", &Image::width)
       .def_readonly("height", &Image::height)
       .def_readonly("channels", &Image::channels)

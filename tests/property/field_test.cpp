@@ -128,7 +128,7 @@ TEST(Threads, MakeNoDifferenceToResults) {
     }
     EXPECT_EQ(mesh.vertices, again.vertices);
     EXPECT_EQ(mesh.triangles, again.triangles);
-    EXPECT_EQ(image.pixels, picture.pixels);
+    EXPECT_EQ(image.pixels8, picture.pixels8);
     EXPECT_EQ(counts.leafs, asdf->statistics().leafs);
     EXPECT_EQ(counts.cells(), asdf->statistics().cells());
   }

@@ -87,13 +87,18 @@ TEST_F(Pictures, ReadBackTheSame) {
     for (const int depth : {8, 16}) {
       Image image;
       image.width = 5, image.height = 3, image.channels = channels, image.depth = depth;
-      for (int i = 0; i < 15 * channels; ++i) image.pixels.push_back(static_cast<std::uint16_t>(i * (depth == 16 ? 1000 : 5)));
+      for (int i = 0; i < 15 * channels; ++i) 
+        if (depth == 16)
+          image.pixels16.push_back(static_cast<std::uint16_t>(i * 1000));
+        else
+          image.pixels8.push_back(static_cast<std::uint8_t>(i * 5));
       image.pixels_per_mm = 12.5;
       image.bounds = {{0, 0, -1.25}, {1, 1, 7.5}};
       image.has_heights = channels == 1;
       write_png(image, folder / "i.png");
       const Image again = read_png(folder / "i.png");
-      EXPECT_EQ(again.pixels, image.pixels);
+      EXPECT_EQ(again.pixels8, image.pixels8);
+      EXPECT_EQ(again.pixels16, image.pixels16);
       EXPECT_EQ(again.depth, depth);
       EXPECT_NEAR(again.pixels_per_mm, 12.5, 1e-9);
       EXPECT_EQ(again.has_heights, channels == 1);

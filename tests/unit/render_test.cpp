@@ -30,7 +30,7 @@ TEST(Bitmaps, AreWhatEachPixelsCentreSays) {
       const Vec3 p(-1 + (column + 0.5) * 2 / image.width, 0.7 - (row + 0.5) * 1.3 / image.height, 0);
       const bool inside = prospero->value(p) < 0;
       white += inside;
-      ASSERT_EQ(image.pixels[static_cast<std::size_t>(row * image.width + column)], inside ? 255 : 0) << row << ' ' << column;
+      ASSERT_EQ(image.pixels8[static_cast<std::size_t>(row * image.width + column)], inside ? 255 : 0) << row << ' ' << column;
     }
   EXPECT_GT(white, 1000);
 }
@@ -46,7 +46,7 @@ TEST(HeightMaps, MeetTheSurface) {
   for (int row = 0; row < 121; ++row)
     for (int column = 0; column < 121; ++column) {
       const double x = -1.1 + (column + 0.5) * 2.2 / 121, y = 1.1 - (row + 0.5) * 2.2 / 121, r = std::hypot(x, y);
-      const double pixel = image.pixels[static_cast<std::size_t>(row * 121 + column)];
+      const double pixel = image.pixels16[static_cast<std::size_t>(row * 121 + column)];
       if (r > 1.001) {
         EXPECT_EQ(pixel, 0);
       } else if (r < 0.98) {
@@ -62,14 +62,14 @@ TEST(HeightMaps, TurnWithAlphaAndBeta) {
   const Image image = render(*rod, bounds, {RenderMode::height, 64, std::numbers::pi / 2, std::numbers::pi / 2});
   EXPECT_EQ(image.width, image.height);
   EXPECT_NEAR(image.bounds.size().z(), 4, 1e-9);
-  EXPECT_NEAR(image.pixels[32 * 64 + 32], 65535, 2);
+  EXPECT_NEAR(image.pixels16[32 * 64 + 32], 65535, 2);
 }
 
 TEST(Normals, PointOutOfTheSurface) {
   const Image image =
       render(*frep::make_field(s::sphere(1)), {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::normals, 101});
   const auto channel = [&](int row, int column, int c) {
-    return image.pixels[static_cast<std::size_t>(3 * (row * 101 + column) + c)] / 127.5 - 1;
+    return image.pixels8[static_cast<std::size_t>(3 * (row * 101 + column) + c)] / 127.5 - 1;
   };
   EXPECT_NEAR(channel(50, 50, 2), 1, 0.01);
   EXPECT_NEAR(channel(50, 75, 0), 50.0 / 101, 0.01);

@@ -78,16 +78,14 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   png_write_info(writer.png, writer.info);
 
   const auto row_samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-  std::vector<png_byte> row(row_samples * (image.depth == 16 ? 2 : 1));
+  std::vector<png_byte> row(image.depth == 16 ? 2 * row_samples : 0);
   for (int y = 0; y < image.height; ++y) {
-    const std::uint16_t* from = image.pixels.data() + static_cast<std::size_t>(y) * row_samples;
-    for (std::size_t i = 0; i < row_samples; ++i) {
-      if (image.depth == 16)
-        row[2 * i] = static_cast<png_byte>(from[i] >> 8), row[2 * i + 1] = static_cast<png_byte>(from[i] & 255);
-      else
-        row[i] = static_cast<png_byte>(from[i]);
+    const std::size_t first = static_cast<std::size_t>(y) * row_samples;
+    for (std::size_t i = 0; image.depth == 16 && i < row_samples; ++i) {  // the high byte first
+      row[2 * i] = static_cast<png_byte>(image.pixels16[first + i] >> 8);
+      row[2 * i + 1] = static_cast<png_byte>(image.pixels16[first + i] & 255);
     }
-    png_write_row(writer.png, row.data());
+    png_write_row(writer.png, image.depth == 16 ? row.data() : image.pixels8.data() + first);
   }
   png_write_end(writer.png, writer.info);
   file.commit();
@@ -130,9 +128,14 @@ Image read_png(const std::filesystem::path& path) {
 
   const std::size_t samples =
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
-  image.pixels.resize(samples);
-  for (std::size_t i = 0; i < samples; ++i)
-    image.pixels[i] = image.depth == 16 ? static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]) : data[i];
+  if (image.depth == 16) {
+    image.pixels16.resize(samples);
+    for (std::size_t i = 0; i < samples; ++i)
+      image.pixels16[i] = static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]);
+  } else {
+    data.resize(samples);
+    image.pixels8 = std::move(data);
+  }
 
   if (png_uint_32 x = 0, y = 0; true) {
     int unit = 0;

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
@@ -83,14 +84,14 @@ class Descent {
 /// Pixels of a plane, tile by tile (Alg. 3.2 in two dimensions).
 class PlaneTile {
  public:
-  PlaneTile(const PixelGrid& grid, std::vector<std::uint8_t>& inside) : grid_(grid), inside_(inside) {
+  PlaneTile(const PixelGrid& grid, std::uint8_t* pixels) : grid_(grid), pixels_(pixels) {
     for (int column = 0; column < grid.width; ++column) x_.push_back(grid.x(column));
     for (int row = 0; row < grid.height; ++row) y_.push_back(grid.y(row));
   }
 
   void fill(const Rectangle& r) const {
     for (int y = r.top; y < r.bottom; ++y)
-      std::fill_n(inside_.begin() + static_cast<std::ptrdiff_t>(grid_.index(r.left, y)), r.right - r.left, std::uint8_t{1});
+      std::memset(pixels_ + grid_.index(r.left, y), 255, static_cast<std::size_t>(r.right - r.left));
   }
 
   void draw(const FieldPtr& field, const Rectangle& r) const {
@@ -116,14 +117,14 @@ class PlaneTile {
     std::fill_n(z.data(), rows * columns, static_cast<float>(grid_.region.lower.z()));
     field.values({x.data(), y.data(), z.data(), rows * columns}, value.data());
     for (std::size_t row = 0; row < rows; ++row) {
-      std::uint8_t* const pixel = inside_.data() + grid_.index(r.left, r.top + static_cast<int>(row));
+      std::uint8_t* const pixel = pixels_ + grid_.index(r.left, r.top + static_cast<int>(row));
       for (std::size_t column = 0; column < columns; ++column)
-        pixel[column] = static_cast<std::uint8_t>(value[row * columns + column] < 0);
+        pixel[column] = value[row * columns + column] < 0 ? 255 : 0;
     }
   }
 
   const PixelGrid& grid_;
-  std::vector<std::uint8_t>& inside_;
+  std::uint8_t* pixels_;
   std::vector<float> x_, y_;  ///< of the columns' and rows' centres
 };
 
@@ -303,15 +304,13 @@ PixelGrid PixelGrid::over(const Box& region, int size) {
   return {side(extent.x()), side(extent.y()), region};
 }
 
-std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& grid, Progress& progress) {
-  std::vector<std::uint8_t> inside(grid.count(), 0);
-  const PlaneTile tile(grid, inside);
+void rasterise_plane(const Field& field, const PixelGrid& grid, std::uint8_t* pixels, Progress& progress) {
+  const PlaneTile tile(grid, pixels);
   const auto fill = [&](const Rectangle& r) { return tile.fill(r), true; };
   const double z = grid.region.lower.z();
   Descent(grid, z, z, progress)
       .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, fill,
            [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r); });
-  return inside;
 }
 
 std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Normals* normals, Progress& progress) {

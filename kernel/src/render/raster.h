@@ -27,8 +27,8 @@ struct PixelGrid {
   }
 };
 
-/// For each pixel, whether its centre in the plane z = region.lower.z is inside.
-std::vector<std::uint8_t> rasterise_plane(const Field& field, const PixelGrid& grid, Progress& progress);
+/// Sets each pixel whose centre in the plane z = region.lower.z is inside to 255; `pixels` are 0 before.
+void rasterise_plane(const Field& field, const PixelGrid& grid, std::uint8_t* pixels, Progress& progress);
 
 /// Unit vectors, pixel by pixel.
 using Normals = std::vector<Eigen::Vector3f>;

@@ -24,7 +24,11 @@ Image blank(const PixelGrid& grid, int channels, int depth) {
   image.height = grid.height;
   image.channels = channels;
   image.depth = depth;
-  image.pixels.resize(grid.count() * static_cast<std::size_t>(channels), 0);
+  const std::size_t samples = grid.count() * static_cast<std::size_t>(channels);
+  if (depth == 16)
+    image.pixels16.resize(samples);
+  else
+    image.pixels8.resize(samples);
   image.pixels_per_mm = grid.width / grid.region.size().x();
   image.bounds = grid.region;
   return image;
@@ -62,9 +66,8 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
 }
 
 Image bitmap(const Field& field, const PixelGrid& grid, Progress& progress) {
-  const std::vector<std::uint8_t> inside = rasterise_plane(field, grid, progress);
   Image image = blank(grid, 1, 8);
-  for (std::size_t i = 0; i < inside.size(); ++i) image.pixels[i] = inside[i] != 0 ? 255 : 0;
+  rasterise_plane(field, grid, image.pixels8.data(), progress);
   return image;
 }
 
@@ -74,7 +77,7 @@ Image height_map(const PixelGrid& grid, const std::vector<float>& heights) {
   const double low = grid.region.lower.z(), range = grid.region.size().z();
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (std::isfinite(heights[i]))
-      image.pixels[i] = static_cast<std::uint16_t>(std::clamp(1 + (heights[i] - low) / range * 65534, 1.0, 65535.0));
+      image.pixels16[i] = static_cast<std::uint16_t>(std::clamp(1 + (heights[i] - low) / range * 65534, 1.0, 65535.0));
   return image;
 }
 
@@ -83,8 +86,8 @@ Image normal_map(const PixelGrid& grid, const std::vector<float>& heights, const
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (std::isfinite(heights[i]))
       for (int c = 0; c < 3; ++c)
-        image.pixels[3 * i + static_cast<std::size_t>(c)] =
-            static_cast<std::uint16_t>(std::lround(127.5F + 127.5F * normals[i][c]));
+        image.pixels8[3 * i + static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(std::lround(127.5F + 127.5F * normals[i][c]));
   return image;
 }
 
@@ -113,8 +116,8 @@ Image shaded(const PixelGrid& grid, const std::vector<float>& heights, const Nor
         colour = colour.cwiseProduct(colour);
       }
       for (int c = 0; c < 3; ++c)
-        image.pixels[3 * i + static_cast<std::size_t>(c)] =
-            static_cast<std::uint16_t>(std::lround(255 * std::sqrt(std::clamp(colour[c], 0.0F, 1.0F))));
+        image.pixels8[3 * i + static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(std::lround(255 * std::sqrt(std::clamp(colour[c], 0.0F, 1.0F))));
     }
   return image;
 }
