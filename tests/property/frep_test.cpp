@@ -44,11 +44,18 @@ std::vector<float> values(const Field& field, const Samples& samples) {
   return out;
 }
 
+/// Those that this processor has.
+std::vector<Evaluator> all_evaluators() {
+  std::vector<Evaluator> all;
+  for (int i = 1; i <= static_cast<int>(Evaluator::jit_avx512); ++i)
+    if (available(static_cast<Evaluator>(i))) all.push_back(static_cast<Evaluator>(i));
+  return all;
+}
+
 RC_GTEST_PROP(Frep, EvaluatorsGiveTheSameBits, ()) {
   const Expression expression = random_expression(draw(1, 60));
   const Samples samples(random_box());
-  for (const Evaluator evaluator : {Evaluator::reference, Evaluator::portable, Evaluator::avx2, Evaluator::avx512}) {
-    if (!available(evaluator)) continue;
+  for (const Evaluator evaluator : all_evaluators()) {
     const std::vector<float> out = values(*make_field(expression, evaluator), samples);
     for (std::size_t i = 0; i < out.size(); ++i)
       RC_ASSERT(same(out[i], evaluate(expression, samples.x[i], samples.y[i], samples.z[i])));
@@ -58,8 +65,7 @@ RC_GTEST_PROP(Frep, EvaluatorsGiveTheSameBits, ()) {
 RC_GTEST_PROP(Frep, GradientsGiveTheSameBits, ()) {
   const Expression expression = random_expression(draw(1, 40));
   const Samples samples(random_box(), 70);
-  for (const Evaluator evaluator : {Evaluator::portable, Evaluator::avx2, Evaluator::avx512}) {
-    if (!available(evaluator)) continue;
+  for (const Evaluator evaluator : all_evaluators()) {
     std::vector<float> out(samples.x.size()), dx(out), dy(out), dz(out);
     make_field(expression, evaluator)->gradients(samples.points(), out.data(), {dx.data(), dy.data(), dz.data()});
     for (std::size_t i = 0; i < out.size(); ++i) {

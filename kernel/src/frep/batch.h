@@ -59,11 +59,16 @@ using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy,
 /// choices mean nothing, and are to be had from evaluate_ranges().
 using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
+/// One operation on n points: `in` holds n first and n second arguments. For partials, n values follow them, and `out` gets n
+/// derivatives by the first and n by the second.
+using RunOperation = void (*)(Opcode op, const float* in, float* out, std::size_t n);
+
 /// The evaluators for one instruction set.
 struct Runners {
   RunValues values;
   RunGradients gradients;
   RunIntervals intervals;
+  RunOperation operation, partials;
 };
 extern const Runners reference_runners, portable_runners, avx2_runners, avx512_runners;
 

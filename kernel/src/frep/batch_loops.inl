@@ -240,5 +240,10 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
   copy_root({slope(run.root, 2), 0}, dz, n);
 }
 
+void run_operation(Opcode op, const float* in, float* out, std::size_t n) { run_clause(op, {in, 0}, {in + n, 0}, out, n); }
+void run_operation_partials(Opcode op, const float* in, float* out, std::size_t n) {
+  run_partials(op, in, in + n, in + 2 * n, out, out + n, n);
+}
+
 }  // namespace
 }  // namespace fieldfab::frep

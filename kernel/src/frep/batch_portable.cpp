@@ -3,6 +3,6 @@
 
 namespace fieldfab::frep {
 
-constinit const Runners portable_runners{run_values, run_gradients, run_intervals};
+constinit const Runners portable_runners{run_values, run_gradients, run_intervals, run_operation, run_operation_partials};
 
 }  // namespace fieldfab::frep

@@ -46,9 +46,10 @@ inline Partials partials(Opcode op, float a, float b, float value) {
   }
 }
 
-/// The chain rule for one coordinate. An argument that does not matter is left out, so that 0 * infinity cannot spoil the sum.
+/// The chain rule for one coordinate. An argument that does not matter, or does not change, is left out, so that 0 * infinity
+/// cannot spoil the sum.
 inline float chain(float da, float ga, float db, float gb) {
-  const float left = da == 0 ? 0.0F : da * ga, right = db == 0 ? 0.0F : db * gb;
+  const float left = da == 0 || ga == 0 ? 0.0F : da * ga, right = db == 0 || gb == 0 ? 0.0F : db * gb;
   return left + right;
 }
 

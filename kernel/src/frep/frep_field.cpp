@@ -1,9 +1,10 @@
 #include "fieldfab/frep/frep_field.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <atomic>
 
-#include "batch.h"
+#include "compiled_tape.h"
 #include "fieldfab/core/error.h"
 #include "frame.h"
 #include "prune.h"
@@ -13,14 +14,54 @@ namespace fieldfab::frep {
 
 namespace {
 
-const Runners& runners(Evaluator evaluator) {
+/// What evaluates a tape.
+struct Engine {
+  const Runners* interpreter;
+  std::size_t jit_lanes = 0;  ///< 0: no machine code
+  bool always_jit = false;    ///< whether a tape is compiled before its first use, not when it turns out to be used much
+};
+
+Engine engine(Evaluator evaluator) {
   switch (evaluator) {
-    case Evaluator::reference: return reference_runners;
-    case Evaluator::avx2: return avx2_runners;
-    case Evaluator::avx512: return avx512_runners;
-    default: return portable_runners;
+    case Evaluator::reference: return {&reference_runners};
+    case Evaluator::portable: return {&portable_runners};
+    case Evaluator::avx2: return {&avx2_runners};
+    case Evaluator::avx512: return {&avx512_runners};
+    case Evaluator::jit_avx2: return {&avx2_runners, 8, true};
+    case Evaluator::jit_avx512: return {&avx512_runners, 16, true};
+    case Evaluator::automatic: break;
   }
+  if (available(Evaluator::avx512)) return {&avx512_runners, 16};
+  if (available(Evaluator::avx2)) return {&avx2_runners, 8};
+  return {&portable_runners};
 }
+
+/// Machine code that is made once a tape has been run for so many points that making it pays.
+class LazyCode {
+ public:
+  ~LazyCode() { delete code_.load(); }
+  LazyCode() = default;
+  LazyCode(const LazyCode&) = delete;
+  LazyCode& operator=(const LazyCode&) = delete;
+
+  /// The code, or null while interpreting is as good. One thread compiles; others go on meanwhile.
+  const CompiledTape* after(std::size_t points, const Tape& tape, CompiledTape::Makes what, const Engine& engine) const {
+    if (const CompiledTape* code = code_.load(std::memory_order_acquire)) return code;
+    if (engine.jit_lanes == 0) return nullptr;
+    // Making code takes as long as interpreting some thousand points, and entering it into memory a while for any tape.
+    const std::size_t pays = 2000 + 500000 / (tape.code.size() + 1);
+    const std::size_t seen = points_.fetch_add(points, std::memory_order_relaxed) + points;
+    if (!engine.always_jit && seen < pays) return nullptr;
+    if (tried_.exchange(true)) return nullptr;
+    code_.store(CompiledTape::compile(tape, what, engine.jit_lanes, *engine.interpreter).release(), std::memory_order_release);
+    return code_.load();
+  }
+
+ private:
+  mutable std::atomic<std::size_t> points_{0};
+  mutable std::atomic<bool> tried_{false};
+  mutable std::atomic<const CompiledTape*> code_{nullptr};
+};
 
 /// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
 template <class T>
@@ -42,23 +83,28 @@ Interval range(const Box& box, int axis) {
 
 class FrepField final : public Field {
  public:
-  FrepField(Tape tape, const Runners& run, std::optional<Expression> expression = {})
-      : tape_(std::move(tape)), run_(run), expression_(std::move(expression)) {}
+  FrepField(Tape tape, const Engine& engine, std::optional<Expression> expression = {})
+      : tape_(std::move(tape)), engine_(engine), expression_(std::move(expression)) {}
 
   void values(const Points& points, float* out) const noexcept override {
+    if (const CompiledTape* code = values_code_.after(points.count, tape_, CompiledTape::Makes::values, engine_))
+      return code->run(points, {out});
     // Slots of a batch should stay in the first-level cache, but loops want some length.
     constexpr std::size_t cache_floats = 6144;
     const std::size_t stride = std::clamp(cache_floats / (tape_.slots + 1) / 16 * 16, std::size_t{64}, std::size_t{512});
     auto* const space = scratch<float>(tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      run_.values(batch(points, first, std::min(stride, points.count - first), space, stride), out + first);
+      engine_.interpreter->values(batch(points, first, std::min(stride, points.count - first), space, stride), out + first);
   }
 
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    // A gradient is worth several values.
+    if (const CompiledTape* code = gradients_code_.after(8 * points.count, tape_, CompiledTape::Makes::gradients, engine_))
+      return code->run(points, {out, slopes.dx, slopes.dy, slopes.dz});
     constexpr std::size_t stride = 64;
     auto* const space = scratch<float>(4 * tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      run_.gradients(batch(points, first, std::min(stride, points.count - first), space, stride), out + first,
+      engine_.interpreter->gradients(batch(points, first, std::min(stride, points.count - first), space, stride), out + first,
                      slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
@@ -74,7 +120,7 @@ class FrepField final : public Field {
   [[nodiscard]] Framed framed() const override {
     const std::optional<FramedExpression> own = expression_ ? in_own_frame(*expression_) : std::nullopt;
     if (!own) return Field::framed();
-    return {std::make_shared<FrepField>(make_tape(own->expression), run_), own->axes, Vec3::Zero()};
+    return {std::make_shared<FrepField>(make_tape(own->expression), engine_), own->axes, Vec3::Zero()};
   }
 
   [[nodiscard]] bool affine() const noexcept override { return is_affine(tape_); }
@@ -99,7 +145,7 @@ class FrepField final : public Field {
         run.box[axis].upper[lane] = side.upper;
       }
     LaneRanges root;
-    const std::uint32_t wild = run_.intervals(run, root);
+    const std::uint32_t wild = engine_.interpreter->intervals(run, root);
     bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
       Interval& range = out[lane].range;
@@ -117,7 +163,7 @@ class FrepField final : public Field {
     mark_needed(tape_, run.choices, needed);
     for (std::size_t lane = 0; lane < boxes.size(); ++lane)
       if (Tape pruned; !out[lane].range.decided() && prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
-        out[lane].field = std::make_shared<FrepField>(std::move(pruned), run_);
+        out[lane].field = std::make_shared<FrepField>(std::move(pruned), engine_);
   }
 
   /// The intervals of all values over a box are left in kept_ranges().
@@ -144,45 +190,57 @@ class FrepField final : public Field {
   }
 
   Tape tape_;
-  const Runners& run_;
+  Engine engine_;
   std::optional<Expression> expression_;  ///< what the tape was made from; restrictions have none
+  LazyCode values_code_, gradients_code_;
 };
 
 }  // namespace
 
-Evaluator best_evaluator() {
-  if (available(Evaluator::avx512)) return Evaluator::avx512;
-  if (available(Evaluator::avx2)) return Evaluator::avx2;
-  return Evaluator::portable;
-}
-
 bool available(Evaluator evaluator) {
 #if defined(__x86_64__)
-  if (evaluator == Evaluator::avx512)
+  if (evaluator == Evaluator::avx512 || evaluator == Evaluator::jit_avx512)
     return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
-  if (evaluator == Evaluator::avx2) return __builtin_cpu_supports("avx2") != 0;
+  if (evaluator == Evaluator::avx2 || evaluator == Evaluator::jit_avx2) return __builtin_cpu_supports("avx2") != 0;
 #else
-  if (evaluator == Evaluator::avx512 || evaluator == Evaluator::avx2) return false;
+  if (evaluator > Evaluator::portable) return false;
 #endif
   return true;
 }
 
-std::string_view name(Evaluator evaluator) {
-  switch (evaluator) {
-    case Evaluator::automatic: return "automatic";
-    case Evaluator::reference: return "reference";
-    case Evaluator::portable: return "portable";
-    case Evaluator::avx2: return "avx2";
-    case Evaluator::avx512: return "avx512";
-  }
-  return "?";
+namespace {
+
+constexpr std::array<std::string_view, 7> evaluator_names{"automatic", "reference", "portable",  "avx2",
+                                                          "avx512",    "jit-avx2",  "jit-avx512"};
+std::atomic<Evaluator> default_evaluator{Evaluator::automatic};
+
+void require(Evaluator evaluator) {
+  if (!available(evaluator))
+    throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
+}
+
+}  // namespace
+
+std::string_view name(Evaluator evaluator) { return evaluator_names[static_cast<std::size_t>(evaluator)]; }
+
+Evaluator evaluator_named(std::string_view name) {
+  if (name == "jit") return available(Evaluator::jit_avx512) ? Evaluator::jit_avx512 : Evaluator::jit_avx2;
+  const auto* const found = std::find(evaluator_names.begin(), evaluator_names.end(), name);
+  if (found == evaluator_names.end())
+    throw Error(ErrorKind::bad_input, "evaluator",
+                "'" + std::string(name) + "' is none of automatic, reference, portable, avx2, avx512, jit, jit-avx2, jit-avx512");
+  return static_cast<Evaluator>(found - evaluator_names.begin());
+}
+
+void set_default_evaluator(Evaluator evaluator) {
+  require(evaluator);
+  default_evaluator = evaluator;
 }
 
 FieldPtr make_field(const Expression& expression, Evaluator evaluator) {
-  if (evaluator == Evaluator::automatic) evaluator = best_evaluator();
-  if (!available(evaluator))
-    throw Error(ErrorKind::bad_input, "evaluator", std::string(name(evaluator)) + " does not run on this processor");
-  return std::make_shared<FrepField>(make_tape(expression), runners(evaluator), expression);
+  if (evaluator == Evaluator::automatic) evaluator = default_evaluator;
+  require(evaluator);
+  return std::make_shared<FrepField>(make_tape(expression), engine(evaluator), expression);
 }
 
 std::size_t active_nodes(const Field& field) {

@@ -1,0 +1,303 @@
+#include "compiled_tape.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "vector_assembler.h"
+
+namespace fieldfab::frep {
+namespace {
+
+namespace x86 = asmjit::x86;
+namespace Inst = x86::Inst;
+using Vec = VectorAssembler::Vec;
+
+/// The instruction of an operation that has one of the form to = a op b.
+std::optional<Inst::Id> instruction(Opcode op) {
+  switch (op) {
+    case Opcode::add: return Inst::kIdVaddps;
+    case Opcode::subtract: return Inst::kIdVsubps;
+    case Opcode::multiply:
+    case Opcode::square: return Inst::kIdVmulps;
+    case Opcode::divide: return Inst::kIdVdivps;
+    default: return std::nullopt;
+  }
+}
+
+/// to = op(a, b); `to` may be a or b, the temporary s may not, the mask m may be a. False where there are no instructions for it.
+bool emit_value(VectorAssembler& out, Opcode op, const Vec& to, const Vec& a, const Vec& b, const Vec& s,
+                const VectorAssembler::Mask& m) {
+  if (const auto simple = instruction(op)) return out.binary(*simple, to, a, op == Opcode::square ? a : b), true;
+  switch (op) {
+    case Opcode::minimum: return out.least(to, a, b, s, m), true;
+    case Opcode::maximum: return out.greatest(to, a, b, s, m), true;
+    case Opcode::absolute: return out.magnitude(to, a), true;
+    case Opcode::negate: return out.negate(to, a), true;
+    case Opcode::square_root: return out.unary(Inst::kIdVsqrtps, to, a), true;
+    case Opcode::floor: return out.floor(to, a), true;
+    case Opcode::ceiling: return out.ceiling(to, a), true;
+    case Opcode::modulo:
+      out.binary(Inst::kIdVdivps, s, a, b);
+      out.floor(s, s);
+      out.binary(Inst::kIdVmulps, s, b, s);
+      out.binary(Inst::kIdVsubps, to, a, s);
+      return true;
+    default: return false;
+  }
+}
+
+/// Values: the first slots live in registers, the others in the frame.
+class ValuesCode {
+ public:
+  ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers) : out_(out), tape_(tape), helpers_(helpers) {}
+
+  void emit() {
+    out_.begin();
+    for (const Clause& clause : tape_.code) emit(clause);
+    out_.store_out(0, in_register(tape_.root, a_));
+    out_.end();
+  }
+
+ private:
+  asmjit::Operand place(Operand operand) {
+    if (is_constant(operand)) return out_.constant((*tape_.constants)[operand & ~constant_bit]);
+    if (!is_made(operand)) return out_.frame(static_cast<int>(operand));
+    return home(tape_.code[operand - first_value].slot);
+  }
+  asmjit::Operand home(std::uint32_t slot) const {
+    if (slot < slot_registers_) return out_.vector(static_cast<int>(slot));
+    return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot));
+  }
+  Vec in_register(Operand operand, const Vec& otherwise) {
+    const asmjit::Operand where = place(operand);
+    if (where.isReg()) return where.as<Vec>();
+    out_.load(otherwise, where);
+    return otherwise;
+  }
+
+  void emit(const Clause& clause) {
+    const asmjit::Operand result = home(clause.slot);
+    const Vec to = result.isReg() ? result.as<Vec>() : made_;
+    const auto simple = instruction(clause.op);
+    const Vec a = in_register(clause.a, a_);
+    if (simple && clause.b != clause.a) {
+      out_.binary(*simple, to, a, place(clause.b));
+    } else {
+      const Vec b = clause.b == clause.a ? a : in_register(clause.b, b_);
+      if (!emit_value(out_, clause.op, to, a, b, made_, out_.mask(static_cast<int>(slot_registers_)))) call(clause, a, b, to);
+    }
+    if (result.isMem()) out_.store(result.as<x86::Mem>(), to);
+  }
+
+  /// Calls lose all registers, so they are kept in the frame meanwhile.
+  void call(const Clause& clause, const Vec& a, const Vec& b, const Vec& to) {
+    constexpr int in = VectorAssembler::frame_call, made = in + 2;
+    const std::uint32_t used = std::min(tape_.slots, slot_registers_);
+    const auto in_frame = [&](std::uint32_t slot) { return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot)); };
+    out_.store(out_.frame(in), a);
+    out_.store(out_.frame(in + 1), b);
+    for (std::uint32_t slot = 0; slot < used; ++slot) out_.store(in_frame(slot), out_.vector(static_cast<int>(slot)));
+    out_.call(helpers_.operation, clause.op, in, made);
+    for (std::uint32_t slot = 0; slot < used; ++slot) out_.load(out_.vector(static_cast<int>(slot)), in_frame(slot));
+    out_.load(to, out_.frame(made));
+  }
+
+  VectorAssembler& out_;
+  const Tape& tape_;
+  const Runners& helpers_;
+  // The last three registers are for what is not in one.
+  const std::uint32_t slot_registers_ = static_cast<std::uint32_t>(out_.registers() - 3);
+  const Vec a_ = out_.vector(out_.registers() - 3), b_ = out_.vector(out_.registers() - 2), made_ = out_.vector(out_.registers() - 1);
+};
+
+/// Values and slopes: four vectors a slot, all in the frame; slopes that are zero everywhere are known and left out.
+class GradientsCode {
+ public:
+  GradientsCode(VectorAssembler& out, const Tape& tape, const Runners& helpers)
+      : out_(out), tape_(tape), helpers_(helpers), axes_(tape.code.size()) {}
+
+  void emit() {
+    out_.begin();
+    for (std::size_t i = 0; i < tape_.code.size(); ++i) emit(tape_.code[i], axes_[i]);
+    out_.load(value_, value(tape_.root));
+    out_.store_out(0, value_);
+    for (int axis = 0; axis < 3; ++axis) {
+      out_.load(value_, slope(tape_.root, axis));
+      out_.store_out(1 + axis, value_);
+    }
+    out_.end();
+  }
+
+ private:
+  asmjit::Operand value(Operand operand) {
+    if (is_constant(operand)) return out_.constant((*tape_.constants)[operand & ~constant_bit]);
+    if (!is_made(operand)) return out_.frame(static_cast<int>(operand));
+    return slot(tape_.code[operand - first_value].slot, 0);
+  }
+  asmjit::Operand slope(Operand operand, int axis) {
+    if (!varies(operand, axis)) return out_.constant(0);
+    if (!is_made(operand)) return out_.constant(1);
+    return slot(tape_.code[operand - first_value].slot, 1 + axis);
+  }
+  [[nodiscard]] x86::Mem slot(std::uint32_t number, int part) const {
+    return out_.frame(VectorAssembler::frame_slots + 4 * static_cast<int>(number) + part);
+  }
+  [[nodiscard]] bool varies(Operand operand, int axis) const {
+    if (is_constant(operand)) return false;
+    return is_made(operand) ? (axes_[operand - first_value] >> axis & 1) != 0 : static_cast<int>(operand) == axis;
+  }
+
+  void emit(const Clause& clause, std::uint8_t& axes) {
+    const bool two = arity(clause.op) == 2;
+    for (int axis = 0; axis < 3; ++axis)
+      if (varies(clause.a, axis) || (two && varies(clause.b, axis))) axes = static_cast<std::uint8_t>(axes | 1 << axis);
+    if (clause.op == Opcode::floor || clause.op == Opcode::ceiling || clause.op == Opcode::compare) axes = 0;
+
+    out_.load(a_, value(clause.a));
+    out_.load(b_, value(clause.b));
+    if (!emit_value(out_, clause.op, value_, a_, b_, t_, out_.mask(7))) {
+      constexpr int in = VectorAssembler::frame_call;
+      out_.store(out_.frame(in), a_);
+      out_.store(out_.frame(in + 1), b_);
+      out_.call(helpers_.operation, clause.op, in, in + 2);
+      out_.load(a_, out_.frame(in)), out_.load(b_, out_.frame(in + 1)), out_.load(value_, out_.frame(in + 2));
+    }
+    const std::uint8_t wanted = axes;
+    if (wanted != 0) prepare(clause);
+    // All slopes are made before any is stored: the slot may be an argument's.
+    for (int axis = 0; axis < 3; ++axis)
+      if ((wanted >> axis & 1) != 0) emit_slope(clause, axis, made_[static_cast<std::size_t>(axis)]);
+    out_.store(slot(clause.slot, 0), value_);
+    for (int axis = 0; axis < 3; ++axis)
+      if ((wanted >> axis & 1) != 0) out_.store(slot(clause.slot, 1 + axis), made_[static_cast<std::size_t>(axis)]);
+  }
+
+  /// The partial derivatives, in a_ and b_ (see derivative.h); which of them are not 0, in masks.
+  void prepare(const Clause& clause) {
+    switch (clause.op) {
+      case Opcode::add:
+      case Opcode::subtract:
+      case Opcode::negate: return;
+      case Opcode::minimum: return out_.compare(choice_, a_, b_, VectorAssembler::less_equal);
+      case Opcode::maximum: return out_.compare(choice_, a_, b_, VectorAssembler::greater_equal);
+      case Opcode::multiply: {
+        out_.load(t_, a_), out_.load(a_, b_), out_.load(b_, t_);
+        break;
+      }
+      case Opcode::square: out_.binary(Inst::kIdVaddps, a_, a_, a_); break;
+      case Opcode::square_root:
+        out_.load(t_, out_.constant(0.5F));
+        out_.binary(Inst::kIdVdivps, a_, t_, value_);
+        out_.compare(choice_, value_, out_.constant(0), VectorAssembler::greater);
+        out_.keep(a_, choice_, a_);
+        break;
+      case Opcode::absolute:
+        out_.load(t_, out_.constant(1));
+        out_.compare(choice_, a_, out_.constant(0), VectorAssembler::greater);
+        out_.compare(slope_counts_, a_, out_.constant(0), VectorAssembler::less);
+        out_.keep(a_, choice_, t_);
+        out_.keep(t_, slope_counts_, t_);
+        out_.binary(Inst::kIdVsubps, a_, a_, t_);
+        break;
+      case Opcode::divide:
+        out_.load(t_, out_.constant(1));
+        out_.binary(Inst::kIdVdivps, a_, t_, b_);
+        out_.negate(t_, value_);
+        out_.binary(Inst::kIdVdivps, b_, t_, b_);
+        break;
+      default: {
+        constexpr int in = VectorAssembler::frame_call;
+        out_.store(out_.frame(in), a_), out_.store(out_.frame(in + 1), b_), out_.store(out_.frame(in + 2), value_);
+        out_.call(helpers_.partials, clause.op, in, in + 3);
+        out_.load(a_, out_.frame(in + 3)), out_.load(b_, out_.frame(in + 4)), out_.load(value_, out_.frame(in + 2));
+      }
+    }
+    out_.compare(a_counts_, a_, out_.constant(0), VectorAssembler::not_equal);
+    if (arity(clause.op) == 2) out_.compare(b_counts_, b_, out_.constant(0), VectorAssembler::not_equal);
+  }
+
+  /// The slope along one axis, in `to`.
+  void emit_slope(const Clause& clause, int axis, const Vec& to) {
+    const bool of_a = varies(clause.a, axis), of_b = arity(clause.op) == 2 && varies(clause.b, axis);
+    switch (clause.op) {
+      case Opcode::negate:
+        out_.load(t_, slope(clause.a, axis));
+        return out_.negate(to, t_);
+      case Opcode::add:
+      case Opcode::subtract:
+        out_.load(t_, slope(clause.a, axis));
+        return out_.binary(clause.op == Opcode::add ? Inst::kIdVaddps : Inst::kIdVsubps, to, t_, slope(clause.b, axis));
+      case Opcode::minimum:
+      case Opcode::maximum:
+        out_.load(t_, slope(clause.a, axis));
+        out_.load(to, slope(clause.b, axis));
+        return out_.select(to, choice_, t_, to);
+      default:
+        if (of_a) product(to, a_, a_counts_, slope(clause.a, axis));
+        if (of_b) product(of_a ? t_ : to, b_, b_counts_, slope(clause.b, axis));
+        if (of_a && of_b) out_.binary(Inst::kIdVaddps, to, to, t_);
+    }
+  }
+
+  /// to = partial * slope, 0 where either is 0 (see chain() in derivative.h).
+  void product(const Vec& to, const Vec& partial, const VectorAssembler::Mask& counts, const asmjit::Operand& slope) {
+    out_.load(to, slope);
+    out_.compare(slope_counts_, to, out_.constant(0), VectorAssembler::not_equal);
+    out_.binary(Inst::kIdVmulps, to, partial, to);
+    out_.both(slope_counts_, slope_counts_, counts);
+    out_.keep(to, slope_counts_, to);
+  }
+
+  VectorAssembler& out_;
+  const Tape& tape_;
+  const Runners& helpers_;
+  std::vector<std::uint8_t> axes_;  ///< along which a clause's value may change, a bit each
+  const Vec a_ = out_.vector(0), b_ = out_.vector(1), value_ = out_.vector(2), t_ = out_.vector(3);
+  const std::array<Vec, 3> made_{out_.vector(4), out_.vector(5), out_.vector(6)};
+  const VectorAssembler::Mask choice_ = out_.mask(8), a_counts_ = out_.mask(9), b_counts_ = out_.mask(10),
+                              slope_counts_ = out_.mask(11);
+};
+
+}  // namespace
+
+std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers) {
+  VectorAssembler assembler(lanes);
+  if (what == Makes::values)
+    ValuesCode(assembler, tape, helpers).emit();
+  else
+    GradientsCode(assembler, tape, helpers).emit();
+  std::unique_ptr<CodeMemory> code = assembler.finish();
+  if (!code) return nullptr;
+  const std::size_t slots = std::size_t{tape.slots} * (what == Makes::values ? 1 : 4);
+  return std::unique_ptr<const CompiledTape>(new CompiledTape(std::move(code), what, lanes, VectorAssembler::frame_slots + slots));
+}
+
+void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) const noexcept {
+  static thread_local std::vector<float> kept_frame;
+  std::vector<float>& frame = kept_frame;
+  if (frame.size() < frame_floats_) frame.resize(frame_floats_);
+  const auto function = reinterpret_cast<VectorAssembler::Function>(code_->data());
+  VectorAssembler::Arguments arguments{{points.x, points.y, points.z}, {out[0], out[1], out[2], out[3]}, 0, frame.data()};
+  const std::size_t whole = points.count / lanes_ * lanes_, rest = points.count - whole;
+  arguments.bytes = whole * sizeof(float);
+  function(&arguments);
+  if (rest == 0) return;
+
+  // The points that do not fill a vector, filled up with the last of them.
+  constexpr std::size_t most_lanes = 16;
+  std::array<std::array<float, most_lanes>, 3> in;
+  std::array<std::array<float, most_lanes>, 4> results;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float* const from = arguments.coordinate[axis] + whole;
+    for (std::size_t i = 0; i < lanes_; ++i) in[axis][i] = from[std::min(i, rest - 1)];
+    arguments.coordinate[axis] = in[axis].data();
+  }
+  for (std::size_t i = 0; i < std::min(outs_, out.size()); ++i) arguments.out[i] = results[i].data();
+  arguments.bytes = lanes_ * sizeof(float);
+  function(&arguments);
+  for (std::size_t i = 0; i < std::min(outs_, out.size()); ++i) std::copy_n(results[i].data(), rest, out[i] + whole);
+}
+
+}  // namespace fieldfab::frep

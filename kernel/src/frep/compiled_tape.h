@@ -1,0 +1,35 @@
+/// A tape as machine code.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "batch.h"
+#include "code_memory.h"
+#include "fieldfab/field/field.h"
+#include "tape.h"
+
+namespace fieldfab::frep {
+
+/// Machine code for one tape, made by asmjit. It gives the numbers that the batch evaluators give, bit for bit.
+class CompiledTape {
+ public:
+  enum class Makes { values, gradients };
+
+  /// `lanes`: 8 for AVX2, 16 for AVX-512, which the processor must have; `helpers` do what there is no instruction for. Null where
+  /// there is no executable memory. Linear in the tape.
+  static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers);
+
+  /// Writes values or, in the order value, d/dx, d/dy, d/dz, gradients.
+  void run(const Points& points, const std::array<float*, 4>& out) const noexcept;
+
+ private:
+  CompiledTape(std::unique_ptr<CodeMemory> code, Makes what, std::size_t lanes, std::size_t frame_vectors)
+      : code_(std::move(code)), outs_(what == Makes::values ? 1 : 4), lanes_(lanes), frame_floats_(frame_vectors * lanes) {}
+
+  std::unique_ptr<CodeMemory> code_;
+  std::size_t outs_, lanes_, frame_floats_;
+};
+
+}  // namespace fieldfab::frep

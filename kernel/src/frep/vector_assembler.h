@@ -1,0 +1,108 @@
+/// The vector instructions that tapes need, for AVX2 and AVX-512 alike. Includes asmjit: only for the files that make code.
+#pragma once
+
+#include <asmjit/x86.h>
+
+#include <cstdint>
+#include <map>
+
+#include "clause.h"
+#include "code_memory.h"
+
+namespace fieldfab::frep {
+
+/// Writes a function `void(const Arguments*)` that goes through its points a vector at a time.
+///
+/// Registers: rbx the arguments, r15 the bytes done, rbp a frame of vectors (x, y and z of these points, then room for calls,
+/// then slots).
+class VectorAssembler {
+ public:
+  using Vec = asmjit::x86::Vec;
+  using Mem = asmjit::x86::Mem;
+
+  /// What the function is called with. Arrays hold whole vectors; `out` has as many as the function makes.
+  struct Arguments {
+    const float* coordinate[3];
+    float* out[4];
+    std::size_t bytes;
+    float* frame;
+  };
+  using Function = void (*)(const Arguments*);
+
+  /// Vectors of the frame.
+  static constexpr int frame_call = 3;   ///< five, for calls
+  static constexpr int frame_slots = 8;  ///< from here on
+
+  /// A comparison's result: a vector for AVX2, a k register for AVX-512.
+  struct Mask {
+    Vec vector;
+    asmjit::x86::KReg bits;
+  };
+
+  explicit VectorAssembler(std::size_t lanes);
+
+  [[nodiscard]] int registers() const { return wide_ ? 32 : 16; }
+  [[nodiscard]] Vec vector(int number) const {
+    const auto id = static_cast<std::uint32_t>(number);
+    return wide_ ? Vec(asmjit::x86::zmm(id)) : Vec(asmjit::x86::ymm(id));
+  }
+  /// Vector `number`, or a k register of its own for numbers that are less than seven apart.
+  [[nodiscard]] Mask mask(int number) const {
+    return {vector(number), asmjit::x86::KReg(static_cast<std::uint32_t>(1 + number % 7))};
+  }
+
+  [[nodiscard]] Mem frame(int place) const { return asmjit::x86::ptr(asmjit::x86::rbp, place * vector_bytes()); }
+  /// A vector whose lanes are all `number`.
+  Mem constant(float number);
+
+  void begin();                                 ///< up to where x, y and z are in the frame
+  void store_out(int which, const Vec& value);  ///< the result
+  void end();
+
+  void load(const Vec& to, const asmjit::Operand& from);
+  void store(const Mem& to, const Vec& from) { code.vmovups(to, from); }
+  /// to = a op b, for instructions of that form.
+  void binary(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a, const asmjit::Operand& b) {
+    code.emit(instruction, to, a, b);
+  }
+  void unary(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a) { code.emit(instruction, to, a); }
+  void floor(const Vec& to, const Vec& from) { round(to, from, 0x09); }
+  void ceiling(const Vec& to, const Vec& from) { round(to, from, 0x0a); }
+  void negate(const Vec& to, const Vec& from) { code.emit(asmjit::x86::Inst::kIdVxorps, to, from, constant(-0.0F)); }
+  void magnitude(const Vec& to, const Vec& from);
+  /// min and max as apply() has them: the first on a tie, NaN where either is. `scratch` is neither a nor b; `mask` may be a.
+  void least(const Vec& to, const Vec& a, const Vec& b, const Vec& scratch, const Mask& mask) {
+    extreme(asmjit::x86::Inst::kIdVminps, to, a, b, scratch, mask);
+  }
+  void greatest(const Vec& to, const Vec& a, const Vec& b, const Vec& scratch, const Mask& mask) {
+    extreme(asmjit::x86::Inst::kIdVmaxps, to, a, b, scratch, mask);
+  }
+
+  enum Predicate { equal = 0, less = 1, less_equal = 2, unordered = 3, not_equal = 4, greater_equal = 13, greater = 14 };
+  void compare(const Mask& to, const Vec& a, const asmjit::Operand& b, Predicate predicate);
+  void both(const Mask& to, const Mask& a, const Mask& b);
+  void select(const Vec& to, const Mask& mask, const Vec& if_so, const Vec& if_not);
+  /// `value` where the mask is set, else 0.
+  void keep(const Vec& to, const Mask& mask, const Vec& value);
+
+  /// Calls function(op, frame + in, frame + out, lanes); every vector register is lost.
+  using Helper = void (*)(Opcode op, const float* in, float* out, std::size_t n);
+  void call(Helper function, Opcode op, int in, int out);
+
+  /// The function, in memory of its own; null where there is none.
+  std::unique_ptr<CodeMemory> finish();
+
+ private:
+  [[nodiscard]] int vector_bytes() const { return static_cast<int>(lanes_ * sizeof(float)); }
+  void round(const Vec& to, const Vec& from, int how);
+  void extreme(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a, const Vec& b, const Vec& scratch, const Mask& mask);
+
+  std::size_t lanes_;
+  bool wide_;
+  asmjit::CodeHolder holder_;
+  asmjit::x86::Assembler code;
+  asmjit::Label constants_, loop_, done_;
+  std::map<std::uint32_t, int> constant_places_;  ///< by bits
+};
+
+}  // namespace fieldfab::frep
