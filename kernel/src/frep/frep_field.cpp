@@ -138,12 +138,15 @@ class FrepField final : public Field {
                     purpose == Purpose::occupancy,
                     scratch<LaneRanges>(tape_.slots),
                     scratch<Choice>(tape_.code.size())};
-    for (std::size_t lane = 0; lane < box_lanes; ++lane)
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Interval side = range(boxes[std::min(lane, boxes.size() - 1)], static_cast<int>(axis));
-        run.box[axis].lower[lane] = side.lower;
-        run.box[axis].upper[lane] = side.upper;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      LaneRanges& side = run.box[axis];
+      for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
+        const Interval of_box = range(boxes[lane], static_cast<int>(axis));
+        side.lower[lane] = of_box.lower, side.upper[lane] = of_box.upper;
       }
+      std::fill(side.lower + boxes.size(), side.lower + box_lanes, side.lower[0]);
+      std::fill(side.upper + boxes.size(), side.upper + box_lanes, side.upper[0]);
+    }
     LaneRanges root;
     const std::uint32_t wild = engine_.interpreter->intervals(run, root);
     bool any = false;

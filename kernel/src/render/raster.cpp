@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
@@ -28,6 +29,24 @@ struct Rectangle {
 Box box_of(const PixelGrid& grid, const Rectangle& r, double low, double high) {
   return {{grid.x(r.left), grid.y(r.bottom - 1), low}, {grid.x(r.right - 1), grid.y(r.top), high}};
 }
+
+/// Where the pixels' centres are, column by column and row by row.
+struct Centres {
+  std::vector<float> x, y;
+  explicit Centres(const PixelGrid& grid) {
+    for (int column = 0; column < grid.width; ++column) x.push_back(grid.x(column));
+    for (int row = 0; row < grid.height; ++row) y.push_back(grid.y(row));
+  }
+  /// Writes those of a rectangle, row by row, and returns how many there are.
+  std::size_t write(const Rectangle& r, float* to_x, float* to_y) const {
+    const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
+    for (std::size_t row = 0; row < rows; ++row) {
+      std::copy_n(x.data() + r.left, columns, to_x + row * columns);
+      std::fill_n(to_y + row * columns, columns, y[static_cast<std::size_t>(r.top) + row]);
+    }
+    return rows * columns;
+  }
+};
 
 /// The parts of a rectangle, at most split x split, row by row, and the Field restricted to each.
 struct Parts {
@@ -84,10 +103,7 @@ class Descent {
 /// Pixels of a plane, tile by tile (Alg. 3.2 in two dimensions).
 class PlaneTile {
  public:
-  PlaneTile(const PixelGrid& grid, std::uint8_t* pixels) : grid_(grid), pixels_(pixels) {
-    for (int column = 0; column < grid.width; ++column) x_.push_back(grid.x(column));
-    for (int row = 0; row < grid.height; ++row) y_.push_back(grid.y(row));
-  }
+  PlaneTile(const PixelGrid& grid, std::uint8_t* pixels) : grid_(grid), centres_(grid), pixels_(pixels) {}
 
   void fill(const Rectangle& r) const {
     for (int y = r.top; y < r.bottom; ++y)
@@ -108,14 +124,10 @@ class PlaneTile {
  private:
   void evaluate(const Field& field, const Rectangle& r) const {
     std::array<float, leaf_side * leaf_side> x, y, z, value;
+    const std::size_t count = centres_.write(r, x.data(), y.data());
+    std::fill_n(z.data(), count, static_cast<float>(grid_.region.lower.z()));
+    field.values({x.data(), y.data(), z.data(), count}, value.data());
     const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
-    const float* const first_x = x_.data() + r.left;
-    for (std::size_t row = 0; row < rows; ++row) {
-      std::copy_n(first_x, columns, x.data() + row * columns);
-      std::fill_n(y.data() + row * columns, columns, y_[static_cast<std::size_t>(r.top) + row]);
-    }
-    std::fill_n(z.data(), rows * columns, static_cast<float>(grid_.region.lower.z()));
-    field.values({x.data(), y.data(), z.data(), rows * columns}, value.data());
     for (std::size_t row = 0; row < rows; ++row) {
       std::uint8_t* const pixel = pixels_ + grid_.index(r.left, r.top + static_cast<int>(row));
       for (std::size_t column = 0; column < columns; ++column)
@@ -124,15 +136,15 @@ class PlaneTile {
   }
 
   const PixelGrid& grid_;
+  Centres centres_;
   std::uint8_t* pixels_;
-  std::vector<float> x_, y_;  ///< of the columns' and rows' centres
 };
 
 /// Heights of a tile, from the top down, leaving out what is hidden (Keeter 3.10).
 class HeightTile {
  public:
   HeightTile(const PixelGrid& grid, std::vector<float>& heights, Normals* normals)
-      : grid_(grid), heights_(heights), normals_(normals) {
+      : grid_(grid), centres_(grid), heights_(heights), normals_(normals) {
     const double pixel = std::max(grid.region.size().x() / grid.width, grid.region.size().y() / grid.height);
     layers_ = std::max(1, static_cast<int>(std::ceil(grid.region.size().z() / pixel)));
   }
@@ -142,29 +154,36 @@ class HeightTile {
   void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
     if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
     const int step = (std::max(r.longer(), high - low) + split - 1) / split;
-    for (int upper = high; upper > low; upper -= step) draw_slab(*field, r, std::max(low, upper - step), upper, step);
+    std::array<Rectangle, split * split> open;  // what is not hidden yet
+    std::size_t count = 0;
+    for (int y = r.top; y < r.bottom; y += step)
+      for (int x = r.left; x < r.right; x += step)
+        open[count++] = {x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
+    for (int upper = high; upper > low && count > 0; upper -= step) {
+      count = leave_hidden(open, count, plane(upper));
+      draw_slab(*field, {open.data(), count}, std::max(low, upper - step), upper);
+    }
   }
 
  private:
   static constexpr int side = 10;  // pixels and layers that are evaluated one by one
   static constexpr std::size_t most_columns = side * side;
 
-  void draw_slab(const Field& field, const Rectangle& r, int low, int high, int step) const {
-    std::array<Rectangle, split * split> area;
+  /// Moves the rectangles that are not hidden by something at `top` or above to the front; returns how many there are.
+  std::size_t leave_hidden(std::array<Rectangle, split * split>& open, std::size_t count, float top) const {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!hidden(open[i], top)) open[left++] = open[i];
+    return left;
+  }
+
+  void draw_slab(const Field& field, std::span<const Rectangle> area, int low, int high) const {
+    const float top = plane(high);
     std::array<Box, split * split> box;
     std::array<Restriction, split * split> here;
-    std::size_t count = 0;
-    const float top = plane(high);
-    for (int y = r.top; y < r.bottom; y += step)
-      for (int x = r.left; x < r.right; x += step) {
-        const Rectangle part{x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
-        if (hidden(part, top)) continue;
-        area[count] = part;
-        box[count++] = box_of(grid_, part, plane(low), top);
-      }
-    if (count == 0) return;
-    field.restrict_all({box.data(), count}, Purpose::occupancy, {here.data(), count});
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < area.size(); ++i) box[i] = box_of(grid_, area[i], plane(low), top);
+    field.restrict_all({box.data(), area.size()}, Purpose::occupancy, here);
+    for (std::size_t i = 0; i < area.size(); ++i)
       if (here[i].range.inside())
         raise(*here[i].field, area[i], top);
       else if (!here[i].range.outside())
@@ -206,13 +225,7 @@ class HeightTile {
   void march(const Field& field, const Rectangle& r, int low, int high) const {
     constexpr std::size_t most = most_columns * (side + 1);
     std::array<float, most> x, y, z, value;
-    const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
-    const std::size_t area = columns * rows, planes = static_cast<std::size_t>(high - low) + 1;
-    for (std::size_t row = 0; row < rows; ++row)
-      for (std::size_t column = 0; column < columns; ++column) {
-        x[row * columns + column] = grid_.x(r.left + static_cast<int>(column));
-        y[row * columns + column] = grid_.y(r.top + static_cast<int>(row));
-      }
+    const std::size_t area = centres_.write(r, x.data(), y.data()), planes = static_cast<std::size_t>(high - low) + 1;
     for (std::size_t layer = 0; layer < planes; ++layer) {  // the top one first
       if (layer > 0) std::copy_n(x.data(), area, x.data() + layer * area), std::copy_n(y.data(), area, y.data() + layer * area);
       std::fill_n(z.data() + layer * area, area, plane(high - static_cast<int>(layer)));
@@ -225,6 +238,7 @@ class HeightTile {
       for (std::size_t i = 0; i < area; ++i) first[i] = value[layer * area + i] < 0 ? static_cast<int>(layer) : first[i];
     Hits hits;
     Brackets brackets;
+    const auto columns = static_cast<std::size_t>(r.right - r.left);
     for (std::size_t i = 0; i < area; ++i) {
       if (first[i] < 0) continue;
       const std::size_t pixel = grid_.index(r.left + static_cast<int>(i % columns), r.top + static_cast<int>(i / columns));
@@ -246,27 +260,30 @@ class HeightTile {
   /// Regula falsi (the Illinois way), all columns together, down to a thousandth of a layer; hits.z gets the crossings.
   void close_in(const Field& field, Brackets& b, Hits& hits) const {
     const float near = 1e-3F * (plane(layers_) - plane(0)) / static_cast<float>(layers_);
-    std::array<float, most_columns> value;
-    std::array<std::int8_t, most_columns> last{};
+    std::array<float, most_columns> value, last{};  // last: the sign of the last value's side
     constexpr int most_steps = 14;
-    for (int step = 0;; ++step) {
-      float farthest = 0;
+    for (std::size_t i = 0; i < hits.count; ++i) hits.z[i] = 2 * b.inside[i] - b.outside[i];
+    for (int step = 0; hits.count > 0; ++step) {
+      // Plain loops over selections, which the compiler turns into vectors.
+      int moving = 0;
       for (std::size_t i = 0; i < hits.count; ++i) {
         const float share = b.value_inside[i] / (b.value_inside[i] - b.value_outside[i]);
-        // Neither NaN nor the very ends: so that a jump is bisected, more or less.
-        const float t = share > 0.02F && share < 0.98F ? share : share <= 0.02F ? 0.02F : share >= 0.98F ? 0.98F : 0.5F;
+        const float most = share < 0.98F ? share : 0.98F;  // never the very ends, and the upper one for NaN
+        const float t = most > 0.02F ? most : 0.02F;
         const float middle = b.inside[i] + t * (b.outside[i] - b.inside[i]);
-        farthest = std::max(farthest, step == 0 ? b.outside[i] - b.inside[i] : std::abs(middle - hits.z[i]));
+        moving |= static_cast<int>(std::abs(middle - hits.z[i]) > near);
         hits.z[i] = middle;
       }
-      if (farthest < near || step == most_steps || hits.count == 0) return;
+      if (moving == 0 || step == most_steps) return;
       field.values({hits.x.data(), hits.y.data(), hits.z.data(), hits.count}, value.data());
       for (std::size_t i = 0; i < hits.count; ++i) {
         const bool in = value[i] < 0;
-        (in ? b.inside : b.outside)[i] = hits.z[i];
-        (in ? b.value_inside : b.value_outside)[i] = value[i];
-        const std::int8_t side_now = in ? 1 : -1;
-        if (last[i] == side_now) (in ? b.value_outside : b.value_inside)[i] *= 0.5F;
+        const float z = hits.z[i], side_now = in ? 1.0F : -1.0F;
+        const float weight = last[i] == side_now ? 0.5F : 1.0F;  // of the end that stays a second time
+        b.inside[i] = in ? z : b.inside[i];
+        b.outside[i] = in ? b.outside[i] : z;
+        b.value_inside[i] = in ? value[i] : weight * b.value_inside[i];
+        b.value_outside[i] = in ? weight * b.value_outside[i] : value[i];
         last[i] = side_now;
       }
     }
@@ -286,6 +303,7 @@ class HeightTile {
   }
 
   const PixelGrid& grid_;
+  Centres centres_;
   std::vector<float>& heights_;
   Normals* normals_;
   int layers_;
