@@ -1,9 +1,13 @@
 #include <pybind11/operators.h>
 
 #include "bindings.h"
+#include <fmt/format.h>
+
+#include <numbers>
+
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/frep/shapes.h"
+#include "fieldfab/frep/library.h"
 #include "fieldfab/frep/text.h"
 
 namespace fieldfab::python {
@@ -40,6 +44,74 @@ py::object evaluate(const Expression& expression, const py::object& x, const py:
   }
   if (out.ndim() == 0) return py::float_(*to);
   return out;
+}
+
+/// Numbers given one by one or in (nested) lists: outline([(0, 0), (1, 0), (0, 1)]).
+void add_numbers(const py::handle& item, std::vector<std::optional<Expression>>& to) {
+  if (py::isinstance<Expression>(item) || !py::isinstance<py::iterable>(item)) {
+    to.push_back(item.cast<Expression>());
+    return;
+  }
+  for (const py::handle inner : item) add_numbers(inner, to);
+}
+
+/// Python's arguments in the order of the function's parameters.
+Expression call_library(const frep::LibraryFunction& function, const py::args& args, const py::kwargs& kwargs) {
+  std::vector<std::optional<Expression>> given;
+  std::string text;
+  const auto takes_text = [&](std::size_t place) {
+    return place < function.parameters.size() && function.parameters[place].quantity == frep::Quantity::text;
+  };
+  for (const py::handle item : args) {
+    if (takes_text(given.size())) {
+      text = item.cast<std::string>();
+      given.emplace_back(Expression(0.0));
+    } else if (function.any_number) {
+      add_numbers(item, given);
+    } else {
+      given.emplace_back(item.cast<Expression>());
+    }
+  }
+  if (!function.any_number && given.size() > function.parameters.size())
+    throw py::type_error(fmt::format("{}() takes at most {} arguments", function.name, function.parameters.size()));
+  for (const auto& [key, value] : kwargs) {
+    const auto name = key.cast<std::string>();
+    std::size_t place = 0;
+    while (place < function.parameters.size() && function.parameters[place].name != name) ++place;
+    if (place == function.parameters.size()) throw py::type_error(fmt::format("{}() has no argument '{}'", function.name, name));
+    if (given.size() <= place) given.resize(place + 1);
+    if (given[place]) throw py::type_error(fmt::format("{}() got '{}' twice", function.name, name));
+    if (takes_text(place)) text = value.cast<std::string>();
+    given[place] = takes_text(place) ? Expression(0.0) : value.cast<Expression>();
+  }
+  return frep::call(function, given, text);
+}
+
+/// "name(a, b=1): what it is; exact."
+std::string documentation(const frep::LibraryFunction& function) {
+  std::string parameters;
+  for (const frep::Parameter& parameter : function.parameters) {
+    parameters += fmt::format("{}{}", parameters.empty() ? "" : ", ", parameter.name);
+    const double unit = parameter.quantity == frep::Quantity::angle ? std::numbers::pi / 180 : 1;
+    if (parameter.fallback) parameters += fmt::format("={:.4g}", *parameter.fallback * unit);
+  }
+  if (function.any_number) parameters += ", ...";
+  const char* const value = function.distance == "exact"   ? "its value is the exact distance"
+                            : function.distance == "bound" ? "its value is a bound of the distance"
+                                                           : "its value is neither the distance nor a bound of it";
+  return fmt::format("{}({})\n\n{}{}{}", function.name, parameters, function.meaning,
+                     function.meaning.empty() || function.distance.empty() ? "" : "; ", function.distance.empty() ? "" : value);
+}
+
+void bind_library(py::module_ shapes) {
+  py::options options;
+  options.disable_function_signatures();
+  for (const frep::LibraryFunction& function : frep::library())
+    if (function.group != "numbers")
+      shapes.def(
+          std::string(function.name).c_str(),
+          [&function](const py::args& args, const py::kwargs& kwargs) { return call_library(function, args, kwargs); },
+          documentation(function).c_str());
 }
 
 /// Without the newline that ends a file.
@@ -135,49 +207,8 @@ void bind_expressions(py::module_& module) {
            {"minimum", frep::min}, {"maximum", frep::max}, {"atan2", frep::atan2}, {"compare", frep::compare}})
     module.def(name, function, py::arg("a"), py::arg("b"));
 
-  namespace s = frep::shapes;
-  auto shapes =
-      module.def_submodule("shapes", "Shapes and what is done with them, as expressions. Lengths in mm, angles in radians.");
-  const auto a = [](const char* name) { return py::arg(name); };
-  shapes.def("sphere", s::sphere, a("radius"), "Centred; exact distance.");
-  shapes.def("box", s::box, a("dx"), a("dy"), a("dz"), "Centred; a bound of the distance.");
-  shapes.def("rounded_box", s::rounded_box, a("dx"), a("dy"), a("dz"), a("radius"), "Centred; exact distance outside.");
-  shapes.def("cylinder", s::cylinder, a("radius"), a("height"), "Along z, centred; a bound.");
-  shapes.def("cone", s::cone, a("radius"), a("height"), "Along z, base down, centred; a bound.");
-  shapes.def("torus", s::torus, a("ring"), a("tube"), "Ring in the xy plane; exact distance.");
-  shapes.def("capsule", s::capsule, a("radius"), a("length"), "Along z, centred; exact distance.");
-  shapes.def("half_space", s::half_space, a("nx"), a("ny"), a("nz"), a("offset"), "Below a plane; exact distance.");
-  shapes.def("circle", s::circle, a("radius"), "Flat; exact distance.");
-  shapes.def("rectangle", s::rectangle, a("dx"), a("dy"), "Flat, centred; a bound.");
-  shapes.def("rounded_rectangle", s::rounded_rectangle, a("dx"), a("dy"), a("radius"), "Flat, centred; exact distance outside.");
-  shapes.def("polygon", s::polygon, a("sides"), a("radius"), "Flat, regular, corners at `radius`; a bound.");
-  shapes.def("extrude", s::extrude, a("shape"), a("low"), a("high"), "A flat shape from z = low to z = high.");
-  shapes.def("revolve", s::revolve, a("shape"), "A flat shape turned about its y axis, which becomes z.");
-  shapes.def("gyroid", s::gyroid, a("period"), "Neither exact nor a bound; give it walls with shell().");
-  shapes.def("schwarz_p", s::schwarz_p, a("period"), "Neither exact nor a bound.");
-  shapes.def("diamond", s::diamond, a("period"), "Neither exact nor a bound.");
-  shapes.def("union", s::unite, a("a"), a("b"));
-  shapes.def("intersection", s::intersect, a("a"), a("b"));
-  shapes.def("difference", s::subtract, a("a"), a("b"));
-  shapes.def("offset", s::offset, a("shape"), a("distance"), "Grown by `distance`.");
-  shapes.def("shell", s::shell, a("shape"), a("thickness"), "A wall about the surface.");
-  shapes.def("blend", s::blend, a("a"), a("b"), a("radius"), "Union with a rounded seam (Keeter, Table 3.3).");
-  shapes.def("smooth_union", s::smooth_unite, a("a"), a("b"), a("radius"), "Union with a circular fillet.");
-  shapes.def("morph", s::morph, a("a"), a("b"), a("weight"), "a at 0, b at 1.");
-  shapes.def("move", s::move, a("shape"), py::arg("dx") = 0.0, py::arg("dy") = 0.0, py::arg("dz") = 0.0);
-  shapes.def("rotate_x", s::rotate_x, a("shape"), a("angle"));
-  shapes.def("rotate_y", s::rotate_y, a("shape"), a("angle"));
-  shapes.def("rotate_z", s::rotate_z, a("shape"), a("angle"));
-  shapes.def("scale", s::scale, a("shape"), a("factor"), "Keeps distances.");
-  shapes.def("scale_xyz", s::scale_xyz, a("shape"), a("sx"), a("sy"), a("sz"), "Does not keep distances.");
-  shapes.def("mirror_x", s::mirror_x, a("shape"));
-  shapes.def("mirror_y", s::mirror_y, a("shape"));
-  shapes.def("mirror_z", s::mirror_z, a("shape"));
-  shapes.def("twist", s::twist, a("shape"), a("angle"), "About z, by `angle` radians a mm.");
-  shapes.def("taper", s::taper, a("shape"), a("height"), a("factor"), "Full size at z = 0, `factor` at z = height.");
-  shapes.def("repeat_x", s::repeat_x, a("shape"), a("period"), "Without end.");
-  shapes.def("repeat_y", s::repeat_y, a("shape"), a("period"), "Without end.");
-  shapes.def("repeat_z", s::repeat_z, a("shape"), a("period"), "Without end.");
+  bind_library(module.def_submodule(
+      "shapes", "Shapes and what is done with them, as expressions. Lengths in mm, angles in radians. See docs/shapes.md."));
 }
 
 }  // namespace fieldfab::python

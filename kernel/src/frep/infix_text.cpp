@@ -4,14 +4,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "fieldfab/frep/library.h"
 #include "fieldfab/frep/text.h"
-#include "infix_library.h"
 #include "text_source.h"
 
 namespace fieldfab::frep {
 namespace {
 
-enum class TokenKind : std::uint8_t { number, name, sign, end_of_statement, end };
+enum class TokenKind : std::uint8_t { number, name, words, sign, end_of_statement, end };
 
 struct Token {
   TokenKind kind;
@@ -49,6 +49,11 @@ std::vector<Token> tokens_of(const TextSource& source) {
       while (after < text.size() && (is_letter(text[after]) || is_digit(text[after]))) ++after;
       tokens.push_back({TokenKind::name, at, text.substr(at, after - at)});
       at = after;
+    } else if (c == '"') {
+      const std::size_t after = std::min(text.find('"', at + 1), text.find('\n', at + 1));
+      if (after >= text.size() || text[after] != '"') source.fail(at, "the quotes opened here are not closed on this line");
+      tokens.push_back({TokenKind::words, at, text.substr(at + 1, after - at - 1)});
+      at = after + 1;
     } else if (std::string_view("+-*/^(),=|&!").find(c) != std::string_view::npos) {
       open += c == '(' ? 1 : c == ')' ? -1 : 0;
       tokens.push_back({TokenKind::sign, at, text.substr(at, 1)});
@@ -173,6 +178,7 @@ class InfixParser {
     std::string_view name;  // empty where positional
     std::size_t token;
     Expression value;
+    std::optional<std::string_view> words;
   };
   struct Call {
     std::size_t token;
@@ -225,7 +231,10 @@ class InfixParser {
       }
     };
     const auto end_argument = [&] {
-      calls.back().arguments.push_back({calls.back().next_name, calls.back().next_token, std::move(values.back())});
+      Call& call = calls.back();
+      const Token& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
+      call.arguments.push_back({call.next_name, call.next_token, std::move(values.back()), {}});
+      if (first.kind == TokenKind::words) call.arguments.back().words = first.text;
       values.pop_back();
     };
     const auto end_call = [&] {
@@ -240,6 +249,11 @@ class InfixParser {
       if (operand) {
         if (token.kind == TokenKind::number) {
           values.emplace_back(token.number);
+          ++at;
+          operand = false;
+        } else if (token.kind == TokenKind::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
+                   (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
+          values.emplace_back(0.0);  // in place of the words
           ++at;
           operand = false;
         } else if (token.kind == TokenKind::name && tokens_[at + 1].is('(')) {
@@ -301,7 +315,7 @@ class InfixParser {
         if (!waiting.empty())
           source_.fail(tokens_[at].at,
                        fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (token.kind == TokenKind::sign || token.kind == TokenKind::name || token.kind == TokenKind::number)
+        if (token.kind != TokenKind::end && token.kind != TokenKind::end_of_statement)
           unexpected(at, "an operator");
         return std::move(values.back());
       }
@@ -350,11 +364,15 @@ class InfixParser {
   Expression apply_call(const Call& call, const Names* /*locals*/) {
     const std::string_view name = tokens_[call.token].text;
     if (const auto user = functions_.find(name); user != functions_.end() && user->second.order < callable_) {
-      std::vector<Function::Parameter> parameters;
-      for (const std::string_view parameter : user->second.parameters) parameters.push_back({parameter, std::nullopt});
-      const std::vector<Expression> values = arranged(call, parameters, false);
+      const std::vector<std::string_view>& parameters = user->second.parameters;
+      const Given given = arranged(call, parameters, false);
       Names bound;
-      for (std::size_t i = 0; i < parameters.size(); ++i) bound.insert_or_assign(parameters[i].name, values[i]);
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (!given.values[i])
+          source_.fail(tokens_[call.token].at, fmt::format("'{}' lacks its argument '{}'", name, parameters[i]));
+        if (given.words == i) source_.fail(tokens_[call.token].at, fmt::format("'{}' takes no words in quotes", name));
+        bound.insert_or_assign(parameters[i], *given.values[i]);
+      }
       constexpr int deepest = 100;
       if (depth_ >= deepest)
         source_.fail(tokens_[call.token].at, fmt::format("functions call each other more than {} deep", deepest));
@@ -366,61 +384,76 @@ class InfixParser {
       --depth_;
       return value;
     }
-    const Function* function = find_function(name);
+    const LibraryFunction* function = find_function(name);
     if (function == nullptr) {
       std::vector<std::string_view> known;
-      for (const Function& other : all_functions()) known.push_back(other.name);
+      for (const LibraryFunction& other : library()) known.push_back(other.name);
       for (const auto& [other, value] : functions_) known.push_back(other);
       source_.fail(tokens_[call.token].at, fmt::format("unknown function '{:.40}'{}", name, suggestion(name, known)));
     }
-    const std::vector<Expression> values = arranged(call, function->parameters, function->any_number);
+    std::vector<std::string_view> parameters;
+    for (const Parameter& parameter : function->parameters) parameters.push_back(parameter.name);
+    Given given = arranged(call, parameters, function->any_number);
+    for (std::size_t i = 0; i < given.values.size(); ++i) {
+      const Parameter& parameter = function->parameters[std::min(i, function->parameters.size() - 1)];
+      if (given.values[i] && parameter.quantity == Quantity::angle) given.values[i] = *given.values[i] * (std::numbers::pi / 180);
+      if (given.values[i] && (parameter.quantity == Quantity::text) != (given.words == i))
+        source_.fail(tokens_[call.token].at, fmt::format("'{}' of '{}' {}", parameter.name, name,
+                                                         given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
+    }
     try {
-      return function->make(values);
+      return frep::call(*function, given.values, given.text);
     } catch (const Error& error) {
       source_.fail(tokens_[call.token].at, error.what());
     }
   }
 
-  /// The arguments in the order of the parameters, with defaults filled in.
-  std::vector<Expression> arranged(const Call& call, const std::vector<Function::Parameter>& parameters, bool any_number) const {
+  /// Arguments in the order of the parameters; those that were left out are empty.
+  struct Given {
+    std::vector<std::optional<Expression>> values;
+    std::size_t words = ~std::size_t{0};  ///< which of them are words
+    std::string text;
+  };
+  Given arranged(const Call& call, const std::vector<std::string_view>& parameters, bool any_number) const {
     const std::string_view name = tokens_[call.token].text;
-    std::vector<std::optional<Expression>> given(parameters.size());
+    Given given;
+    given.values.resize(parameters.size());
     std::size_t next = 0;
     for (const Argument& argument : call.arguments) {
       std::size_t place = next;
       if (!argument.name.empty()) {
         place = 0;
-        while (place < parameters.size() && parameters[place].name != argument.name) ++place;
-        if (place == parameters.size()) {
-          std::string list;
-          for (const auto& parameter : parameters) list += fmt::format("{}{}", list.empty() ? "" : ", ", parameter.name);
+        while (place < parameters.size() && parameters[place] != argument.name) ++place;
+        if (place == parameters.size())
           source_.fail(tokens_[argument.token].at, fmt::format("'{}' has no parameter '{:.40}'; it has: {}", name, argument.name,
-                                                               list.empty() ? "none" : list));
-        }
+                                                               parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", "))));
       } else {
         ++next;
       }
-      if (place >= given.size()) {
+      if (place >= given.values.size()) {
         if (!any_number)
           source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name, parameters.size(),
                                                                parameters.size() == 1 ? "" : "s"));
-        given.emplace_back();
+        given.values.emplace_back();
       }
-      if (given[place])
+      if (given.values[place])
         source_.fail(tokens_[argument.token].at,
-                     fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place].name : "?"));
-      given[place] = argument.value;
+                     fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place] : "?"));
+      given.values[place] = argument.value;
+      if (argument.words) given.words = place, given.text = unescaped(*argument.words);
     }
-    std::vector<Expression> values;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      if (given[i])
-        values.push_back(*given[i]);
-      else if (parameters[i].fallback)
-        values.emplace_back(*parameters[i].fallback);
-      else
-        source_.fail(tokens_[call.token].at, fmt::format("'{}' lacks its argument '{}'", name, parameters[i].name));
+    return given;
+  }
+
+  /// "\n" is a new line.
+  static std::string unescaped(std::string_view words) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const bool new_line = words.substr(i, 2) == "\\n";
+      text += new_line ? '\n' : words[i];
+      i += new_line;
     }
-    return values;
+    return text;
   }
 
   TextSource source_;
