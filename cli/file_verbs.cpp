@@ -28,11 +28,15 @@ class RenderVerb final : public Verb {
     verb_->add_option("--size", size_, "pixels along the longer side")->check(CLI::Range(1, 16384));
     verb_->add_option("--alpha", alpha_, "turn about z in degrees");
     verb_->add_option("--beta", beta_, "then tilt about x in degrees");
+    verb_->add_option("--perspective", perspective_, "the angle the solid fills in the eye, in degrees; 0 looks from infinitely far")
+        ->check(CLI::Range(0.0, 114.0));
+    verb_->add_option("--samples", samples_, "smooth edges of shaded pictures by so many samples a pixel along each axis")
+        ->check(CLI::Range(1, 4));
   }
   Outcome run(Progress& progress) override {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
-    RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree};
+    RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
     const Model model = options_.load();
     const Box bounds =
         settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
@@ -64,7 +68,8 @@ class RenderVerb final : public Verb {
   ModelOptions options_;
   std::string mode_ = "shaded";
   int size_ = 512;
-  double alpha_ = 0, beta_ = 0;
+  double alpha_ = 0, beta_ = 0, perspective_ = 0;
+  int samples_ = 1;
 };
 
 class InfoVerb final : public Verb {
@@ -155,7 +160,7 @@ class ConvertVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, meshes");
-    options_.declare(*verb_, "the file to write: .math .vm .frep .asdf .stl .ply .off .obj .3mf");
+    options_.declare(*verb_, "the file to write: .math .vm .frep .dot (Graphviz) .asdf .stl .ply .off .obj .3mf");
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);
@@ -168,17 +173,18 @@ class ConvertVerb final : public Verb {
       return outcome;
     }
     const Model model = options_.load();
-    if (to == ".math" || to == ".vm" || to == ".frep") {
+    if (to == ".math" || to == ".vm" || to == ".frep" || to == ".dot") {
       if (!model.expression || options_.thickness)
         throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
       write_file(options_.output, to == ".math" ? frep::print_math(*model.expression)
                                   : to == ".vm" ? frep::print_vm(*model.expression)
+                                  : to == ".dot" ? frep::print_dot(*model.expression)
                                                 : frep::print_infix(*model.expression));
       return outcome;
     }
     if (to != ".asdf" && !is_mesh_extension(to))
       throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .asdf .stl .ply .off .obj .3mf", to));
+                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .stl .ply .off .obj .3mf", to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
     if (to == ".asdf")

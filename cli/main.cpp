@@ -8,6 +8,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/frep/frep_field.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -71,6 +72,9 @@ int run(int argc, char** argv) {
   app.add_flag("--json", json, "print the summary as one JSON object");
   app.add_flag("--progress", show_progress, "show progress even where stderr is not a terminal");
   app.add_option("--threads", threads, "threads to use; 0, the default, means all cores")->check(CLI::Range(0, 4096));
+  std::string evaluator = "automatic";
+  app.add_option("--evaluator", evaluator,
+                 "how formulas are evaluated: automatic, reference, portable, avx2, avx512, jit, jit-avx2, jit-avx512");
   app.fallthrough();
 
   std::vector<std::unique_ptr<Verb>> verbs;
@@ -85,6 +89,11 @@ int run(int argc, char** argv) {
     return complain(bad_input, std::string(error.what()) + " (see fieldfab --help)");
   }
 
+  try {
+    frep::set_default_evaluator(frep::evaluator_named(evaluator));
+  } catch (const Error& error) {
+    return complain(bad_input, error.what());
+  }
   const ThreadLimit limit(threads);
   ProgressLine line(show_progress || ::isatty(STDERR_FILENO) != 0);
   Progress progress(std::ref(line));

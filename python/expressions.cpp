@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/library.h"
 #include "fieldfab/frep/text.h"
@@ -103,6 +104,31 @@ std::string documentation(const frep::LibraryFunction& function) {
                      function.meaning.empty() || function.distance.empty() ? "" : "; ", function.distance.empty() ? "" : value);
 }
 
+py::list describe_library() {
+  py::list all;
+  for (const frep::LibraryFunction& function : frep::library()) {
+    py::list parameters;
+    for (const frep::Parameter& parameter : function.parameters) {
+      constexpr const char* kinds[] = {"expression", "angle", "number", "whole", "text"};
+      py::dict about;
+      about["name"] = std::string(parameter.name);
+      about["kind"] = kinds[static_cast<int>(parameter.quantity)];
+      about["default"] = parameter.fallback ? py::object(py::float_(*parameter.fallback)) : py::none();
+      parameters.append(about);
+    }
+    py::dict about;
+    about["name"] = std::string(function.name);
+    about["group"] = std::string(function.group);
+    about["parameters"] = parameters;
+    about["any_number"] = function.any_number;
+    about["distance"] = std::string(function.distance);
+    about["meaning"] = std::string(function.meaning);
+    about["example"] = std::string(function.example);
+    all.append(about);
+  }
+  return all;
+}
+
 void bind_library(py::module_ shapes) {
   py::options options;
   options.disable_function_signatures();
@@ -163,6 +189,9 @@ void bind_expressions(py::module_& module) {
           "math", [](const Expression& a) { return frep::print_math(a); }, "The formula as a prefix math string.")
       .def(
           "vm", [](const Expression& a) { return frep::print_vm(a); }, "The formula as a .vm program.")
+      .def(
+          "save_dot", [](const Expression& a, const std::filesystem::path& path) { write_file(path, frep::print_dot(a)); },
+          py::arg("filename"), "Writes the formula as a graph for Graphviz.")
       .def("simplified", [](const Expression& a) { return frep::simplify(a); })
       .def("node_count", [](const Expression& a) { return frep::node_count(a); })
       .def(
@@ -188,6 +217,10 @@ void bind_expressions(py::module_& module) {
   module.def(
       "parse_infix", [](const std::string& text) { return frep::parse_infix(text); }, py::arg("text"));
 
+  module.def(
+      "set_evaluator", [](const std::string& name) { frep::set_default_evaluator(frep::evaluator_named(name)); }, py::arg("name"),
+      "How formulas are evaluated from now on: automatic, reference, portable, avx2, avx512, jit, jit-avx2 or jit-avx512.");
+
   using Unary = Expression (*)(const Expression&);
   for (const auto& [name, function] : std::initializer_list<std::pair<const char*, Unary>>{{"sin", frep::sin},
                                                                                            {"cos", frep::cos},
@@ -207,6 +240,7 @@ void bind_expressions(py::module_& module) {
            {"minimum", frep::min}, {"maximum", frep::max}, {"atan2", frep::atan2}, {"compare", frep::compare}})
     module.def(name, function, py::arg("a"), py::arg("b"));
 
+  module.def("library", describe_library, "The functions of the design language, with their parameters, meanings and examples.");
   bind_library(module.def_submodule(
       "shapes", "Shapes and what is done with them, as expressions. Lengths in mm, angles in radians. See docs/shapes.md."));
 }

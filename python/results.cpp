@@ -80,9 +80,9 @@ void bind_results(py::module_& module) {
   module.def(
       "render",
       [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
-         const py::object& progress) {
+         const py::object& progress, double perspective, int samples) {
         const FieldPtr field = field_of(solid);
-        const RenderSettings settings{render_mode(mode), size, alpha, beta};
+        const RenderSettings settings{render_mode(mode), size, alpha, beta, perspective, samples};
         return long_work(progress, [&](Progress& p) {
           if (settings.mode != RenderMode::bitmap) return render(*field, region_of(field, bounds, p), settings, p);
           std::optional<Box> plane;
@@ -94,8 +94,9 @@ void bind_results(py::module_& module) {
         });
       },
       py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
-      py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
-      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians.");
+      py::arg("bounds") = py::none(), py::arg("progress") = py::none(), py::arg("perspective") = 0.0, py::arg("samples") = 1,
+      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` is the angle "
+      "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges.");
 
   py::class_<CheckRow>(module, "CheckRow")
       .def_readonly("name", &CheckRow::name)

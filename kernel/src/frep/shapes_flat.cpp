@@ -141,9 +141,10 @@ E gear(int teeth, double module, double pressure_angle, double backlash) {
   const E r = length(x(), y());
   const E angle = mod(atan2(y(), x()) + pi / teeth, 2 * pi / teeth) - pi / teeth;
   // The string that draws the involute: its length over the base radius less the angle it was wound about. Distances between
-  // involutes of one circle are angles times its radius.
+  // involutes of one circle are angles times its radius; within that circle flanks are straight. The last factor makes that a bound
+  // on both sides.
   const E wound = sqrt(positive(square(r / base) - 1.0));
-  const E flank = (abs(angle) - half_tooth + wound - atan(wound)) * base;
+  const E flank = (abs(angle) - half_tooth + wound - atan(wound)) * min(r, base) / std::hypot(1, pi / teeth);
   return min(max(flank, r - (pitch + module)), r - (pitch - 1.25 * module));
 }
 

@@ -59,7 +59,7 @@ E diamond(const E& period);
 
 // Things to make.
 /// An involute gear, flat: `module` is its pitch diameter divided by its teeth; teeth are thinner by `backlash` at the pitch circle.
-/// Flanks are exact, else a bound.
+/// A bound.
 E gear(int teeth, double module, double pressure_angle, double backlash);
 /// A rod along z with an ISO metric thread of `radius` outside; what it screws into is a difference with a wider one. Neither.
 E thread(const E& radius, const E& pitch, const E& height);

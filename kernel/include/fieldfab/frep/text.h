@@ -26,4 +26,7 @@ std::string print_vm(const Expression& expression);
 Expression parse_infix(std::string_view text, std::string_view name = "frep text");
 std::string print_infix(const Expression& expression);
 
+/// The expression as a graph in Graphviz's language: `dot -Tsvg` draws it. Shared parts are drawn once. Write only.
+std::string print_dot(const Expression& expression);
+
 }  // namespace fieldfab::frep

@@ -20,6 +20,9 @@ struct RenderSettings {
   int size = 512;    ///< pixels along the longer side of the picture
   double alpha = 0;  ///< turn about z, radians (Keeter App. C)
   double beta = 0;   ///< then tilt about x, radians
+  /// The angle that the solid's bounding ball fills in the eye, radians; 0 looks from infinitely far, at most 2 (115 degrees).
+  double perspective = 0;
+  int samples = 1;  ///< pixels an axis that are averaged into one of a shaded picture, 1 to 4
 };
 
 /// Renders the part of `field` inside `bounds`, seen from +z after the turn. A bitmap shows the plane z = bounds.lower.z, sampled

@@ -1,0 +1,109 @@
+#include "shade.h"
+
+#include <array>
+#include <cmath>
+
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab {
+namespace {
+
+/// Twelve directions around.
+const auto compass = [] {
+  std::array<std::array<float, 2>, 12> made;
+  for (std::size_t d = 0; d < made.size(); ++d) {
+    const float angle = 6.2831853F * (static_cast<float>(d) + 0.25F) / static_cast<float>(made.size());
+    made[d] = {std::cos(angle), std::sin(angle)};
+  }
+  return made;
+}();
+
+/// How open the sky is above each pixel, 0 to 1: horizons in twelve directions, read off the height map at growing distances.
+std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
+  std::vector<float> openness(grid.count(), 1);
+  const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
+  const int reach = std::max(4, std::max(grid.width, grid.height) / 12);
+  parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    progress.check();
+    const int y = static_cast<int>(row);
+    for (int x = 0; x < grid.width; ++x) {
+      const float here = heights[grid.index(x, y)];
+      if (!std::isfinite(here)) continue;
+      float sum = 0;
+      for (const auto& [cx, cy] : compass) {
+        float steepest = 0;
+        for (float distance = 1.5F; distance < static_cast<float>(reach); distance *= 1.5F) {
+          const int u = x + static_cast<int>(std::lround(cx * distance)), v = y + static_cast<int>(std::lround(cy * distance));
+          if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
+          const float rise = (heights[grid.index(u, v)] - here) / (distance * pixel);
+          steepest = std::max(steepest, rise * (1 - distance / static_cast<float>(reach)));
+        }
+        sum += 1 - steepest / std::sqrt(1 + steepest * steepest);
+      }
+      openness[grid.index(x, y)] = sum / static_cast<float>(compass.size());
+    }
+  });
+  return openness;
+}
+
+/// How much of a light from `direction` reaches each pixel, 0 to 1: soft, because nearly hidden counts as half hidden.
+std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& heights, const Eigen::Vector3f& direction,
+                              Progress& progress) {
+  std::vector<float> light(grid.count(), 1);
+  const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
+  const float along = direction.head<2>().norm(), dx = direction.x() / along, dy = -direction.y() / along;
+  const float rise = direction.z() / along * pixel;  // for each pixel of distance
+  const float reach = static_cast<float>(std::max(grid.width, grid.height)) / 3;
+  constexpr float softness = 12;  // what clears the ray by its length over this is in full light
+  parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    progress.check();
+    for (int x = 0; x < grid.width; ++x) {
+      const std::size_t here = grid.index(x, static_cast<int>(row));
+      if (!std::isfinite(heights[here])) continue;
+      float open = 1;
+      for (float distance = 2; distance < reach && open > 0; distance += 0.5F + 0.03F * distance) {
+        const int u = x + static_cast<int>(std::lround(dx * distance)), v = static_cast<int>(row) + static_cast<int>(std::lround(dy * distance));
+        if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
+        const float clear = heights[here] + rise * distance - heights[grid.index(u, v)];
+        open = std::min(open, 0.5F + softness * clear / (distance * pixel));
+      }
+      light[here] = std::max(0.0F, open);
+    }
+  });
+  return light;
+}
+
+Eigen::Vector3f background(float down) {
+  const Eigen::Vector3f colour = (1 - down) * Eigen::Vector3f(0.955F, 0.965F, 0.98F) + down * Eigen::Vector3f(0.82F, 0.85F, 0.89F);
+  return colour.cwiseProduct(colour);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals,
+                                   Progress& progress) {
+  const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(),
+                        fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
+  const Eigen::Vector3f material(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
+  const std::vector<float> openness = find_openness(grid, heights, progress), light = find_light(grid, heights, key, progress);
+  std::vector<Eigen::Vector3f> colours(grid.count());
+  parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    for (int x = 0; x < grid.width; ++x) {
+      const std::size_t i = grid.index(x, static_cast<int>(row));
+      if (!std::isfinite(heights[i])) {
+        colours[i] = background(static_cast<float>(row) / static_cast<float>(grid.height));
+        continue;
+      }
+      const Eigen::Vector3f& n = normals[i];
+      const float open = openness[i], lit = light[i] * std::max(0.0F, n.dot(key));
+      const float shine = light[i] * std::pow(std::max(0.0F, (2 * n.dot(key) * n - key).z()), 24.0F);
+      const float edge = std::max(0.0F, 1 - n.z()), rim = edge * edge * edge * std::max(0.0F, n.y());
+      colours[i] = material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
+                                         0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
+      colours[i] += Eigen::Vector3f::Constant(0.18F * shine * open);
+    }
+  });
+  return colours;
+}
+
+}  // namespace fieldfab

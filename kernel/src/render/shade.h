@@ -1,0 +1,15 @@
+/// Light on a height map.
+#pragma once
+
+#include "fieldfab/core/progress.h"
+#include "fieldfab/render/image.h"
+#include "raster.h"
+
+namespace fieldfab {
+
+/// Linear colour of each pixel, from its height and normal alone: a warm key light with soft shadows, a cool fill light, a light
+/// from behind that draws the outline, and the sky as far as it is open.
+std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals,
+                                   Progress& progress);
+
+}  // namespace fieldfab
