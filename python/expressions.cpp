@@ -152,6 +152,7 @@ std::string text_of(const Expression& expression) {
 void bind_expressions(py::module_& module) {
   py::class_<Expression> expression(module, "Expression", "A formula over x, y and z. Equal formulas are one object inside.");
   expression.def(py::init<double>(), py::arg("value"))
+      .def(py::init<const Expression&>(), py::arg("value"))
       .def(py::self + py::self)
       .def(py::self - py::self)
       .def(py::self * py::self)

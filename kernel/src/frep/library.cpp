@@ -157,12 +157,12 @@ void add_sets(Functions& all) {
   all.push_back({"offset", group, {given("shape"), given("distance")}, "", "grown; shrunk where the distance is below 0",
                  "offset(exact_box(6, 4, 2), 1)", [](A a) { return offset(a[0], a[1]); }});
   all.push_back({"shell", group, {given("shape"), given("thickness")}, "", "a wall about the surface",
-                 "shell(sphere(4), 0.6) & plane(0, 1, 0, 0)", [](A a) { return shell(a[0], a[1]); }});
+                 "shell(sphere(4), 0.6) & plane(0, -1, 0, 0)", [](A a) { return shell(a[0], a[1]); }});
   all.push_back({"clearance", group, {given("a"), given("b"), with("gap", 0.2)}, "", "a less b, with room for b",
                  "clearance(box(8, 8, 3), gear(8, 0.6), 0.5) | extrude(gear(8, 0.6), 2)",
                  [](A a) { return clearance(a[0], a[1], a[2]); }});
   all.push_back({"blend", group, {given("a"), given("b"), with("r", 1)}, "", "union with a rounded seam (Keeter, Table 3.3)",
-                 "blend(move(sphere(3), -2.4), move(sphere(2), 2.6), 1)", [](A a) { return blend(a[0], a[1], a[2]); }});
+                 "blend(move(sphere(3), -2.6), move(sphere(2), 3), 1.5)", [](A a) { return blend(a[0], a[1], a[2]); }});
   const auto two = [&](std::string_view name, std::string_view size, std::string_view meaning, std::string_view example, auto make) {
     all.push_back({name, group, {given("a"), given("b"), with(size, 1)}, "", meaning, example, [make](A a) { return make(a[0], a[1], a[2]); }});
   };
@@ -219,13 +219,13 @@ void add_moves(Functions& all) {
                    [make](A a) { return make(a[0], a[1], a[2], a[3], a[4]); }});
   };
   pulled("attract", "drawn to a point, less and less over reach", "attract(box(6, 6, 6), 0, 0, 3, 2)", attract);
-  pulled("repel", "driven from a point, less and less over reach", "repel(box(6, 6, 2), 0, 0, 1, 1)", repel);
+  pulled("repel", "driven from a point, less and less over reach", "repel(box(6, 6, 2), 0, 0, 0, 2)", repel);
   one("repeat_x", given("period"), "without end", "repeat_x(sphere(1), 3) & box(10, 5, 5)", repeat_x);
   one("repeat_y", given("period"), "without end", "repeat_y(sphere(1), 3) & box(5, 10, 5)", repeat_y);
   one("repeat_z", given("period"), "without end", "repeat_z(sphere(1), 3) & box(5, 5, 10)", repeat_z);
-  all.push_back({"array_x", group, {shape, {"count", whole, 2}, given("dx")}, "", "copies at 0, dx, 2 dx, ...",
+  all.push_back({"array_x", group, {shape, {"count", whole, 2}, with("dx", 1)}, "", "copies at 0, dx, 2 dx, ...",
                  "array_x(cylinder(1, 3), 4, 2.5)", [](A a) { return array_x(a[0], a.whole(1), a[2]); }});
-  all.push_back({"array_xy", group, {shape, {"columns", whole, 2}, {"rows", whole, 2}, given("dx"), given("dy")}, "", "",
+  all.push_back({"array_xy", group, {shape, {"columns", whole, 2}, {"rows", whole, 2}, with("dx", 1), with("dy", 1)}, "", "",
                  "array_xy(cylinder(1, 3), 3, 3, 2.5, 2.5)", [](A a) { return array_xy(a[0], a.whole(1), a.whole(2), a[3], a[4]); }});
   one("array_polar", {"count", whole}, "turned about z", "array_polar(move(cylinder(1, 3), 4), 7)",
       [](const Expression& a, const Expression& count) { return array_polar(a, static_cast<int>(count.constant())); });

@@ -1,0 +1,105 @@
+"""Makes what is made from the design language's own table and from examples/: the shape library's manual with its pictures, the
+gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the texts are up to date."""
+
+import pathlib
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "build" / "release" / "python"))
+
+import fieldfab as ff  # noqa: E402
+
+PICTURES = ROOT / "docs" / "figures"
+VIEW = dict(alpha=0.5, beta=-0.95, perspective=0.5, samples=2)
+DISTANCES = {"exact": "exact", "bound": "bound", "neither": "–", "": ""}
+
+
+def signature(function, angle_unit):
+    words = []
+    for p in function["parameters"]:
+        default = "" if p["default"] is None else f"={p['default']:g}"
+        words.append(p["name"] + default + (angle_unit if p["kind"] == "angle" else ""))
+    return f"{function['name']}({', '.join(words)}{', …' if function['any_number'] else ''})"
+
+
+def stubs():
+    kinds = {"expression": "Operand", "angle": "Operand", "number": "float", "whole": "int", "text": "str"}
+    lines = ['"""Shapes, and what is done with them, as expressions. Lengths in mm, angles in radians. Made by ./dev docs."""', ""]
+    lines += ["from collections.abc import Iterable", "from typing import Any", "", "from ._core import Expression, Operand", ""]
+    for f in library():
+        parts = [f"{p['name']}: {kinds[p['kind']]}" + ("" if p["default"] is None else " = ...") for p in f["parameters"]]
+        if f["any_number"]:  # further ones, one by one or in lists
+            parts = [f"*{f['parameters'][0]['name']}: Any"]
+        lines.append(f"def {f['name']}({', '.join(parts)}) -> Expression: ...")
+    return "\n".join(lines) + "\n"
+
+
+def library():
+    return [f for f in ff.library() if f["group"] != "numbers"]
+
+
+def manual():
+    lines = [
+        "# The shape library",
+        "",
+        "Every function of `.frep` text and of Python's `fieldfab.shapes`, with a picture of its example; made by `./dev docs`. Lengths are mm; angles",
+        "are degrees in `.frep`, radians in Python. Anything that is not a count or a plain number may depend on `x`, `y` and `z`.",
+        "",
+        "*Exact*: the value is the distance to the surface. *Bound*: it is never more than that, so offsets and walls are at least that far away, and it",
+        "keeps its edges when grown. *–*: only its sign and smoothness are to be relied on.",
+    ]
+    group = None
+    for f in library():
+        if f["group"] != group:
+            group = f["group"]
+            lines += ["", f"## {group}", "", "| | | |", "|---|---|---|"]
+        about = " · ".join(filter(None, [f["meaning"], DISTANCES[f["distance"]]]))
+        picture = f"![{f['name']}](figures/shapes/{f['name']}.png)"
+        lines.append(f"| {picture} | `{signature(f, '°')}` | {about}<br>`{f['example']}` |".replace(" | b`", " \\| b`"))
+    return "\n".join(lines) + "\n"
+
+
+def gallery():
+    lines = ["# Gallery", "", "The designs of `examples/`, each a few lines of `.frep`; pictures by `fieldfab render`, made by `./dev docs`.", ""]
+    for path in sorted((ROOT / "examples").glob("*.frep")):
+        title, *text = path.read_text().splitlines()
+        name = path.stem.replace("_", " ")
+        lines += [f"## {name.capitalize()}", "", title.lstrip("# ").capitalize() + ".", "", f"![{name}](figures/gallery/{path.stem}.png)", ""]
+        lines += ["```", *text, "```", ""]
+    return "\n".join(lines)
+
+
+def render(expression, path):
+    """Writes the picture where it differs, so that an unchanged one stays as it is."""
+    image = ff.render(expression, size=240, **VIEW)
+    with tempfile.TemporaryDirectory() as folder:
+        made = pathlib.Path(folder) / "made.png"
+        image.save(made)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_bytes() != made.read_bytes():
+            path.write_bytes(made.read_bytes())
+
+
+def texts():
+    return {
+        ROOT / "docs" / "shapes.md": manual(),
+        ROOT / "docs" / "gallery.md": gallery(),
+        ROOT / "python" / "fieldfab" / "shapes.pyi": stubs(),
+    }
+
+
+def main():
+    if "--check" in sys.argv:
+        stale = [str(path.relative_to(ROOT)) for path, text in texts().items() if not path.exists() or path.read_text() != text]
+        sys.exit(f"stale, run ./dev docs: {', '.join(stale)}" if stale else 0)
+    for path, text in texts().items():
+        path.write_text(text)
+    for f in library():
+        render(ff.parse(f["example"]), PICTURES / "shapes" / f"{f['name']}.png")
+    for path in (ROOT / "examples").glob("*.frep"):
+        render(ff.parse(path.read_text()), PICTURES / "gallery" / f"{path.stem}.png")
+
+
+if __name__ == "__main__":
+    main()

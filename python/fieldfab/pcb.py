@@ -1,0 +1,111 @@
+"""A small library for circuit boards: parts with named pads, traces between them, and what the mill or the laser needs.
+
+    from fieldfab import pcb
+    board = pcb.Board(30, 20)
+    chip = board.add(pcb.soic("ATtiny45", 8), 8, 10)
+    led = board.add(pcb.chip_1206("LED"), 22, 10, angle=90)
+    board.connect(chip["1"], (15, 12), led["2"])
+    ff.render(board.copper, mode="bitmap", size=2000, bounds=board.bounds).save("traces.png")
+
+Lengths are mm, angles degrees. Copper, outline and holes are flat shapes.
+"""
+
+import math
+
+from . import shapes as s
+
+
+class Part:
+    """A footprint: `copper` and `holes` as flat shapes about the origin (None where there are none), `pads` from names to (x, y)."""
+
+    def __init__(self, name, copper, pads, holes=None):
+        self.name, self.copper, self.pads, self.holes = name, copper, dict(pads), holes
+
+
+def _two_pads(name, dx, dy, span):
+    return Part(name, s.footprint_chip(dx, dy, span), {"1": (-span / 2, 0.0), "2": (span / 2, 0.0)})
+
+
+def chip_1206(name="1206"):
+    """A resistor, capacitor or LED of size 1206."""
+    return _two_pads(name, 1.6, 1.8, 3.4)
+
+
+def chip_0805(name="0805"):
+    """The same in size 0805."""
+    return _two_pads(name, 1.3, 1.5, 2.1)
+
+
+def soic(name="SOIC", pins=8, pitch=1.27, span=5.4, pad=(1.6, 0.6)):
+    """Pins counted anticlockwise from the upper left."""
+    rows = pins // 2
+    copper = s.footprint_soic(pins, pitch, span, *pad)
+    top = pitch * (rows - 1) / 2
+    pads = {str(i + 1): (-span / 2, top - i * pitch) for i in range(rows)}
+    pads.update({str(rows + i + 1): (span / 2, -top + i * pitch) for i in range(rows)})
+    return Part(name, copper, pads)
+
+
+def header(name="header", columns=2, rows=3, pitch=2.54, pad=1.7, hole=1.0):
+    """Pins counted row by row from the upper left."""
+    left, top = -pitch * (columns - 1) / 2, pitch * (rows - 1) / 2
+    pads = {str(r * columns + c + 1): (left + c * pitch, top - r * pitch) for r in range(rows) for c in range(columns)}
+    return Part(name, s.footprint_header(columns, rows, pitch, pad), pads, s.footprint_header(columns, rows, pitch, hole))
+
+
+class Placed:
+    """A part on a board; part["1"] is where its pad 1 is."""
+
+    def __init__(self, part, x, y, angle):
+        self.part, self.x, self.y, self.angle = part, x, y, math.radians(angle)
+
+    def __getitem__(self, pad):
+        if pad not in self.part.pads:
+            raise KeyError(f"{self.part.name} has no pad '{pad}'; it has {', '.join(self.part.pads)}")
+        u, v = self.part.pads[pad]
+        c, d = math.cos(self.angle), math.sin(self.angle)
+        return (self.x + c * u - d * v, self.y + d * u + c * v)
+
+    def placed(self, shape):
+        return s.move(s.rotate_z(shape, self.angle), self.x, self.y)
+
+
+class Board:
+    """A board of width x height mm, its lower left corner at the origin."""
+
+    def __init__(self, width, height, corner=0.0, trace=0.4):
+        self.width, self.height, self.corner, self.trace_width = width, height, corner, trace
+        self.parts, self._traces = [], []
+
+    def add(self, part, x, y, angle=0):
+        placed = Placed(part, x, y, angle)
+        self.parts.append(placed)
+        return placed
+
+    def connect(self, *points, width=None):
+        """A trace through points: pads of placed parts, or (x, y)."""
+        self._traces.append(s.trace(self.trace_width if width is None else width, *points))
+
+    @property
+    def copper(self):
+        """Pads and traces, less the holes."""
+        shapes = self._traces + [p.placed(p.part.copper) for p in self.parts]
+        if not shapes:
+            raise ValueError("the board has neither parts nor traces")
+        copper = s.union(*shapes) if len(shapes) > 1 else shapes[0]
+        return copper if self.holes is None else s.difference(copper, self.holes)
+
+    @property
+    def holes(self):
+        """The drilled holes, or None."""
+        shapes = [p.placed(p.part.holes) for p in self.parts if p.part.holes is not None]
+        return None if not shapes else s.union(*shapes) if len(shapes) > 1 else shapes[0]
+
+    @property
+    def outline(self):
+        """The board itself."""
+        return s.move(s.rounded_rectangle(self.width, self.height, self.corner), self.width / 2, self.height / 2)
+
+    @property
+    def bounds(self):
+        return (0, 0, 0, self.width, self.height, 0)
