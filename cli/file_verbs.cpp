@@ -37,7 +37,7 @@ class RenderVerb final : public Verb {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
     RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
-    const Model model = options_.load();
+    const Model model = options_.load(progress);
     const Box bounds =
         settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
     const Image image = render(*model.field, bounds, settings, progress);
@@ -82,7 +82,7 @@ class InfoVerb final : public Verb {
     const std::string extension = extension_of(file_);
     if (is_mesh_extension(extension)) return mesh_info();
     if (extension == ".png") return image_info();
-    const Model model = load_model(file_);
+    const Model model = load_model(file_, Scripts::run, progress);
     if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf_info(*asdf);
     return frep_info(model, progress);
   }
@@ -172,7 +172,7 @@ class ConvertVerb final : public Verb {
       write_mesh(read_mesh(options_.model), options_.output, progress);
       return outcome;
     }
-    const Model model = options_.load();
+    const Model model = options_.load(progress);
     if (to == ".math" || to == ".vm" || to == ".frep" || to == ".dot") {
       if (!model.expression || options_.thickness)
         throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");

@@ -25,7 +25,7 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model, "the solid: .math .vm .frep .asdf")->required();
+  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf")->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
   verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")
@@ -53,8 +53,8 @@ std::optional<Box> ModelOptions::region() const {
   return Box{{number[0], number[1], number[2]}, {number[3], number[4], number[5]}};
 }
 
-Model ModelOptions::load() const {
-  Model loaded = load_model(model);
+Model ModelOptions::load(Progress& progress) const {
+  Model loaded = load_model(model, Scripts::run, progress);
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
 }

@@ -34,7 +34,7 @@ class BuildVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const Stopwatch clock;
-    const Model model = options_.load();
+    const Model model = options_.load(progress);
     const Box bounds = working_bounds(model, options_.region(), progress);
     const auto asdf =
         Asdf::build(*model.field, bounds, {options_.cell(bounds, model), options_.max_error.value_or(-1), true}, progress);
@@ -68,7 +68,7 @@ class MeshVerb final : public Verb {
       throw Error(ErrorKind::bad_input, options_.output,
                   fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
     const Stopwatch clock;
-    const Model model = options_.load();
+    const Model model = options_.load(progress);
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model);
     const TriangleMesh mesh = contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
@@ -101,7 +101,7 @@ class CheckVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const Stopwatch clock;
-    Model model = options_.load();
+    Model model = options_.load(progress);
     const std::optional<double> plate = options_.make_plate_if_flat(model, progress);
     const Box bounds = working_bounds(model, options_.region(), progress, EmptySolid::allowed);
     const double cell = options_.cell(bounds, model);

@@ -28,8 +28,8 @@ struct ModelOptions {
   void declare(CLI::App& verb, const std::string& output_help);
   /// The region asked for. Throws bad_input for text that is not six numbers.
   [[nodiscard]] std::optional<Box> region() const;
-  /// Loads the model; a flat one is given --thickness.
-  [[nodiscard]] Model load() const;
+  /// Loads the model, or runs it where it is a script; a flat one is given --thickness.
+  [[nodiscard]] Model load(Progress& progress) const;
   /// Makes a plate of a model that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
   /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the model was left alone.
   std::optional<double> make_plate_if_flat(Model& loaded, Progress& progress);

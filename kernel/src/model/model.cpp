@@ -10,30 +10,39 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
+#include "script.h"
 
 namespace fieldfab {
 namespace {
 
 constexpr std::uintmax_t most_text = 256'000'000;  // bytes
 
-Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), const std::filesystem::path& path) {
-  const std::string text = read_file(path, most_text);
+Model from_expression(frep::Expression expression) {
   Model model;
   model.kind = "f-rep";
-  model.expression = parse(text, path.string());
-  model.field = frep::make_field(frep::simplify(*model.expression));
+  model.field = frep::make_field(frep::simplify(expression));
+  model.expression = std::move(expression);
   return model;
+}
+
+Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), const std::filesystem::path& path) {
+  return from_expression(parse(read_file(path, most_text), path.string()));
 }
 
 }  // namespace
 
-Model load_model(const std::filesystem::path& path) {
+Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".math") return from_text(frep::parse_math, path);
   if (extension == ".vm") return from_text(frep::parse_vm, path);
   if (extension == ".frep") return from_text(frep::parse_infix, path);
+  if (extension == ".py") {
+    if (scripts == Scripts::refused)
+      throw Error(ErrorKind::bad_input, path.string(), "is a script; scripts are run by the fieldfab command only");
+    return from_expression(run_script(path, progress));
+  }
   if (extension == ".asdf") {
     const auto asdf = Asdf::load(path);
     Model model;
@@ -43,7 +52,7 @@ Model load_model(const std::filesystem::path& path) {
     return model;
   }
   throw Error(ErrorKind::bad_input, path.string(),
-              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .asdf", extension));
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf", extension));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {

@@ -19,8 +19,12 @@ struct Model {
   std::optional<double> voxel;                 ///< where the file has a resolution of its own
 };
 
-/// Reads .math, .vm, .frep or .asdf. Throws io, or bad_input (also for an extension no reader knows, with a list of those known).
-Model load_model(const std::filesystem::path& path);
+/// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
+enum class Scripts { refused, run };
+
+/// Reads .math, .vm, .frep or .asdf, or runs a .py script. Throws io, or bad_input (also for an extension no reader knows, with a
+/// list of those known), or cancelled.
+Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none());
 
 /// The region to work in: `wanted` where given (checked), else what solid_bounds() finds, a little grown. Throws bad_input for
 /// an unbounded solid, naming the axes and asking for --bounds, and for an empty one unless that is allowed (any box will do for

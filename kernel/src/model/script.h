@@ -1,0 +1,15 @@
+/// Models that are Python scripts.
+#pragma once
+
+#include <filesystem>
+
+#include "fieldfab/core/progress.h"
+#include "fieldfab/frep/expression.h"
+
+namespace fieldfab {
+
+/// Runs a script in a process of its own (fieldfab.script) and returns the solid it makes. Throws bad_input with the script's line
+/// and message where it fails or runs for more than a minute, cancelled when told so; either way the process is gone afterwards.
+frep::Expression run_script(const std::filesystem::path& path, Progress& progress);
+
+}  // namespace fieldfab
