@@ -57,5 +57,6 @@ std::unique_ptr<Verb> render_verb();
 std::unique_ptr<Verb> check_verb();
 std::unique_ptr<Verb> info_verb();
 std::unique_ptr<Verb> convert_verb();
+std::unique_ptr<Verb> edit_verb();
 
 }  // namespace fieldfab::cli

@@ -227,6 +227,13 @@ void bind_fields(py::module_& module) {
   module.def(
       "load", [=](const std::filesystem::path& path) { return mutable_field(load_model(path).field); }, py::arg("filename"),
       "The solid of a .math, .vm, .frep or .asdf file.");
+  module.def(
+      "run_model",
+      [=](const std::filesystem::path& path, const py::object& progress) {
+        return mutable_field(long_work(progress, [&](Progress& p) { return load_model(path, Scripts::run, p).field; }));
+      },
+      py::arg("filename"), py::arg("progress") = py::none(),
+      "load(), and .py scripts, too: they are run, in a process of their own, and can do whatever their user can.");
 }
 
 }  // namespace fieldfab::python

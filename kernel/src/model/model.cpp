@@ -10,7 +10,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "script.h"
+#include "fieldfab/model/script.h"
 
 namespace fieldfab {
 namespace {

@@ -1,4 +1,4 @@
-#include "script.h"
+#include "fieldfab/model/script.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -90,8 +90,9 @@ class Child {
   int output_ = -1, status_ = 0;
 };
 
-/// This process's environment, in which Python finds the module that belongs to this very build.
-std::vector<std::string> environment() {
+}  // namespace
+
+std::vector<std::string> python_environment() {
   std::vector<std::string> all;
   std::string path;
   for (char** entry = environ; *entry != nullptr; ++entry)
@@ -106,11 +107,9 @@ std::vector<std::string> environment() {
   return all;
 }
 
-}  // namespace
-
 frep::Expression run_script(const std::filesystem::path& path, Progress& progress) {
   if (!std::filesystem::is_regular_file(path)) throw Error(ErrorKind::io, path.string(), "there is no such file");
-  Child child({"/usr/bin/python3", "-m", "fieldfab.script", path.string()}, environment(), available_memory() / 2);
+  Child child({"/usr/bin/python3", "-m", "fieldfab.script", path.string()}, python_environment(), available_memory() / 2);
   const auto started = std::chrono::steady_clock::now();
   std::string text;
   while (child.read(text)) {

@@ -30,14 +30,22 @@ View look(const Field& field, const Box& bounds, const RenderSettings& settings)
     throw Error(ErrorKind::bad_input, "perspective", "must be from 0 to 2 radians (115 degrees)");
 
   View view{field.shared_from_this(), bounds};
+  const auto framed = [&](View made) {
+    if (settings.window) {
+      made.region.lower.head<2>() = settings.window->lower.head<2>();
+      made.region.upper.head<2>() = settings.window->upper.head<2>();
+      if (!made.region.valid()) throw Error(ErrorKind::bad_input, "window", "must be finite and have a positive size");
+    }
+    return made;
+  };
   const bool turned = settings.alpha != 0 || settings.beta != 0;
-  if (!turned && settings.perspective == 0) return view;
+  if (!turned && settings.perspective == 0 && !settings.window) return view;
   // Alpha about z, then beta about x (Keeter App. C).
   const Eigen::Affine3d turn(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
   view.field = intersect(view.field, box_field(bounds));
   if (turned) view.field = transform(view.field, turn);
   view.region = image_of(bounds, turn.linear(), turn.translation());
-  if (settings.perspective == 0) return view;
+  if (settings.perspective == 0) return framed(view);
 
   const Vec3 centre = turn * bounds.centre();
   view.distance = bounds.size().norm() / 2 / std::sin(settings.perspective / 2);
@@ -50,12 +58,13 @@ View look(const Field& field, const Box& bounds, const RenderSettings& settings)
   }
   view.region.lower.head<2>() = (centre - reach).head<2>();
   view.region.upper.head<2>() = (centre + reach).head<2>();
-  return view;
+  view.centre = centre;
+  return framed(view);
 }
 
 void straighten(const View& view, const PixelGrid& grid, const std::vector<float>& heights, Normals& normals) {
   if (view.distance == 0) return;
-  const Eigen::Vector3f centre = view.region.centre().cast<float>();
+  const Eigen::Vector3f centre = view.centre.cast<float>();
   const auto distance = static_cast<float>(view.distance);
   for (int row = 0; row < grid.height; ++row)
     for (int column = 0; column < grid.width; ++column) {

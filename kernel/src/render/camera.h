@@ -10,7 +10,8 @@ namespace fieldfab {
 struct View {
   FieldPtr field;
   Box region;           ///< what the picture shows
-  double distance = 0;  ///< from the eye to the middle of the region; 0 where it is infinitely far
+  double distance = 0;  ///< from the eye to the solid's middle; 0 where it is infinitely far
+  Vec3 centre = Vec3::Zero();  ///< that middle, where there is an eye
 };
 
 /// The part of `field` inside `bounds`, turned and seen as the settings ask. Throws bad_input.

@@ -23,6 +23,9 @@ struct RenderSettings {
   /// The angle that the solid's bounding ball fills in the eye, radians; 0 looks from infinitely far, at most 2 (115 degrees).
   double perspective = 0;
   int samples = 1;  ///< pixels an axis that are averaged into one of a shaded picture, 1 to 4
+  /// The part of the picture's plane to show, x0, y0, x1, y1 in mm after the turn (z does not matter); all of the solid where not
+  /// given. Every pixel is evaluated for its own place: nothing is enlarged.
+  std::optional<Box> window = std::nullopt;
 };
 
 /// Renders the part of `field` inside `bounds`, seen from +z after the turn. A bitmap shows the plane z = bounds.lower.z, sampled

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "fieldfab/core/progress.h"
 #include "fieldfab/frep/expression.h"
@@ -11,5 +13,8 @@ namespace fieldfab {
 /// Runs a script in a process of its own (fieldfab.script) and returns the solid it makes. Throws bad_input with the script's line
 /// and message where it fails or runs for more than a minute, cancelled when told so; either way the process is gone afterwards.
 frep::Expression run_script(const std::filesystem::path& path, Progress& progress);
+
+/// This process's environment, changed so that Python finds the module fieldfab that belongs to this very build.
+std::vector<std::string> python_environment();
 
 }  // namespace fieldfab

@@ -1,0 +1,48 @@
+// edit: the live view of a model, which is a window of the Python package (fieldfab.edit).
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/model/script.h"
+#include "verbs.h"
+
+namespace fieldfab::cli {
+namespace {
+
+class EditVerb final : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    verb_ = app.add_subcommand("edit", "show a model in a window that follows its file: every save shows at once");
+    verb_->add_option("MODEL", file_, "a .frep, .math, .vm, .py or .asdf file; a .py script is run")->required();
+  }
+  Outcome run(Progress& /*progress*/) override {
+    if (!std::filesystem::is_regular_file(file_)) throw Error(ErrorKind::io, file_, "there is no such file");
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr && std::getenv("QT_QPA_PLATFORM") == nullptr)
+      throw Error(ErrorKind::bad_input, "edit", "there is no screen to show a window on");
+    const std::vector<std::string> words{"/usr/bin/python3", "-m", "fieldfab.edit", file_}, environment = python_environment();
+    replace_process(words, environment);
+  }
+
+ private:
+  /// Becomes another program. Returns only by throwing.
+  [[noreturn]] static void replace_process(const std::vector<std::string>& words, const std::vector<std::string>& environment) {
+    std::vector<char*> argv, env;
+    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    for (const std::string& word : environment) env.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr), env.push_back(nullptr);
+    execve(argv[0], argv.data(), env.data());
+    throw Error(ErrorKind::io, words[0], std::strerror(errno));
+  }
+
+  std::string file_;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> edit_verb() { return std::make_unique<EditVerb>(); }
+
+}  // namespace fieldfab::cli

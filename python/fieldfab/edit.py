@@ -1,0 +1,290 @@
+"""The live view of a model file: `fieldfab edit MODEL`. The file is edited elsewhere; every save shows at once.
+
+Wheel: zoom about the pointer. Left drag: turn (pan, where the model is flat). Right or middle drag: pan. F: fit. P: perspective.
+S: save the picture. Whatever is seen is evaluated for the window's own pixels; a coarse picture comes first.
+"""
+
+import math
+import os
+import sys
+import threading
+import time
+
+from PySide2 import QtCore, QtGui, QtWidgets
+
+from . import _core as ff
+
+COARSE = 4  # the first picture has a quarter of the pixels along each side
+FLAT, SOLID = "bitmap", "shaded"
+
+
+class Stale(Exception):
+    """Raised inside work whose result nobody wants any more."""
+
+
+class Worker(QtCore.QObject):
+    """Runs the latest job of a kind on a thread; an older one is stopped."""
+
+    done = QtCore.Signal(object)
+
+    def __init__(self):
+        super().__init__()
+        self._latest, self._wake, self._job = 0, threading.Condition(), None
+        threading.Thread(target=self._run, daemon=True).start()
+
+    def start(self, job):
+        """`job(progress)` yields results; each is emitted while the job is still the latest."""
+        with self._wake:
+            self._latest += 1
+            self._job = (self._latest, job)
+            self._wake.notify()
+
+    def _run(self):
+        while True:
+            with self._wake:
+                while self._job is None:
+                    self._wake.wait()
+                number, job = self._job
+                self._job = None
+
+            def progress(fraction, message):
+                if number != self._latest:
+                    raise Stale
+
+            try:
+                for result in job(progress):
+                    if number != self._latest:
+                        break
+                    self.done.emit(result)
+            except Stale:
+                pass
+            except ff.Error as error:
+                if error.kind != "cancelled" and number == self._latest:
+                    self.done.emit(error)
+            except Exception as error:  # the window stays, whatever a model does
+                if number == self._latest:
+                    self.done.emit(error)
+
+
+class Model:
+    """A loaded file: the solid and where it is."""
+
+    def __init__(self, path, progress):
+        self.field = ff.run_model(path, progress=progress)
+        bounds = self.field.bounds()
+        self.flat = bounds is None
+        if self.flat:  # unbounded along z, or for good
+            bounds = (self.field & ff.Field(abs(ff.Z) - 0.5)).bounds()
+        if bounds is None:
+            raise ff.Error("there is nothing to show: the solid is empty, or unbounded along x or y")
+        grown = max(bounds[3] - bounds[0], bounds[4] - bounds[1]) / 64
+        self.bounds = tuple(b - grown for b in bounds[:3]) + tuple(b + grown for b in bounds[3:])
+        if self.flat:
+            self.bounds = self.bounds[:2] + (0.0,) + self.bounds[3:5] + (0.0,)
+
+
+class View(QtWidgets.QWidget):
+    """The picture, and what is wrong with the file."""
+
+    shown = QtCore.Signal(bool)  # whether it was the fine picture
+
+    def __init__(self):
+        super().__init__()
+        self.setMinimumSize(160, 120)
+        self.setFocusPolicy(QtCore.Qt.StrongFocus)
+        self.model, self.error, self.image, self.seconds = None, "", None, 0.0
+        self.alpha, self.beta, self.perspective = 0.5, -0.95, 0.5
+        self.offset, self.scale = [0.0, 0.0], None  # mm from the solid's middle; mm a pixel
+        self.worker = Worker()
+        self.worker.done.connect(self._show)
+        self._grabbed = None
+
+    # What is to be seen
+
+    def set_model(self, model):
+        first = self.model is None or self.model.flat != model.flat
+        self.model, self.error = model, ""
+        if first:
+            self.fit()
+        else:
+            self.render()
+
+    def set_error(self, message):
+        self.error = message
+        self.update()
+
+    def fit(self):
+        self.offset, self.scale = [0.0, 0.0], None
+        self.render()
+
+    def centre(self):
+        """The middle of the solid in the picture's plane."""
+        low, high = self.model.bounds[:3], self.model.bounds[3:]
+        x, y, z = ((a + b) / 2 for a, b in zip(low, high))
+        if self.model.flat:
+            return x, y
+        x, y = math.cos(self.alpha) * x - math.sin(self.alpha) * y, math.sin(self.alpha) * x + math.cos(self.alpha) * y
+        return x, math.cos(self.beta) * y - math.sin(self.beta) * z
+
+    def window(self):
+        """x0, y0, x1, y1 of the widget in the picture's plane."""
+        if self.scale is None:
+            low, high = self.model.bounds[:3], self.model.bounds[3:]
+            sides = [b - a for a, b in zip(low, high)]
+            if self.model.flat:
+                self.scale = max(sides[0] / self.width(), sides[1] / self.height())
+            else:
+                self.scale = 1.05 * math.hypot(*sides) / min(self.width(), self.height())
+        x, y = self.centre()
+        x, y = x + self.offset[0], y + self.offset[1]
+        half_x, half_y = self.scale * self.width() / 2, self.scale * self.height() / 2
+        return x - half_x, y - half_y, x + half_x, y + half_y
+
+    def settings(self):
+        settings = {"mode": FLAT if self.model.flat else SOLID, "window": self.window(), "bounds": self.model.bounds}
+        if not self.model.flat:
+            settings.update(alpha=self.alpha, beta=self.beta, perspective=self.perspective)
+        return settings
+
+    def render(self):
+        if self.model is None or self.width() < 8:
+            return
+        field, settings, size = self.model.field, self.settings(), max(self.width(), self.height())
+
+        def job(progress):
+            for pixels in (max(8, size // COARSE), size):
+                started = time.monotonic()
+                image = ff.render(field, size=pixels, progress=progress, **settings)
+                yield image, pixels == size, time.monotonic() - started
+
+        self.worker.start(job)
+
+    def _show(self, result):
+        if isinstance(result, Exception):
+            return self.set_error(str(result))
+        picture, fine, self.seconds = result
+        kind = QtGui.QImage.Format_Grayscale8 if picture.channels == 1 else QtGui.QImage.Format_RGB888
+        pixels = picture.pixels
+        self.image = QtGui.QImage(pixels.tobytes(), picture.width, picture.height, picture.width * picture.channels, kind).copy()
+        self.update()
+        self.shown.emit(fine)
+
+    # Qt
+
+    def paintEvent(self, event):
+        painter = QtGui.QPainter(self)
+        painter.fillRect(self.rect(), QtGui.QColor("#e9edf2"))
+        if self.image is not None:
+            painter.setRenderHint(QtGui.QPainter.SmoothPixmapTransform, self.image.size() != self.size())
+            painter.drawImage(self.rect(), self.image)
+        if self.error:
+            metrics = painter.fontMetrics()
+            box = metrics.boundingRect(self.rect().adjusted(12, 8, -12, -8), QtCore.Qt.TextWordWrap, self.error)
+            painter.fillRect(QtCore.QRect(0, 0, self.width(), box.height() + 16), QtGui.QColor(170, 30, 40, 230))
+            painter.setPen(QtCore.Qt.white)
+            painter.drawText(self.rect().adjusted(12, 8, -12, -8), QtCore.Qt.TextWordWrap, self.error)
+
+    def resizeEvent(self, event):
+        self.render()
+
+    def wheelEvent(self, event):
+        if self.model is None:
+            return
+        factor = 0.999 ** event.angleDelta().y()
+        at = event.position()
+        self.window()  # so that there is a scale
+        for axis, pixels in enumerate((at.x() - self.width() / 2, self.height() / 2 - at.y())):
+            self.offset[axis] += pixels * self.scale * (1 - factor)
+        self.scale *= factor
+        self.render()
+
+    def mousePressEvent(self, event):
+        self._grabbed = event.pos()
+
+    def mouseMoveEvent(self, event):
+        if self.model is None or self._grabbed is None:
+            return
+        moved, self._grabbed = event.pos() - self._grabbed, event.pos()
+        if event.buttons() & QtCore.Qt.LeftButton and not self.model.flat:
+            self.alpha += 0.01 * moved.x()
+            self.beta += 0.01 * moved.y()
+        else:
+            self.window()
+            self.offset[0] -= moved.x() * self.scale
+            self.offset[1] += moved.y() * self.scale
+        self.render()
+
+    def keyPressEvent(self, event):
+        if event.key() == QtCore.Qt.Key_F:
+            self.fit()
+        elif event.key() == QtCore.Qt.Key_P and self.model is not None:
+            self.perspective = 0.0 if self.perspective else 0.5
+            self.render()
+        elif event.key() == QtCore.Qt.Key_S and self.image is not None:
+            name, _ = QtWidgets.QFileDialog.getSaveFileName(self, "Save the picture", "", "PNG (*.png)")
+            if name:
+                self.image.save(name)
+        else:
+            super().keyPressEvent(event)
+
+
+class Window(QtWidgets.QMainWindow):
+    """The view of one file, which is read again whenever it changes."""
+
+    loaded = QtCore.Signal()
+
+    def __init__(self, path):
+        super().__init__()
+        self.path = os.path.abspath(path)
+        self.setWindowTitle(f"{os.path.basename(path)} – Fieldfab")
+        self.view = View()
+        self.setCentralWidget(self.view)
+        self.resize(900, 700)
+        self.loader = Worker()
+        self.loader.done.connect(self._loaded)
+        self.view.shown.connect(self._tell)
+        self._seen = None
+        self._timer = QtCore.QTimer(self)  # editors write files in ways that not every file watcher notices
+        self._timer.timeout.connect(self.look)
+        self._timer.start(150)
+        self.look()
+
+    def look(self):
+        """Reads the file where it is another than before."""
+        try:
+            found = os.stat(self.path)
+            seen = (found.st_mtime_ns, found.st_size, found.st_ino)
+        except OSError as error:
+            seen = None
+            self.view.set_error(f"{self.path}: {error.strerror}")
+        if seen is not None and seen != self._seen:
+            self.statusBar().showMessage("reading …")
+            self.loader.start(lambda progress: iter([Model(self.path, progress)]))
+        self._seen = seen
+
+    def _loaded(self, result):
+        if isinstance(result, Exception):
+            self.view.set_error(str(result))
+            self.statusBar().showMessage("not shown: the picture is of the last version that was in order")
+        else:
+            self.view.set_model(result)
+        self.loaded.emit()
+
+    def _tell(self, fine):
+        mm = self.view.scale or 0
+        self.statusBar().showMessage(f"{1000 * self.view.seconds:.0f} ms, {mm:.3g} mm a pixel" + ("" if fine else " (coarse)"))
+
+
+def main(arguments=None):
+    arguments = sys.argv[1:] if arguments is None else arguments
+    if len(arguments) != 1:
+        print("usage: fieldfab edit MODEL", file=sys.stderr)
+        return 2
+    application = QtWidgets.QApplication.instance() or QtWidgets.QApplication([arguments[0]])
+    window = Window(arguments[0])
+    window.show()
+    return application.exec_()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
