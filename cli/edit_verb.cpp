@@ -21,7 +21,8 @@ class EditVerb final : public Verb {
   }
   Outcome run(Progress& /*progress*/) override {
     if (!std::filesystem::is_regular_file(file_)) throw Error(ErrorKind::io, file_, "there is no such file");
-    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr && std::getenv("QT_QPA_PLATFORM") == nullptr)
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr &&
+        std::getenv("QT_QPA_PLATFORM") == nullptr)
       throw Error(ErrorKind::bad_input, "edit", "there is no screen to show a window on");
     const std::vector<std::string> words{"/usr/bin/python3", "-m", "fieldfab.edit", file_}, environment = python_environment();
     replace_process(words, environment);

@@ -28,7 +28,9 @@ class RenderVerb final : public Verb {
     verb_->add_option("--size", size_, "pixels along the longer side")->check(CLI::Range(1, 16384));
     verb_->add_option("--alpha", alpha_, "turn about z in degrees");
     verb_->add_option("--beta", beta_, "then tilt about x in degrees");
-    verb_->add_option("--perspective", perspective_, "the angle the solid fills in the eye, in degrees; 0 looks from infinitely far")
+    verb_
+        ->add_option("--perspective", perspective_,
+                     "the angle the solid fills in the eye, in degrees; 0 looks from infinitely far")
         ->check(CLI::Range(0.0, 114.0));
     verb_->add_option("--samples", samples_, "smooth edges of shaded pictures by so many samples a pixel along each axis")
         ->check(CLI::Range(1, 4));
@@ -176,15 +178,16 @@ class ConvertVerb final : public Verb {
     if (to == ".math" || to == ".vm" || to == ".frep" || to == ".dot") {
       if (!model.expression || options_.thickness)
         throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
-      write_file(options_.output, to == ".math" ? frep::print_math(*model.expression)
-                                  : to == ".vm" ? frep::print_vm(*model.expression)
+      write_file(options_.output, to == ".math"  ? frep::print_math(*model.expression)
+                                  : to == ".vm"  ? frep::print_vm(*model.expression)
                                   : to == ".dot" ? frep::print_dot(*model.expression)
-                                                : frep::print_infix(*model.expression));
+                                                 : frep::print_infix(*model.expression));
       return outcome;
     }
     if (to != ".asdf" && !is_mesh_extension(to))
-      throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .stl .ply .off .obj .3mf", to));
+      throw Error(
+          ErrorKind::bad_input, options_.output,
+          fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .stl .ply .off .obj .3mf", to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
     if (to == ".asdf")

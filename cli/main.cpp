@@ -63,7 +63,8 @@ class ProgressLine {
 int run(int argc, char** argv) {
   CLI::App app{
       "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
-      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run) or an .asdf file. Lengths are in mm."};
+      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run) or an .asdf file. Lengths are in "
+      "mm."};
   app.name("fieldfab");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(FIELDFAB_VERSION));

@@ -1,7 +1,7 @@
 #include <pybind11/operators.h>
 
-#include "bindings.h"
 #include <fmt/format.h>
+#include "bindings.h"
 
 #include <numbers>
 

@@ -82,9 +82,14 @@ void bind_results(py::module_& module) {
       [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
          const py::object& progress, double perspective, int samples, std::optional<std::array<double, 4>> window) {
         const FieldPtr field = field_of(solid);
-        const RenderSettings settings{render_mode(mode), size, alpha, beta, perspective, samples,
-                                      window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}})
-                                             : std::nullopt};
+        const RenderSettings settings{
+            render_mode(mode),
+            size,
+            alpha,
+            beta,
+            perspective,
+            samples,
+            window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}}) : std::nullopt};
         return long_work(progress, [&](Progress& p) {
           if (settings.mode != RenderMode::bitmap) return render(*field, region_of(field, bounds, p), settings, p);
           std::optional<Box> plane;
@@ -96,9 +101,12 @@ void bind_results(py::module_& module) {
         });
       },
       py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
-      py::arg("bounds") = py::none(), py::arg("progress") = py::none(), py::arg("perspective") = 0.0, py::arg("samples") = 1, py::arg("window") = py::none(),
-      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` is the angle "
-      "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges. `window` (x0, y0, x1, y1) is the part of the picture's plane to show, in mm after the "
+      py::arg("bounds") = py::none(), py::arg("progress") = py::none(), py::arg("perspective") = 0.0, py::arg("samples") = 1,
+      py::arg("window") = py::none(),
+      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` is the "
+      "angle "
+      "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges. `window` (x0, "
+      "y0, x1, y1) is the part of the picture's plane to show, in mm after the "
       "turn.");
 
   py::class_<CheckRow>(module, "CheckRow")

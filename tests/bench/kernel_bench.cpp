@@ -124,6 +124,20 @@ void MtmAzMeshes(benchmark::State& state) {
 }
 BENCHMARK(MtmAzMeshes)->Unit(benchmark::kMillisecond);
 
+/// The baseline: the tape run over whole rows, without intervals.
+void ProsperoRows1024(benchmark::State& state) {
+  const FieldPtr field = vm("prospero.vm");
+  constexpr std::size_t side = 1024;
+  std::vector<float> x(side), y(side), z(side), out(side);
+  for (std::size_t i = 0; i < side; ++i) x[i] = (static_cast<float>(i) + 0.5F) / 512 - 1;
+  for (auto _ : state)
+    for (std::size_t row = 0; row < side; ++row) {
+      std::fill(y.begin(), y.end(), 1 - (static_cast<float>(row) + 0.5F) / 512);
+      field->values({x.data(), y.data(), z.data(), side}, out.data());
+    }
+}
+BENCHMARK(ProsperoRows1024)->Unit(benchmark::kMillisecond);
+
 void ProsperoBitmap4096(benchmark::State& state) {
   const ThreadLimit one(1);
   const FieldPtr field = vm("prospero.vm");
@@ -149,8 +163,7 @@ BENCHMARK(TanglecubeHeights512)->Unit(benchmark::kMillisecond);
 /// Keeter's example of two lines of text.
 void TextBitmap2048(benchmark::State& state) {
   const ThreadLimit one(1);
-  const FieldPtr field =
-      frep::make_field(frep::simplify(frep::parse_math(read_file(TEST_DATA "/frep/text/text_00.math"))));
+  const FieldPtr field = frep::make_field(frep::simplify(frep::parse_math(read_file(TEST_DATA "/frep/text/text_00.math"))));
   const Box box = solid_bounds(*field).box;
   for (auto _ : state) benchmark::DoNotOptimize(render(*field, box, {RenderMode::bitmap, 2048}));
   compare(state, 0.078);

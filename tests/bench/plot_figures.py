@@ -1,6 +1,8 @@
-"""Draws docs/figures/fig_2_4.png, 2_5 and 2_6 from the CSV files that asdf_figures wrote into that folder."""
+"""Draws docs/figures/fig_2_4.png, 2_5, 2_6 and the costs of f-reps from the CSV files that asdf_figures and frep_figures wrote into
+that folder; prints the slopes of the log-log plots."""
 
 import csv
+import math
 import pathlib
 import sys
 
@@ -14,7 +16,7 @@ folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else "docs/figures")
 
 def rows(name):
     with open(folder / f"{name}.csv") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        return [{key: value if key == "what" else float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
 def save(figure, name):
@@ -48,3 +50,30 @@ figure.colorbar(image, label="cells")
 values = list(cells.values())
 axes.set(xlabel="alpha, degrees", ylabel="beta, degrees", title=f"A turned cube (Fig. 2-6): {max(values) / min(values):.1f}x")
 save(figure, "fig_2_6")
+
+figure, axes = plt.subplots(figsize=(5.4, 3.8))
+data = rows("cost_resolution")
+for what in dict.fromkeys(r["what"] for r in data):
+    part = [r for r in data if r["what"] == what]
+    first, last = part[len(part) // 2 - 1], part[-1]
+    slope = math.log(last["seconds"] / first["seconds"]) / math.log(last["resolution"] / first["resolution"])
+    print(f"{what}: time grows as resolution^{slope:.2f}")
+    axes.loglog([r["resolution"] for r in part], [1000 * r["seconds"] for r in part], "o-", label=f"{what}, slope {slope:.2f}")
+axes.set(xlabel="cells or pixels a side", ylabel="ms, one thread", title="Cost against resolution")
+axes.legend()
+save(figure, "cost_resolution")
+
+figure, axes = plt.subplots(figsize=(5.4, 3.8))
+data = rows("cost_size")
+axes.loglog([r["nodes"] for r in data], [1000 * r["seconds"] for r in data], "o-")
+for r in data:
+    axes.annotate(f"{r['lines']:.0f} lines", (r["nodes"], 1000 * r["seconds"]), textcoords="offset points", xytext=(4, -10), fontsize=7)
+axes.set(xlabel="nodes of the expression", ylabel="ms for a bitmap 1024 pixels high, one thread", title="Cost against size: text (Figs 3-7 to 3-9)")
+save(figure, "cost_size")
+
+figure, axes = plt.subplots(figsize=(5.4, 3.8))
+data = rows("active_nodes")
+axes.semilogy([r["level"] for r in data], [r["nodes"] for r in data], "o-")
+print(f"prospero: {data[0]['nodes'] / data[-1]['nodes']:.0f}x fewer active nodes at level {data[-1]['level']:.0f}")
+axes.set(xlabel="level of recursion", ylabel="mean active nodes", title="Prospero: active nodes by level (Fig. 3-4)")
+save(figure, "active_nodes")

@@ -112,6 +112,24 @@ RC_GTEST_PROP(Frep, PrunedEqualsUnpruned, ()) {
   for (std::size_t i = 0; i < a.size(); ++i) RC_ASSERT((a[i] < 0) == (signs[i] < 0));
 }
 
+RC_GTEST_PROP(Frep, RestrictingManyIsRestrictingEach, ()) {
+  const Expression expression = random_expression(draw(1, 60));
+  const Purpose purpose = draw(0, 2) == 0 ? Purpose::value : Purpose::occupancy;
+  std::vector<Box> boxes;
+  for (int i = draw(1, 40); i-- > 0;) boxes.push_back(random_box());
+  std::vector<Restriction> many(boxes.size());
+  const FieldPtr whole = make_field(expression), slow = make_field(expression, Evaluator::reference);
+  whole->restrict_all(boxes, purpose, many);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Restriction one = slow->restricted(boxes[i], purpose);  // interval by interval
+    RC_ASSERT(many[i].range == one.range);
+    RC_ASSERT(active_nodes(*many[i].field) == active_nodes(*one.field));
+    const Samples samples(boxes[i], 20);
+    const std::vector<float> a = values(*many[i].field, samples), b = values(*one.field, samples);
+    for (std::size_t k = 0; k < a.size(); ++k) RC_ASSERT(same(a[k], b[k]));
+  }
+}
+
 RC_GTEST_PROP(Frep, TextFormsReadBackTheSameExpression, ()) {
   const Expression expression = random_expression(draw(0, 25));
   RC_ASSERT(parse_math(print_math(expression)) == expression);

@@ -87,7 +87,7 @@ TEST_F(Pictures, ReadBackTheSame) {
     for (const int depth : {8, 16}) {
       Image image;
       image.width = 5, image.height = 3, image.channels = channels, image.depth = depth;
-      for (int i = 0; i < 15 * channels; ++i) 
+      for (int i = 0; i < 15 * channels; ++i)
         if (depth == 16)
           image.pixels16.push_back(static_cast<std::uint16_t>(i * 1000));
         else

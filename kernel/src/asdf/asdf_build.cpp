@@ -76,9 +76,7 @@ class Builder {
     std::array<Restriction, 8> parts;
     for (unsigned i = 0; i < children.size(); ++i) boxes[i] = box(range.child(axes, i));
     here.field->restrict_all({boxes.data(), children.size()}, Purpose::value, parts);
-    const auto build_child = [&](std::size_t i) {
-      children[i] = cell(parts[i], range.child(axes, static_cast<unsigned>(i)));
-    };
+    const auto build_child = [&](std::size_t i) { children[i] = cell(parts[i], range.child(axes, static_cast<unsigned>(i))); };
     if (longest(range) > task_side)
       parallel_for(children.size(), build_child);
     else

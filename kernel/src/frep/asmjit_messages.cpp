@@ -1,5 +1,5 @@
-// Debian's libasmjit.a is made for programs: its messages reach for stderr in a way that a shared library cannot. These take their
-// place, so that the linker leaves that part of it out.
+// Debian's libasmjit.a is made for programs: its messages reach for stderr in a way that a shared library cannot. These take
+// their place, so that the linker leaves that part of it out.
 #include <asmjit/core.h>
 #include <fmt/format.h>
 

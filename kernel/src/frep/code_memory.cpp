@@ -13,7 +13,8 @@ namespace {
 void say_once(const char* refused) {
   static std::once_flag said;
   std::call_once(said, [&] {
-    fmt::print(stderr, "fieldfab: no executable memory ({}: {}); formulas are interpreted instead\n", refused, std::strerror(errno));
+    fmt::print(stderr, "fieldfab: no executable memory ({}: {}); formulas are interpreted instead\n", refused,
+               std::strerror(errno));
   });
 }
 

@@ -109,7 +109,8 @@ class ValuesCode {
   const Runners& helpers_;
   // The last three registers are for what is not in one.
   const std::uint32_t slot_registers_ = static_cast<std::uint32_t>(out_.registers() - 3);
-  const Vec a_ = out_.vector(out_.registers() - 3), b_ = out_.vector(out_.registers() - 2), made_ = out_.vector(out_.registers() - 1);
+  const Vec a_ = out_.vector(out_.registers() - 3), b_ = out_.vector(out_.registers() - 2),
+            made_ = out_.vector(out_.registers() - 1);
 };
 
 /// Values and slopes: four vectors a slot, all in the frame; slopes that are zero everywhere are known and left out.
@@ -222,9 +223,7 @@ class GradientsCode {
   void emit_slope(const Clause& clause, int axis, const Vec& to) {
     const bool of_a = varies(clause.a, axis), of_b = arity(clause.op) == 2 && varies(clause.b, axis);
     switch (clause.op) {
-      case Opcode::negate:
-        out_.load(t_, slope(clause.a, axis));
-        return out_.negate(to, t_);
+      case Opcode::negate: out_.load(t_, slope(clause.a, axis)); return out_.negate(to, t_);
       case Opcode::add:
       case Opcode::subtract:
         out_.load(t_, slope(clause.a, axis));
@@ -262,7 +261,8 @@ class GradientsCode {
 
 }  // namespace
 
-std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers) {
+std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Makes what, std::size_t lanes,
+                                                          const Runners& helpers) {
   VectorAssembler assembler(lanes);
   if (what == Makes::values)
     ValuesCode(assembler, tape, helpers).emit();
@@ -271,7 +271,8 @@ std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Make
   std::unique_ptr<CodeMemory> code = assembler.finish();
   if (!code) return nullptr;
   const std::size_t slots = std::size_t{tape.slots} * (what == Makes::values ? 1 : 4);
-  return std::unique_ptr<const CompiledTape>(new CompiledTape(std::move(code), what, lanes, VectorAssembler::frame_slots + slots));
+  return std::unique_ptr<const CompiledTape>(
+      new CompiledTape(std::move(code), what, lanes, VectorAssembler::frame_slots + slots));
 }
 
 void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) const noexcept {

@@ -17,8 +17,8 @@ class CompiledTape {
  public:
   enum class Makes { values, gradients };
 
-  /// `lanes`: 8 for AVX2, 16 for AVX-512, which the processor must have; `helpers` do what there is no instruction for. Null where
-  /// there is no executable memory. Linear in the tape.
+  /// `lanes`: 8 for AVX2, 16 for AVX-512, which the processor must have; `helpers` do what there is no instruction for. Null
+  /// where there is no executable memory. Linear in the tape.
   static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers);
 
   /// Writes values or, in the order value, d/dx, d/dy, d/dz, gradients.

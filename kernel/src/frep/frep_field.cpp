@@ -105,7 +105,7 @@ class FrepField final : public Field {
     auto* const space = scratch<float>(4 * tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
       engine_.interpreter->gradients(batch(points, first, std::min(stride, points.count - first), space, stride), out + first,
-                     slopes.dx + first, slopes.dy + first, slopes.dz + first);
+                                     slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }

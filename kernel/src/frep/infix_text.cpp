@@ -315,8 +315,7 @@ class InfixParser {
         if (!waiting.empty())
           source_.fail(tokens_[at].at,
                        fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (token.kind != TokenKind::end && token.kind != TokenKind::end_of_statement)
-          unexpected(at, "an operator");
+        if (token.kind != TokenKind::end && token.kind != TokenKind::end_of_statement) unexpected(at, "an operator");
         return std::move(values.back());
       }
     }
@@ -398,8 +397,9 @@ class InfixParser {
       const Parameter& parameter = function->parameters[std::min(i, function->parameters.size() - 1)];
       if (given.values[i] && parameter.quantity == Quantity::angle) given.values[i] = *given.values[i] * (std::numbers::pi / 180);
       if (given.values[i] && (parameter.quantity == Quantity::text) != (given.words == i))
-        source_.fail(tokens_[call.token].at, fmt::format("'{}' of '{}' {}", parameter.name, name,
-                                                         given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
+        source_.fail(tokens_[call.token].at,
+                     fmt::format("'{}' of '{}' {}", parameter.name, name,
+                                 given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
     }
     try {
       return frep::call(*function, given.values, given.text);
@@ -425,8 +425,9 @@ class InfixParser {
         place = 0;
         while (place < parameters.size() && parameters[place] != argument.name) ++place;
         if (place == parameters.size())
-          source_.fail(tokens_[argument.token].at, fmt::format("'{}' has no parameter '{:.40}'; it has: {}", name, argument.name,
-                                                               parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", "))));
+          source_.fail(tokens_[argument.token].at,
+                       fmt::format("'{}' has no parameter '{:.40}'; it has: {}", name, argument.name,
+                                   parameters.empty() ? "none" : fmt::format("{}", fmt::join(parameters, ", "))));
       } else {
         ++next;
       }

@@ -115,9 +115,7 @@ inline Span run_span(const Clause& clause, const Span& a, const Span& b, bool by
       out = clause.a == clause.b ? folded(a, a.lower * a.lower, a.upper * a.upper) : product(a, b);
       break;
     case Opcode::square: out = folded(a, a.lower * a.lower, a.upper * a.upper); break;
-    case Opcode::square_root:
-      lanes.wild.watch(a.lower < 0);
-      return {root_of(a.lower), root_of(a.upper)};
+    case Opcode::square_root: lanes.wild.watch(a.lower < 0); return {root_of(a.lower), root_of(a.upper)};
     default:  // divide
       lanes.wild.watch((b.lower <= 0) & (b.upper >= 0));
       out = quotient(a, b);
@@ -172,7 +170,8 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
     const float number = run.constants[operand & ~constant_bit];
     if (number - number != 0) wild_lanes = ~0U;
     const Vector all = number - Vector{};
-    for (std::size_t part = 0; part < parts; ++part) store(space.lower + part * width, all), store(space.upper + part * width, all);
+    for (std::size_t part = 0; part < parts; ++part)
+      store(space.lower + part * width, all), store(space.upper + part * width, all);
     return &space;
   };
   for (std::size_t part = 0; part < parts; ++part)

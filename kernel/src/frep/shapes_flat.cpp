@@ -141,15 +141,16 @@ E gear(int teeth, double module, double pressure_angle, double backlash) {
   const E r = length(x(), y());
   const E angle = mod(atan2(y(), x()) + pi / teeth, 2 * pi / teeth) - pi / teeth;
   // The string that draws the involute: its length over the base radius less the angle it was wound about. Distances between
-  // involutes of one circle are angles times its radius; within that circle flanks are straight. The last factor makes that a bound
-  // on both sides.
+  // involutes of one circle are angles times its radius; within that circle flanks are straight. The last factor makes that a
+  // bound on both sides.
   const E wound = sqrt(positive(square(r / base) - 1.0));
   const E flank = (abs(angle) - half_tooth + wound - atan(wound)) * min(r, base) / std::hypot(1, pi / teeth);
   return min(max(flank, r - (pitch + module)), r - (pitch - 1.25 * module));
 }
 
 E trace(std::span<const double> c, double width) {
-  if (c.size() % 2 != 0 || c.size() < 4) throw Error(ErrorKind::bad_input, "trace", "takes at least two points, each with its x and y");
+  if (c.size() % 2 != 0 || c.size() < 4)
+    throw Error(ErrorKind::bad_input, "trace", "takes at least two points, each with its x and y");
   E copper = stroke(c[0], c[1], c[2], c[3], width);
   for (std::size_t i = 2; i + 3 < c.size(); i += 2) copper = min(copper, stroke(c[i], c[i + 1], c[i + 2], c[i + 3], width));
   return copper;

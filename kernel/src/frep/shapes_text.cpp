@@ -10,8 +10,8 @@
 namespace fieldfab::frep::shapes {
 namespace {
 
-/// Lines through points "xy", one digit each: x from 0 to 4, y from 0 (descenders) over 2 (the base line) and 6 (the height of an x)
-/// to 8 (capitals). A line of one point is a dot.
+/// Lines through points "xy", one digit each: x from 0 to 4, y from 0 (descenders) over 2 (the base line) and 6 (the height of an
+/// x) to 8 (capitals). A line of one point is a dot.
 const std::unordered_map<char, const char*>& glyphs() {
   static const std::unordered_map<char, const char*> table{
       {'A', "02 06 18 38 46 42, 05 45"},

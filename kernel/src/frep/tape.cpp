@@ -54,7 +54,8 @@ Tape make_tape(const Expression& expression) {
     switch (entry.op) {
       case Opcode::constant: {
         const auto value = static_cast<float>(entry.constant);
-        const auto [place, is_new] = known.try_emplace(std::bit_cast<std::uint32_t>(value), static_cast<std::uint32_t>(constants.size()));
+        const auto [place, is_new] =
+            known.try_emplace(std::bit_cast<std::uint32_t>(value), static_cast<std::uint32_t>(constants.size()));
         if (is_new) constants.push_back(value);
         operand[i] = place->second | constant_bit;
         break;

@@ -95,7 +95,8 @@ class VectorAssembler {
  private:
   [[nodiscard]] int vector_bytes() const { return static_cast<int>(lanes_ * sizeof(float)); }
   void round(const Vec& to, const Vec& from, int how);
-  void extreme(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a, const Vec& b, const Vec& scratch, const Mask& mask);
+  void extreme(asmjit::x86::Inst::Id instruction, const Vec& to, const Vec& a, const Vec& b, const Vec& scratch,
+               const Mask& mask);
 
   std::size_t lanes_;
   bool wide_;

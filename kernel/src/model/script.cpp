@@ -116,7 +116,8 @@ frep::Expression run_script(const std::filesystem::path& path, Progress& progres
     progress.check();
     progress.report(0, "running " + path.filename().string());
     if (std::chrono::steady_clock::now() - started > longest_run)
-      throw Error(ErrorKind::bad_input, path.string(), fmt::format("the script still runs after {} s; an endless loop?", longest_run.count()));
+      throw Error(ErrorKind::bad_input, path.string(),
+                  fmt::format("the script still runs after {} s; an endless loop?", longest_run.count()));
     if (text.size() > most_text) throw Error(ErrorKind::too_large, path.string(), "the script's shape is too large");
   }
   const int status = child.wait();
@@ -128,7 +129,8 @@ frep::Expression run_script(const std::filesystem::path& path, Progress& progres
   }
   if (WIFSIGNALED(status))
     throw Error(ErrorKind::bad_input, path.string(), fmt::format("the script was ended by signal {}", WTERMSIG(status)));
-  throw Error(ErrorKind::bad_input, path.string(), "the script could not be run: Python's module fieldfab is not there, or out of memory");
+  throw Error(ErrorKind::bad_input, path.string(),
+              "the script could not be run: Python's module fieldfab is not there, or out of memory");
 }
 
 }  // namespace fieldfab

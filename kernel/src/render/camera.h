@@ -9,8 +9,8 @@ namespace fieldfab {
 /// A solid in the coordinates of its picture: x to the right, y up, z towards the eye.
 struct View {
   FieldPtr field;
-  Box region;           ///< what the picture shows
-  double distance = 0;  ///< from the eye to the solid's middle; 0 where it is infinitely far
+  Box region;                  ///< what the picture shows
+  double distance = 0;         ///< from the eye to the solid's middle; 0 where it is infinitely far
   Vec3 centre = Vec3::Zero();  ///< that middle, where there is an eye
 };
 

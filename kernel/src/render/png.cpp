@@ -130,8 +130,7 @@ Image read_png(const std::filesystem::path& path) {
       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
   if (image.depth == 16) {
     image.pixels16.resize(samples);
-    for (std::size_t i = 0; i < samples; ++i)
-      image.pixels16[i] = static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]);
+    for (std::size_t i = 0; i < samples; ++i) image.pixels16[i] = static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]);
   } else {
     data.resize(samples);
     image.pixels8 = std::move(data);

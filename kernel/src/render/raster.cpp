@@ -130,8 +130,7 @@ class PlaneTile {
     const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
     for (std::size_t row = 0; row < rows; ++row) {
       std::uint8_t* const pixel = pixels_ + grid_.index(r.left, r.top + static_cast<int>(row));
-      for (std::size_t column = 0; column < columns; ++column)
-        pixel[column] = value[row * columns + column] < 0 ? 255 : 0;
+      for (std::size_t column = 0; column < columns; ++column) pixel[column] = value[row * columns + column] < 0 ? 255 : 0;
     }
   }
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "fieldfab/core/progress.h"
 #include <Eigen/Core>
+#include "fieldfab/core/progress.h"
 
 #include "fieldfab/field/field.h"
 

@@ -84,7 +84,8 @@ RenderMode render_mode(std::string_view name) {
 Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress) {
   if (settings.mode == RenderMode::bitmap) {
     Box plane = bounds;
-    if (settings.window) plane.lower.head<2>() = settings.window->lower.head<2>(), plane.upper.head<2>() = settings.window->upper.head<2>();
+    if (settings.window)
+      plane.lower.head<2>() = settings.window->lower.head<2>(), plane.upper.head<2>() = settings.window->upper.head<2>();
     return bitmap(field, PixelGrid::over(plane, settings.size), progress);
   }
   if (settings.samples < 1 || settings.samples > 4)

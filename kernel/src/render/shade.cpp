@@ -62,7 +62,8 @@ std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& h
       if (!std::isfinite(heights[here])) continue;
       float open = 1;
       for (float distance = 2; distance < reach && open > 0; distance += 0.5F + 0.03F * distance) {
-        const int u = x + static_cast<int>(std::lround(dx * distance)), v = static_cast<int>(row) + static_cast<int>(std::lround(dy * distance));
+        const int u = x + static_cast<int>(std::lround(dx * distance)),
+                  v = static_cast<int>(row) + static_cast<int>(std::lround(dy * distance));
         if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
         const float clear = heights[here] + rise * distance - heights[grid.index(u, v)];
         open = std::min(open, 0.5F + softness * clear / (distance * pixel));
@@ -74,7 +75,8 @@ std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& h
 }
 
 Eigen::Vector3f background(float down) {
-  const Eigen::Vector3f colour = (1 - down) * Eigen::Vector3f(0.955F, 0.965F, 0.98F) + down * Eigen::Vector3f(0.82F, 0.85F, 0.89F);
+  const Eigen::Vector3f colour =
+      (1 - down) * Eigen::Vector3f(0.955F, 0.965F, 0.98F) + down * Eigen::Vector3f(0.82F, 0.85F, 0.89F);
   return colour.cwiseProduct(colour);
 }
 
@@ -84,7 +86,8 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
                                    Progress& progress) {
   const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(),
                         fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
-  const Eigen::Vector3f material(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
+  const Eigen::Vector3f material(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F),
+      sky(0.78F, 0.86F, 1.0F);
   const std::vector<float> openness = find_openness(grid, heights, progress), light = find_light(grid, heights, key, progress);
   std::vector<Eigen::Vector3f> colours(grid.count());
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {

@@ -68,8 +68,8 @@ class Field : public std::enable_shared_from_this<Field> {
   [[nodiscard]] virtual Interval interval(const Box& box) const noexcept = 0;
 
   /// For each box the interval over it and a Field that gives the same answers at every point of it (see Purpose); outside of its
-  /// box that Field means nothing. `out` has one place for each box. Several boxes, such as the children of a cell, may cost little
-  /// more than one. The default gives intervals, and this Field itself.
+  /// box that Field means nothing. `out` has one place for each box. Several boxes, such as the children of a cell, may cost
+  /// little more than one. The default gives intervals, and this Field itself.
   virtual void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const;
   /// restrict_all() for one box.
   [[nodiscard]] Restriction restricted(const Box& box, Purpose purpose = Purpose::value) const;

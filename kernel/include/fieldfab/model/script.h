@@ -10,8 +10,9 @@
 
 namespace fieldfab {
 
-/// Runs a script in a process of its own (fieldfab.script) and returns the solid it makes. Throws bad_input with the script's line
-/// and message where it fails or runs for more than a minute, cancelled when told so; either way the process is gone afterwards.
+/// Runs a script in a process of its own (fieldfab.script) and returns the solid it makes. Throws bad_input with the script's
+/// line and message where it fails or runs for more than a minute, cancelled when told so; either way the process is gone
+/// afterwards.
 frep::Expression run_script(const std::filesystem::path& path, Progress& progress);
 
 /// This process's environment, changed so that Python finds the module fieldfab that belongs to this very build.
