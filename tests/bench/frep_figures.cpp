@@ -59,8 +59,7 @@ void count_nodes(std::ofstream& file, const FieldPtr& root, const Box& square, i
       ++crossed;
       for (unsigned child = 0; child < 4; ++child) {
         Box part = box;
-        for (int axis = 0; axis < 2; ++axis)
-          ((child >> axis & 1U) != 0 ? part.lower : part.upper)[axis] = box.centre()[axis];
+        for (int axis = 0; axis < 2; ++axis) ((child >> axis & 1U) != 0 ? part.lower : part.upper)[axis] = box.centre()[axis];
         next.emplace_back(here.field, part);
       }
     }
@@ -80,9 +79,13 @@ int main(int count, char** arguments) {
   std::ofstream resolution(folder + "/cost_resolution.csv");
   resolution << "what,resolution,seconds\n";
   for (const int n : {128, 256, 512, 1024, 2048, 4096})
-    resolution << fmt::format("prospero bitmap,{},{}\n", n, seconds(5, [&] { render(*prospero, square, {RenderMode::bitmap, n}); }));
+    resolution << fmt::format("prospero bitmap,{},{}\n", n, seconds(5, [&] {
+                                render(*prospero, square, {RenderMode::bitmap, n});
+                              }));
   for (const int n : {64, 128, 256, 512})
-    resolution << fmt::format("tanglecube height map,{},{}\n", n, seconds(3, [&] { render(*tanglecube, cube, {RenderMode::height, n}); }));
+    resolution << fmt::format("tanglecube height map,{},{}\n", n, seconds(3, [&] {
+                                render(*tanglecube, cube, {RenderMode::height, n});
+                              }));
   for (const int n : {32, 64, 128, 256})
     resolution << fmt::format("tanglecube mesh,{},{}\n", n, seconds(3, [&] { contour(*tanglecube, cube, {5.0 / n}); }));
 
@@ -92,7 +95,9 @@ int main(int count, char** arguments) {
     const frep::Expression text = lines(n);
     const FieldPtr field = frep::make_field(text);
     const Box page{{0, -11.0 * n, 0}, {240, 8, 0}};
-    size << fmt::format("{},{},{}\n", n, frep::node_count(text), seconds(3, [&] { render(*field, page, {RenderMode::bitmap, 1024}); }));
+    size << fmt::format("{},{},{}\n", n, frep::node_count(text), seconds(3, [&] {
+                          render(*field, page, {RenderMode::bitmap, 1024});
+                        }));
   }
 
   std::ofstream active(folder + "/active_nodes.csv");

@@ -23,7 +23,8 @@ struct Samples {
   Samples(std::size_t count, float reach) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> anywhere(-reach, reach);
-    for (std::size_t i = 0; i < count; ++i) x.push_back(anywhere(random)), y.push_back(anywhere(random)), z.push_back(anywhere(random));
+    for (std::size_t i = 0; i < count; ++i)
+      x.push_back(anywhere(random)), y.push_back(anywhere(random)), z.push_back(anywhere(random));
   }
   [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
 };
@@ -65,7 +66,8 @@ TEST(Evaluators, ManySlotsAndFewPointsAgree) {
   // More values alive at once than there are registers, and batches that do not fill a vector.
   Expression sum = 0.0;
   std::vector<Expression> alive;
-  for (int i = 0; i < 60; ++i) alive.push_back(sqrt(square(Expression::x() - i * 0.1) + square(Expression::y() + i * 0.2)) * Expression::z());
+  for (int i = 0; i < 60; ++i)
+    alive.push_back(sqrt(square(Expression::x() - i * 0.1) + square(Expression::y() + i * 0.2)) * Expression::z());
   for (const Expression& part : alive) sum = sum + sin(part);
   for (std::size_t i = alive.size(); i-- > 0;) sum = min(sum, alive[i] * alive[alive.size() - 1 - i]);
   for (const std::size_t count : {1, 7, 8, 9, 15, 16, 17, 33, 1000}) {
@@ -102,7 +104,8 @@ int anonymous_pages(const char* permissions) {
   std::ifstream maps("/proc/self/maps");
   int found = 0;
   for (std::string line; std::getline(maps, line);)
-    found += line.find(permissions) != std::string::npos && line.find('/') == std::string::npos && line.find('[') == std::string::npos;
+    found +=
+        line.find(permissions) != std::string::npos && line.find('/') == std::string::npos && line.find('[') == std::string::npos;
   return found;
 }
 

@@ -2,6 +2,7 @@
 // own instruction set. Plain loops that the compiler vectorises; nothing here but internal linkage and out-of-line calls.
 #include "batch.h"
 #include "derivative.h"
+#include "functions.h"
 
 namespace fieldfab::frep {
 namespace {
@@ -80,6 +81,23 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
     break;                                               \
   }
 
+/// A function of functions.h: vector code where its kernel is good for all arguments, else one by one for those it is not.
+template <class Kernel, class Good>
+void run_function(Opcode op, Argument first, float* out, std::size_t n, const Kernel& kernel, const Good& good) {
+  constexpr std::size_t block = 64;
+  float in[block];
+  for (std::size_t begin = 0; begin < n; begin += block) {
+    const std::size_t count = n - begin < block ? n - begin : block;
+    for (std::size_t i = 0; i < count; ++i) in[i] = first.array != nullptr ? first.array[begin + i] : first.number;
+    unsigned others = 0;
+    for (std::size_t i = 0; i < count; ++i) others |= static_cast<unsigned>(!good(in[i]));
+    for (std::size_t i = 0; i < count; ++i) out[begin + i] = kernel(in[i]);
+    if (others != 0)
+      for (std::size_t i = 0; i < count; ++i)
+        if (!good(in[i])) out[begin + i] = apply(op, in[i]);
+  }
+}
+
 /// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it is written.
 void run_clause(Opcode op, Argument first, Argument second, float* out, std::size_t n) {
   switch (op) {
@@ -96,6 +114,15 @@ void run_clause(Opcode op, Argument first, Argument second, float* out, std::siz
     case Opcode::minimum: FIELDFAB_BINARY(a != a ? quiet_nan : (a <= b ? a : b))
     case Opcode::maximum: FIELDFAB_BINARY(a != a ? quiet_nan : (a >= b ? a : b))
     case Opcode::modulo: FIELDFAB_BINARY(a - b * __builtin_floorf(a / b))
+    case Opcode::sine:
+      return run_function(
+          op, first, out, n, [](float a) { return wave_kernel(a, 0); }, wave_is_near);
+    case Opcode::cosine:
+      return run_function(
+          op, first, out, n, [](float a) { return wave_kernel(a, 1); }, wave_is_near);
+    case Opcode::arctangent: return run_function(op, first, out, n, arctangent_kernel, [](float) { return true; });
+    case Opcode::exponential: return run_function(op, first, out, n, exponential_kernel, [](float) { return true; });
+    case Opcode::logarithm: return run_function(op, first, out, n, logarithm_kernel, is_positive_normal);
     default: FIELDFAB_BINARY(apply(op, a, b))
   }
 }
@@ -143,22 +170,27 @@ void run_partials(Opcode op, const float* a, const float* b, const float* value,
 #define FIELDFAB_PARTIALS(name) \
   case Opcode::name: return partial_loop<Opcode::name>(a, b, value, da, db, n);
   switch (op) {
-    FIELDFAB_PARTIALS(sine)
-    FIELDFAB_PARTIALS(cosine)
-    FIELDFAB_PARTIALS(tangent)
-    FIELDFAB_PARTIALS(arcsine)
-    FIELDFAB_PARTIALS(arccosine)
-    FIELDFAB_PARTIALS(arctangent)
-    FIELDFAB_PARTIALS(absolute)
-    FIELDFAB_PARTIALS(square)
-    FIELDFAB_PARTIALS(square_root)
-    FIELDFAB_PARTIALS(negate)
-    FIELDFAB_PARTIALS(exponential)
-    FIELDFAB_PARTIALS(logarithm)
-    FIELDFAB_PARTIALS(divide)
-    FIELDFAB_PARTIALS(power)
-    FIELDFAB_PARTIALS(arctangent2)
-    FIELDFAB_PARTIALS(modulo)
+    case Opcode::sine:
+    case Opcode::cosine: {
+      run_clause(op == Opcode::sine ? Opcode::cosine : Opcode::sine, {a, 0}, {a, 0}, da, n);
+      const float sign = op == Opcode::sine ? 1.0F : -1.0F;
+      for (std::size_t i = 0; i < n; ++i) da[i] *= sign, db[i] = 0;
+      return;
+    }
+      FIELDFAB_PARTIALS(tangent)
+      FIELDFAB_PARTIALS(arcsine)
+      FIELDFAB_PARTIALS(arccosine)
+      FIELDFAB_PARTIALS(arctangent)
+      FIELDFAB_PARTIALS(absolute)
+      FIELDFAB_PARTIALS(square)
+      FIELDFAB_PARTIALS(square_root)
+      FIELDFAB_PARTIALS(negate)
+      FIELDFAB_PARTIALS(exponential)
+      FIELDFAB_PARTIALS(logarithm)
+      FIELDFAB_PARTIALS(divide)
+      FIELDFAB_PARTIALS(power)
+      FIELDFAB_PARTIALS(arctangent2)
+      FIELDFAB_PARTIALS(modulo)
     default: return partial_loop<Opcode::floor>(a, b, value, da, db, n);
   }
 #undef FIELDFAB_PARTIALS

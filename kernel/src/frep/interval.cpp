@@ -8,17 +8,13 @@
 namespace fieldfab::frep {
 namespace {
 
-/// The C library's float functions are within an ulp or so of the truth and nearly, but not provably, monotone.
-constexpr int library_margin = 4;
+/// The functions are within an ulp or so of the truth and nearly, but not provably, monotone: four ulps are more than that.
+constexpr float margin = 6e-7F, smallest = 1e-44F;
 
-float down(float value) {
-  for (int i = 0; i < library_margin; ++i) value = std::nextafter(value, -infinity);
-  return value;
-}
-float up(float value) {
-  for (int i = 0; i < library_margin; ++i) value = std::nextafter(value, infinity);
-  return value;
-}
+constexpr float largest = std::numeric_limits<float>::max();
+
+float down(float value) { return std::min(value, largest) - (std::min(std::abs(value), largest) * margin + smallest); }
+float up(float value) { return std::max(value, -largest) + (std::min(std::abs(value), largest) * margin + smallest); }
 Interval widened(float lower, float upper, bool maybe_nan) {
   if (lower != lower || upper != upper) return Interval::unknown();
   return {down(lower), up(upper), maybe_nan};
@@ -42,20 +38,20 @@ Interval divide(const Interval& a, const Interval& b, bool nan) {
   return {lower, upper, nan};
 }
 
-/// sin over [lower, upper], phase 0; cos with phase pi/2. Past a few thousand radians the position of the crests is not trusted.
-Interval wave(const Interval& a, double phase) {
+/// sin over [lower, upper] for quarter 0, cos for 1. Past a few thousand radians the position of the crests is not trusted.
+Interval wave(Opcode op, const Interval& a) {
   const bool nan = a.maybe_nan || has_infinity(a);
   const Interval full{-1, 1, nan};
   if (!(std::abs(a.lower) < 4096) || !(std::abs(a.upper) < 4096)) return full;
   constexpr double pi = 3.14159265358979323846;
-  const double low = a.lower + phase, high = a.upper + phase;
+  const double phase = op == Opcode::sine ? 0 : pi / 2, low = a.lower + phase, high = a.upper + phase;
   if (high - low >= 2 * pi) return full;
-  const double one = std::sin(low), other = std::sin(high);
-  double lower = std::min(one, other), upper = std::max(one, other);
-  constexpr double slack = 1e-9;  // a crest just beyond an end counts as within
-  if (std::floor((high - pi / 2 + slack) / (2 * pi)) > std::floor((low - pi / 2 - slack) / (2 * pi))) upper = 1;
-  if (std::floor((high + pi / 2 + slack) / (2 * pi)) > std::floor((low + pi / 2 - slack) / (2 * pi))) lower = -1;
-  return {std::max(-1.0F, down(static_cast<float>(lower))), std::min(1.0F, up(static_cast<float>(upper))), nan};
+  const float one = apply(op, a.lower), other = apply(op, a.upper);
+  float lower = std::min(one, other), upper = std::max(one, other);
+  constexpr double slack = 1e-9, turn = 1 / (2 * pi);  // a crest just beyond an end counts as within
+  if (std::floor((high - pi / 2 + slack) * turn) > std::floor((low - pi / 2 - slack) * turn)) upper = 1;
+  if (std::floor((high + pi / 2 + slack) * turn) > std::floor((low + pi / 2 - slack) * turn)) lower = -1;
+  return {std::max(-1.0F, down(lower)), std::min(1.0F, up(upper)), nan};
 }
 
 Interval tangent(const Interval& a) {
@@ -140,8 +136,8 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::x:
     case Opcode::y:
     case Opcode::z: return a;
-    case Opcode::sine: return wave(a, 0);
-    case Opcode::cosine: return wave(a, 1.57079632679489661923);
+    case Opcode::sine: return wave(op, a);
+    case Opcode::cosine: return wave(op, a);
     case Opcode::tangent: return tangent(a);
     case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return std::asin(v); });
     case Opcode::arccosine: {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "functions.h"
+
 namespace fieldfab::frep {
 namespace {
 
@@ -57,7 +59,16 @@ Number evaluate(Opcode op, Number a, Number b) {
 
 const OpcodeInfo& info(Opcode op) { return table[static_cast<std::size_t>(op)]; }
 
-float apply(Opcode op, float a, float b) { return evaluate(op, a, b); }
+float apply(Opcode op, float a, float b) {
+  switch (op) {
+    case Opcode::sine: return wave_is_near(a) ? wave_kernel(a, 0) : std::sin(a);
+    case Opcode::cosine: return wave_is_near(a) ? wave_kernel(a, 1) : std::cos(a);
+    case Opcode::arctangent: return arctangent_kernel(a);
+    case Opcode::exponential: return exponential_kernel(a);
+    case Opcode::logarithm: return is_positive_normal(a) ? logarithm_kernel(a) : std::log(a);
+    default: return evaluate(op, a, b);
+  }
+}
 double apply(Opcode op, double a, double b) { return evaluate(op, a, b); }
 
 }  // namespace fieldfab::frep

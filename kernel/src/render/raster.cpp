@@ -152,7 +152,9 @@ class HeightTile {
   /// Pixels r between layer `low` and layer `high`, counted from the bottom; the Field is restricted to them.
   void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
     if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
-    const int step = (std::max(r.longer(), high - low) + split - 1) / split;
+    const int longest = std::max(r.longer(), high - low);
+    const int parts = longest <= split * side ? (longest + side - 1) / side : split;
+    const int step = (longest + parts - 1) / parts;
     std::array<Rectangle, split * split> open;  // what is not hidden yet
     std::size_t count = 0;
     for (int y = r.top; y < r.bottom; y += step)
@@ -165,7 +167,7 @@ class HeightTile {
   }
 
  private:
-  static constexpr int side = 10;  // pixels and layers that are evaluated one by one
+  static constexpr int side = 8;  // pixels and layers that are evaluated one by one
   static constexpr std::size_t most_columns = side * side;
 
   /// Moves the rectangles that are not hidden by something at `top` or above to the front; returns how many there are.

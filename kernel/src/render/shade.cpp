@@ -18,6 +18,9 @@ const auto compass = [] {
   return made;
 }();
 
+/// The nearest whole number; for distances in pixels.
+int nearest(float value) { return static_cast<int>(value + 65536.5F) - 65536; }
+
 /// How open the sky is above each pixel, 0 to 1: horizons in twelve directions, read off the height map at growing distances.
 std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
   std::vector<float> openness(grid.count(), 1);
@@ -33,7 +36,7 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
       for (const auto& [cx, cy] : compass) {
         float steepest = 0;
         for (float distance = 1.5F; distance < static_cast<float>(reach); distance *= 1.5F) {
-          const int u = x + static_cast<int>(std::lround(cx * distance)), v = y + static_cast<int>(std::lround(cy * distance));
+          const int u = x + nearest(cx * distance), v = y + nearest(cy * distance);
           if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
           const float rise = (heights[grid.index(u, v)] - here) / (distance * pixel);
           steepest = std::max(steepest, rise * (1 - distance / static_cast<float>(reach)));
@@ -62,8 +65,7 @@ std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& h
       if (!std::isfinite(heights[here])) continue;
       float open = 1;
       for (float distance = 2; distance < reach && open > 0; distance += 0.5F + 0.03F * distance) {
-        const int u = x + static_cast<int>(std::lround(dx * distance)),
-                  v = static_cast<int>(row) + static_cast<int>(std::lround(dy * distance));
+        const int u = x + nearest(dx * distance), v = static_cast<int>(row) + nearest(dy * distance);
         if (u < 0 || v < 0 || u >= grid.width || v >= grid.height) break;
         const float clear = heights[here] + rise * distance - heights[grid.index(u, v)];
         open = std::min(open, 0.5F + softness * clear / (distance * pixel));

@@ -2,8 +2,8 @@
 ///
 /// Soundness. The reference evaluator rounds every operation to the nearest float. Rounding to nearest is monotone, so for
 /// + - * / sqrt min max abs neg floor ceil the interval whose ends are computed with that same rounding holds every value that
-/// evaluator can produce: no widening is needed. The functions of the C library are not promised to be monotone in their last
-/// bits; their intervals are widened by `library_margin` ulps. An operation that can yield NaN (0/0, inf-inf, sqrt of a negative
+/// evaluator can produce: no widening is needed. sin, exp and their like are not promised to be monotone in their last
+/// bits; their intervals are widened by some ulps. An operation that can yield NaN (0/0, inf-inf, sqrt of a negative
 /// part) sets `maybe_nan`; then every decision that rests on the interval must be taken as undecided.
 #pragma once
 

@@ -1,0 +1,85 @@
+// sin, cos, exp, ln and atan of single-precision numbers, computed in double precision without branches, so that loops over them
+// become vector code. They are the definition: the reference evaluator and the batch evaluators of every instruction set share
+// this text and give the same bits. Each is the nearest float, or in about one case of a million its neighbour: the
+// argument is brought into a small range, and Taylor's series does the rest to 1e-12.
+//
+// Internal linkage on purpose: each instruction set compiles a copy of its own.
+#pragma once
+
+#include <cstdint>
+
+namespace fieldfab::frep {
+namespace {
+
+inline std::int64_t bits_of(double value) { return __builtin_bit_cast(std::int64_t, value); }
+inline double from_bits(std::int64_t bits) { return __builtin_bit_cast(double, bits); }
+
+/// Adding and taking away this rounds to a whole number, which then is in the low bits of the sum.
+constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
+
+/// Arguments of sine and cosine up to this size; what lies beyond is left to the C library.
+constexpr float wave_limit = 1e6F;
+
+/// sin(x + quarter * pi / 2) for |x| <= wave_limit.
+inline float wave_kernel(float argument, std::int64_t quarter) {
+  const double x = argument;
+  const double shifted = x * 0.63661977236758134308 + rounder;  // 2 / pi
+  const double turns = shifted - rounder;
+  const std::int64_t quadrant = bits_of(shifted) + quarter;
+  const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;  // pi / 2 in two parts
+  const double s = r * r;
+  const double sine =
+      r * (1 - s * (1 / 6.0) * (1 - s * (1 / 20.0) * (1 - s * (1 / 42.0) * (1 - s * (1 / 72.0) * (1 - s * (1 / 110.0) * (1 - s * (1 / 156.0)))))));
+  const double cosine = 1 - s * 0.5 * (1 - s * (1 / 12.0) * (1 - s * (1 / 30.0) * (1 - s * (1 / 56.0) * (1 - s * (1 / 90.0) * (1 - s * (1 / 132.0))))));
+  const std::int64_t odd = -(quadrant & 1);
+  const std::int64_t chosen = (bits_of(cosine) & odd) | (bits_of(sine) & ~odd);
+  return static_cast<float>(from_bits(chosen ^ ((quadrant & 2) << 62)));
+}
+
+/// e^x for any number: underflows to 0 and overflows to infinity as it should.
+inline float exponential_kernel(float argument) {
+  const double bounded = argument > 89 ? 89.0 : argument < -104 ? -104.0 : static_cast<double>(argument);
+  const double shifted = bounded * 1.44269504088896338700 + rounder;  // 1 / ln 2
+  const double whole = shifted - rounder;
+  const double r = (bounded - whole * 0.693147180369123816490) - whole * 1.90821492927058770002e-10;
+  double power = 1;
+  for (int term = 11; term > 0; --term) power = 1 + power * r * (1.0 / term);
+  const double scale = from_bits((bits_of(shifted) + 1023) << 52);
+  return static_cast<float>(power * scale);
+}
+
+/// atan(x) for any number.
+inline float arctangent_kernel(float argument) {
+  const double x = argument, size = __builtin_fabs(x);
+  // By tan's addition theorem: atan(size) = base + atan(t) with |t| <= tan(pi / 8).
+  constexpr double eighth = 0.41421356237309503, three_eighths = 2.41421356237309492;
+  const bool large = size > three_eighths, middle = size > eighth;
+  const double base = large ? 1.57079632679489655800 : middle ? 0.78539816339744827900 : 0.0;
+  const double above = large ? -1.0 : middle ? size - 1 : size, below = large ? size : middle ? size + 1 : 1.0;
+  const double t = above / below, s = t * t;
+  double series = 0;
+  for (int odd = 29; odd > 0; odd -= 2) series = 1.0 / odd - s * series;
+  return static_cast<float>(__builtin_copysign(base + t * series, x));
+}
+
+/// ln(x) for positive normal numbers; others are left to the C library.
+inline float logarithm_kernel(float argument) {
+  const std::int64_t bits = bits_of(static_cast<double>(argument));
+  // The mantissa from sqrt(1/2) to sqrt(2), and the exponent that goes with it.
+  const std::int64_t offset = bits - 0x3fe6a09e667f3bcdLL;
+  const std::int64_t exponent_bits = offset & ~0xfffffffffffffLL;
+  const double mantissa = from_bits(bits - exponent_bits);
+  const double exponent = from_bits(((exponent_bits >> 52) & 0xfff) ^ 0x4338000000000800LL) - (rounder + 0x800);
+  const double f = (mantissa - 1) / (mantissa + 1), s = f * f;  // ln m = 2 atanh f
+  double series = 0;
+  for (int odd = 17; odd > 0; odd -= 2) series = 1.0 / odd + s * series;
+  return static_cast<float>(exponent * 0.69314718055994530942 + 2 * f * series);
+}
+constexpr float smallest_normal = 1.17549435e-38F;
+
+/// Whether a kernel is good for this argument.
+inline bool wave_is_near(float a) { return __builtin_fabsf(a) <= wave_limit; }
+inline bool is_positive_normal(float a) { return a >= smallest_normal && a <= 3.402823466e38F; }
+
+}  // namespace
+}  // namespace fieldfab::frep
