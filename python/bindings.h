@@ -36,6 +36,8 @@ class PythonProgress {
 
 /// Bounds as Python gives them: None, six numbers, or two points of three.
 std::optional<Box> bounds_of(const py::object& given);
+/// (x0, y0, z0, x1, y1, z1).
+py::object bounds_to_python(const Box& box);
 /// The region to work in, found where none is given (see working_bounds).
 Box region_of(const FieldPtr& field, const py::object& given, Progress& progress);
 /// The smallest cell from voxel= or resolution=, or 1/128 of the longest side.

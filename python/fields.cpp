@@ -50,11 +50,11 @@ py::tuple gradients(const Field& field, const Floats& points) {
   return py::make_tuple(out, slopes);
 }
 
+}  // namespace
+
 py::object bounds_to_python(const Box& box) {
   return py::make_tuple(box.lower.x(), box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z());
 }
-
-}  // namespace
 
 FieldPtr field_of(const py::object& solid) {
   if (py::isinstance<frep::Expression>(solid)) return frep::make_field(frep::simplify(solid.cast<frep::Expression>()));

@@ -3,6 +3,7 @@
 #include "bindings.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/detail.h"
 #include "fieldfab/render/render.h"
 
 namespace fieldfab::python {
@@ -54,6 +55,35 @@ void bind_results(py::module_& module) {
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
       py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(),
       "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept.");
+
+  py::class_<DetailMesh>(
+      module, "DetailMesh",
+      "A solid in parts that are meshed when someone looks at them, finely where the eye is near; for display.")
+      .def(
+          py::init([](const py::object& solid, const py::object& bounds, int cells, int deepest, double angle, std::size_t most) {
+            const FieldPtr field = field_of(solid);
+            const Box region = long_work(py::none(), [&](Progress& p) { return region_of(field, bounds, p); });
+            return std::make_unique<DetailMesh>(field, region, DetailSettings{cells, deepest, angle, most});
+          }),
+          py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cells") = DetailSettings{}.cells,
+          py::arg("deepest") = DetailSettings{}.deepest, py::arg("angle") = DetailSettings{}.angle,
+          py::arg("most_triangles") = DetailSettings{}.most_triangles)
+      .def(
+          "refine",
+          [](DetailMesh& mesh, std::array<double, 3> eye, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return mesh.refine({eye[0], eye[1], eye[2]}, p); });
+          },
+          py::arg("eye"), py::arg("progress") = py::none(),
+          "Meshes a few of the parts that are missed most; False once all is fine.")
+      .def(
+          "parts",
+          [](const DetailMesh& mesh, std::array<double, 3> eye) {
+            py::list all;
+            for (const DetailMesh::Part& part : mesh.parts({eye[0], eye[1], eye[2]}))
+              all.append(py::make_tuple(bounds_to_python(part.box), part.level, *part.mesh));
+            return all;
+          },
+          py::arg("eye"), "What to draw: a list of (bounds, level, mesh).");
 
   py::class_<Image>(module, "Image", "Pixels; rows from the top (Keeter, Appendix C.2).")
       .def_property_readonly(

@@ -124,6 +124,17 @@ def test_what_is_made_from_the_library_is_up_to_date():
     assert done.returncode == 0, done.stderr
 
 
+def test_detail_meshes():
+    mesh = ff.DetailMesh(BALL, cells=16, angle=0.01, deepest=5)
+    eye = (0.0, 0.0, 1.2)
+    assert mesh.parts(eye) == [] and mesh.refine(eye) and len(mesh.parts(eye)) == 1
+    while mesh.refine(eye):
+        pass
+    levels = [level for _, level, _ in mesh.parts(eye)]
+    assert max(levels) == 5 and min(levels) < 5
+    assert all(np.abs(np.linalg.norm(part.vertices, axis=1) - 1).max() < 0.02 for _, _, part in mesh.parts(eye))
+
+
 def test_graphs(tmp_path):
     (ff.X + ff.Y * 2).save_dot(tmp_path / "g.dot")
     text = (tmp_path / "g.dot").read_text()

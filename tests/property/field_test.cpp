@@ -34,7 +34,7 @@ FieldPtr random_solid(int depth) {
   if (depth == 0) return random_shape();
   const FieldPtr a = random_solid(depth - 1);
   const auto b = [&] { return random_solid(depth - 1); };
-  switch (draw(0, 13)) {
+  switch (draw(0, 14)) {
     case 0: return unite(a, b());
     case 1: return intersect(a, b());
     case 2: return subtract(a, b());
@@ -47,6 +47,7 @@ FieldPtr random_solid(int depth) {
     case 9: return scale(a, {number(0.5, 2), number(0.5, 2), -number(0.5, 2)});
     case 10: return rotate(a, {number(-1, 1), number(-1, 1), 1}, number(-3, 3));
     case 11: return mirror(a, {1, number(-1, 1), number(-1, 1)});
+    case 12: return seen_from_near(a, {number(-1, 1), number(-1, 1), number(-1, 1)}, number(5, 20));
     default: {
       const auto axis = [](const frep::Expression& e) { return frep::make_field(e); };
       return map(a, axis(frep::Expression::x() * 1.5), axis(frep::Expression::y() + frep::sin(frep::Expression::z())),
@@ -120,7 +121,7 @@ TEST(Threads, MakeNoDifferenceToResults) {
   for (const int threads : {1, 2, 4, 7}) {
     const ThreadLimit limit(threads);
     const TriangleMesh again = contour(*solid, bounds, {0.04});
-    const Image picture = render(*solid, bounds, {RenderMode::shaded, 200, 0.6, -0.9});
+    const Image picture = render(*solid, bounds, {RenderMode::shaded, 200, 0.6, -0.9, 0.5, 2});
     const auto asdf = Asdf::build(*solid, bounds, {0.04});
     if (threads == 1) {
       mesh = again, image = picture, counts = asdf->statistics();

@@ -65,6 +65,55 @@ TEST(HeightMaps, TurnWithAlphaAndBeta) {
   EXPECT_NEAR(image.pixels16[32 * 64 + 32], 65535, 2);
 }
 
+TEST(Perspective, ShowsWhatRaysThroughTheEyeMeet) {
+  // A ball in the middle of its bounds, seen from near: its outline is a cone's, and the middle of the picture is its top.
+  const FieldPtr ball = frep::make_field(s::sphere(1));
+  const Box bounds{Vec3::Constant(-1), Vec3::Constant(1)};
+  constexpr double angle = 0.8;
+  constexpr int size = 301;
+  const Image heights = render(*ball, bounds, {RenderMode::height, size, 0, 0, angle});
+  const Image normals = render(*ball, bounds, {RenderMode::normals, size, 0, 0, angle});
+  const double distance = std::sqrt(3.0) / std::sin(angle / 2), half = 1 / (1 - 1 / distance);
+  int seen = 0;
+  for (int row = 0; row < size; ++row)
+    for (int column = 0; column < size; ++column) {
+      const auto i = static_cast<std::size_t>(row * size + column);
+      // The ray from the eye through this pixel's place in the plane z = 0.
+      const Vec3 eye(0, 0, distance), through((column + 0.5) * 2 * half / size - half, half - (row + 0.5) * 2 * half / size, 0);
+      const Vec3 along = (through - eye).normalized();
+      const double b = eye.dot(along), c = eye.squaredNorm() - 1, root = b * b - c;
+      if (std::abs(root) < 0.02) continue;  // grazing
+      ASSERT_EQ(heights.pixels16[i] > 0, root > 0) << row << ' ' << column;
+      if (root <= 0) continue;
+      ++seen;
+      const Vec3 hit = eye + (-b - std::sqrt(root)) * along;
+      ASSERT_NEAR(-1 + (heights.pixels16[i] - 1) / 65534.0 * 2, hit.z(), 2e-3) << row << ' ' << column;
+      for (int axis = 0; axis < 3; ++axis)
+        ASSERT_NEAR(normals.pixels8[3 * i + static_cast<std::size_t>(axis)] / 127.5 - 1, hit[axis], 0.012)
+            << row << ' ' << column;
+    }
+  EXPECT_GT(seen, 20000);
+}
+
+TEST(Window, ShowsItsPartOfThePictureEvaluatedForItself) {
+  const FieldPtr part = frep::make_field(s::subtract(s::box(2, 2, 2), s::sphere(1.2)));
+  const Box bounds{Vec3::Constant(-1.1), Vec3::Constant(1.1)};
+  RenderSettings settings{RenderMode::height, 400, 0.4, -0.7};
+  settings.window = Box{{-1, -1, 0}, {1, 1, 0}};
+  const Image whole = render(*part, bounds, settings);
+  settings.window = Box{{-0.5, 0, 0}, {0.5, 1, 0}};
+  settings.size = 200;
+  const Image quarter = render(*part, bounds, settings);
+  int same = 0;
+  for (int row = 0; row < 200; ++row)
+    for (int column = 0; column < 200; ++column)
+      same += std::abs(quarter.pixels16[static_cast<std::size_t>(row * 200 + column)] -
+                       whole.pixels16[static_cast<std::size_t>(row * 400 + column + 100)]) < 40;
+  EXPECT_GT(same, 39900);
+  settings.window = Box{{1, 1, 0}, {-1, -1, 0}};
+  EXPECT_THROW(render(*part, bounds, settings), Error);
+}
+
 TEST(Normals, PointOutOfTheSurface) {
   const Image image =
       render(*frep::make_field(s::sphere(1)), {Vec3::Constant(-1), Vec3::Constant(1)}, {RenderMode::normals, 101});

@@ -1,5 +1,6 @@
 // Operations that move points: affine placements and the general map.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -10,85 +11,150 @@
 namespace fieldfab {
 namespace {
 
-/// a(matrix * p + shift): the Field placed by the inverse of that map.
-class Affine final : public Field {
+/// A Field asked at other points: `Map` tells which, for points, for boxes and for slopes.
+template <class Map>
+class Moved : public Field {
  public:
-  Affine(FieldPtr a, const Eigen::Affine3d& to_inner)
-      : a_(std::move(a)), to_inner_(to_inner), rows_(to_inner.matrix().topRows<3>().cast<float>()) {}
+  Moved(FieldPtr a, Map map) : a_(std::move(a)), map_(std::move(map)) {}
 
   void values(const Points& points, float* out) const noexcept override {
     for_chunks(points, [&](const Points& part, std::size_t first) {
       Chunk x, y, z;
-      a_->values(moved(part, x, y, z), out + first);
+      a_->values(map_.points(part, x, y, z), out + first);
     });
   }
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     for_chunks(points, [&](const Points& part, std::size_t first) {
       Chunk x, y, z;
       const Gradients mine{slopes.dx + first, slopes.dy + first, slopes.dz + first};
-      a_->gradients(moved(part, x, y, z), out + first, mine);
+      a_->gradients(map_.points(part, x, y, z), out + first, mine);
       for (std::size_t i = 0; i < part.count; ++i) {
-        const Eigen::Vector3f inner(mine.dx[i], mine.dy[i], mine.dz[i]);
-        mine.dx[i] = rows_.col(0).dot(inner);
-        mine.dy[i] = rows_.col(1).dot(inner);
-        mine.dz[i] = rows_.col(2).dot(inner);
+        const Eigen::Vector3f slope = map_.slope({part.x[i], part.y[i], part.z[i]}, {mine.dx[i], mine.dy[i], mine.dz[i]});
+        mine.dx[i] = slope.x(), mine.dy[i] = slope.y(), mine.dz[i] = slope.z();
       }
     });
   }
-  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return a_->interval(moved(box)); }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return a_->interval(map_.box(box)); }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     std::vector<Box> inner;
-    for (const Box& box : boxes) inner.push_back(moved(box));
+    for (const Box& box : boxes) inner.push_back(map_.box(box));
     a_->restrict_all(inner, purpose, out);
     for (Restriction& here : out.first(boxes.size()))
-      here.field = here.field == a_ ? shared_from_this() : std::make_shared<Affine>(std::move(here.field), to_inner_);
+      here.field = here.field == a_ ? shared_from_this() : over(std::move(here.field));
   }
-  [[nodiscard]] Box known_bounds() const noexcept override {
-    const Box inner = a_->known_bounds();
-    if (!inner.valid()) return Box::everything();
-    const Eigen::Affine3d to_outer = to_inner_.inverse();
-    return image_of(inner, to_outer.linear(), to_outer.translation());
-  }
-  [[nodiscard]] Framed framed() const override {
-    Framed inner = a_->framed();
-    const Eigen::Affine3d to_outer = to_inner_.inverse();
-    return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
-  }
-  [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }
 
- private:
-  Points moved(const Points& part, Chunk& x, Chunk& y, Chunk& z) const noexcept {
+ protected:
+  /// The same, of another Field.
+  [[nodiscard]] virtual FieldPtr over(FieldPtr other) const = 0;
+
+  FieldPtr a_;
+  Map map_;
+};
+
+/// matrix * p + shift.
+struct AffineMap {
+  explicit AffineMap(const Eigen::Affine3d& map) : to_inner(map), rows(map.matrix().topRows<3>().cast<float>()) {}
+
+  Points points(const Points& part, Chunk& x, Chunk& y, Chunk& z) const noexcept {
     const std::array<Chunk*, 3> to{&x, &y, &z};
     for (int row = 0; row < 3; ++row)
       for (std::size_t i = 0; i < part.count; ++i)
         (*to[static_cast<std::size_t>(row)])[i] =
-            ((rows_(row, 0) * part.x[i] + rows_(row, 1) * part.y[i]) + rows_(row, 2) * part.z[i]) + rows_(row, 3);
+            ((rows(row, 0) * part.x[i] + rows(row, 1) * part.y[i]) + rows(row, 2) * part.z[i]) + rows(row, 3);
     return {x.data(), y.data(), z.data(), part.count};
   }
   /// The box of the moved points of a box: the same sums in the same order, so that rounding goes the same way.
-  [[nodiscard]] Box moved(const Box& box) const {
+  [[nodiscard]] Box box(const Box& box) const {
     Box inner;
     for (int row = 0; row < 3; ++row) {
       float lower = 0, upper = 0;
       for (int axis = 0; axis < 3; ++axis) {
-        const float l = rows_(row, axis) * static_cast<float>(box.lower[axis]),
-                    u = rows_(row, axis) * static_cast<float>(box.upper[axis]);
+        const float l = rows(row, axis) * static_cast<float>(box.lower[axis]),
+                    u = rows(row, axis) * static_cast<float>(box.upper[axis]);
         const bool unknown = l != l || u != u;  // 0 * infinity
-        const float least = unknown ? (rows_(row, axis) == 0 ? 0 : -INFINITY) : std::min(l, u);
-        const float most = unknown ? (rows_(row, axis) == 0 ? 0 : INFINITY) : std::max(l, u);
+        const float least = unknown ? (rows(row, axis) == 0 ? 0 : -INFINITY) : std::min(l, u);
+        const float most = unknown ? (rows(row, axis) == 0 ? 0 : INFINITY) : std::max(l, u);
         lower = axis == 0 ? least : lower + least;
         upper = axis == 0 ? most : upper + most;
       }
-      inner.lower[row] = lower + rows_(row, 3);
-      inner.upper[row] = upper + rows_(row, 3);
+      inner.lower[row] = lower + rows(row, 3);
+      inner.upper[row] = upper + rows(row, 3);
     }
     return inner;
   }
+  [[nodiscard]] Eigen::Vector3f slope(const Eigen::Vector3f& /*at*/, const Eigen::Vector3f& inner) const {
+    return {rows.col(0).dot(inner), rows.col(1).dot(inner), rows.col(2).dot(inner)};
+  }
 
-  FieldPtr a_;
-  Eigen::Affine3d to_inner_;
-  Eigen::Matrix<float, 3, 4> rows_;
+  Eigen::Affine3d to_inner;
+  Eigen::Matrix<float, 3, 4> rows;
+};
+
+/// The Field placed by the inverse of an affine map.
+class Affine final : public Moved<AffineMap> {
+ public:
+  using Moved::Moved;
+
+  [[nodiscard]] Box known_bounds() const noexcept override {
+    const Box inner = a_->known_bounds();
+    if (!inner.valid()) return Box::everything();
+    const Eigen::Affine3d to_outer = map_.to_inner.inverse();
+    return image_of(inner, to_outer.linear(), to_outer.translation());
+  }
+  [[nodiscard]] Framed framed() const override {
+    Framed inner = a_->framed();
+    const Eigen::Affine3d to_outer = map_.to_inner.inverse();
+    return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
+  }
+  [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
+
+ private:
+  [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<Affine>(std::move(other), map_); }
+};
+
+/// Towards the axis through a centre along z, the more so the higher: x and y as seen from an eye above are shrunk to what they
+/// are.
+struct EyeMap {
+  Eigen::Vector3f centre;
+  float inverse_distance;
+
+  /// How much of its apparent distance from the axis a point at height z has.
+  [[nodiscard]] float nearness(float z) const { return 1 - (z - centre.z()) * inverse_distance; }
+
+  Points points(const Points& part, Chunk& x, Chunk& y, Chunk& /*z*/) const noexcept {
+    for (std::size_t i = 0; i < part.count; ++i) {
+      const float near = nearness(part.z[i]);
+      x[i] = (part.x[i] - centre.x()) * near + centre.x();
+      y[i] = (part.y[i] - centre.y()) * near + centre.y();
+    }
+    return {x.data(), y.data(), part.z, part.count};
+  }
+  /// Each step of points() is monotone in each of its arguments, rounding included.
+  [[nodiscard]] Box box(const Box& box) const {
+    const float far = nearness(static_cast<float>(box.lower.z())), near = nearness(static_cast<float>(box.upper.z()));
+    Box inner = box;
+    for (int axis = 0; axis < 2; ++axis) {
+      const float l = static_cast<float>(box.lower[axis]) - centre[axis], u = static_cast<float>(box.upper[axis]) - centre[axis];
+      const auto [least, most] = std::minmax({l * far, l * near, u * far, u * near});
+      inner.lower[axis] = least + centre[axis];
+      inner.upper[axis] = most + centre[axis];
+    }
+    return inner;
+  }
+  [[nodiscard]] Eigen::Vector3f slope(const Eigen::Vector3f& at, const Eigen::Vector3f& inner) const {
+    const Eigen::Vector2f sideways = (at - centre).head<2>() * inverse_distance;
+    const float near = nearness(at.z());
+    return {inner.x() * near, inner.y() * near, inner.z() - sideways.dot(inner.head<2>())};
+  }
+};
+
+class SeenFromNear final : public Moved<EyeMap> {
+ public:
+  using Moved::Moved;
+
+ private:
+  [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<SeenFromNear>(std::move(other), map_); }
 };
 
 /// a(x(p), y(p), z(p)).
@@ -171,7 +237,7 @@ FieldPtr transform(FieldPtr a, const Eigen::Affine3d& placement) {
   const double determinant = placement.linear().determinant();
   if (!placement.matrix().allFinite() || !std::isfinite(determinant) || determinant == 0)
     throw Error(ErrorKind::bad_input, "transform", "a placement must be finite and invertible");
-  return std::make_shared<Affine>(std::move(a), placement.inverse());
+  return std::make_shared<Affine>(std::move(a), AffineMap(placement.inverse()));
 }
 
 FieldPtr translate(FieldPtr a, const Vec3& by) { return transform(std::move(a), Eigen::Affine3d(Eigen::Translation3d(by))); }
@@ -192,6 +258,12 @@ FieldPtr mirror(FieldPtr a, const Vec3& normal) {
   Eigen::Affine3d reflection = Eigen::Affine3d::Identity();
   reflection.linear() -= 2 * n * n.transpose();
   return transform(std::move(a), reflection);
+}
+
+FieldPtr seen_from_near(FieldPtr a, const Vec3& centre, double distance) {
+  if (!centre.allFinite() || !(distance > 0))
+    throw Error(ErrorKind::bad_input, "eye", "must be above the centre, at a finite place");
+  return std::make_shared<SeenFromNear>(std::move(a), EyeMap{centre.cast<float>(), static_cast<float>(1 / distance)});
 }
 
 FieldPtr map(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z) {

@@ -5,22 +5,8 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/frep/frep_field.h"
 
 namespace fieldfab {
-namespace {
-
-/// A solid as seen from a point `distance` above `centre`: what is at height z appears magnified by distance / (distance - z), z
-/// counted from the centre, so the picture's coordinates shrink by its inverse on their way into the solid.
-FieldPtr from_near(FieldPtr solid, const Vec3& centre, double distance) {
-  using frep::Expression;
-  const Expression nearness = 1.0 - (Expression::z() - centre.z()) / distance;
-  return map(std::move(solid), frep::make_field((Expression::x() - centre.x()) * nearness + centre.x()),
-             frep::make_field((Expression::y() - centre.y()) * nearness + centre.y()), frep::make_field(Expression::z()));
-}
-
-}  // namespace
-
 View look(const Field& field, const Box& bounds, const RenderSettings& settings) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a picture of a solid needs finite bounds with a positive size along x, y and z");
@@ -49,7 +35,7 @@ View look(const Field& field, const Box& bounds, const RenderSettings& settings)
 
   const Vec3 centre = turn * bounds.centre();
   view.distance = bounds.size().norm() / 2 / std::sin(settings.perspective / 2);
-  view.field = from_near(view.field, centre, view.distance);
+  view.field = seen_from_near(view.field, centre, view.distance);
   Vec3 reach = Vec3::Zero();
   for (unsigned corner = 0; corner < 8; ++corner) {
     const Vec3 unit(corner & 1U, corner >> 1 & 1U, corner >> 2);

@@ -45,4 +45,8 @@ FieldPtr scaled_values(FieldPtr a, double factor);
 /// The box as an exact distance field inside, the largest axis distance outside; a flat axis yields an empty solid.
 FieldPtr box_field(const Box& box);
 
+/// The solid as an eye `distance` above `centre` sees it: what lies at height z appears magnified by distance / (distance - z), z
+/// counted from the centre, and stays at its height. Good below the eye. Throws bad_input.
+FieldPtr seen_from_near(FieldPtr a, const Vec3& centre, double distance);
+
 }  // namespace fieldfab
