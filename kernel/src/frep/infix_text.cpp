@@ -391,6 +391,7 @@ class InfixParser {
       source_.fail(tokens_[call.token].at, fmt::format("unknown function '{:.40}'{}", name, suggestion(name, known)));
     }
     std::vector<std::string_view> parameters;
+    parameters.reserve(function->parameters.size());
     for (const Parameter& parameter : function->parameters) parameters.push_back(parameter.name);
     Given given = arranged(call, parameters, function->any_number);
     for (std::size_t i = 0; i < given.values.size(); ++i) {

@@ -136,7 +136,7 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::x:
     case Opcode::y:
     case Opcode::z: return a;
-    case Opcode::sine: return wave(op, a);
+    case Opcode::sine:
     case Opcode::cosine: return wave(op, a);
     case Opcode::tangent: return tangent(a);
     case Opcode::arcsine: return growing(a, -1, 1, [](float v) { return std::asin(v); });

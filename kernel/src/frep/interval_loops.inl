@@ -69,7 +69,7 @@ inline Span quotient(const Span& a, const Span& b) {
 /// The interval of |a| from that of a; the same for its square, given the ends' squares.
 inline Span folded(const Span& a, Vector at_lower, Vector at_upper) {
   const Vector small = least(at_lower, at_upper);
-  return {(a.lower <= 0) & (a.upper >= 0) ? Vector{} : small, greatest(at_lower, at_upper)};
+  return {((a.lower <= 0) & (a.upper >= 0)) ? Vector{} : small, greatest(at_lower, at_upper)};
 }
 
 inline Vector magnitude(Vector a) { return reinterpret_cast<Vector>(reinterpret_cast<Bits>(a) & 0x7fffffffU); }

@@ -479,7 +479,7 @@ Functions make_library() {
 
 /// A plain number in place of an expression that comes to one.
 Expression plain(const Expression& argument, const LibraryFunction& function, const Parameter& parameter) {
-  const Expression value = simplify(argument);
+  Expression value = simplify(argument);
   const auto refuse = [&](const char* what) {
     throw Error(ErrorKind::bad_input, "", fmt::format("'{}' of '{}' must be a plain {}", parameter.name, function.name, what));
   };

@@ -18,7 +18,8 @@ struct DetailMesh::Node {
   std::vector<Node> children;                ///< eight, or none
 
   [[nodiscard]] bool children_are_there() const {
-    return !children.empty() && std::all_of(children.begin(), children.end(), [](const Node& child) { return child.mesh != nullptr; });
+    return !children.empty() &&
+           std::all_of(children.begin(), children.end(), [](const Node& child) { return child.mesh != nullptr; });
   }
 };
 
@@ -26,8 +27,8 @@ namespace {
 
 constexpr std::size_t parts_at_a_time = 8;
 
-/// For each triangle, whether it is part of what closes a mesh at the sides of its region, a cell beyond the part's box: all of it
-/// is in one of those sides, or a corner out there is not on the solid's surface.
+/// For each triangle, whether it is part of what closes a mesh at the sides of its region, a cell beyond the part's box: all of
+/// it is in one of those sides, or a corner out there is not on the solid's surface.
 std::vector<bool> find_caps(const TriangleMesh& mesh, const Field& solid, const Box& part, const Box& bounds, double cell) {
   const std::size_t count = mesh.vertices.size();
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count);
@@ -45,7 +46,9 @@ std::vector<bool> find_caps(const TriangleMesh& mesh, const Field& solid, const 
     stray[i] = !part.contains(p) && std::isfinite(slope) && std::abs(value[i]) > 0.15 * cell * slope;
   }
   std::vector<bool> caps;
-  for (const auto& [a, b, c] : mesh.triangles) caps.push_back((sides[a] & sides[b] & sides[c]) != 0 || stray[a] || stray[b] || stray[c]);
+  caps.reserve(mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles)
+    caps.push_back((sides[a] & sides[b] & sides[c]) != 0 || stray[a] || stray[b] || stray[c]);
   return caps;
 }
 

@@ -18,8 +18,8 @@ struct DetailSettings {
   std::size_t most_triangles = 4000000;  ///< parts that are not looked at are dropped beyond this
 };
 
-/// A solid divided into parts, an octree of boxes, each of which is meshed by itself when someone looks at it. Not for many threads
-/// at once: one thread refines, and hands what parts() gives to the one that draws.
+/// A solid divided into parts, an octree of boxes, each of which is meshed by itself when someone looks at it. Not for many
+/// threads at once: one thread refines, and hands what parts() gives to the one that draws.
 ///
 /// Parts of different levels do not meet exactly; each reaches a cell beyond its box, so that no gap shows. For a mesh that is
 /// closed, use contour().
