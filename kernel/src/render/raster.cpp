@@ -30,6 +30,12 @@ Box box_of(const PixelGrid& grid, const Rectangle& r, double low, double high) {
   return {{grid.x(r.left), grid.y(r.bottom - 1), low}, {grid.x(r.right - 1), grid.y(r.top), high}};
 }
 
+/// How long the parts of something of that length are: a quarter, or less where the parts then are leafs of at most that size.
+int step_of(int length, int leaf) {
+  const int parts = length <= split * leaf ? (length + leaf - 1) / leaf : split;
+  return (length + parts - 1) / parts;
+}
+
 /// Where the pixels' centres are, column by column and row by row.
 struct Centres {
   std::vector<float> x, y;
@@ -56,7 +62,7 @@ struct Parts {
 
   Parts(const Field& field, const PixelGrid& grid, const Rectangle& r, double low, double high) {
     std::array<Box, split * split> box;
-    const int step = (r.longer() + split - 1) / split;
+    const int step = step_of(r.longer(), leaf_side);
     for (int y = r.top; y < r.bottom; y += step)
       for (int x = r.left; x < r.right; x += step, ++count) {
         area[count] = {x, y, std::min(x + step, r.right), std::min(y + step, r.bottom)};
@@ -153,8 +159,7 @@ class HeightTile {
   void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
     if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
     const int longest = std::max(r.longer(), high - low);
-    const int parts = longest <= split * side ? (longest + side - 1) / side : split;
-    const int step = (longest + parts - 1) / parts;
+    const int step = step_of(longest, side);
     std::array<Rectangle, split * split> open;  // what is not hidden yet
     std::size_t count = 0;
     for (int y = r.top; y < r.bottom; y += step)
