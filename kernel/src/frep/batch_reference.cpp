@@ -52,6 +52,6 @@ std::uint32_t run_intervals(const IntervalRun& /*run*/, LaneRanges& /*root*/) { 
 
 }  // namespace
 
-constinit const Runners reference_runners{run_values, run_gradients, run_intervals, nullptr, nullptr};
+constinit const Runners reference_runners{run_values, run_gradients, run_intervals, nullptr, nullptr, nullptr};
 
 }  // namespace fieldfab::frep

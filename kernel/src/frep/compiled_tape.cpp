@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -54,7 +56,7 @@ class ValuesCode {
   ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers) : out_(out), tape_(tape), helpers_(helpers) {}
 
   void emit() {
-    out_.begin();
+    out_.begin(3);
     for (const Clause& clause : tape_.code) emit(clause);
     out_.store_out(0, in_register(tape_.root, a_));
     out_.end();
@@ -120,7 +122,7 @@ class GradientsCode {
       : out_(out), tape_(tape), helpers_(helpers), axes_(tape.code.size()) {}
 
   void emit() {
-    out_.begin();
+    out_.begin(3);
     for (std::size_t i = 0; i < tape_.code.size(); ++i) emit(tape_.code[i], axes_[i]);
     out_.load(value_, value(tape_.root));
     out_.store_out(0, value_);
@@ -259,28 +261,230 @@ class GradientsCode {
                               slope_counts_ = out_.mask(11);
 };
 
+/// Intervals: two vectors a slot, in the frame; what interval_loops.inl does, operation for operation.
+class IntervalsCode {
+ public:
+  IntervalsCode(VectorAssembler& out, const Tape& tape, const Runners& helpers, bool by_sign)
+      : out_(out), tape_(tape), helpers_(helpers), by_sign_(by_sign) {}
+
+  void emit() {
+    out_.begin(6);
+    out_.load(wild_, out_.constant(0));
+    for (Operand axis = 0; axis < first_value; ++axis) {
+      load(axis, a_);
+      watch(a_);
+    }
+    for (std::size_t i = 0; i < tape_.code.size(); ++i) emit(i);
+    load(tape_.root, a_);
+    out_.store_out(0, a_.lower);
+    out_.store_out(1, a_.upper);
+    out_.store_out(2, wild_);
+    out_.end();
+  }
+
+ private:
+  struct Pair {
+    Vec lower, upper;
+  };
+
+  void load(Operand operand, const Pair& to) {
+    if (is_constant(operand)) {
+      out_.load(to.lower, out_.constant((*tape_.constants)[operand & ~constant_bit]));
+      out_.load(to.upper, to.lower);
+      return;
+    }
+    const int place = is_made(operand) ? home(tape_.code[operand - first_value].slot) : 2 * static_cast<int>(operand);
+    out_.load(to.lower, out_.frame(place));
+    out_.load(to.upper, out_.frame(place + 1));
+  }
+  static int home(std::uint32_t slot) { return VectorAssembler::frame_slots + 2 * static_cast<int>(slot); }
+
+  /// Remembers lanes that are not finite: there the distance of the ends is infinite or NaN, the largest bit patterns.
+  void watch(const Pair& pair) {
+    out_.binary(Inst::kIdVsubps, t_, pair.upper, pair.lower);
+    out_.binary(Inst::kIdVpmaxud, wild_, wild_, t_);
+  }
+
+  void emit(std::size_t i) {
+    const Clause& clause = tape_.code[i];
+    load(clause.a, a_);
+    load(clause.b, b_);
+    const bool by_sign = by_sign_ && clause.only_sign_matters;
+    switch (clause.op) {
+      case Opcode::minimum:
+        out_.binary(Inst::kIdVminps, made_.lower, a_.lower, b_.lower);
+        out_.binary(Inst::kIdVminps, made_.upper, a_.upper, b_.upper);
+        choose(i, false, a_.upper, b_.lower, VectorAssembler::less_equal, by_sign, b_.lower, VectorAssembler::greater);
+        choose(i, true, b_.upper, a_.lower, VectorAssembler::less, by_sign, a_.lower, VectorAssembler::greater);
+        break;
+      case Opcode::maximum:
+        out_.binary(Inst::kIdVmaxps, made_.lower, a_.lower, b_.lower);
+        out_.binary(Inst::kIdVmaxps, made_.upper, a_.upper, b_.upper);
+        choose(i, false, a_.lower, b_.upper, VectorAssembler::greater_equal, by_sign, b_.upper, VectorAssembler::less);
+        choose(i, true, b_.lower, a_.upper, VectorAssembler::greater, by_sign, a_.upper, VectorAssembler::less);
+        break;
+      case Opcode::absolute:
+        out_.compare(mask_, a_.lower, out_.constant(0), VectorAssembler::greater);
+        out_.choose(i, false, mask_);
+        out_.compare(mask_, a_.upper, out_.constant(0), VectorAssembler::less);
+        out_.choose(i, true, mask_);
+        out_.magnitude(b_.lower, a_.lower);
+        out_.magnitude(b_.upper, a_.upper);
+        fold();
+        break;
+      case Opcode::negate:
+        out_.negate(made_.lower, a_.upper);
+        out_.negate(made_.upper, a_.lower);
+        break;
+      case Opcode::add:
+        out_.binary(Inst::kIdVaddps, made_.lower, a_.lower, b_.lower);
+        out_.binary(Inst::kIdVaddps, made_.upper, a_.upper, b_.upper);
+        watch(made_);
+        break;
+      case Opcode::subtract:
+        out_.binary(Inst::kIdVsubps, made_.lower, a_.lower, b_.upper);
+        out_.binary(Inst::kIdVsubps, made_.upper, a_.upper, b_.lower);
+        watch(made_);
+        break;
+      case Opcode::multiply:
+        if (clause.a == clause.b)
+          square();
+        else
+          all_four(Inst::kIdVmulps);
+        watch(made_);
+        break;
+      case Opcode::square:
+        square();
+        watch(made_);
+        break;
+      case Opcode::square_root:
+        out_.compare(mask_, a_.lower, out_.constant(0), VectorAssembler::less);
+        out_.mark(wild_, mask_);
+        out_.unary(Inst::kIdVsqrtps, made_.lower, a_.lower);
+        out_.unary(Inst::kIdVsqrtps, made_.upper, a_.upper);
+        break;
+      case Opcode::divide:
+        out_.compare(mask_, b_.lower, out_.constant(0), VectorAssembler::less_equal);
+        out_.compare(other_, b_.upper, out_.constant(0), VectorAssembler::greater_equal);
+        out_.both(mask_, mask_, other_);
+        out_.mark(wild_, mask_);
+        all_four(Inst::kIdVdivps);
+        watch(made_);
+        break;
+      default: call(clause.op);
+    }
+    out_.store(out_.frame(home(clause.slot)), made_.lower);
+    out_.store(out_.frame(home(clause.slot) + 1), made_.upper);
+  }
+
+  /// Lanes where `first` is so compared with `second`, or by sign `alone` with 0.
+  void choose(std::size_t clause, bool which, const Vec& first, const Vec& second, VectorAssembler::Predicate predicate, bool by_sign,
+              const Vec& alone, VectorAssembler::Predicate sign) {
+    out_.compare(mask_, first, second, predicate);
+    if (by_sign) {
+      out_.compare(other_, alone, out_.constant(0), sign);
+      out_.either(mask_, mask_, other_);
+    }
+    out_.choose(clause, which, mask_);
+  }
+
+  void square() {
+    out_.binary(Inst::kIdVmulps, b_.lower, a_.lower, a_.lower);
+    out_.binary(Inst::kIdVmulps, b_.upper, a_.upper, a_.upper);
+    fold();
+  }
+  /// From the ends' images in b_: the least is 0 where a_ holds 0.
+  void fold() {
+    out_.binary(Inst::kIdVmaxps, made_.upper, b_.lower, b_.upper);
+    out_.binary(Inst::kIdVminps, made_.lower, b_.lower, b_.upper);
+    out_.compare(mask_, a_.lower, out_.constant(0), VectorAssembler::less_equal);
+    out_.compare(other_, a_.upper, out_.constant(0), VectorAssembler::greater_equal);
+    out_.both(mask_, mask_, other_);
+    out_.load(t_, out_.constant(0));
+    out_.select(made_.lower, mask_, t_, made_.lower);
+  }
+  /// The least and greatest of the ends' products or quotients.
+  void all_four(Inst::Id instruction) {
+    const Vec lu = t_, ul = made_.lower, uu = made_.upper, ll = spare_;
+    out_.binary(instruction, ll, a_.lower, b_.lower);
+    out_.binary(instruction, lu, a_.lower, b_.upper);
+    out_.binary(instruction, ul, a_.upper, b_.lower);
+    out_.binary(instruction, uu, a_.upper, b_.upper);
+    out_.binary(Inst::kIdVminps, a_.lower, ll, lu);
+    out_.binary(Inst::kIdVminps, a_.upper, ul, uu);
+    out_.binary(Inst::kIdVmaxps, b_.lower, ll, lu);
+    out_.binary(Inst::kIdVmaxps, b_.upper, ul, uu);
+    out_.binary(Inst::kIdVminps, made_.lower, a_.lower, a_.upper);
+    out_.binary(Inst::kIdVmaxps, made_.upper, b_.lower, b_.upper);
+  }
+
+  void call(Opcode op) {
+    constexpr int in = VectorAssembler::frame_call, made = in + 4, kept = in + 7;
+    out_.store(out_.frame(in), a_.lower), out_.store(out_.frame(in + 1), a_.upper);
+    out_.store(out_.frame(in + 2), b_.lower), out_.store(out_.frame(in + 3), b_.upper);
+    out_.store(out_.frame(kept), wild_);
+    out_.call(helpers_.interval, op, in, made);
+    out_.load(made_.lower, out_.frame(made)), out_.load(made_.upper, out_.frame(made + 1));
+    out_.load(wild_, out_.frame(kept));
+    out_.binary(Inst::kIdVorps, wild_, wild_, out_.frame(made + 2));
+  }
+
+  VectorAssembler& out_;
+  const Tape& tape_;
+  const Runners& helpers_;
+  const bool by_sign_;
+  const Pair a_{out_.vector(0), out_.vector(1)}, b_{out_.vector(2), out_.vector(3)}, made_{out_.vector(4), out_.vector(5)};
+  const Vec t_ = out_.vector(6), spare_ = out_.vector(7), wild_ = out_.vector(8);
+  const VectorAssembler::Mask mask_ = out_.mask(9), other_ = out_.mask(10);
+};
+
 }  // namespace
 
 std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Makes what, std::size_t lanes,
                                                           const Runners& helpers) {
   VectorAssembler assembler(lanes);
-  if (what == Makes::values)
-    ValuesCode(assembler, tape, helpers).emit();
-  else
-    GradientsCode(assembler, tape, helpers).emit();
+  std::size_t vectors = 1;  // a slot
+  switch (what) {
+    case Makes::values: ValuesCode(assembler, tape, helpers).emit(); break;
+    case Makes::gradients:
+      vectors = 4;
+      GradientsCode(assembler, tape, helpers).emit();
+      break;
+    default:
+      if (!std::all_of(tape.constants->begin(), tape.constants->end(), [](float c) { return std::isfinite(c); })) return nullptr;
+      vectors = 2;
+      IntervalsCode(assembler, tape, helpers, what == Makes::sign_intervals).emit();
+  }
   std::unique_ptr<CodeMemory> code = assembler.finish();
   if (!code) return nullptr;
-  const std::size_t slots = std::size_t{tape.slots} * (what == Makes::values ? 1 : 4);
-  return std::unique_ptr<const CompiledTape>(
-      new CompiledTape(std::move(code), what, lanes, VectorAssembler::frame_slots + slots));
+  const std::size_t frame = VectorAssembler::frame_slots + tape.slots * vectors;
+  return std::unique_ptr<const CompiledTape>(new CompiledTape(std::move(code), what, lanes, frame));
+}
+
+float* CompiledTape::frame() const {
+  static thread_local std::vector<float> kept;
+  if (kept.size() < frame_floats_) kept.resize(frame_floats_);
+  return kept.data();
+}
+
+std::uint32_t CompiledTape::run(const IntervalRun& run, LaneRanges& root) const noexcept {
+  std::fill_n(run.choices, run.clauses, Choice{0, 0});
+  std::array<float, box_lanes> wild;
+  VectorAssembler::Arguments arguments{{}, {root.lower, root.upper, wild.data()}, 0, frame(), run.choices};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    arguments.in[2 * axis] = run.box[axis].lower, arguments.in[2 * axis + 1] = run.box[axis].upper;
+  const std::size_t lanes = (run.lanes + lanes_ - 1) / lanes_ * lanes_;
+  arguments.bytes = lanes * sizeof(float);
+  reinterpret_cast<VectorAssembler::Function>(code_->data())(&arguments);
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < lanes; ++i)
+    bits |= static_cast<std::uint32_t>(std::bit_cast<std::uint32_t>(wild[i]) > 0x7f7fffffU) << i;
+  return bits;
 }
 
 void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) const noexcept {
-  static thread_local std::vector<float> kept_frame;
-  std::vector<float>& frame = kept_frame;
-  if (frame.size() < frame_floats_) frame.resize(frame_floats_);
   const auto function = reinterpret_cast<VectorAssembler::Function>(code_->data());
-  VectorAssembler::Arguments arguments{{points.x, points.y, points.z}, {out[0], out[1], out[2], out[3]}, 0, frame.data()};
+  VectorAssembler::Arguments arguments{{points.x, points.y, points.z}, {out[0], out[1], out[2], out[3]}, 0, frame(), nullptr};
   const std::size_t whole = points.count / lanes_ * lanes_, rest = points.count - whole;
   arguments.bytes = whole * sizeof(float);
   function(&arguments);
@@ -291,9 +495,9 @@ void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) c
   std::array<std::array<float, most_lanes>, 3> in;
   std::array<std::array<float, most_lanes>, 4> results;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const float* const from = arguments.coordinate[axis] + whole;
+    const float* const from = arguments.in[axis] + whole;
     for (std::size_t i = 0; i < lanes_; ++i) in[axis][i] = from[std::min(i, rest - 1)];
-    arguments.coordinate[axis] = in[axis].data();
+    arguments.in[axis] = in[axis].data();
   }
   for (std::size_t i = 0; i < std::min(outs_, out.size()); ++i) arguments.out[i] = results[i].data();
   arguments.bytes = lanes_ * sizeof(float);

@@ -15,18 +15,25 @@ namespace fieldfab::frep {
 /// Machine code for one tape, made by asmjit. It gives the numbers that the batch evaluators give, bit for bit.
 class CompiledTape {
  public:
-  enum class Makes { values, gradients };
+  /// Intervals choose by value; sign intervals by sign where only that matters (see IntervalRun::occupancy).
+  enum class Makes { values, gradients, intervals, sign_intervals };
 
   /// `lanes`: 8 for AVX2, 16 for AVX-512, which the processor must have; `helpers` do what there is no instruction for. Null
-  /// where there is no executable memory. Linear in the tape.
+  /// where there is no executable memory, or for intervals with a constant that is not finite. Linear in the tape.
   static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers);
 
   /// Writes values or, in the order value, d/dx, d/dy, d/dz, gradients.
   void run(const Points& points, const std::array<float*, 4>& out) const noexcept;
 
+  /// What RunIntervals does.
+  std::uint32_t run(const IntervalRun& run, LaneRanges& root) const noexcept;
+
  private:
   CompiledTape(std::unique_ptr<CodeMemory> code, Makes what, std::size_t lanes, std::size_t frame_vectors)
       : code_(std::move(code)), outs_(what == Makes::values ? 1 : 4), lanes_(lanes), frame_floats_(frame_vectors * lanes) {}
+
+  /// Memory to run in, which each thread keeps.
+  [[nodiscard]] float* frame() const;
 
   std::unique_ptr<CodeMemory> code_;
   std::size_t outs_, lanes_, frame_floats_;

@@ -148,7 +148,10 @@ class FrepField final : public Field {
       std::fill(side.upper + boxes.size(), side.upper + box_lanes, side.upper[0]);
     }
     LaneRanges root;
-    const std::uint32_t wild = engine_.interpreter->intervals(run, root);
+    const bool occupancy = purpose == Purpose::occupancy;
+    const CompiledTape* const code = (occupancy ? sign_intervals_code_ : intervals_code_)
+                                         .after(16 * boxes.size(), tape_, occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals, engine_);
+    const std::uint32_t wild = code != nullptr ? code->run(run, root) : engine_.interpreter->intervals(run, root);
     bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
       Interval& range = out[lane].range;
@@ -195,7 +198,7 @@ class FrepField final : public Field {
   Tape tape_;
   Engine engine_;
   std::optional<Expression> expression_;  ///< what the tape was made from; restrictions have none
-  LazyCode values_code_, gradients_code_;
+  LazyCode values_code_, gradients_code_, intervals_code_, sign_intervals_code_;
 };
 
 }  // namespace

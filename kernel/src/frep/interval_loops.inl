@@ -151,6 +151,16 @@ std::uint32_t run_single(Opcode op, const LaneRanges& a, const LaneRanges& b, La
   return wild;
 }
 
+/// The same for machine code (see RunOperation).
+void run_operation_interval(Opcode op, const float* in, float* out, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i) {
+    float range[2];
+    const bool finite = finite_interval(op, in[i], in[n + i], in[2 * n + i], in[3 * n + i], range);
+    out[i] = range[0], out[n + i] = range[1];
+    out[2 * n + i] = __builtin_bit_cast(float, finite ? 0U : ~0U);
+  }
+}
+
 inline Vector load(const float* from) {
   Vector vector;
   __builtin_memcpy(&vector, from, sizeof vector);

@@ -22,18 +22,20 @@ x86::Mem VectorAssembler::constant(float number) {
   return x86::ptr(constants_, place->second * vector_bytes());
 }
 
-void VectorAssembler::begin() {
-  for (const x86::Gp& kept : {x86::rbx, x86::rbp, x86::r15}) code.push(kept);  // and the stack is aligned for calls
+void VectorAssembler::begin(int inputs) {
+  for (const x86::Gp& kept : {x86::rbx, x86::rbp, x86::r12, x86::r15}) code.push(kept);
+  code.sub(x86::rsp, 8);  // so that the stack is aligned for calls
   code.mov(x86::rbx, x86::rdi);
+  code.mov(x86::r12, x86::ptr(x86::rbx, offsetof(Arguments, choices)));
   code.mov(x86::rbp, x86::ptr(x86::rbx, offsetof(Arguments, frame)));
   code.xor_(x86::r15d, x86::r15d);
   code.bind(loop_);
   code.cmp(x86::r15, x86::ptr(x86::rbx, offsetof(Arguments, bytes)));
   code.jae(done_);
-  for (int axis = 0; axis < 3; ++axis) {
-    code.mov(x86::rax, x86::ptr(x86::rbx, static_cast<int>(offsetof(Arguments, coordinate)) + axis * 8));
+  for (int input = 0; input < inputs; ++input) {
+    code.mov(x86::rax, x86::ptr(x86::rbx, static_cast<int>(offsetof(Arguments, in)) + input * 8));
     code.vmovups(vector(registers() - 1), x86::ptr(x86::rax, x86::r15));
-    store(frame(axis), vector(registers() - 1));
+    store(frame(input), vector(registers() - 1));
   }
 }
 
@@ -44,10 +46,12 @@ void VectorAssembler::store_out(int which, const Vec& value) {
 
 void VectorAssembler::end() {
   code.add(x86::r15, vector_bytes());
+  code.add(x86::r12, static_cast<int>(lanes_ / 8));  // bits of the next lanes
   code.jmp(loop_);
   code.bind(done_);
   code.vzeroupper();
-  for (const x86::Gp& kept : {x86::r15, x86::rbp, x86::rbx}) code.pop(kept);
+  code.add(x86::rsp, 8);
+  for (const x86::Gp& kept : {x86::r15, x86::r12, x86::rbp, x86::rbx}) code.pop(kept);
   code.ret();
 }
 
@@ -90,6 +94,31 @@ void VectorAssembler::both(const Mask& to, const Mask& a, const Mask& b) {
     code.kandw(to.bits, a.bits, b.bits);
   else
     code.vandps(to.vector, a.vector, b.vector);
+}
+
+void VectorAssembler::either(const Mask& to, const Mask& a, const Mask& b) {
+  if (wide_)
+    code.korw(to.bits, a.bits, b.bits);
+  else
+    code.vorps(to.vector, a.vector, b.vector);
+}
+
+void VectorAssembler::mark(const Vec& to, const Mask& mask) {
+  if (wide_)
+    code.k(mask.bits).vmovups(to, constant(std::bit_cast<float>(0xffffffffU)));
+  else
+    code.vorps(to, to, mask.vector);
+}
+
+void VectorAssembler::choose(std::size_t clause, bool second, const Mask& mask) {
+  const auto place = static_cast<int>(clause * sizeof(Choice) + (second ? offsetof(Choice, second) : offsetof(Choice, first)));
+  if (wide_) {
+    code.kmovw(x86::eax, mask.bits);
+    code.mov(x86::word_ptr(x86::r12, place), x86::ax);
+  } else {
+    code.vmovmskps(x86::eax, mask.vector);
+    code.mov(x86::byte_ptr(x86::r12, place), x86::al);
+  }
 }
 
 void VectorAssembler::select(const Vec& to, const Mask& mask, const Vec& if_so, const Vec& if_not) {

@@ -6,32 +6,33 @@
 #include <cstdint>
 #include <map>
 
-#include "clause.h"
+#include "batch.h"
 #include "code_memory.h"
 
 namespace fieldfab::frep {
 
 /// Writes a function `void(const Arguments*)` that goes through its points a vector at a time.
 ///
-/// Registers: rbx the arguments, r15 the bytes done, rbp a frame of vectors (x, y and z of these points, then room for calls,
-/// then slots).
+/// Registers: rbx the arguments, r15 the bytes done, r12 where choices go, rbp a frame of vectors (the inputs of these points, then
+/// room for calls, then slots).
 class VectorAssembler {
  public:
   using Vec = asmjit::x86::Vec;
   using Mem = asmjit::x86::Mem;
 
-  /// What the function is called with. Arrays hold whole vectors; `out` has as many as the function makes.
+  /// What the function is called with. Arrays hold whole vectors; as many of `in` and `out` are used as the function asks for.
   struct Arguments {
-    const float* coordinate[3];
+    const float* in[6];
     float* out[4];
     std::size_t bytes;
     float* frame;
+    Choice* choices;
   };
   using Function = void (*)(const Arguments*);
 
   /// Vectors of the frame.
-  static constexpr int frame_call = 3;   ///< five, for calls
-  static constexpr int frame_slots = 8;  ///< from here on
+  static constexpr int frame_call = 6;    ///< eight, for calls
+  static constexpr int frame_slots = 14;  ///< from here on
 
   /// A comparison's result: a vector for AVX2, a k register for AVX-512.
   struct Mask {
@@ -55,7 +56,7 @@ class VectorAssembler {
   /// A vector whose lanes are all `number`.
   Mem constant(float number);
 
-  void begin();                                 ///< up to where x, y and z are in the frame
+  void begin(int inputs);                       ///< up to where the inputs are in the frame
   void store_out(int which, const Vec& value);  ///< the result
   void end();
 
@@ -82,6 +83,11 @@ class VectorAssembler {
   void compare(const Mask& to, const Vec& a, const asmjit::Operand& b, Predicate predicate);
   void both(const Mask& to, const Mask& a, const Mask& b);
   void select(const Vec& to, const Mask& mask, const Vec& if_so, const Vec& if_not);
+  /// Sets all bits of `to` where the mask is set.
+  void mark(const Vec& to, const Mask& mask);
+  /// Writes the lanes of a mask as bits into the choices of clause `clause`: the first ones, or the second.
+  void choose(std::size_t clause, bool second, const Mask& mask);
+  void either(const Mask& to, const Mask& a, const Mask& b);
   /// `value` where the mask is set, else 0.
   void keep(const Vec& to, const Mask& mask, const Vec& value);
 
