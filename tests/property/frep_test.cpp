@@ -120,7 +120,8 @@ RC_GTEST_PROP(Frep, RestrictingManyIsRestrictingEach, ()) {
   std::vector<Restriction> many(boxes.size());
   const FieldPtr slow = make_field(expression, Evaluator::reference);
   const std::vector<Evaluator> evaluators = all_evaluators();
-  make_field(expression, evaluators[static_cast<std::size_t>(draw(0, static_cast<int>(evaluators.size())))])->restrict_all(boxes, purpose, many);
+  make_field(expression, evaluators[static_cast<std::size_t>(draw(0, static_cast<int>(evaluators.size())))])
+      ->restrict_all(boxes, purpose, many);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Restriction one = slow->restricted(boxes[i], purpose);  // interval by interval
     RC_ASSERT(many[i].range == one.range);

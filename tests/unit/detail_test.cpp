@@ -22,7 +22,7 @@ std::size_t triangles(const std::vector<DetailMesh::Part>& parts) {
 }
 
 TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
-  DetailMesh mesh(frep::make_field(s::sphere(1)), bounds, {16, 5, 0.01});
+  DetailMesh mesh(frep::make_field(s::sphere(1)), bounds, {12, 3, 0.04});
   const Vec3 eye(0, 0, 1.3);
   EXPECT_TRUE(mesh.parts(eye).empty());
   ASSERT_TRUE(mesh.refine(eye));
@@ -31,9 +31,9 @@ TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
   while (mesh.refine(eye) && ++calls < 1000) EXPECT_FALSE(mesh.parts(eye).empty());
   int nearest = 0, farthest = 99;
   for (const auto& part : mesh.parts(eye)) {
-    const double distance = (part.box.centre() - eye).norm(), cell = part.box.size().x() / 16;
+    const double distance = (part.box.centre() - eye).norm(), cell = part.box.size().x() / 12;
     const Vec3 close = eye.cwiseMax(part.box.lower).cwiseMin(part.box.upper);
-    EXPECT_TRUE(cell / (close - eye).norm() <= 0.01 || part.level == 5);
+    EXPECT_TRUE(cell / (close - eye).norm() <= 0.04 || part.level == 3);
     (distance < 0.5 ? nearest : farthest) = distance < 0.5 ? std::max(nearest, part.level) : std::min(farthest, part.level);
     for (const auto& v : part.mesh->vertices) {
       const Vec3 p(v[0], v[1], v[2]);
@@ -41,14 +41,14 @@ TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
       EXPECT_TRUE(part.box.grown(1.5 * cell).contains(p));
     }
   }
-  EXPECT_EQ(nearest, 5);
-  EXPECT_LT(farthest, 5);
+  EXPECT_EQ(nearest, 3);
+  EXPECT_LT(farthest, 3);
 }
 
 TEST(DetailMesh, CoversTheSurfaceWithoutGapsOrInnerWalls) {
   // Parts cover every place of the surface, and all they have is on it.
   const FieldPtr cube = frep::make_field(s::box(1.5, 1.5, 1.5));
-  DetailMesh mesh(cube, bounds, {12, 4, 0.05});
+  DetailMesh mesh(cube, bounds, {8, 3, 0.05});
   const Vec3 eye(0.2, 0.9, 0.9);
   while (mesh.refine(eye)) {
   }
@@ -62,7 +62,7 @@ TEST(DetailMesh, CoversTheSurfaceWithoutGapsOrInnerWalls) {
 }
 
 TEST(DetailMesh, ForgetsWhatIsNotLookedAt) {
-  DetailMesh mesh(frep::make_field(s::sphere(1)), bounds, {16, 5, 0.01, 20000});
+  DetailMesh mesh(frep::make_field(s::sphere(1)), bounds, {12, 3, 0.04, 2000});
   const Vec3 near(0, 0, 1.1), far(0, 0, 1000), other(0, 1.1, 0);
   while (mesh.refine(near)) {
   }

@@ -60,8 +60,9 @@ using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy,
 using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
 /// One operation on n points: `in` holds n first and n second arguments. For partials, n values follow them, and `out` gets n
-/// derivatives by the first and n by the second. For intervals, `in` holds n lower and n upper ends of the first and of the second
-/// arguments, and `out` gets n lower and n upper ends and n marks, all of whose bits are set where something is not finite.
+/// derivatives by the first and n by the second. For intervals, `in` holds n lower and n upper ends of the first and of the
+/// second arguments, and `out` gets n lower and n upper ends and n marks, all of whose bits are set where something is not
+/// finite.
 using RunOperation = void (*)(Opcode op, const float* in, float* out, std::size_t n);
 
 /// The evaluators for one instruction set.

@@ -378,8 +378,8 @@ class IntervalsCode {
   }
 
   /// Lanes where `first` is so compared with `second`, or by sign `alone` with 0.
-  void choose(std::size_t clause, bool which, const Vec& first, const Vec& second, VectorAssembler::Predicate predicate, bool by_sign,
-              const Vec& alone, VectorAssembler::Predicate sign) {
+  void choose(std::size_t clause, bool which, const Vec& first, const Vec& second, VectorAssembler::Predicate predicate,
+              bool by_sign, const Vec& alone, VectorAssembler::Predicate sign) {
     out_.compare(mask_, first, second, predicate);
     if (by_sign) {
       out_.compare(other_, alone, out_.constant(0), sign);

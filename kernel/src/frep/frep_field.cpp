@@ -149,8 +149,10 @@ class FrepField final : public Field {
     }
     LaneRanges root;
     const bool occupancy = purpose == Purpose::occupancy;
-    const CompiledTape* const code = (occupancy ? sign_intervals_code_ : intervals_code_)
-                                         .after(16 * boxes.size(), tape_, occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals, engine_);
+    const CompiledTape* const code =
+        (occupancy ? sign_intervals_code_ : intervals_code_)
+            .after(16 * boxes.size(), tape_, occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals,
+                   engine_);
     const std::uint32_t wild = code != nullptr ? code->run(run, root) : engine_.interpreter->intervals(run, root);
     bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {

@@ -11,8 +11,8 @@
 namespace fieldfab::frep {
 namespace {
 
-inline std::int64_t bits_of(double value) { return __builtin_bit_cast(std::int64_t, value); }
-inline double from_bits(std::int64_t bits) { return __builtin_bit_cast(double, bits); }
+inline std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::uint64_t, value); }
+inline double from_bits(std::uint64_t bits) { return __builtin_bit_cast(double, bits); }
 
 /// Adding and taking away this rounds to a whole number, which then is in the low bits of the sum.
 constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
@@ -21,11 +21,11 @@ constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
 constexpr float wave_limit = 1e6F;
 
 /// sin(x + quarter * pi / 2) for |x| <= wave_limit.
-inline float wave_kernel(float argument, std::int64_t quarter) {
+inline float wave_kernel(float argument, std::uint64_t quarter) {
   const double x = argument;
   const double shifted = x * 0.63661977236758134308 + rounder;  // 2 / pi
   const double turns = shifted - rounder;
-  const std::int64_t quadrant = bits_of(shifted) + quarter;
+  const std::uint64_t quadrant = bits_of(shifted) + quarter;
   const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;  // pi / 2 in two parts
   const double s = r * r;
   const double sine =
@@ -35,8 +35,8 @@ inline float wave_kernel(float argument, std::int64_t quarter) {
   const double cosine =
       1 -
       s * 0.5 * (1 - s * (1 / 12.0) * (1 - s * (1 / 30.0) * (1 - s * (1 / 56.0) * (1 - s * (1 / 90.0) * (1 - s * (1 / 132.0))))));
-  const std::int64_t odd = -(quadrant & 1);
-  const std::int64_t chosen = (bits_of(cosine) & odd) | (bits_of(sine) & ~odd);
+  const std::uint64_t odd = -(quadrant & 1);
+  const std::uint64_t chosen = (bits_of(cosine) & odd) | (bits_of(sine) & ~odd);
   return static_cast<float>(from_bits(chosen ^ ((quadrant & 2) << 62)));
 }
 
@@ -68,12 +68,12 @@ inline float arctangent_kernel(float argument) {
 
 /// ln(x) for positive normal numbers; others are left to the C library.
 inline float logarithm_kernel(float argument) {
-  const std::int64_t bits = bits_of(static_cast<double>(argument));
+  const std::uint64_t bits = bits_of(static_cast<double>(argument));
   // The mantissa from sqrt(1/2) to sqrt(2), and the exponent that goes with it.
-  const std::int64_t offset = bits - 0x3fe6a09e667f3bcdLL;
-  const std::int64_t exponent_bits = offset & ~0xfffffffffffffLL;
+  const std::uint64_t offset = bits - 0x3fe6a09e667f3bcdULL;
+  const std::uint64_t exponent_bits = offset & ~0xfffffffffffffULL;
   const double mantissa = from_bits(bits - exponent_bits);
-  const double exponent = from_bits(((exponent_bits >> 52) & 0xfff) ^ 0x4338000000000800LL) - (rounder + 0x800);
+  const double exponent = from_bits(((exponent_bits >> 52) & 0xfff) ^ 0x4338000000000800ULL) - (rounder + 0x800);
   const double f = (mantissa - 1) / (mantissa + 1), s = f * f;  // ln m = 2 atanh f
   double series = 0;
   for (int odd = 17; odd > 0; odd -= 2) series = 1.0 / odd + s * series;

@@ -13,8 +13,8 @@ namespace fieldfab::frep {
 
 /// Writes a function `void(const Arguments*)` that goes through its points a vector at a time.
 ///
-/// Registers: rbx the arguments, r15 the bytes done, r12 where choices go, rbp a frame of vectors (the inputs of these points, then
-/// room for calls, then slots).
+/// Registers: rbx the arguments, r15 the bytes done, r12 where choices go, rbp a frame of vectors (the inputs of these points,
+/// then room for calls, then slots).
 class VectorAssembler {
  public:
   using Vec = asmjit::x86::Vec;
