@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "scratch.h"
 #include "vector_assembler.h"
 
 namespace fieldfab::frep {
@@ -461,16 +462,10 @@ std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Make
   return std::unique_ptr<const CompiledTape>(new CompiledTape(std::move(code), what, lanes, frame));
 }
 
-float* CompiledTape::frame() const {
-  static thread_local std::vector<float> kept;
-  if (kept.size() < frame_floats_) kept.resize(frame_floats_);
-  return kept.data();
-}
-
 std::uint32_t CompiledTape::run(const IntervalRun& run, LaneRanges& root) const noexcept {
   std::fill_n(run.choices, run.clauses, Choice{0, 0});
   std::array<float, box_lanes> wild;
-  VectorAssembler::Arguments arguments{{}, {root.lower, root.upper, wild.data()}, 0, frame(), run.choices};
+  VectorAssembler::Arguments arguments{{}, {root.lower, root.upper, wild.data()}, 0, scratch<float>(frame_floats_), run.choices};
   for (std::size_t axis = 0; axis < 3; ++axis)
     arguments.in[2 * axis] = run.box[axis].lower, arguments.in[2 * axis + 1] = run.box[axis].upper;
   const std::size_t lanes = (run.lanes + lanes_ - 1) / lanes_ * lanes_;
@@ -484,7 +479,8 @@ std::uint32_t CompiledTape::run(const IntervalRun& run, LaneRanges& root) const 
 
 void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) const noexcept {
   const auto function = reinterpret_cast<VectorAssembler::Function>(code_->data());
-  VectorAssembler::Arguments arguments{{points.x, points.y, points.z}, {out[0], out[1], out[2], out[3]}, 0, frame(), nullptr};
+  VectorAssembler::Arguments arguments{
+      {points.x, points.y, points.z}, {out[0], out[1], out[2], out[3]}, 0, scratch<float>(frame_floats_), nullptr};
   const std::size_t whole = points.count / lanes_ * lanes_, rest = points.count - whole;
   arguments.bytes = whole * sizeof(float);
   function(&arguments);

@@ -32,9 +32,6 @@ class CompiledTape {
   CompiledTape(std::unique_ptr<CodeMemory> code, Makes what, std::size_t lanes, std::size_t frame_vectors)
       : code_(std::move(code)), outs_(what == Makes::values ? 1 : 4), lanes_(lanes), frame_floats_(frame_vectors * lanes) {}
 
-  /// Memory to run in, which each thread keeps.
-  [[nodiscard]] float* frame() const;
-
   std::unique_ptr<CodeMemory> code_;
   std::size_t outs_, lanes_, frame_floats_;
 };

@@ -9,6 +9,7 @@
 #include "frame.h"
 #include "prune.h"
 #include "ranges.h"
+#include "scratch.h"
 
 namespace fieldfab::frep {
 
@@ -62,19 +63,6 @@ class LazyCode {
   mutable std::atomic<bool> tried_{false};
   mutable std::atomic<const CompiledTape*> code_{nullptr};
 };
-
-/// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
-template <class T>
-T* scratch(std::size_t count) {
-  static thread_local std::vector<T> kept;
-  std::vector<T>& memory = kept;
-  constexpr std::size_t keep = (std::size_t{1} << 24) / sizeof(T);
-  if (memory.size() < count || (memory.size() > keep && count < keep)) {
-    memory = {};
-    memory.resize(count);
-  }
-  return memory.data();
-}
 
 /// The interval of the floats that coordinates from `box` round to.
 Interval range(const Box& box, int axis) {

@@ -135,7 +135,7 @@ void VectorAssembler::keep(const Vec& to, const Mask& mask, const Vec& value) {
     code.vandps(to, value, mask.vector);
 }
 
-void VectorAssembler::call(Helper function, Opcode op, int in, int out) {
+void VectorAssembler::call(RunOperation function, Opcode op, int in, int out) {
   code.mov(x86::edi, static_cast<int>(op));
   code.lea(x86::rsi, frame(in));
   code.lea(x86::rdx, frame(out));

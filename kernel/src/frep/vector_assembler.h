@@ -79,7 +79,7 @@ class VectorAssembler {
     extreme(asmjit::x86::Inst::kIdVmaxps, to, a, b, scratch, mask);
   }
 
-  enum Predicate { equal = 0, less = 1, less_equal = 2, unordered = 3, not_equal = 4, greater_equal = 13, greater = 14 };
+  enum Predicate { less = 1, less_equal = 2, unordered = 3, not_equal = 4, greater_equal = 13, greater = 14 };
   void compare(const Mask& to, const Vec& a, const asmjit::Operand& b, Predicate predicate);
   void both(const Mask& to, const Mask& a, const Mask& b);
   void select(const Vec& to, const Mask& mask, const Vec& if_so, const Vec& if_not);
@@ -92,8 +92,7 @@ class VectorAssembler {
   void keep(const Vec& to, const Mask& mask, const Vec& value);
 
   /// Calls function(op, frame + in, frame + out, lanes); every vector register is lost.
-  using Helper = void (*)(Opcode op, const float* in, float* out, std::size_t n);
-  void call(Helper function, Opcode op, int in, int out);
+  void call(RunOperation function, Opcode op, int in, int out);
 
   /// The function, in memory of its own; null where there is none.
   std::unique_ptr<CodeMemory> finish();
