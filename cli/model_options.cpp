@@ -25,7 +25,7 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf")->required();
+  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf, or a CT volume")->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
   verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")
@@ -34,6 +34,7 @@ void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
                   "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
   verb.add_option("--bounds", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
+  scan.declare(verb);
 }
 
 std::optional<Box> ModelOptions::region() const {
@@ -54,7 +55,7 @@ std::optional<Box> ModelOptions::region() const {
 }
 
 Model ModelOptions::load(Progress& progress) const {
-  Model loaded = load_model(model, Scripts::run, progress);
+  Model loaded = load_model(model, Scripts::run, progress, scan.parsed());
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
 }

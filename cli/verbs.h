@@ -18,11 +18,24 @@ struct Outcome {
   int code = 0;
 };
 
+/// How to take a volume: options of every verb on a MODEL.
+struct ScanArguments {
+  std::string threshold, size, type, byte_order, spacing, series, crop, denoise, memory = "512M";
+  std::optional<std::uint64_t> skip;
+  std::optional<double> least_island, least_hole;
+  bool below = false, keep_largest = false, fill_holes = false;
+
+  void declare(CLI::App& verb);
+  /// Throws bad_input for text that means nothing.
+  [[nodiscard]] ScanOptions parsed() const;
+};
+
 /// Options that every verb on a MODEL takes.
 struct ModelOptions {
   std::string model, output;
   std::optional<double> resolution, voxel, max_error, thickness;
   std::string bounds;
+  ScanArguments scan;
 
   /// Declares them; `output` with the given description where the verb writes a file.
   void declare(CLI::App& verb, const std::string& output_help);

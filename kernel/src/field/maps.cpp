@@ -42,6 +42,7 @@ class Moved : public Field {
     for (Restriction& here : out.first(boxes.size()))
       here.field = here.field == a_ ? shared_from_this() : over(std::move(here.field));
   }
+  [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }
 
  protected:

@@ -17,6 +17,7 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   const Lattice lattice(bounds, wanted.voxel);
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
+  settings.features = wanted.features && !field.sampled();
   // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
   constexpr double steep = 8;
   const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));

@@ -31,7 +31,18 @@ Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), c
 
 }  // namespace
 
-Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress) {
+Model model_of(const Scan& scan, Progress& progress) {
+  const SampleLattice& lattice = scan.volume->lattice();
+  Model model;
+  model.kind = "volume";
+  model.field = volume_field(*scan.volume, scan.surface, progress);
+  model.voxel = lattice.spacing.minCoeff();
+  const Eigen::Affine3d placement = lattice.placement();
+  model.bounds = image_of(lattice.box(), placement.linear(), placement.translation());
+  return model;
+}
+
+Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress, const ScanOptions& scan) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -49,10 +60,12 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     model.kind = "asdf";
     model.field = asdf;
     model.voxel = asdf->voxel();
+    model.bounds = asdf->region();
     return model;
   }
+  if (is_volume_path(path)) return model_of(open_scan(path, scan, progress), progress);
   throw Error(ErrorKind::bad_input, path.string(),
-              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf", extension));
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf {}", extension, volume_extensions()));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {
@@ -61,7 +74,7 @@ Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progres
       throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
     return *wanted;
   }
-  if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf->region();
+  if (model.bounds) return *model.bounds;
   const SolidBounds found = solid_bounds(*model.field, progress);
   if (found.empty && empty == EmptySolid::allowed) return {Vec3::Constant(-1), Vec3::Constant(1)};
   if (found.empty)

@@ -48,6 +48,7 @@ class Asdf final : public Field {
   [[nodiscard]] Interval interval(const Box& box) const noexcept override;
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override;
   [[nodiscard]] Box known_bounds() const noexcept override { return region_; }
+  [[nodiscard]] bool sampled() const noexcept override { return true; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 64; }
 
   [[nodiscard]] const Box& region() const { return region_; }

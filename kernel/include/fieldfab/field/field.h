@@ -84,6 +84,9 @@ class Field : public std::enable_shared_from_this<Field> {
   /// Whether the function is known to be a + b x + c y + d z, but for rounding: then a few values tell all of them.
   [[nodiscard]] virtual bool affine() const noexcept { return false; }
 
+  /// Whether it is interpolated between samples: its creases then lie where cells meet, and tell nothing about the solid.
+  [[nodiscard]] virtual bool sampled() const noexcept { return false; }
+
   /// Rough cost of one value, in arithmetic operations: for choosing batch and block sizes and for statistics.
   [[nodiscard]] virtual std::size_t cost() const noexcept { return 1; }
 

@@ -11,7 +11,7 @@ namespace fieldfab {
 struct ContourSettings {
   double voxel = 0;       ///< edge of the smallest cell, mm
   double max_error = -1;  ///< cells merge while the surface stays within this many mm; negative: a tenth of a voxel
-  bool features = true;   ///< place vertices on sharp edges and corners
+  bool features = true;   ///< place vertices on sharp edges and corners; a sampled Field has none
 };
 
 /// The surface of the part of `field` inside `bounds`, capped where the solid goes on. Closed, 2-manifold, outward oriented,

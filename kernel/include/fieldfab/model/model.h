@@ -8,23 +8,28 @@
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/expression.h"
+#include "fieldfab/volume/scan.h"
 
 namespace fieldfab {
 
 /// A solid read from a file.
 struct Model {
   FieldPtr field;
-  std::string kind;                            ///< "f-rep" or "asdf"
+  std::string kind;                            ///< "f-rep", "asdf" or "volume"
   std::optional<frep::Expression> expression;  ///< where it came from text
   std::optional<double> voxel;                 ///< where the file has a resolution of its own
+  std::optional<Box> bounds;                   ///< where the file has a region of its own
 };
 
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
 enum class Scripts { refused, run };
 
-/// Reads .math, .vm, .frep or .asdf, or runs a .py script. Throws io, or bad_input (also for an extension no reader knows, with a
-/// list of those known), or cancelled.
-Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none());
+/// Reads .math, .vm, .frep, .asdf, or a volume (`scan` says how), or runs a .py script. Throws io, or bad_input (also for an
+/// extension no reader knows, with a list of those known), or cancelled.
+Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none(),
+                 const ScanOptions& scan = {});
+/// A scan as a solid in memory.
+Model model_of(const Scan& scan, Progress& progress = Progress::none());
 
 /// The region to work in: `wanted` where given (checked), else what solid_bounds() finds, a little grown. Throws bad_input for
 /// an unbounded solid, naming the axes and asking for --bounds, and for an empty one unless that is allowed (any box will do for

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "fieldfab/core/error.h"
+#include "verbs.h"
+
+namespace fieldfab::cli {
+namespace {
+
+/// Numbers apart by commas, as many as `count`.
+template <class Number, std::size_t count>
+std::array<Number, count> numbers(const std::string& text, const char* option) {
+  std::array<Number, count> found{};
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [next, failure] = std::from_chars(at, end, found[i]);
+    const bool separated = next < end && (*next == ',' || *next == 'x');
+    if (failure != std::errc{} || (i + 1 < count ? !separated : next != end))
+      throw Error(ErrorKind::bad_input, option, fmt::format("expected {} numbers apart by commas, found '{:.60}'", count, text));
+    at = next + 1;
+  }
+  return found;
+}
+
+/// 2G, 512M, 100000K or bytes.
+std::size_t bytes(const std::string& text) {
+  double number = 0;
+  const auto [next, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string unit(next, text.data() + text.size());
+  const double factor = unit.empty() ? 1 : unit == "K" || unit == "k" ? 1024.0 : unit == "M" || unit == "m" ? 1048576.0
+                        : unit == "G" || unit == "g" ? 1073741824.0 : 0;
+  if (failure != std::errc{} || factor == 0 || !(number * factor >= 1 << 20) || number * factor > 1e15)
+    throw Error(ErrorKind::bad_input, "--memory", fmt::format("'{:.40}' is not an amount such as 512M or 2G, at least 1M", text));
+  return static_cast<std::size_t>(number * factor);
+}
+
+}  // namespace
+
+void ScanArguments::declare(CLI::App& verb) {
+  const char* const group = "CT volumes";
+  verb.add_option("--threshold", threshold,
+                  "the density from which on it is solid: a number, a share of the samples such as 90%, or otsu (the default)")
+      ->group(group);
+  verb.add_flag("--below", below, "solid is what is less dense than the threshold")->group(group);
+  verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")->group(group);
+  verb.add_option("--type", type, "of its samples: uint8 int8 uint16 int16 uint32 int32 float32 float64")->group(group);
+  verb.add_option("--byte-order", byte_order, "of its samples")->check(CLI::IsMember({"little", "big"}))->group(group);
+  verb.add_option("--skip", skip, "bytes before its samples")->group(group);
+  verb.add_option("--spacing", spacing, "mm between samples, X,Y,Z; otherwise as the file says, or 1")->group(group);
+  verb.add_option("--series", series, "of a DICOM folder with several: its identifier, a part of it, or its number")->group(group);
+  verb.add_option("--crop", crop, "only these samples: first X,Y,Z and last X,Y,Z, six numbers from 0")->group(group);
+  verb.add_option("--denoise", denoise, "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]")
+      ->group(group);
+  verb.add_flag("--keep-largest", keep_largest, "keep the largest piece only")->group(group);
+  verb.add_option("--min-island", least_island, "drop pieces smaller than this many mm3")->group(group);
+  verb.add_option("--min-hole", least_hole, "fill cavities smaller than this many mm3")->group(group);
+  verb.add_flag("--fill-holes", fill_holes, "fill all cavities")->group(group);
+  verb.add_option("--memory", memory, "memory that reading may take, such as 2G")->capture_default_str()->group(group);
+}
+
+ScanOptions ScanArguments::parsed() const {
+  ScanOptions options;
+  if (!size.empty()) options.file.size = numbers<int, 3>(size, "--dims");
+  if (!type.empty()) {
+    options.file.type = sample_type(type);
+    if (!options.file.type) throw Error(ErrorKind::bad_input, "--type", fmt::format("'{:.40}' is no type of sample", type));
+  }
+  if (!byte_order.empty()) options.file.big_endian = byte_order == "big";
+  options.file.skip = skip;
+  if (!spacing.empty()) {
+    const auto mm = numbers<double, 3>(spacing, "--spacing");
+    options.file.spacing = Vec3(mm[0], mm[1], mm[2]);
+  }
+  options.file.series = series;
+  if (!crop.empty()) options.crop = numbers<int, 6>(crop, "--crop");
+  options.clean.denoise = Denoising::parse(denoise);
+  options.clean.keep_largest = keep_largest;
+  options.clean.least_island = least_island;
+  options.clean.least_hole = fill_holes ? std::optional(std::numeric_limits<double>::infinity()) : least_hole;
+  options.threshold = ThresholdRule::parse(threshold);
+  options.below = below;
+  options.memory = bytes(memory);
+  return options;
+}
+
+}  // namespace fieldfab::cli

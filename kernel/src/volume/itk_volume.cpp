@@ -1,0 +1,365 @@
+// Medical formats, through ITK: MetaImage, NRRD, NIfTI and DICOM.
+#include <itkGDCMImageIO.h>
+#include <itkGDCMSeriesFileNames.h>
+#include <itkMetaImageIO.h>
+#include <itkNiftiImageIO.h>
+#include <itkNrrdImageIO.h>
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+
+#include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
+#include "readers.h"
+
+namespace fieldfab {
+namespace {
+
+using Component = itk::IOComponentEnum;
+
+std::optional<SampleType> type_of(Component component) {
+  switch (component) {
+    case Component::UCHAR: return SampleType::uint8;
+    case Component::CHAR: return SampleType::int8;
+    case Component::USHORT: return SampleType::uint16;
+    case Component::SHORT: return SampleType::int16;
+    case Component::UINT: return SampleType::uint32;
+    case Component::INT: return SampleType::int32;
+    case Component::FLOAT: return SampleType::float32;
+    case Component::DOUBLE: return SampleType::float64;
+    case Component::ULONG:
+    case Component::ULONGLONG: return sizeof(long) == 4 ? std::optional(SampleType::uint32) : std::nullopt;
+    default: return std::nullopt;
+  }
+}
+
+/// ITK's messages are many lines with file names of its sources; this is what they say last.
+std::string said(const itk::ExceptionObject& error) {
+  std::string text = error.GetDescription();
+  text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return std::isspace(a) != 0 && std::isspace(b) != 0; }),
+             text.end());
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  if (const auto at = text.rfind("): "); at != std::string::npos) text.erase(0, at + 3);
+  return text.substr(0, 160);
+}
+
+/// While it lives nothing is written to stderr by libraries that know no better (MetaIO, nifti_clib).
+class Hushed {
+ public:
+  Hushed() : before_(std::cerr.rdbuf(nullptr)) { itk::Object::GlobalWarningDisplayOff(); }
+  ~Hushed() {
+    std::cerr.rdbuf(before_);
+    std::cerr.clear();
+  }
+  Hushed(const Hushed&) = delete;
+  Hushed& operator=(const Hushed&) = delete;
+
+ private:
+  std::streambuf* before_;
+};
+
+/// Reads the header; throws bad_input with what is wrong.
+template <class Io>
+typename Io::Pointer opened(const Path& path) {
+  const Hushed hushed;
+  auto io = Io::New();
+  io->SetFileName(path.string());
+  try {
+    io->ReadImageInformation();
+  } catch (const itk::ExceptionObject& error) {
+    refuse(path, "cannot be read: " + said(error));
+  }
+  return io;
+}
+
+/// Where the samples are. Two-dimensional pictures have one slice.
+SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_slice_will_do) {
+  const unsigned dimensions = io.GetNumberOfDimensions();
+  if (io.GetNumberOfComponents() != 1) refuse(path, fmt::format("{} numbers a sample; one is wanted", io.GetNumberOfComponents()));
+  for (unsigned axis = 3; axis < dimensions; ++axis)
+    if (io.GetDimensions(axis) > 1) refuse(path, fmt::format("{} dimensions; a volume has three", dimensions));
+  if (dimensions < 2) refuse(path, fmt::format("{} dimensions; a volume has three", dimensions));
+  SampleLattice lattice;
+  std::array<long long, 3> size{1, 1, 1};
+  for (unsigned axis = 0; axis < std::min(dimensions, 3U); ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    size[axis] = static_cast<long long>(std::min<std::uint64_t>(io.GetDimensions(axis), 1ULL << 40));
+    lattice.spacing[a] = io.GetSpacing(axis);
+    lattice.origin[a] = io.GetOrigin(axis);
+    const std::vector<double> direction = io.GetDirection(axis);
+    for (unsigned row = 0; row < 3 && row < direction.size(); ++row) lattice.axes(static_cast<Eigen::Index>(row), a) = direction[row];
+  }
+  if (!one_slice_will_do || size[2] > 1) sample_count(size, path);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<Eigen::Index>(axis);
+    if (size[axis] > 1 << 24) refuse(path, "an impossible size");
+    lattice.size[axis] = static_cast<int>(size[axis]);
+    if (lattice.spacing[a] < 0) lattice.spacing[a] *= -1, lattice.axes.col(a) *= -1;
+    if (lattice.spacing[a] == 0 && axis == 2) lattice.spacing[a] = 1;
+  }
+  if (!lattice.spacing.allFinite() || lattice.spacing.minCoeff() <= 0 || !lattice.origin.allFinite() || !lattice.axes.allFinite() ||
+      std::abs(lattice.axes.determinant()) < 1e-6)
+    refuse(path, "tells distances or directions that are not possible");
+  return lattice;
+}
+
+template <class Sample>
+void to_floats(const std::vector<std::byte>& bytes, std::size_t count, float* out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    Sample sample;
+    std::memcpy(&sample, bytes.data() + i * sizeof(Sample), sizeof(Sample));
+    out[i] = static_cast<float>(sample);
+  }
+}
+
+/// All samples; the header was read.
+void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, const Path& path, float* out) {
+  const std::size_t size = count * size_of(type);
+  if (static_cast<std::size_t>(io.GetImageSizeInBytes()) != size) refuse(path, "holds another number of samples than it tells");
+  std::vector<std::byte> bytes(size);
+  {
+    const Hushed hushed;
+    try {
+      itk::ImageIORegion all(io.GetNumberOfDimensions());
+      for (unsigned axis = 0; axis < io.GetNumberOfDimensions(); ++axis) all.SetSize(axis, io.GetDimensions(axis));
+      io.SetIORegion(all);
+      io.Read(bytes.data());
+    } catch (const itk::ExceptionObject& error) {
+      refuse(path, "cannot be read: " + said(error));
+    }
+  }
+  switch (type) {
+    case SampleType::uint8: return to_floats<std::uint8_t>(bytes, count, out);
+    case SampleType::int8: return to_floats<std::int8_t>(bytes, count, out);
+    case SampleType::uint16: return to_floats<std::uint16_t>(bytes, count, out);
+    case SampleType::int16: return to_floats<std::int16_t>(bytes, count, out);
+    case SampleType::uint32: return to_floats<std::uint32_t>(bytes, count, out);
+    case SampleType::int32: return to_floats<std::int32_t>(bytes, count, out);
+    case SampleType::float32: return to_floats<float>(bytes, count, out);
+    case SampleType::float64: return to_floats<double>(bytes, count, out);
+  }
+}
+
+SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
+  const auto type = type_of(io.GetComponentType());
+  if (!type) refuse(path, "samples of " + itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType()) + " are not read");
+  return *type;
+}
+
+/// A volume that came in one piece: floats, that remember of which type they were.
+class WholeFile final : public Volume {
+ public:
+  WholeFile(std::vector<float> densities, const SampleLattice& lattice, SampleType type)
+      : Volume(lattice, type), densities_(std::move(densities)) {}
+  void read(int first, int count, float* out) const override {
+    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * lattice_.slice(),
+                static_cast<std::size_t>(count) * lattice_.slice(), out);
+  }
+
+ private:
+  std::vector<float> densities_;
+};
+
+VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
+  const SampleLattice lattice = lattice_of(io, path, false);
+  const SampleType type = known_type(io, path);
+  require_memory(lattice.count() * (size_of(type) + sizeof(float)), path.string());
+  std::vector<float> densities(lattice.count());
+  read_samples(io, type, lattice.count(), path, densities.data());
+  return std::make_shared<WholeFile>(std::move(densities), lattice, type);
+}
+
+/// MetaIO fills what a short file lacks with anything, so that its size is looked at first. Where the samples are as they should
+/// be, in the file or in one of their own, they are mapped instead of read.
+VolumePtr open_meta(const Path& path) {
+  const auto io = opened<itk::MetaImageIO>(path);
+  const SampleLattice lattice = lattice_of(*io, path, false);
+  const SampleType type = known_type(*io, path);
+  std::ifstream text(path, std::ios::binary);
+  std::string data_file;
+  bool compressed = false, big_endian = false;
+  long long header = 0;
+  for (std::string line; data_file.empty() && std::getline(text, line) && line.size() < 4096;) {
+    const auto equals = line.find('=');
+    if (equals == std::string::npos) continue;
+    const auto trim = [](std::string s) {
+      s.erase(0, s.find_first_not_of(" \t"));
+      s.erase(s.find_last_not_of(" \t\r") + 1);
+      return s;
+    };
+    const std::string key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
+    if (key == "CompressedData") compressed = value == "True" || value == "true" || value == "1";
+    if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB") big_endian = value == "True" || value == "true" || value == "1";
+    if (key == "HeaderSize") header = std::strtoll(value.c_str(), nullptr, 10);
+    if (key == "ElementDataFile") data_file = value;
+  }
+  if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
+  const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
+  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST" || header < 0) return read_whole(*io, path);
+  const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
+  RawLayout layout{lattice, type, big_endian, local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
+  return map_raw(data, layout);
+}
+
+/// Slices in files of their own, through GDCM.
+class DicomSlice final : public Slice {
+ public:
+  explicit DicomSlice(Path path) : path_(std::move(path)) {
+    const auto io = opened<itk::GDCMImageIO>(path_);
+    lattice = lattice_of(*io, path_, true);
+    if (lattice.size[2] != 1) refuse(path_, "holds more than one slice, where each file should be one");
+    width = lattice.size[0];
+    height = lattice.size[1];
+    type = known_type(*io, path_);
+  }
+  void read(float* out) const override {
+    const auto io = opened<itk::GDCMImageIO>(path_);
+    read_samples(*io, type, lattice.slice(), path_, out);
+  }
+  SampleLattice lattice;
+
+ private:
+  Path path_;
+};
+
+std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerType& series, itk::GDCMSeriesFileNames& names) {
+  std::string list;
+  for (std::size_t i = 0; i < series.size(); ++i)
+    list += fmt::format("{}{}: {} ({} files)", i == 0 ? "" : "; ", i + 1, series[i], names.GetFileNames(series[i]).size());
+  return list;
+}
+
+}  // namespace
+
+bool is_dicom(const Path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 132> start{};
+  return file.read(start.data(), start.size()) && std::string_view(start.data() + 128, 4) == "DICM";
+}
+
+VolumePtr open_with_itk(const Path& path) {
+  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
+  const std::string extension = path.extension().string();
+  if (extension == ".mha" || extension == ".mhd") return open_meta(path);
+  if (extension == ".nrrd" || extension == ".nhdr") {
+    const auto io = opened<itk::NrrdImageIO>(path);
+    return read_whole(*io, path);
+  }
+  {
+    const Hushed hushed;
+    if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str())) refuse(path, "is no NIfTI file, or a damaged one");
+  }
+  const auto io = opened<itk::NiftiImageIO>(path);
+  return read_whole(*io, path);
+}
+
+VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
+  if (!std::filesystem::is_directory(path)) {
+    const auto io = opened<itk::GDCMImageIO>(path);
+    return read_whole(*io, path);
+  }
+  std::vector<std::string> files;
+  {
+    const Hushed hushed;
+    const auto names = itk::GDCMSeriesFileNames::New();
+    names->SetUseSeriesDetails(true);
+    names->SetDirectory(path.string());
+    const auto series = names->GetSeriesUIDs();
+    if (series.empty()) refuse(path, "holds no DICOM series");
+    std::size_t chosen = series.size();
+    for (std::size_t i = 0; i < series.size(); ++i)
+      if (series[i] == wanted || std::to_string(i + 1) == wanted) chosen = i;
+    for (std::size_t i = 0; i < series.size() && chosen == series.size(); ++i)
+      if (!wanted.empty() && series[i].find(wanted) != std::string::npos) chosen = i;
+    if (wanted.empty() && series.size() == 1) chosen = 0;
+    if (chosen == series.size())
+      refuse(path, fmt::format("{}: {}", wanted.empty() ? fmt::format("holds {} series; choose one with --series", series.size())
+                                                        : fmt::format("holds no series '{}'", wanted),
+                               list_of_series(series, *names)));
+    files = names->GetFileNames(series[chosen]);
+  }
+  if (files.size() == 1) {
+    const auto io = opened<itk::GDCMImageIO>(files[0]);
+    return read_whole(*io, files[0]);
+  }
+  struct Placed {
+    std::unique_ptr<DicomSlice> slice;
+    Path path;
+    double along;  // the normal of the slices
+  };
+  std::vector<Placed> placed;
+  for (const std::string& file : files) {
+    progress.check();
+    progress.report(static_cast<double>(placed.size()) / static_cast<double>(files.size()), "reading DICOM headers");
+    placed.push_back({std::make_unique<DicomSlice>(file), file, 0});
+  }
+  const Vec3 normal = placed[0].slice->lattice.axes.col(0).cross(placed[0].slice->lattice.axes.col(1));
+  for (Placed& here : placed) {
+    here.along = normal.dot(here.slice->lattice.origin);
+    if (!here.slice->lattice.axes.leftCols<2>().isApprox(placed[0].slice->lattice.axes.leftCols<2>(), 1e-4))
+      refuse(here.path, "is a slice in another direction than the first of its series");
+  }
+  std::stable_sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) { return a.along < b.along; });
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < placed.size(); ++i) gaps.push_back(placed[i].along - placed[i - 1].along);
+  std::vector<double> sorted = gaps;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const double gap = sorted[sorted.size() / 2];
+  if (!(gap > 0)) refuse(path, "has several slices at one place: choose between them with --series, or put one set in a folder of its own");
+  for (std::size_t i = 0; i < gaps.size(); ++i)
+    if (std::abs(gaps[i] - gap) > 0.1 * gap)
+      refuse(path, fmt::format("the slices {} and {} are {:.4g} mm apart, the others {:.4g} mm: slices are missing or twice there",
+                               placed[i].path.filename().string(), placed[i + 1].path.filename().string(), gaps[i], gap));
+  SampleLattice lattice = placed[0].slice->lattice;
+  const Vec3 step = (placed.back().slice->lattice.origin - lattice.origin) / static_cast<double>(placed.size() - 1);
+  lattice.spacing.z() = step.norm();
+  lattice.axes.col(2) = step.normalized();
+  if (lattice.axes.col(2).isApprox(normal, 1e-5)) lattice.axes.col(2) = normal;
+  std::vector<SlicePtr> slices;
+  std::vector<Path> paths;
+  for (Placed& here : placed) slices.push_back(std::move(here.slice)), paths.push_back(here.path);
+  return stack_of(std::move(slices), paths, lattice);
+}
+
+void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
+  const SampleLattice& lattice = volume.lattice();
+  require_memory(lattice.count() * sizeof(float), path.string());
+  std::vector<float> densities(lattice.count());
+  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
+    progress.check();
+    volume.read(static_cast<int>(k), 1, densities.data() + k * lattice.slice());
+  });
+  const std::string extension = path.extension().string();
+  itk::ImageIOBase::Pointer io;
+  if (extension == ".nrrd") io = itk::NrrdImageIO::New().GetPointer();
+  if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();
+  if (extension == ".nii" || extension == ".gz") io = itk::NiftiImageIO::New().GetPointer();
+  if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
+  PendingFile file(path);
+  const Hushed hushed;
+  try {
+    io->SetFileName(file.temporary().string());
+    io->SetNumberOfDimensions(3);
+    io->SetNumberOfComponents(1);
+    io->SetPixelType(itk::IOPixelEnum::SCALAR);
+    io->SetComponentType(Component::FLOAT);
+    itk::ImageIORegion all(3);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      io->SetDimensions(axis, static_cast<std::size_t>(lattice.size[axis]));
+      io->SetSpacing(axis, lattice.spacing[a]);
+      io->SetOrigin(axis, lattice.origin[a]);
+      io->SetDirection(axis, std::vector<double>{lattice.axes(0, a), lattice.axes(1, a), lattice.axes(2, a)});
+      all.SetSize(axis, static_cast<std::size_t>(lattice.size[axis]));
+    }
+    io->SetUseCompression(extension != ".mha");
+    io->SetIORegion(all);
+    io->Write(densities.data());
+  } catch (const itk::ExceptionObject& error) {
+    throw Error(ErrorKind::io, path.string(), "cannot write: " + said(error));
+  }
+  file.commit();
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,149 @@
+#include "fieldfab/volume/threshold.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab {
+namespace {
+
+constexpr std::size_t bins_of_reals = 4096;
+
+bool is_small_whole(SampleType type) { return size_of(type) <= 2; }
+
+[[noreturn]] void not_a_number(const SampleLattice& lattice, std::size_t slice, std::size_t at) {
+  const auto width = static_cast<std::size_t>(lattice.size[0]);
+  throw Error(ErrorKind::bad_input, "volume",
+              fmt::format("the density of sample ({}, {}, {}) is not a finite number", at % width, at / width, slice));
+}
+
+/// The least and greatest density. Throws for NaN and infinity.
+std::pair<double, double> extent(const Volume& volume, std::size_t memory, Progress& progress) {
+  std::vector<std::pair<float, float>> of_slice(static_cast<std::size_t>(volume.lattice().size[2]));
+  for_slabs(volume, memory, false, progress, "looking at the densities", [&](int first, int count, const float* densities) {
+    parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
+      const std::size_t n = volume.lattice().slice();
+      const float* const density = densities + k * n;
+      float least = density[0], most = density[0], wild = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        least = density[i] < least ? density[i] : least;
+        most = density[i] > most ? density[i] : most;
+        wild += density[i] - density[i];  // 0, or NaN
+      }
+      if (wild != 0)
+        not_a_number(volume.lattice(), static_cast<std::size_t>(first) + k,
+                     static_cast<std::size_t>(std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) -
+                                              density));
+      of_slice[static_cast<std::size_t>(first) + k] = {least, most};
+    });
+  });
+  std::pair<double, double> whole = of_slice[0];
+  for (const auto& [least, most] : of_slice)
+    whole.first = std::min<double>(whole.first, least), whole.second = std::max<double>(whole.second, most);
+  return whole;
+}
+
+}  // namespace
+
+Histogram histogram(const Volume& volume, std::size_t memory, Progress& progress) {
+  Histogram histogram;
+  std::tie(histogram.least, histogram.greatest) = extent(volume, memory, progress);
+  const double range = histogram.greatest - histogram.least;
+  const bool whole = is_small_whole(volume.type()) && range < 65536;
+  const std::size_t bins = whole ? static_cast<std::size_t>(range) + 1 : bins_of_reals;
+  histogram.first = whole ? histogram.least - 0.5 : histogram.least;
+  histogram.width = whole ? 1 : range > 0 ? range / static_cast<double>(bins) : 1;
+  std::vector<std::vector<std::uint64_t>> of_part(64, std::vector<std::uint64_t>(bins));
+  for_slabs(volume, memory, false, progress, "counting densities", [&](int, int count, const float* densities) {
+    parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
+      std::vector<std::uint64_t>& counts = of_part[k];
+      const std::size_t n = volume.lattice().slice();
+      for (std::size_t i = k * n; i < (k + 1) * n; ++i) {
+        const auto bin = static_cast<std::size_t>((densities[i] - histogram.first) / histogram.width);
+        ++counts[std::min(bin, bins - 1)];
+      }
+    });
+  });
+  histogram.counts.assign(bins, 0);
+  for (const auto& counts : of_part)
+    for (std::size_t i = 0; i < bins; ++i) histogram.counts[i] += counts[i];
+  histogram.samples = volume.lattice().count();
+  return histogram;
+}
+
+double otsu_threshold(const Histogram& histogram) {
+  double all = 0;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i)
+    all += static_cast<double>(histogram.counts[i]) * static_cast<double>(i);
+  const auto samples = static_cast<double>(histogram.samples);
+  double below = 0, sum_below = 0, best = -1;
+  std::size_t first_best = 0, last_best = 0;
+  for (std::size_t i = 0; i + 1 < histogram.counts.size(); ++i) {
+    below += static_cast<double>(histogram.counts[i]);
+    sum_below += static_cast<double>(histogram.counts[i]) * static_cast<double>(i);
+    if (below == 0 || below == samples) continue;
+    const double difference = sum_below / below - (all - sum_below) / (samples - below);
+    const double between = below * (samples - below) * difference * difference;
+    if (between > best) best = between, first_best = i;
+    if (between == best) last_best = i;
+  }
+  // Bins up to the best one are below: the threshold is the border above it, in the middle where empty bins follow.
+  return histogram.first + (0.5 * (static_cast<double>(first_best) + static_cast<double>(last_best)) + 1) * histogram.width;
+}
+
+double percentile(const Histogram& histogram, double percent) {
+  const double wanted = percent / 100 * static_cast<double>(histogram.samples);
+  double below = 0;
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    const auto here = static_cast<double>(histogram.counts[i]);
+    if (here > 0 && below + here >= wanted)
+      return histogram.first + (static_cast<double>(i) + (wanted - below) / here) * histogram.width;
+    below += here;
+  }
+  return histogram.greatest;
+}
+
+ThresholdRule ThresholdRule::parse(std::string_view text) {
+  if (text.empty() || text == "auto") return {};
+  if (text == "otsu") return {Kind::otsu, 0};
+  const bool percent = text.ends_with('%');
+  const std::string_view digits = percent ? text.substr(0, text.size() - 1) : text;
+  ThresholdRule rule{percent ? Kind::percent : Kind::value, 0};
+  const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), rule.number);
+  if (failure != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(rule.number) ||
+      (percent && (rule.number < 0 || rule.number > 100)))
+    throw Error(ErrorKind::bad_input, "threshold",
+                fmt::format("'{:.40}' is not a density, a share such as 90%, or otsu", text));
+  return rule;
+}
+
+double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t memory, Progress& progress) {
+  using Kind = ThresholdRule::Kind;
+  const bool own = rule.kind == Kind::automatic && volume.own_threshold();
+  const bool counted = !own && rule.kind != Kind::value;
+  double threshold = own ? *volume.own_threshold() : rule.number;
+  std::pair<double, double> range;
+  if (counted) {
+    const Histogram counts = histogram(volume, memory, progress);
+    range = {counts.least, counts.greatest};
+    if (counts.least == counts.greatest)
+      throw Error(ErrorKind::bad_input, "volume", fmt::format("every density is {}: there is no surface", counts.least));
+    threshold = rule.kind == Kind::percent ? percentile(counts, rule.number) : otsu_threshold(counts);
+  } else {
+    range = extent(volume, memory, progress);
+  }
+  if (threshold <= range.first || threshold > range.second) {
+    if (rule.kind == Kind::percent) return std::clamp(threshold, std::nextafter(range.first, range.second), range.second);
+    throw Error(ErrorKind::bad_input, "threshold",
+                fmt::format("{} is outside of the densities, which go from {} to {}", threshold, range.first, range.second));
+  }
+  return threshold;
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,198 @@
+#include "fieldfab/volume/volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab {
+namespace {
+
+struct TypeName {
+  std::string_view name;
+  SampleType type;
+};
+/// The first name of a type is the one it is called by.
+constexpr std::array type_names{
+    TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},      TypeName{"uint16", SampleType::uint16},
+    TypeName{"int16", SampleType::int16},     TypeName{"uint32", SampleType::uint32},  TypeName{"int32", SampleType::int32},
+    TypeName{"float32", SampleType::float32}, TypeName{"float64", SampleType::float64}, TypeName{"u8", SampleType::uint8},
+    TypeName{"8bit", SampleType::uint8},      TypeName{"uchar", SampleType::uint8},    TypeName{"byte", SampleType::uint8},
+    TypeName{"i8", SampleType::int8},         TypeName{"char", SampleType::int8},      TypeName{"u16", SampleType::uint16},
+    TypeName{"16bit", SampleType::uint16},    TypeName{"ushort", SampleType::uint16},  TypeName{"i16", SampleType::int16},
+    TypeName{"short", SampleType::int16},     TypeName{"u32", SampleType::uint32},     TypeName{"uint", SampleType::uint32},
+    TypeName{"i32", SampleType::int32},       TypeName{"int", SampleType::int32},      TypeName{"f32", SampleType::float32},
+    TypeName{"float", SampleType::float32},   TypeName{"f64", SampleType::float64},    TypeName{"double", SampleType::float64}};
+
+}  // namespace
+
+std::size_t size_of(SampleType type) {
+  switch (type) {
+    case SampleType::uint8:
+    case SampleType::int8: return 1;
+    case SampleType::uint16:
+    case SampleType::int16: return 2;
+    case SampleType::float64: return 8;
+    default: return 4;
+  }
+}
+
+std::string_view name(SampleType type) {
+  return std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& known) { return known.type == type; })->name;
+}
+
+std::optional<SampleType> sample_type(std::string_view name) {
+  const auto* const found = std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& t) { return t.name == name; });
+  return found == type_names.end() ? std::nullopt : std::optional(found->type);
+}
+
+Box SampleLattice::box() const {
+  const Vec3 lower = straight() ? origin : Vec3::Zero();
+  return {lower, lower + spacing.cwiseProduct(Vec3(size[0] - 1, size[1] - 1, size[2] - 1))};
+}
+
+Eigen::Affine3d SampleLattice::placement() const {
+  Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+  if (straight()) return placement;
+  placement.linear() = axes;
+  placement.translation() = origin;
+  return placement;
+}
+
+namespace {
+
+class InMemory final : public Volume {
+ public:
+  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold)
+      : Volume(lattice, SampleType::float32, own_threshold), densities_(std::move(densities)) {}
+  void read(int first, int count, float* out) const override {
+    const std::size_t slice = lattice_.slice();
+    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice, out);
+  }
+
+ private:
+  std::vector<float> densities_;
+};
+
+class Cropped final : public Volume {
+ public:
+  Cropped(VolumePtr whole, const std::array<int, 3>& first, const std::array<int, 3>& count)
+      : Volume(whole->lattice(), whole->type(), whole->own_threshold()), whole_(std::move(whole)), first_(first) {
+    lattice_.origin += lattice_.axes * lattice_.spacing.cwiseProduct(Vec3(first[0], first[1], first[2]));
+    lattice_.size = count;
+  }
+  void read(int first, int count, float* out) const override {
+    const auto width = static_cast<std::size_t>(whole_->lattice().size[0]);
+    std::vector<float> slice(whole_->lattice().slice());
+    for (int k = 0; k < count; ++k) {
+      whole_->read(first_[2] + first + k, 1, slice.data());
+      for (int j = 0; j < lattice_.size[1]; ++j, out += lattice_.size[0])
+        std::copy_n(slice.data() + static_cast<std::size_t>(first_[1] + j) * width + first_[0], lattice_.size[0], out);
+    }
+  }
+
+ private:
+  VolumePtr whole_;
+  std::array<int, 3> first_;
+};
+
+/// Axes that run backwards are run forwards.
+class Flipped final : public Volume {
+ public:
+  explicit Flipped(VolumePtr other) : Volume(other->lattice(), other->type(), other->own_threshold()), other_(std::move(other)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      backwards_[axis] = lattice_.axes(a, a) < 0;
+      if (backwards_[axis]) lattice_.origin[a] -= (lattice_.size[axis] - 1) * lattice_.spacing[a];
+    }
+    lattice_.axes.setIdentity();
+  }
+  void read(int first, int count, float* out) const override {
+    const auto width = static_cast<std::size_t>(lattice_.size[0]), height = static_cast<std::size_t>(lattice_.size[1]);
+    other_->read(backwards_[2] ? lattice_.size[2] - first - count : first, count, out);
+    const std::size_t slice = width * height;
+    if (backwards_[2])
+      for (int k = 0; k < count / 2; ++k)
+        std::swap_ranges(out + static_cast<std::size_t>(k) * slice, out + static_cast<std::size_t>(k + 1) * slice,
+                         out + static_cast<std::size_t>(count - 1 - k) * slice);
+    for (int k = 0; k < count; ++k, out += slice) {
+      if (backwards_[1])
+        for (std::size_t j = 0; j < height / 2; ++j)
+          std::swap_ranges(out + j * width, out + (j + 1) * width, out + (height - 1 - j) * width);
+      if (backwards_[0])
+        for (std::size_t j = 0; j < height; ++j) std::reverse(out + j * width, out + (j + 1) * width);
+    }
+  }
+
+ private:
+  VolumePtr other_;
+  std::array<bool, 3> backwards_{};
+};
+
+class Respaced final : public Volume {
+ public:
+  Respaced(VolumePtr other, const Vec3& spacing)
+      : Volume(other->lattice(), other->type(), other->own_threshold()), other_(std::move(other)) {
+    lattice_.spacing = spacing;
+  }
+  void read(int first, int count, float* out) const override { other_->read(first, count, out); }
+
+ private:
+  VolumePtr other_;
+};
+
+}  // namespace
+
+VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold) {
+  for (const int n : lattice.size)
+    if (n < 2) throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
+  if (densities.size() != lattice.count())
+    throw Error(ErrorKind::bad_input, "volume",
+                fmt::format("{} densities for {} x {} x {} samples", densities.size(), lattice.size[0], lattice.size[1],
+                            lattice.size[2]));
+  return std::make_shared<InMemory>(std::move(densities), lattice, own_threshold);
+}
+
+VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int whole = volume->lattice().size[axis];
+    if (first[axis] < 0 || count[axis] < 2 || first[axis] > whole - count[axis])
+      throw Error(ErrorKind::bad_input, "crop",
+                  fmt::format("samples {} to {} along {} are not two or more of the volume's 0 to {}", first[axis],
+                              static_cast<long long>(first[axis]) + count[axis] - 1, "xyz"[axis], whole - 1));
+  }
+  return std::make_shared<Cropped>(std::move(volume), first, count);
+}
+
+VolumePtr straightened(VolumePtr volume) {
+  const Eigen::Matrix3d& axes = volume->lattice().axes;
+  if (axes.isIdentity(0) || !axes.cwiseAbs().isIdentity(1e-9)) return volume;
+  return std::make_shared<Flipped>(std::move(volume));
+}
+
+VolumePtr respaced(VolumePtr volume, const Vec3& spacing) {
+  if (!spacing.allFinite() || spacing.minCoeff() <= 0)
+    throw Error(ErrorKind::bad_input, "spacing", "must be three positive numbers of mm");
+  return std::make_shared<Respaced>(std::move(volume), spacing);
+}
+
+void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
+               const std::function<void(int first, int count, const float* densities)>& body) {
+  const SampleLattice& lattice = volume.lattice();
+  const int last = lattice.size[2], least = shared ? 2 : 1;
+  const auto fitting = static_cast<int>(std::min<std::size_t>(bytes / (lattice.slice() * sizeof(float)), 64));
+  const int most = std::clamp(fitting, least, last);
+  std::vector<float> slab(lattice.slice() * static_cast<std::size_t>(most));
+  for (int first = 0; first < last - (shared ? 1 : 0);) {
+    progress.check();
+    progress.report(static_cast<double>(first) / last, what);
+    const int count = std::min(most, last - first);
+    volume.read(first, count, slab.data());
+    body(first, count, slab.data());
+    first += shared ? count - 1 : count;
+  }
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,252 @@
+#include "fieldfab/volume/volume_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab {
+namespace {
+
+/// Appends the steepness, in density a mm, of the cells between two slices that the surface crosses.
+void collect_steepness(const SampleLattice& lattice, const float* lower, const float* upper, double threshold,
+                       std::vector<float>& steepness) {
+  const auto width = static_cast<std::size_t>(lattice.size[0]);
+  for (std::size_t j = 0; j + 1 < static_cast<std::size_t>(lattice.size[1]); ++j)
+    for (std::size_t i = 0; i + 1 < width; ++i) {
+      const std::size_t at = j * width + i;
+      std::array<double, 8> corner;
+      unsigned solid = 0;
+      for (std::size_t c = 0; c < 8; ++c) {
+        corner[c] = (c < 4 ? lower : upper)[at + (c & 1) + (c >> 1 & 1) * width];
+        solid |= static_cast<unsigned>(corner[c] > threshold) << c;
+      }
+      if (solid == 0 || solid == 255) continue;
+      double squares = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double difference = 0;
+        for (std::size_t c = 0; c < 8; ++c) difference += (c >> axis & 1) != 0 ? corner[c] : -corner[c];
+        const double slope = difference / 4 / lattice.spacing[static_cast<Eigen::Index>(axis)];
+        squares += slope * slope;
+      }
+      if (squares > 0) steepness.push_back(static_cast<float>(std::sqrt(squares)));
+    }
+}
+
+constexpr int block = 8;  // cells a side whose least and greatest value are kept
+
+/// Trilinear interpolation between samples that are kept as values of the Field.
+class VolumeField final : public Field {
+ public:
+  VolumeField(std::vector<float> samples, const SampleLattice& lattice)
+      : samples_(std::move(samples)), size_(lattice.size), box_(lattice.box()) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      per_mm_[axis] = static_cast<float>(1 / lattice.spacing[a]);
+      faces_[0][axis] = static_cast<float>(box_.lower[a]), faces_[1][axis] = static_cast<float>(box_.upper[a]);
+      blocks_[axis] = (size_[axis] - 1 + block - 1) / block;
+    }
+    find_extremes();
+  }
+
+  void values(const Points& points, float* out) const noexcept override {
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const std::array<float, 3> point{points.x[i], points.y[i], points.z[i]};
+      out[i] = std::max(interpolate(find(point)).value, beyond(point).first);
+    }
+  }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const std::array<float, 3> point{points.x[i], points.y[i], points.z[i]};
+      const Interpolated here = interpolate(find(point));
+      const auto [distance, side] = beyond(point);
+      const bool capped = distance > here.value;
+      out[i] = capped ? distance : here.value;
+      const std::array<float*, 3> to{slopes.dx + i, slopes.dy + i, slopes.dz + i};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        *to[a] = !capped ? here.slope[a] * per_mm_[a] : side / 2 == axis ? (side % 2 == 0 ? -1.0F : 1.0F) : 0.0F;
+      }
+    }
+  }
+  [[nodiscard]] bool sampled() const noexcept override { return true; }
+
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    std::array<int, 3> first, last;  // the cells that the box meets
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      const auto cell = [&](double at) {
+        const double place = (at - box_.lower[a]) * per_mm_[axis];
+        return static_cast<int>(std::clamp(std::isnan(place) ? 0.0 : place, 0.0, size_[axis] - 2.0));
+      };
+      // Coordinates are rounded to floats before they are looked up.
+      const double slack = 1e-3 / per_mm_[axis] + 1e-6 * (std::abs(box_.lower[a]) + std::abs(box_.upper[a]));
+      first[axis] = cell(box.lower[a] - slack), last[axis] = cell(box.upper[a] + slack);
+    }
+    Extremes found = extremes_of_cells(first, last);
+    const float rounding = 4e-6F * std::max(std::abs(found.least), std::abs(found.most));
+    const Interval inside{found.least - rounding, found.most + rounding, false}, cap = beyond_over(box);
+    return {std::max(inside.lower, cap.lower), std::max(inside.upper, cap.upper), false};
+  }
+  [[nodiscard]] std::size_t cost() const noexcept override { return 40; }
+
+ private:
+  struct Extremes {
+    float least = std::numeric_limits<float>::infinity(), most = -std::numeric_limits<float>::infinity();
+    void add(float value) { least = std::min(least, value), most = std::max(most, value); }
+    void add(const Extremes& other) { least = std::min(least, other.least), most = std::max(most, other.most); }
+  };
+  struct Place {
+    std::size_t sample;          // the cell's first
+    std::array<float, 3> within; // 0 to 1
+  };
+  struct Interpolated {
+    float value;
+    std::array<float, 3> slope;  // for one cell
+  };
+
+  [[nodiscard]] std::size_t index(int i, int j, int k) const {
+    return static_cast<std::size_t>(i) +
+           static_cast<std::size_t>(size_[0]) *
+               (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k));
+  }
+
+  /// Outside of the lattice the nearest place in it; NaN counts as the lower corner.
+  [[nodiscard]] Place find(const std::array<float, 3>& point) const {
+    std::array<int, 3> cell;
+    Place place;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = (point[axis] - box_.lower[static_cast<Eigen::Index>(axis)]) * per_mm_[axis];
+      const double inside = at > 0 ? std::min(at, size_[axis] - 1.0) : 0.0;
+      cell[axis] = std::min(static_cast<int>(inside), size_[axis] - 2);
+      place.within[axis] = static_cast<float>(inside - cell[axis]);
+    }
+    place.sample = index(cell[0], cell[1], cell[2]);
+    return place;
+  }
+
+  [[nodiscard]] Interpolated interpolate(const Place& place) const {
+    const float* const s = samples_.data() + place.sample;
+    const auto row = static_cast<std::size_t>(size_[0]), slice = row * static_cast<std::size_t>(size_[1]);
+    const auto [u, v, w] = place.within;
+    const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
+    const std::array<float, 4> along_x{mix(s[0], s[1], u), mix(s[row], s[row + 1], u), mix(s[slice], s[slice + 1], u),
+                                       mix(s[slice + row], s[slice + row + 1], u)};
+    const float lower = mix(along_x[0], along_x[1], v), upper = mix(along_x[2], along_x[3], v);
+    const float dx = mix(mix(s[1] - s[0], s[row + 1] - s[row], v),
+                         mix(s[slice + 1] - s[slice], s[slice + row + 1] - s[slice + row], v), w);
+    return {mix(lower, upper, w), {dx, mix(along_x[1] - along_x[0], along_x[3] - along_x[2], w), upper - lower}};
+  }
+
+  /// How far a point is outside of the samples along the axis where it is farthest out (negative: how deep inside), and on which of
+  /// the six sides that is. The solid ends there.
+  [[nodiscard]] std::pair<float, int> beyond(const std::array<float, 3>& point) const {
+    std::pair<float, int> farthest{-std::numeric_limits<float>::infinity(), 0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const float at = point[static_cast<std::size_t>(axis)];
+      const float below = faces_[0][static_cast<std::size_t>(axis)] - at, above = at - faces_[1][static_cast<std::size_t>(axis)];
+      if (!(below <= farthest.first)) farthest = {below, 2 * axis};
+      if (above > farthest.first) farthest = {above, 2 * axis + 1};
+    }
+    return farthest;
+  }
+  /// The interval of beyond() over a box.
+  [[nodiscard]] Interval beyond_over(const Box& box) const {
+    Interval range{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const auto lower = static_cast<float>(box.lower[axis]), upper = static_cast<float>(box.upper[axis]);
+      range.lower = std::max({range.lower, faces_[0][a] - upper, lower - faces_[1][a]});
+      range.upper = std::max({range.upper, faces_[0][a] - lower, upper - faces_[1][a]});
+    }
+    return range;
+  }
+
+  void find_extremes() {
+    extremes_.resize(static_cast<std::size_t>(blocks_[0]) * static_cast<std::size_t>(blocks_[1]) *
+                     static_cast<std::size_t>(blocks_[2]));
+    parallel_for(static_cast<std::size_t>(blocks_[2]), [&](std::size_t layer) {
+      const int bz = static_cast<int>(layer);
+      for (int by = 0; by < blocks_[1]; ++by)
+        for (int bx = 0; bx < blocks_[0]; ++bx) {
+          Extremes& here = extremes_[block_index(bx, by, bz)];
+          here = samples_between({bx * block, by * block, bz * block},
+                                 {std::min((bx + 1) * block, size_[0] - 1), std::min((by + 1) * block, size_[1] - 1),
+                                  std::min((bz + 1) * block, size_[2] - 1)});
+        }
+    });
+  }
+  [[nodiscard]] std::size_t block_index(int x, int y, int z) const {
+    return static_cast<std::size_t>(x) +
+           static_cast<std::size_t>(blocks_[0]) *
+               (static_cast<std::size_t>(y) + static_cast<std::size_t>(blocks_[1]) * static_cast<std::size_t>(z));
+  }
+
+  /// Both ends included.
+  [[nodiscard]] Extremes samples_between(const std::array<int, 3>& first, const std::array<int, 3>& last) const {
+    Extremes found;
+    for (int k = first[2]; k <= last[2]; ++k)
+      for (int j = first[1]; j <= last[1]; ++j) {
+        const float* const row = samples_.data() + index(0, j, k);
+        for (int i = first[0]; i <= last[0]; ++i) found.add(row[i]);
+      }
+    return found;
+  }
+
+  /// Few samples are looked at one by one, many by their blocks.
+  [[nodiscard]] Extremes extremes_of_cells(const std::array<int, 3>& first, const std::array<int, 3>& last) const {
+    double cells = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) cells *= last[axis] - first[axis] + 1;
+    if (cells <= 4096) return samples_between(first, {last[0] + 1, last[1] + 1, last[2] + 1});
+    Extremes found;
+    for (int z = first[2] / block; z <= last[2] / block; ++z)
+      for (int y = first[1] / block; y <= last[1] / block; ++y)
+        for (int x = first[0] / block; x <= last[0] / block; ++x) found.add(extremes_[block_index(x, y, z)]);
+    return found;
+  }
+
+  std::vector<float> samples_;
+  std::array<int, 3> size_;
+  Box box_;
+  std::array<float, 3> per_mm_{};
+  std::array<std::array<float, 3>, 2> faces_{};  // the outermost samples' planes: lower, upper
+  std::array<int, 3> blocks_{};
+  std::vector<Extremes> extremes_;
+};
+
+}  // namespace
+
+Isosurface isosurface(const Volume& volume, double threshold, bool below) {
+  constexpr int most_pairs = 32;
+  const SampleLattice& lattice = volume.lattice();
+  const int pairs = std::min(lattice.size[2] - 1, most_pairs);
+  std::vector<float> slices(2 * lattice.slice()), steepness;
+  for (int pair = 0; pair < pairs; ++pair) {
+    volume.read(static_cast<int>((pair + 0.5) * (lattice.size[2] - 1) / pairs), 2, slices.data());
+    collect_steepness(lattice, slices.data(), slices.data() + lattice.slice(), threshold, steepness);
+  }
+  if (steepness.empty()) return {threshold, below, 1};
+  const auto middle = steepness.begin() + static_cast<std::ptrdiff_t>(steepness.size() / 2);
+  std::nth_element(steepness.begin(), middle, steepness.end());
+  return {threshold, below, 1 / static_cast<double>(*middle)};
+}
+
+FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress& progress) {
+  const SampleLattice& lattice = volume.lattice();
+  require_memory(lattice.count() * sizeof(float), "volume");
+  std::vector<float> samples(lattice.count());
+  const std::size_t slice = lattice.slice();
+  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
+    progress.check();
+    float* const here = samples.data() + k * slice;
+    volume.read(static_cast<int>(k), 1, here);
+    for (std::size_t i = 0; i < slice; ++i) here[i] = surface.value(here[i]);
+  });
+  const FieldPtr solid = std::make_shared<VolumeField>(std::move(samples), lattice);
+  return lattice.straight() ? solid : transform(solid, lattice.placement());
+}
+
+}  // namespace fieldfab
