@@ -9,6 +9,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/mesh/contour.h"
+#include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
 #include "verbs.h"
 
@@ -78,15 +79,17 @@ class InfoVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("info", "tell what a file holds");
-    verb_->add_option("FILE", file_, "a model, mesh or .png")->required();
+    verb_->add_option("FILE", file_, "a model, mesh, volume or .png")->required();
+    verb_->add_option("--histogram", histogram_, "draw how often each density occurs in a volume: the .png to write");
+    scan_.declare(*verb_);
   }
   Outcome run(Progress& progress) override {
     const std::string extension = extension_of(file_);
     if (is_mesh_extension(extension)) return mesh_info();
     if (extension == ".png") return image_info();
-    const Model model = load_model(file_, Scripts::run, progress);
-    if (const auto* asdf = dynamic_cast<const Asdf*>(model.field.get())) return asdf_info(*asdf);
-    return frep_info(model, progress);
+    if (extension == ".asdf") return asdf_info(*Asdf::load(file_));
+    if (is_volume_path(file_)) return volume_info(progress);
+    return frep_info(load_model(file_, Scripts::run, progress), progress);
   }
 
  private:
@@ -118,16 +121,48 @@ class InfoVerb final : public Verb {
   }
   Outcome asdf_info(const Asdf& asdf) const {
     const AsdfStatistics counts = asdf.statistics();
+    const AsdfFileInfo file = Asdf::look(file_);
     const auto& n = asdf.lattice();
-    return {fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2], counts.cells(),
-                        counts.leafs, counts.bytes),
+    Outcome outcome{fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2],
+                                counts.cells(), counts.leafs, counts.bytes),
+                    {{"file", file_},
+                     {"kind", "asdf"},
+                     {"lattice", n},
+                     {"cells", counts.cells()},
+                     {"leafs", counts.leafs},
+                     {"bytes", counts.bytes},
+                     {"file_bytes", file.file_size},
+                     {"depth", counts.depth},
+                     {"max_error", asdf.max_error()},
+                     {"quantum", file.quantum}},
+                    0};
+    if (file.levels.size() > 1) outcome.line += fmt::format(", {} levels", file.levels.size());
+    for (const auto& level : file.levels)
+      outcome.json["levels"].push_back({{"lattice", level.lattice}, {"cells", level.cells}, {"blocks", level.blocks}, {"bytes", level.bytes}});
+    return outcome;
+  }
+  Outcome volume_info(Progress& progress) const {
+    const ScanOptions wanted = scan_.parsed();
+    const VolumePtr volume = open_volume(file_, wanted.file, progress);
+    const Histogram counts = histogram(*volume, wanted.memory, progress);
+    const double otsu = otsu_threshold(counts);
+    if (!histogram_.empty()) write_png(bar_chart(counts.counts, (otsu - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))), histogram_);
+    const SampleLattice& lattice = volume->lattice();
+    const auto vector = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
+    return {fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, Otsu's "
+                        "threshold {:.6g}",
+                        file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
+                        lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest, otsu),
             {{"file", file_},
-             {"kind", "asdf"},
-             {"lattice", n},
-             {"cells", counts.cells()},
-             {"leafs", counts.leafs},
-             {"bytes", counts.bytes},
-             {"depth", counts.depth}},
+             {"kind", "volume"},
+             {"samples", lattice.size},
+             {"type", name(volume->type())},
+             {"spacing", vector(lattice.spacing)},
+             {"origin", vector(lattice.origin)},
+             {"axes", {vector(lattice.axes.col(0)), vector(lattice.axes.col(1)), vector(lattice.axes.col(2))}},
+             {"least", counts.least},
+             {"greatest", counts.greatest},
+             {"otsu", otsu}},
             0};
   }
   Outcome mesh_info() const {
@@ -155,7 +190,8 @@ class InfoVerb final : public Verb {
         0};
   }
 
-  std::string file_;
+  std::string file_, histogram_;
+  ScanArguments scan_;
 };
 
 class ConvertVerb final : public Verb {

@@ -32,8 +32,9 @@ void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
       ->excludes(resolution_option);
   verb.add_option("--max-error", max_error,
                   "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
-  verb.add_option("--bounds", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
+  verb.add_option("--bounds,--region", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
+  verb.add_option("--level", level, "of an .asdf file with several resolutions; 0 is the finest")->check(CLI::Range(0, 31));
   scan.declare(verb);
 }
 
@@ -55,7 +56,7 @@ std::optional<Box> ModelOptions::region() const {
 }
 
 Model ModelOptions::load(Progress& progress) const {
-  Model loaded = load_model(model, Scripts::run, progress, scan.parsed());
+  Model loaded = load_model(model, Scripts::run, progress, scan.parsed(), {level, region()});
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
 }
@@ -70,6 +71,10 @@ std::optional<double> ModelOptions::make_plate_if_flat(Model& loaded, Progress& 
   const double height = cells_thick * cell(found.box, loaded);
   loaded.field = plate(loaded.field, height);
   return height;
+}
+
+bool ModelOptions::takes_samples() const {
+  return is_volume_path(model) && !voxel && !resolution && bounds.empty() && !thickness;
 }
 
 double ModelOptions::cell(const Box& region, const Model& loaded) const {

@@ -35,6 +35,7 @@ struct ModelOptions {
   std::string model, output;
   std::optional<double> resolution, voxel, max_error, thickness;
   std::string bounds;
+  int level = 0;
   ScanArguments scan;
 
   /// Declares them; `output` with the given description where the verb writes a file.
@@ -48,6 +49,8 @@ struct ModelOptions {
   std::optional<double> make_plate_if_flat(Model& loaded, Progress& progress);
   /// The smallest cell, mm: as asked for, or as the file has it, or 1/128 of the longest side.
   [[nodiscard]] double cell(const Box& bounds, const Model& loaded) const;
+  /// Whether the model is a volume to be taken sample by sample: no other lattice was asked for.
+  [[nodiscard]] bool takes_samples() const;
   /// Throws bad_input unless `output` is given.
   void need_output() const;
 };

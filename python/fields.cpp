@@ -187,8 +187,18 @@ void bind_fields(py::module_& module) {
   const auto mutable_asdf = [](std::shared_ptr<const Asdf> asdf) { return std::const_pointer_cast<Asdf>(std::move(asdf)); };
   py::class_<Asdf, Field, std::shared_ptr<Asdf>>(module, "Asdf", "An adaptively sampled distance field (Keeter, Appendix C.1).")
       .def_static(
-          "load", [=](const std::filesystem::path& path) { return mutable_asdf(Asdf::load(path)); }, py::arg("filename"))
-      .def("save", &Asdf::save, py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes an .asdf file.")
+          "load",
+          [=](const std::filesystem::path& path, int level, const py::object& region) {
+            return mutable_asdf(Asdf::load(path, {level, bounds_of(region)}));
+          },
+          py::arg("filename"), py::arg("level") = 0, py::arg("region") = py::none(),
+          "Reads an .asdf file, or of one with several levels a coarser one, or only what meets a region.")
+      .def(
+          "save",
+          [](const Asdf& a, const std::filesystem::path& path, int levels, double quantum) { a.save(path, {quantum, levels}); },
+          py::arg("filename"), py::arg("levels") = 1, py::arg("quantum") = -1.0, py::call_guard<py::gil_scoped_release>(),
+          "Writes an .asdf file with so many levels; distances as multiples of quantum mm (1/1024 of a voxel where negative).")
+      .def("placed", [=](const Asdf& a) { return mutable_field(a.placed()); }, "The solid where it is in space: scans can lie askew.")
       .def(
           "slice", [=](const Asdf& a, double z) { return mutable_asdf(a.slice(z)); }, py::arg("z"),
           "The cut at a height, as a flat Asdf.")
@@ -226,7 +236,7 @@ void bind_fields(py::module_& module) {
       "Samples a solid into an Asdf. voxel in mm or resolution in voxels a mm; bounds are found where not given.");
   module.def(
       "load", [=](const std::filesystem::path& path) { return mutable_field(load_model(path).field); }, py::arg("filename"),
-      "The solid of a .math, .vm, .frep or .asdf file.");
+      "The solid of a .math, .vm, .frep or .asdf file, or of a volume at Otsu's threshold.");
   module.def(
       "run_model",
       [=](const std::filesystem::path& path, const py::object& progress) {

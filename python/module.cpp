@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, module) {
   bind_expressions(module);
   bind_fields(module);
   bind_results(module);
+  bind_volumes(module);
 }
 
 }  // namespace fieldfab::python

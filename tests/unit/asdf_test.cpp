@@ -121,7 +121,42 @@ TEST_F(AsdfFiles, ComeBackAsTheyWere) {
   EXPECT_EQ(again->region(), asdf->region());
   EXPECT_EQ(again->lattice(), asdf->lattice());
   EXPECT_EQ(again->statistics().cells(), asdf->statistics().cells());
-  for (double x = -1.1; x < 1.2; x += 0.0371) EXPECT_EQ(again->value({x, 0.1, 0.2}), asdf->value({x, 0.1, 0.2}));
+  // Half a quantum, and what 16 bits round.
+  const double bound = 0.5 * AsdfFileSettings{}.quantum_for(asdf->voxel()) + 4e-5;
+  for (double x = -1.1; x < 1.2; x += 0.0371) {
+    EXPECT_NEAR(again->value({x, 0.1, 0.2}), asdf->value({x, 0.1, 0.2}), bound);
+    EXPECT_EQ(again->value({x, 0.1, 0.2}) < 0, asdf->value({x, 0.1, 0.2}) < 0);
+  }
+  again->save(path);
+  const auto once_more = Asdf::load(path);
+  for (double x = -1.1; x < 1.2; x += 0.0371) EXPECT_NEAR(once_more->value({x, 0.1, 0.2}), again->value({x, 0.1, 0.2}), 4e-5);
+}
+
+TEST_F(AsdfFiles, HoldLevelsAndRegions) {
+  const auto asdf = Asdf::build(*ball, around, {0.01});
+  asdf->save(path, {-1, 3});
+  const AsdfFileInfo info = Asdf::look(path);
+  ASSERT_EQ(info.levels.size(), 3U);
+  EXPECT_GT(info.levels[0].blocks, 8U);
+  for (int level = 0; level < 3; ++level) {
+    const auto here = Asdf::load(path, {level, {}});
+    EXPECT_EQ(here->region(), asdf->region());
+    EXPECT_NEAR(here->voxel(), asdf->voxel() * (1 << level), 0.02 * asdf->voxel() * (1 << level));
+    EXPECT_EQ(here->statistics().cells(), info.levels[static_cast<std::size_t>(level)].cells);
+    for (double x = -1.05; x < 1.1; x += 0.0371) {
+      const double truth = ball->value({x, 0.1, 0.2}), cell = 0.01 * (1 << level);
+      if (std::abs(truth) > 2 * cell)
+        EXPECT_EQ(here->value({x, 0.1, 0.2}) < 0, truth < 0) << x;
+      else if (std::abs(truth) < cell / 2)
+        EXPECT_NEAR(here->value({x, 0.1, 0.2}), truth, 0.15 * cell) << x;
+    }
+  }
+  EXPECT_THROW(Asdf::load(path, {3, {}}), Error);
+  const Box corner{{0.2, 0.2, 0.2}, {1, 1, 1}};
+  const auto part = Asdf::load(path, {0, corner});
+  EXPECT_LT(part->statistics().leafs, asdf->statistics().leafs / 2);
+  const auto all = Asdf::load(path);
+  for (double x = 0.21; x < 1; x += 0.0371) EXPECT_EQ(part->value({x, 0.3, 0.4}), all->value({x, 0.3, 0.4}));
 }
 
 TEST_F(AsdfFiles, ThatAreDamagedAreRefused) {

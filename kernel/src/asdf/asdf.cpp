@@ -61,6 +61,13 @@ double Asdf::voxel() const {
   return largest;
 }
 
+double Asdf::finest() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (lattice_[axis] > 0) smallest = std::min(smallest, region_.size()[static_cast<Eigen::Index>(axis)] / lattice_[axis]);
+  return smallest;
+}
+
 Asdf::Place Asdf::find(const std::array<double, 3>& at) const noexcept {
   Place place{tree_->cells[root_], {first_, count_}};
   while (place.word.kind() == CellKind::branch) {

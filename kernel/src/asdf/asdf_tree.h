@@ -1,6 +1,7 @@
 /// How an Asdf is kept in memory, and the cells it is made of while it is built.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -56,6 +57,8 @@ struct LatticeRange {
   [[nodiscard]] LatticeRange child(unsigned axes, unsigned number) const;
   /// The axes that have more than one cell.
   [[nodiscard]] unsigned divisible() const;
+  /// Cells along its longest axis.
+  [[nodiscard]] int longest() const { return std::max({count[0], count[1], count[2]}); }
 };
 
 /// A cell while a tree is being built or changed.

@@ -98,6 +98,7 @@ class Checker {
  public:
   Checker(const Field& field, const Box& bounds, const CheckSettings& settings, Progress& progress)
       : solid_(intersect(field.shared_from_this(), box_field(bounds))),
+        has_features_(!field.sampled()),
         bounds_(bounds),
         settings_(settings),
         progress_(progress) {
@@ -105,7 +106,7 @@ class Checker {
   }
 
   CheckReport run() {
-    mesh_ = contour(*solid_, bounds_, {settings_.voxel, settings_.max_error, true}, progress_);
+    mesh_ = contour(*solid_, bounds_, {settings_.voxel, settings_.max_error, has_features_}, progress_);
     check_validity();
     points_ = random_points(bounds_, mesh_, settings_);
     if (!mesh_.triangles.empty()) surface_ = surface_points(mesh_, settings_);
@@ -252,6 +253,7 @@ class Checker {
   }
 
   FieldPtr solid_;
+  bool has_features_;
   Box bounds_;
   CheckSettings settings_;
   Progress& progress_;

@@ -31,6 +31,21 @@ Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), c
 
 }  // namespace
 
+ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings, Progress& progress) {
+  std::vector<LatticeSource> levels;
+  VolumePtr volume = scan.volume;
+  for (int level = 0; level < settings.file.levels; ++level) {
+    if (level > 0) volume = halved(std::move(volume));
+    const SampleLattice& lattice = volume->lattice();
+    levels.push_back({lattice.box(), lattice.size, lattice.placement(), [volume, surface = scan.surface](int first, int count, float* out) {
+                        volume->read(first, count, out);
+                        const std::size_t samples = static_cast<std::size_t>(count) * volume->lattice().slice();
+                        for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
+                      }});
+  }
+  return import_asdf(levels, path, settings, progress);
+}
+
 Model model_of(const Scan& scan, Progress& progress) {
   const SampleLattice& lattice = scan.volume->lattice();
   Model model;
@@ -42,7 +57,8 @@ Model model_of(const Scan& scan, Progress& progress) {
   return model;
 }
 
-Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress, const ScanOptions& scan) {
+Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress, const ScanOptions& scan,
+                 const AsdfPart& part) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -55,12 +71,13 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     return from_expression(run_script(path, progress));
   }
   if (extension == ".asdf") {
-    const auto asdf = Asdf::load(path);
+    const auto asdf = Asdf::load(path, part);
     Model model;
     model.kind = "asdf";
-    model.field = asdf;
-    model.voxel = asdf->voxel();
-    model.bounds = asdf->region();
+    model.field = asdf->placed();
+    model.voxel = asdf->finest();
+    model.bounds = image_of(part.region ? intersection(*part.region, asdf->region()) : asdf->region(), asdf->placement().linear(),
+                            asdf->placement().translation());
     return model;
   }
   if (is_volume_path(path)) return model_of(open_scan(path, scan, progress), progress);

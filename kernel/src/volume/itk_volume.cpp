@@ -4,6 +4,7 @@
 #include <itkMetaImageIO.h>
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstring>
@@ -34,13 +35,13 @@ std::optional<SampleType> type_of(Component component) {
   }
 }
 
-/// ITK's messages are many lines with file names of its sources; this is what they say last.
+/// ITK's messages are many lines, from the outermost function to the innermost; the last one tells what is wrong.
 std::string said(const itk::ExceptionObject& error) {
   std::string text = error.GetDescription();
-  text.erase(std::unique(text.begin(), text.end(), [](char a, char b) { return std::isspace(a) != 0 && std::isspace(b) != 0; }),
-             text.end());
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  if (const auto at = text.rfind("): "); at != std::string::npos) text.erase(0, at + 3);
+  text.erase(text.find_last_not_of(" \n\r\t") + 1);
+  text.erase(0, text.find_last_of('\n') + 1);
+  for (const std::string_view before : {"] ", "): ", ": "})
+    if (const auto at = text.rfind(before); at != std::string::npos) text.erase(0, at + before.size());
   return text.substr(0, 160);
 }
 
@@ -61,14 +62,14 @@ class Hushed {
 
 /// Reads the header; throws bad_input with what is wrong.
 template <class Io>
-typename Io::Pointer opened(const Path& path) {
+typename Io::Pointer opened(const Path& path, const char* kind) {
   const Hushed hushed;
   auto io = Io::New();
   io->SetFileName(path.string());
   try {
     io->ReadImageInformation();
   } catch (const itk::ExceptionObject& error) {
-    refuse(path, "cannot be read: " + said(error));
+    refuse(path, fmt::format("is no {} file, or a damaged one: {}", kind, said(error)));
   }
   return io;
 }
@@ -170,10 +171,29 @@ VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
   return std::make_shared<WholeFile>(std::move(densities), lattice, type);
 }
 
+/// nifti_clib takes zeros for what a short file lacks. So its bytes are counted first, uncompressed if need be; NIfTI-1 keeps
+/// the bits of a sample at byte 72.
+void require_all_bytes(const Path& path, std::int64_t samples) {
+  const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
+  std::vector<char> part(1 << 18);
+  std::int64_t bytes = 0;
+  int got = 0;
+  std::int16_t bits = 0;
+  while (file && (got = gzread(file.get(), part.data(), static_cast<unsigned>(part.size()))) > 0) {
+    if (bytes == 0 && got >= 74) std::memcpy(&bits, part.data() + 72, 2);
+    bytes += got;
+  }
+  int failure = Z_OK;
+  if (file) gzerror(file.get(), &failure);
+  if (bits != 8 && bits != 16 && bits != 32 && bits != 64) bits = 8;
+  const std::int64_t least = samples * (bits / 8);
+  if (got < 0 || failure != Z_OK || bytes < least) refuse(path, fmt::format("is cut off after {} bytes", bytes));
+}
+
 /// MetaIO fills what a short file lacks with anything, so that its size is looked at first. Where the samples are as they should
 /// be, in the file or in one of their own, they are mapped instead of read.
 VolumePtr open_meta(const Path& path) {
-  const auto io = opened<itk::MetaImageIO>(path);
+  const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
   const SampleLattice lattice = lattice_of(*io, path, false);
   const SampleType type = known_type(*io, path);
   std::ifstream text(path, std::ios::binary);
@@ -206,7 +226,7 @@ VolumePtr open_meta(const Path& path) {
 class DicomSlice final : public Slice {
  public:
   explicit DicomSlice(Path path) : path_(std::move(path)) {
-    const auto io = opened<itk::GDCMImageIO>(path_);
+    const auto io = opened<itk::GDCMImageIO>(path_, "DICOM");
     lattice = lattice_of(*io, path_, true);
     if (lattice.size[2] != 1) refuse(path_, "holds more than one slice, where each file should be one");
     width = lattice.size[0];
@@ -214,7 +234,7 @@ class DicomSlice final : public Slice {
     type = known_type(*io, path_);
   }
   void read(float* out) const override {
-    const auto io = opened<itk::GDCMImageIO>(path_);
+    const auto io = opened<itk::GDCMImageIO>(path_, "DICOM");
     read_samples(*io, type, lattice.slice(), path_, out);
   }
   SampleLattice lattice;
@@ -243,20 +263,21 @@ VolumePtr open_with_itk(const Path& path) {
   const std::string extension = path.extension().string();
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
-    const auto io = opened<itk::NrrdImageIO>(path);
+    const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
     return read_whole(*io, path);
   }
   {
     const Hushed hushed;
     if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str())) refuse(path, "is no NIfTI file, or a damaged one");
   }
-  const auto io = opened<itk::NiftiImageIO>(path);
+  const auto io = opened<itk::NiftiImageIO>(path, "NIfTI");
+  require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
   return read_whole(*io, path);
 }
 
 VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
   if (!std::filesystem::is_directory(path)) {
-    const auto io = opened<itk::GDCMImageIO>(path);
+    const auto io = opened<itk::GDCMImageIO>(path, "DICOM");
     return read_whole(*io, path);
   }
   std::vector<std::string> files;
@@ -280,7 +301,7 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
     files = names->GetFileNames(series[chosen]);
   }
   if (files.size() == 1) {
-    const auto io = opened<itk::GDCMImageIO>(files[0]);
+    const auto io = opened<itk::GDCMImageIO>(files[0], "DICOM");
     return read_whole(*io, files[0]);
   }
   struct Placed {

@@ -1,9 +1,4 @@
 // Samples as they lie in a file: .raw, .vol with its .vgi.
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
 #include <charconv>
@@ -12,6 +7,7 @@
 #include <sstream>
 
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/mapped_file.h"
 #include "readers.h"
 
 namespace fieldfab {
@@ -26,35 +22,6 @@ std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
-
-/// A file's bytes without reading them: pages come and go as they are used.
-class Mapping {
- public:
-  explicit Mapping(const Path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    struct stat status {};
-    if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
-      const std::string why = std::strerror(errno);
-      if (descriptor >= 0) ::close(descriptor);
-      throw Error(ErrorKind::io, path.string(), "cannot read: " + why);
-    }
-    size_ = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-    if (size_ > 0) bytes_ = ::mmap(nullptr, size_, PROT_READ, MAP_SHARED, descriptor, 0);
-    ::close(descriptor);
-    if (bytes_ == MAP_FAILED) throw Error(ErrorKind::io, path.string(), fmt::format("cannot map: {}", std::strerror(errno)));
-  }
-  ~Mapping() {
-    if (size_ > 0) ::munmap(bytes_, size_);
-  }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-  [[nodiscard]] const std::byte* bytes() const { return static_cast<const std::byte*>(bytes_); }
-  [[nodiscard]] std::size_t size() const { return size_; }
-
- private:
-  void* bytes_ = nullptr;
-  std::size_t size_ = 0;
-};
 
 template <class Sample>
 void convert(const std::byte* from, std::size_t count, bool swap, float* out) {
@@ -86,13 +53,13 @@ class RawVolume final : public Volume {
 
   void read(int first, int count, float* out) const override {
     const std::size_t slice = lattice_.slice();
-    const std::byte* const from = file_.bytes() + skip_ + static_cast<std::size_t>(first) * slice * size_of(type_);
+    const std::byte* const from = file_.bytes().data() + skip_ + static_cast<std::size_t>(first) * slice * size_of(type_);
     convert(type_, from, static_cast<std::size_t>(count) * slice, swap_, out);
   }
-  [[nodiscard]] std::size_t file_size() const { return file_.size(); }
+  [[nodiscard]] std::size_t file_size() const { return file_.bytes().size(); }
 
  private:
-  Mapping file_;
+  MappedFile file_;
   bool swap_;
   std::uint64_t skip_;
 };

@@ -143,6 +143,39 @@ class Respaced final : public Volume {
   VolumePtr other_;
 };
 
+class Halved final : public Volume {
+ public:
+  explicit Halved(VolumePtr fine) : Volume(fine->lattice(), SampleType::float32, fine->own_threshold()), fine_(std::move(fine)) {
+    for (int& n : lattice_.size) n = (n - 1) / 2 + 1;
+    lattice_.spacing *= 2;
+  }
+  void read(int first, int count, float* out) const override {
+    const auto [width, height, depth] = fine_->lattice().size;
+    std::vector<float> slice(fine_->lattice().slice()), sum(slice.size());
+    for (int k = first; k < first + count; ++k) {
+      std::fill(sum.begin(), sum.end(), 0.0F);
+      for (const int step : {-1, 0, 1}) {
+        fine_->read(std::clamp(2 * k + step, 0, depth - 1), 1, slice.data());
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += (step == 0 ? 0.5F : 0.25F) * slice[i];
+      }
+      for (int j = 0; j < lattice_.size[1]; ++j)
+        for (int i = 0; i < lattice_.size[0]; ++i) {
+          float mean = 0;
+          for (const int down : {-1, 0, 1})
+            for (const int across : {-1, 0, 1}) {
+              const int x = std::clamp(2 * i + across, 0, width - 1), y = std::clamp(2 * j + down, 0, height - 1);
+              mean += (across == 0 ? 0.5F : 0.25F) * (down == 0 ? 0.5F : 0.25F) *
+                      sum[static_cast<std::size_t>(x) + static_cast<std::size_t>(width) * static_cast<std::size_t>(y)];
+            }
+          *out++ = mean;
+        }
+    }
+  }
+
+ private:
+  VolumePtr fine_;
+};
+
 }  // namespace
 
 VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold) {
@@ -170,6 +203,12 @@ VolumePtr straightened(VolumePtr volume) {
   const Eigen::Matrix3d& axes = volume->lattice().axes;
   if (axes.isIdentity(0) || !axes.cwiseAbs().isIdentity(1e-9)) return volume;
   return std::make_shared<Flipped>(std::move(volume));
+}
+
+VolumePtr halved(VolumePtr volume) {
+  for (const int n : volume->lattice().size)
+    if (n < 3) throw Error(ErrorKind::bad_input, "levels", "more levels than the volume can be halved");
+  return std::make_shared<Halved>(std::move(volume));
 }
 
 VolumePtr respaced(VolumePtr volume, const Vec3& spacing) {

@@ -1,6 +1,7 @@
 /// Adaptively sampled distance field: the interchange format (Keeter 2.3, 2.4).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -28,6 +29,33 @@ struct AsdfStatistics {
   [[nodiscard]] std::size_t cells() const { return filled + empty + branches + leafs; }
 };
 
+/// What to read of an .asdf file.
+struct AsdfPart {
+  int level = 0;              ///< 0 is the finest
+  std::optional<Box> region;  ///< only blocks that meet it; elsewhere the result is empty. In the region's own coordinates
+};
+
+/// How an .asdf file is written.
+struct AsdfFileSettings {
+  /// Distances are kept as multiples of this many mm, so that none moves by more than half of it; negative: 1/1024 of a voxel.
+  double quantum = -1;
+  int levels = 1;  ///< how many resolutions the file holds, each half of the one before
+  /// The quantum in mm. Throws bad_input for 0.
+  [[nodiscard]] double quantum_for(double voxel) const;
+};
+
+/// What an .asdf file holds, as far as its directory tells; no levels for kokopelli's.
+struct AsdfFileInfo {
+  struct Level {
+    Box region;
+    std::array<int, 3> lattice;
+    std::size_t blocks, cells, bytes;
+  };
+  std::vector<Level> levels;
+  double quantum = 0;
+  std::size_t file_size = 0;
+};
+
 /// An octree over a lattice of any size whose cells split and merge an axis at a time. A cell is FILLED, EMPTY, a BRANCH, or a
 /// LEAF with distance samples at its eight corners, interpolated trilinearly. Distances are kept near the surface only
 /// (a "superficial" field): in FILLED and EMPTY cells the value is minus or plus the smallest cell's diagonal.
@@ -38,10 +66,12 @@ class Asdf final : public Field {
   /// finite and positive (a flat z axis gives a 2D Asdf), too_large where it would not fit in memory, cancelled.
   static std::shared_ptr<const Asdf> build(const Field& field, const Box& region, const AsdfSettings& settings,
                                            Progress& progress = Progress::none());
-  /// Reads an .asdf file, ours or kokopelli's version 2.0. Throws io, or bad_input for a damaged file.
-  static std::shared_ptr<const Asdf> load(const std::filesystem::path& path);
-  /// Writes an .asdf file, compressed and with a checksum. Throws io.
-  void save(const std::filesystem::path& path) const;
+  /// Reads an .asdf file, ours or kokopelli's version 2.0, or a part of one of ours. Throws io, or bad_input for a damaged file.
+  static std::shared_ptr<const Asdf> load(const std::filesystem::path& path, const AsdfPart& part = {});
+  /// What a file holds, without reading its cells. Throws as load().
+  static AsdfFileInfo look(const std::filesystem::path& path);
+  /// Writes an .asdf file (docs/asdf-format.md). Throws io.
+  void save(const std::filesystem::path& path, const AsdfFileSettings& settings = {}, Progress& progress = Progress::none()) const;
 
   void values(const Points& points, float* out) const noexcept override;
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override;
@@ -56,7 +86,13 @@ class Asdf final : public Field {
   [[nodiscard]] const std::array<int, 3>& lattice() const { return lattice_; }
   /// Edge of the smallest cell, mm: the largest of the three axes.
   [[nodiscard]] double voxel() const;
+  /// The smallest of the three: what a mesh needs to show all that is there.
+  [[nodiscard]] double finest() const;
   [[nodiscard]] double max_error() const { return max_error_; }
+  /// From the region's coordinates to space: where a scan lies askew. This Field itself is in the region's coordinates.
+  [[nodiscard]] const Eigen::Affine3d& placement() const { return placement_; }
+  /// The solid where it is in space.
+  [[nodiscard]] FieldPtr placed() const;
   [[nodiscard]] AsdfStatistics statistics() const;
 
   /// The cut at height z as a 2D Asdf (flat in z). Throws bad_input where z is outside the region.
@@ -81,6 +117,7 @@ class Asdf final : public Field {
   Box region_;
   std::array<int, 3> lattice_{};
   double max_error_ = 0;
+  Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();
   std::shared_ptr<const Tree> tree_;
   std::uint32_t root_ = 0;                ///< the cell this Field begins at; a restriction shares the tree and begins lower
   std::array<int, 3> first_{}, count_{};  ///< the lattice cells that root_ covers

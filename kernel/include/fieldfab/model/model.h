@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "fieldfab/asdf/import.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/expression.h"
@@ -24,10 +25,15 @@ struct Model {
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
 enum class Scripts { refused, run };
 
-/// Reads .math, .vm, .frep, .asdf, or a volume (`scan` says how), or runs a .py script. Throws io, or bad_input (also for an
+/// Reads .math, .vm, .frep, .asdf, or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script. Throws io, or bad_input (also for an
 /// extension no reader knows, with a list of those known), or cancelled.
 Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none(),
-                 const ScanOptions& scan = {});
+                 const ScanOptions& scan = {}, const AsdfPart& part = {});
+/// Writes the .asdf file of a scan, in as much memory as the settings say, whatever its size (see import_asdf()); its levels are
+/// halved volumes.
+ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings,
+                         Progress& progress = Progress::none());
+
 /// A scan as a solid in memory.
 Model model_of(const Scan& scan, Progress& progress = Progress::none());
 

@@ -27,6 +27,9 @@ struct Scan {
   Isosurface surface;
 };
 
+/// The same with a volume that is open already; `options.file` means nothing.
+Scan take_scan(VolumePtr volume, const ScanOptions& options, Progress& progress = Progress::none());
+
 /// Opens, crops, denoises, finds the threshold, and cleans. Throws as open_volume(), threshold_by() and clean() do.
 Scan open_scan(const std::filesystem::path& path, const ScanOptions& options, Progress& progress = Progress::none());
 

@@ -67,6 +67,8 @@ VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, 
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count);
 /// The same samples in another order and lattice, if that makes its axes x, y and z; itself otherwise.
 VolumePtr straightened(VolumePtr volume);
+/// Every second sample along each axis, each the mean of its neighbourhood (weights 1 2 1 along each axis): the next coarser level.
+VolumePtr halved(VolumePtr volume);
 /// The same samples at other distances.
 VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 
