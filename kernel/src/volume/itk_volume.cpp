@@ -191,7 +191,7 @@ void require_all_bytes(const Path& path, std::int64_t samples) {
 }
 
 /// MetaIO fills what a short file lacks with anything, so that its size is looked at first. Where the samples are as they should
-/// be, in the file or in one of their own, they are mapped instead of read.
+/// be, in the file or in one of their own, they stay there until they are asked for.
 VolumePtr open_meta(const Path& path) {
   const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
   const SampleLattice lattice = lattice_of(*io, path, false);
@@ -219,7 +219,7 @@ VolumePtr open_meta(const Path& path) {
   if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST" || header < 0) return read_whole(*io, path);
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
   RawLayout layout{lattice, type, big_endian, local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
-  return map_raw(data, layout);
+  return open_samples(data, layout);
 }
 
 /// Slices in files of their own, through GDCM.

@@ -1,13 +1,16 @@
 // Samples as they lie in a file: .raw, .vol with its .vgi.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <bit>
+#include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <regex>
 #include <sstream>
 
 #include "fieldfab/core/file.h"
-#include "fieldfab/core/mapped_file.h"
 #include "readers.h"
 
 namespace fieldfab {
@@ -46,20 +49,47 @@ void convert(SampleType type, const std::byte* from, std::size_t count, bool swa
   }
 }
 
+/// Read with pread(), not mapped: what was read of a mapped file counts as memory of this process.
 class RawVolume final : public Volume {
  public:
   RawVolume(const Path& path, const RawLayout& layout)
-      : Volume(layout.lattice, layout.type), file_(path), swap_(layout.big_endian), skip_(layout.skip) {}
+      : Volume(layout.lattice, layout.type), path_(path), swap_(layout.big_endian), skip_(layout.skip) {
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor_ < 0) fail();
+  }
+  ~RawVolume() override { ::close(descriptor_); }
+  RawVolume(const RawVolume&) = delete;
+  RawVolume& operator=(const RawVolume&) = delete;
 
   void read(int first, int count, float* out) const override {
-    const std::size_t slice = lattice_.slice();
-    const std::byte* const from = file_.bytes().data() + skip_ + static_cast<std::size_t>(first) * slice * size_of(type_);
-    convert(type_, from, static_cast<std::size_t>(count) * slice, swap_, out);
+    constexpr std::size_t most = std::size_t{1} << 18;
+    std::vector<std::byte> bytes(most);
+    const std::size_t sample = size_of(type_), slice = lattice_.slice() * sample;
+    std::uint64_t at = skip_ + static_cast<std::size_t>(first) * slice;
+    for (std::size_t left = static_cast<std::size_t>(count) * slice; left > 0;) {
+      const std::size_t part = std::min(left, most);
+      fill(bytes.data(), part, at);
+      convert(type_, bytes.data(), part / sample, swap_, out);
+      out += part / sample, at += part, left -= part;
+    }
   }
-  [[nodiscard]] std::size_t file_size() const { return file_.bytes().size(); }
 
  private:
-  MappedFile file_;
+  [[noreturn]] void fail() const {
+    throw Error(ErrorKind::io, path_.string(), fmt::format("cannot read: {}", std::strerror(errno)));
+  }
+  void fill(std::byte* to, std::size_t size, std::uint64_t at) const {
+    while (size > 0) {
+      const ssize_t got = ::pread(descriptor_, to, size, static_cast<off_t>(at));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) fail();
+      if (got == 0) refuse(path_, "has become shorter while it was read");
+      to += got, at += static_cast<std::uint64_t>(got), size -= static_cast<std::size_t>(got);
+    }
+  }
+
+  Path path_;
+  int descriptor_;
   bool swap_;
   std::uint64_t skip_;
 };
@@ -151,15 +181,16 @@ std::optional<std::array<double, 3>> three_numbers(std::string_view text) {
   return at == end ? std::optional(numbers) : std::nullopt;
 }
 
-VolumePtr map_raw(const Path& path, const RawLayout& layout) {
+VolumePtr open_samples(const Path& path, const RawLayout& layout) {
   const auto& n = layout.lattice.size;
   const std::size_t expected = sample_count({n[0], n[1], n[2]}, path) * size_of(layout.type);
-  auto volume = std::make_shared<RawVolume>(path, layout);
-  const std::uint64_t there = volume->file_size();
+  if (std::error_code none; !std::filesystem::exists(path, none)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
+  if (!std::filesystem::is_regular_file(path)) throw Error(ErrorKind::io, path.string(), "is no regular file");
+  const std::uint64_t there = std::filesystem::file_size(path);
   if (layout.skip > there || there - layout.skip != expected)
     refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there, n[0], n[1], n[2],
                              name(layout.type), layout.skip, layout.skip + expected));
-  return volume;
+  return std::make_shared<RawVolume>(path, layout);
 }
 
 VolumePtr open_vgi(const Path& path, const VolumeFileOptions& options) {
@@ -200,7 +231,7 @@ VolumePtr open_vgi(const Path& path, const VolumeFileOptions& options) {
     const Path named = path.parent_path() / Path(data_name->second).filename();
     if (std::filesystem::exists(named) && !std::filesystem::is_directory(named)) data = named;
   }
-  return map_raw(data, layout);
+  return open_samples(data, layout);
 }
 
 VolumePtr open_raw(const Path& path, const VolumeFileOptions& options) {
@@ -226,7 +257,7 @@ VolumePtr open_raw(const Path& path, const VolumeFileOptions& options) {
                              std::filesystem::file_size(path), (*size)[0], (*size)[1], (*size)[2]));
   layout.type = *type;
   layout.big_endian = options.big_endian.value_or(hints.big_endian.value_or(false));
-  return map_raw(path, layout);
+  return open_samples(path, layout);
 }
 
 }  // namespace fieldfab

@@ -25,14 +25,14 @@ std::map<std::string, std::string> read_settings(const Path& path);
 /// Three numbers apart by spaces, commas or x; nothing where there are others.
 std::optional<std::array<double, 3>> three_numbers(std::string_view text);
 
-/// Samples in a file as they are: a mapped range of it. Throws bad_input where the file is too short or too long for them.
+/// Samples in a file as they are: a range of it. Throws bad_input where the file is too short or too long for them.
 struct RawLayout {
   SampleLattice lattice;
   SampleType type = SampleType::uint8;
   bool big_endian = false;
   std::uint64_t skip = 0;
 };
-VolumePtr map_raw(const Path& path, const RawLayout& layout);
+VolumePtr open_samples(const Path& path, const RawLayout& layout);
 /// .raw and .vol: by options, by the .vgi file beside, by name.
 VolumePtr open_raw(const Path& path, const VolumeFileOptions& options);
 /// .vgi: the header that names a .vol file.

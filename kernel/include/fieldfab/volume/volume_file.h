@@ -25,7 +25,7 @@ bool is_volume_path(const std::filesystem::path& path);
 /// The extensions that are known, for messages.
 std::string_view volume_extensions();
 
-/// Opens a volume. Raw files are mapped; TIFF and PNG stacks and DICOM series are read slice by slice when they are asked for;
+/// Opens a volume. Raw files, TIFF and PNG stacks and DICOM series are read slice by slice when they are asked for;
 /// the rest comes through ITK or OpenVDB into memory. Places are as in the file: for NIfTI and DICOM in LPS coordinates (x to the
 /// left, y to the back, z up), as ITK has them. Throws io, bad_input or too_large with one line that says what is wrong.
 VolumePtr open_volume(const std::filesystem::path& path, const VolumeFileOptions& options = {},
