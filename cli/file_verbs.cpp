@@ -1,9 +1,11 @@
 // render, info and convert: pictures of solids, and files told apart and turned into each other.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -17,6 +19,10 @@ namespace fieldfab::cli {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
+
+bool is_one_of(const std::string& extension, std::initializer_list<const char*> known) {
+  return std::find(known.begin(), known.end(), extension) != known.end();
+}
 
 std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
 
@@ -197,17 +203,21 @@ class InfoVerb final : public Verb {
 class ConvertVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, meshes");
-    options_.declare(*verb_, "the file to write: .math .vm .frep .dot (Graphviz) .asdf .stl .ply .off .obj .3mf");
+    verb_ = app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
+    options_.declare(*verb_, "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf; a volume also as .nrrd .mha .nii .nii.gz");
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);
     Outcome outcome{
         fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
-    if (is_mesh_extension(from)) {
-      if (!is_mesh_extension(to))
-        throw Error(ErrorKind::bad_input, options_.output, "a mesh can be turned into another mesh file only, so far");
+    if (is_mesh_extension(from) && is_mesh_extension(to)) {  // as it is; `fieldfab mesh` makes it anew
       write_mesh(read_mesh(options_.model), options_.output, progress);
+      return outcome;
+    }
+    if (is_volume_path(options_.model) && is_one_of(to, {".nrrd", ".mha", ".nii", ".gz"})) {
+      const ScanOptions scan = options_.scan.parsed();
+      VolumePtr volume = open_volume(options_.model, scan.file, progress);
+      write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
       return outcome;
     }
     const Model model = options_.load(progress);
@@ -220,10 +230,15 @@ class ConvertVerb final : public Verb {
                                                  : frep::print_infix(*model.expression));
       return outcome;
     }
+    if (to == ".vdb") {
+      const Box bounds = working_bounds(model, options_.region(), progress);
+      write_vdb(*model.field, bounds, options_.cell(bounds, model), options_.output, progress);
+      return outcome;
+    }
     if (to != ".asdf" && !is_mesh_extension(to))
       throw Error(
           ErrorKind::bad_input, options_.output,
-          fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .stl .ply .off .obj .3mf", to));
+          fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj .3mf, and .nrrd .mha .nii .nii.gz for volumes", to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
     if (to == ".asdf")

@@ -1,15 +1,19 @@
 #include "level_set.h"
 
 #include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/FastSweeping.h>
 #include <openvdb/tools/Interpolation.h>
 #include <openvdb/tools/LevelSetMeasure.h>
 #include <openvdb/tools/SignedFloodFill.h>
+#include <openvdb/tools/ValueTransformer.h>
 #include <openvdb/tools/VolumeToMesh.h>
 
 #include <cmath>
 
+#include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
@@ -145,6 +149,36 @@ std::vector<Vec3> LevelSet::surface_points() const {
   result.reserve(points.size());
   for (const auto& p : points) result.push_back(vdb_->in_mm(Vec3(p.x(), p.y(), p.z())));
   return result;
+}
+
+void LevelSet::save(const std::filesystem::path& path) const {
+  const auto mm = static_cast<float>(vdb_->voxel);
+  // Distances are in voxels here; the tree's values outside of its leafs, and its background, are distances, too.
+  const openvdb::FloatGrid::Ptr grid = vdb_->grid->deepCopy();
+  openvdb::tools::changeBackground(grid->tree(), mm * grid->background());
+  openvdb::tools::foreach(grid->beginValueAll(), [mm](const openvdb::FloatGrid::ValueAllIter& value) {
+    if (value.isVoxelValue()) value.setValue(mm * *value);
+  });
+  openvdb::tools::signedFloodFill(grid->tree());
+  grid->setTransform(openvdb::math::Transform::createLinearTransform(vdb_->voxel));
+  grid->transform().postTranslate({vdb_->origin.x(), vdb_->origin.y(), vdb_->origin.z()});
+  grid->setGridClass(openvdb::GRID_LEVEL_SET);
+  grid->setName("surface");
+  PendingFile pending(path);
+  try {
+    openvdb::io::File file(pending.temporary().string());
+    file.write({grid});
+    file.close();
+  } catch (const std::exception& error) {
+    throw Error(ErrorKind::io, path.string(), std::string("cannot write: ") + error.what());
+  }
+  pending.commit();
+}
+
+void write_vdb(const Field& solid, const Box& bounds, double voxel, const std::filesystem::path& path, Progress& progress) {
+  const LevelSet level_set(solid, bounds, voxel, progress);
+  if (level_set.empty()) throw Error(ErrorKind::bad_input, "bounds", "there is no surface within the bounds");
+  level_set.save(path);
 }
 
 }  // namespace fieldfab

@@ -1,6 +1,7 @@
 /// An OpenVDB level set of a solid, made from the Field alone.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -23,6 +24,8 @@ class LevelSet {
   [[nodiscard]] double value(const Vec3& point) const;
   /// Points of the surface, as OpenVDB meshes it.
   [[nodiscard]] std::vector<Vec3> surface_points() const;
+  /// Writes it in mm. Throws io.
+  void save(const std::filesystem::path& path) const;
 
  private:
   struct Vdb;

@@ -10,6 +10,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/model/script.h"
 
 namespace fieldfab {
@@ -80,9 +81,17 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
                             asdf->placement().translation());
     return model;
   }
+  if (is_mesh_extension(extension)) {
+    const TriangleMesh mesh = read_mesh(path);
+    Model model;
+    model.kind = "mesh";
+    model.field = mesh_field(mesh, progress);
+    model.bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);
+    return model;
+  }
   if (is_volume_path(path)) return model_of(open_scan(path, scan, progress), progress);
   throw Error(ErrorKind::bad_input, path.string(),
-              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf {}", extension, volume_extensions()));
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf .stl .ply .off .obj .3mf {}", extension, volume_extensions()));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {

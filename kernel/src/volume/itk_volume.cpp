@@ -358,9 +358,11 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (extension == ".nii" || extension == ".gz") io = itk::NiftiImageIO::New().GetPointer();
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
+  // ITK tells formats by the whole extension.
+  const Path made = file.temporary().string() + (extension == ".gz" ? ".nii.gz" : extension);
   const Hushed hushed;
   try {
-    io->SetFileName(file.temporary().string());
+    io->SetFileName(made.string());
     io->SetNumberOfDimensions(3);
     io->SetNumberOfComponents(1);
     io->SetPixelType(itk::IOPixelEnum::SCALAR);
@@ -377,7 +379,10 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
     io->SetUseCompression(extension != ".mha");
     io->SetIORegion(all);
     io->Write(densities.data());
+    std::filesystem::rename(made, file.temporary());
   } catch (const itk::ExceptionObject& error) {
+    std::error_code ignored;
+    std::filesystem::remove(made, ignored);
     throw Error(ErrorKind::io, path.string(), "cannot write: " + said(error));
   }
   file.commit();

@@ -16,7 +16,7 @@ namespace fieldfab {
 /// A solid read from a file.
 struct Model {
   FieldPtr field;
-  std::string kind;                            ///< "f-rep", "asdf" or "volume"
+  std::string kind;                            ///< "f-rep", "asdf", "mesh" or "volume"
   std::optional<frep::Expression> expression;  ///< where it came from text
   std::optional<double> voxel;                 ///< where the file has a resolution of its own
   std::optional<Box> bounds;                   ///< where the file has a region of its own
@@ -25,7 +25,7 @@ struct Model {
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
 enum class Scripts { refused, run };
 
-/// Reads .math, .vm, .frep, .asdf, or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script. Throws io, or bad_input (also for an
+/// Reads .math, .vm, .frep, .asdf, a mesh or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script. Throws io, or bad_input (also for an
 /// extension no reader knows, with a list of those known), or cancelled.
 Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none(),
                  const ScanOptions& scan = {}, const AsdfPart& part = {});

@@ -1,0 +1,141 @@
+#include "fieldfab/mesh/mesh_field.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "fieldfab/core/error.h"
+#include "winding.h"
+
+namespace fieldfab {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+/// Whether each edge is passed as often in one direction as in the other.
+bool is_closed(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> passes;  // from and to, the smaller first; the lowest bit tells the direction
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t a = t[i], b = t[(i + 1) % 3];
+      passes.push_back((std::min(a, b) << 32U | std::max(a, b)) << 1U | static_cast<std::uint64_t>(a < b));
+    }
+  std::sort(passes.begin(), passes.end());
+  int balance = 0;
+  for (std::size_t i = 0; i < passes.size(); ++i) {
+    balance += (passes[i] & 1U) != 0 ? 1 : -1;
+    if (i + 1 < passes.size() && passes[i] >> 1U == passes[i + 1] >> 1U) continue;
+    if (balance != 0) return false;
+  }
+  return true;
+}
+
+/// What was found at a point.
+struct Look {
+  Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), nearest = Vec3::Zero();
+  double distance = 0;  ///< negative inside
+};
+
+class MeshField final : public Field {
+ public:
+  MeshField(const TriangleMesh& mesh, Progress& progress) : winding_(mesh), closed_(is_closed(mesh)) {
+    progress.report(0.3, "sorting triangles");
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    for (const auto& t : mesh.triangles) {
+      std::array<Kernel::Point_3, 3> corner;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto& p = mesh.vertices[t[i]];
+        corner[i] = {p[0], p[1], p[2]};
+        const Vec3 at(p[0], p[1], p[2]);
+        box = {box.lower.cwiseMin(at), box.upper.cwiseMax(at)};
+      }
+      // Triangles without area have no plane to look for the nearest point in; their edges belong to others.
+      if (const Kernel::Triangle_3 triangle(corner[0], corner[1], corner[2]); !triangle.is_degenerate()) triangles_.push_back(triangle);
+    }
+    if (triangles_.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
+    progress.check();
+    bounds_ = box;
+    tree_.insert(triangles_.begin(), triangles_.end());
+    tree_.build();
+    tree_.accelerate_distance_queries();
+  }
+
+  void values(const Points& points, float* out) const noexcept override {
+    Look last;
+    for (std::size_t i = 0; i < points.count; ++i) {
+      last = look({points.x[i], points.y[i], points.z[i]}, last);
+      out[i] = static_cast<float>(last.distance);
+    }
+  }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    Look last;
+    for (std::size_t i = 0; i < points.count; ++i) {
+      last = look({points.x[i], points.y[i], points.z[i]}, last);
+      const Vec3 away = last.point - last.nearest;
+      const Vec3 slope = last.distance != 0 ? Vec3(away / last.distance) : Vec3::Zero();
+      out[i] = static_cast<float>(last.distance);
+      slopes.dx[i] = static_cast<float>(slope.x());
+      slopes.dy[i] = static_cast<float>(slope.y());
+      slopes.dz[i] = static_cast<float>(slope.z());
+    }
+  }
+
+  /// No value differs from that in the middle by more than the way there; but at a hole's virtual lid it changes its sign.
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    if (!box.lower.allFinite() || !box.upper.allFinite())
+      return {-static_cast<float>(bounds_.diagonal()), std::numeric_limits<float>::infinity(), true};
+    const Vec3 centre = box.centre();
+    const double away = std::abs(look(centre).distance);
+    const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
+    const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
+    if (!(least > 0)) return {-most, most, false};
+    const double winding = std::abs(winding_.at(centre));
+    const bool inside = winding > 0.5;
+    if (!closed_ && !(std::abs(winding - 0.5) > 0.03 + reach * winding_.steepest(centre, reach))) return {-most, most, false};
+    return inside ? Interval{-most, -least, false} : Interval{least, most, false};
+  }
+  [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
+  [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }
+
+ private:
+  /// Looks at a point, from what was found at another, near it as a rule.
+  [[nodiscard]] Look look(const Vec3& p, const Look& last = {}) const {
+    if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
+    const Kernel::Point_3 query{p.x(), p.y(), p.z()};
+    const double step = (p - last.point).norm();  // NaN for the first
+    const Kernel::Point_3 nearest = step < std::abs(last.distance)
+                                        ? tree_.closest_point(query, {last.nearest.x(), last.nearest.y(), last.nearest.z()})
+                                        : tree_.closest_point(query);
+    const Vec3 near(nearest.x(), nearest.y(), nearest.z());
+    // On the way no triangle of a closed mesh was met if there is none as near: the side is the same.
+    const bool same_side = closed_ && step < 0.999999 * std::abs(last.distance);
+    const bool inside = same_side ? last.distance < 0 : std::abs(winding_.at(p)) > 0.5;
+    return {p, near, (inside ? -1 : 1) * (p - near).norm()};
+  }
+
+  Triangles triangles_;
+  Tree tree_;
+  WindingNumber winding_;
+  bool closed_;
+  Box bounds_;
+};
+
+}  // namespace
+
+FieldPtr mesh_field(const TriangleMesh& mesh, Progress& progress) {
+  if (mesh.triangles.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangles");
+  for (const auto& p : mesh.vertices)
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      throw Error(ErrorKind::bad_input, "mesh", "a vertex is not at a finite place");
+  return std::make_shared<MeshField>(mesh, progress);
+}
+
+}  // namespace fieldfab
