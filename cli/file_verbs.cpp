@@ -151,14 +151,14 @@ class InfoVerb final : public Verb {
     const ScanOptions wanted = scan_.parsed();
     const VolumePtr volume = open_volume(file_, wanted.file, progress);
     const Histogram counts = histogram(*volume, wanted.memory, progress);
-    const double otsu = otsu_threshold(counts);
-    if (!histogram_.empty()) write_png(bar_chart(counts.counts, (otsu - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))), histogram_);
+    const double otsu = otsu_threshold(counts), halfway = halfway_threshold(counts);
+    if (!histogram_.empty()) write_png(bar_chart(counts.counts, (halfway - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))), histogram_);
     const SampleLattice& lattice = volume->lattice();
     const auto vector = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
-    return {fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, Otsu's "
-                        "threshold {:.6g}",
+    return {fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, "
+                        "thresholds: halfway {:.6g}, Otsu's {:.6g}",
                         file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
-                        lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest, otsu),
+                        lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest, halfway, otsu),
             {{"file", file_},
              {"kind", "volume"},
              {"samples", lattice.size},
@@ -168,6 +168,7 @@ class InfoVerb final : public Verb {
              {"axes", {vector(lattice.axes.col(0)), vector(lattice.axes.col(1)), vector(lattice.axes.col(2))}},
              {"least", counts.least},
              {"greatest", counts.greatest},
+             {"halfway", halfway},
              {"otsu", otsu}},
             0};
   }

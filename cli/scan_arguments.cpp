@@ -43,7 +43,7 @@ std::size_t bytes(const std::string& text) {
 void ScanArguments::declare(CLI::App& verb) {
   const char* const group = "CT volumes";
   verb.add_option("--threshold", threshold,
-                  "the density from which on it is solid: a number, a share of the samples such as 90%, or otsu (the default)")
+                  "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the default: between the two most common)")
       ->group(group);
   verb.add_flag("--below", below, "solid is what is less dense than the threshold")->group(group);
   verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")->group(group);

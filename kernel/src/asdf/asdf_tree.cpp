@@ -50,10 +50,14 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (size[axis] <= 0) continue;
-    double difference = 0;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-      difference += (corner >> axis & 1U) != 0 ? corners[corner] : -corners[corner];
-    const double slope = difference / 4 / size[axis];
+    // Along an axis the slope of a trilinear function is a mean of those of the four edges.
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      if ((corner >> axis & 1U) != 0) continue;
+      const double difference = double{corners[corner | std::size_t{1} << axis]} - corners[corner];
+      least = std::min(least, difference), most = std::max(most, difference);
+    }
+    const double slope = std::max({least, -most, 0.0}) / size[axis];
     sum += slope * slope;
   }
   return std::sqrt(sum);

@@ -97,6 +97,46 @@ double otsu_threshold(const Histogram& histogram) {
   return histogram.first + (0.5 * (static_cast<double>(first_best) + static_cast<double>(last_best)) + 1) * histogram.width;
 }
 
+namespace {
+
+/// The most common density among bins first .. last: the middle of a narrow window is moved to the mean of what is in it, from where
+/// it holds most.
+double most_common(const Histogram& histogram, std::size_t first, std::size_t last) {
+  const std::size_t reach = std::max<std::size_t>(1, histogram.counts.size() / 80);
+  const auto window = [&](std::size_t middle) {
+    return std::pair{std::max(middle, first + reach) - reach, std::min(middle + reach, last)};
+  };
+  std::size_t best = first;
+  std::uint64_t most = 0;
+  for (std::size_t middle = first; middle <= last; ++middle) {
+    const auto [low, high] = window(middle);
+    std::uint64_t here = 0;
+    for (std::size_t i = low; i <= high; ++i) here += histogram.counts[i];
+    if (here > most) most = here, best = middle;
+  }
+  double mean = static_cast<double>(best);
+  for (int step = 0; step < 20; ++step) {
+    const auto [low, high] = window(static_cast<std::size_t>(std::lround(mean)));
+    double weight = 0, sum = 0;
+    for (std::size_t i = low; i <= high; ++i)
+      weight += static_cast<double>(histogram.counts[i]), sum += static_cast<double>(histogram.counts[i]) * static_cast<double>(i);
+    if (weight == 0) break;
+    const bool still = std::abs(sum / weight - mean) < 1e-3;
+    mean = sum / weight;
+    if (still) break;
+  }
+  return histogram.first + (mean + 0.5) * histogram.width;
+}
+
+}  // namespace
+
+double halfway_threshold(const Histogram& histogram) {
+  const double otsu = otsu_threshold(histogram);
+  const auto border = static_cast<std::size_t>(
+      std::clamp((otsu - histogram.first) / histogram.width, 1.0, static_cast<double>(histogram.counts.size()) - 1));
+  return 0.5 * (most_common(histogram, 0, border - 1) + most_common(histogram, border, histogram.counts.size() - 1));
+}
+
 double percentile(const Histogram& histogram, double percent) {
   const double wanted = percent / 100 * static_cast<double>(histogram.samples);
   double below = 0;
@@ -111,6 +151,7 @@ double percentile(const Histogram& histogram, double percent) {
 
 ThresholdRule ThresholdRule::parse(std::string_view text) {
   if (text.empty() || text == "auto") return {};
+  if (text == "halfway") return {Kind::halfway, 0};
   if (text == "otsu") return {Kind::otsu, 0};
   const bool percent = text.ends_with('%');
   const std::string_view digits = percent ? text.substr(0, text.size() - 1) : text;
@@ -119,7 +160,7 @@ ThresholdRule ThresholdRule::parse(std::string_view text) {
   if (failure != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(rule.number) ||
       (percent && (rule.number < 0 || rule.number > 100)))
     throw Error(ErrorKind::bad_input, "threshold",
-                fmt::format("'{:.40}' is not a density, a share such as 90%, or otsu", text));
+                fmt::format("'{:.40}' is not a density, a share such as 90%, halfway, or otsu", text));
   return rule;
 }
 
@@ -134,7 +175,9 @@ double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t
     range = {counts.least, counts.greatest};
     if (counts.least == counts.greatest)
       throw Error(ErrorKind::bad_input, "volume", fmt::format("every density is {}: there is no surface", counts.least));
-    threshold = rule.kind == Kind::percent ? percentile(counts, rule.number) : otsu_threshold(counts);
+    threshold = rule.kind == Kind::percent ? percentile(counts, rule.number)
+                : rule.kind == Kind::otsu  ? otsu_threshold(counts)
+                                           : halfway_threshold(counts);
   } else {
     range = extent(volume, memory, progress);
   }

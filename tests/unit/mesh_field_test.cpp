@@ -1,0 +1,141 @@
+// A mesh as a Field, against brute force over its triangles.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/shapes.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/mesh_field.h"
+
+namespace fieldfab {
+namespace {
+
+double uniform(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+
+TriangleMesh ball_mesh(double radius = 1, const Vec3& centre = Vec3::Zero()) {
+  const FieldPtr ball = translate(frep::make_field(frep::shapes::sphere(radius)), centre);
+  return contour(*ball, Box{Vec3::Constant(-1.2 * radius) + centre, Vec3::Constant(1.2 * radius) + centre}, {0.12 * radius});
+}
+
+void append(TriangleMesh& mesh, const TriangleMesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+TriangleMesh inside_out(TriangleMesh mesh) {
+  for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
+  return mesh;
+}
+
+std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::size_t triangle) {
+  std::array<Vec3, 3> points;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& v = mesh.vertices[mesh.triangles[triangle][i]];
+    points[i] = Vec3(v[0], v[1], v[2]);
+  }
+  return points;
+}
+
+/// The nearest point of a triangle is in it, on one of its edges, or a corner.
+double distance_to(const std::array<Vec3, 3>& t, const Vec3& p) {
+  double best = HUGE_VAL;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 a = t[i], ab = t[(i + 1) % 3] - a;
+    best = std::min(best, (a + std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0) * ab - p).norm());
+  }
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized(), foot = p - normal.dot(p - t[0]) * normal;
+  bool within = true;
+  for (std::size_t i = 0; i < 3; ++i) within = within && normal.dot((t[(i + 1) % 3] - t[i]).cross(foot - t[i])) >= 0;
+  return within ? std::min(best, (foot - p).norm()) : best;
+}
+
+double brute_distance(const TriangleMesh& mesh, const Vec3& p) {
+  double best = HUGE_VAL;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) best = std::min(best, distance_to(corners(mesh, i), p));
+  return best;
+}
+
+double brute_winding(const TriangleMesh& mesh, const Vec3& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto t = corners(mesh, i);
+    const Vec3 a = (t[0] - p).normalized(), b = (t[1] - p).normalized(), c = (t[2] - p).normalized();
+    sum += std::atan2(a.dot(b.cross(c)), 1 + a.dot(b) + b.dot(c) + c.dot(a)) / (2 * std::numbers::pi);
+  }
+  return sum;
+}
+
+TEST(MeshField, AgreesWithBruteForce) {
+  TriangleMesh soup = ball_mesh();
+  append(soup, ball_mesh(0.7, {0.8, 0.3, 0}));               // they overlap
+  append(soup, inside_out(ball_mesh(0.4, {-0.3, 0, 0})));    // a cavity
+  TriangleMesh open = ball_mesh();
+  std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]][2] > 0.6F; });
+  for (const TriangleMesh& mesh : {ball_mesh(), soup, inside_out(soup), open}) {
+    const FieldPtr solid = mesh_field(mesh);
+    std::mt19937 random(1);
+    std::vector<float> x, y, z;
+    for (int i = 0; i < 400; ++i) {
+      // Some runs of neighbours: what is found at one point helps to look at the next.
+      const bool jump = i % 20 == 0;
+      x.push_back(static_cast<float>(jump ? uniform(random, -1.5, 1.7) : x.back() + uniform(random, -0.05, 0.05)));
+      y.push_back(static_cast<float>(jump ? uniform(random, -1.5, 1.5) : y.back() + uniform(random, -0.05, 0.05)));
+      z.push_back(static_cast<float>(jump ? uniform(random, -1.5, 1.5) : z.back() + uniform(random, -0.05, 0.05)));
+    }
+    std::vector<float> value(x.size()), again(x.size()), dx(x.size()), dy(x.size()), dz(x.size());
+    solid->values({x.data(), y.data(), z.data(), x.size()}, value.data());
+    solid->gradients({x.data(), y.data(), z.data(), x.size()}, again.data(), {dx.data(), dy.data(), dz.data()});
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const Vec3 p(x[i], y[i], z[i]);
+      EXPECT_NEAR(std::abs(value[i]), brute_distance(mesh, p), 1e-5);
+      EXPECT_EQ(value[i], again[i]);
+      if (const double winding = std::abs(brute_winding(mesh, p)); std::abs(winding - 0.5) > 0.03) {
+        EXPECT_EQ(value[i] < 0, winding > 0.5) << p.transpose() << " winding " << winding;
+      }
+      if (std::abs(value[i]) > 1e-3) EXPECT_NEAR(Vec3(dx[i], dy[i], dz[i]).norm(), 1, 1e-4);
+    }
+  }
+}
+
+TEST(MeshField, IntervalsHoldEveryValue) {
+  TriangleMesh open = ball_mesh();
+  std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]][0] > 0.3F; });
+  for (const TriangleMesh& mesh : {ball_mesh(), open}) {
+    const FieldPtr solid = mesh_field(mesh);
+    std::mt19937 random(2);
+    int decided = 0;
+    for (int n = 0; n < 1500; ++n) {
+      const double reach = std::pow(10.0, uniform(random, -2.5, 0.3));
+      const Vec3 lower(uniform(random, -1.5, 1.5), uniform(random, -1.5, 1.5), uniform(random, -1.5, 1.5));
+      const Box box{lower, lower + reach * Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))};
+      const Interval range = solid->interval(box);
+      decided += range.decided();
+      for (int m = 0; m < 20; ++m)
+        EXPECT_TRUE(range.contains(solid->value(
+            box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))))));
+    }
+    EXPECT_GT(decided, 500);
+  }
+}
+
+TEST(MeshField, ComesBackAsItWas) {
+  const TriangleMesh mesh = ball_mesh();
+  const TriangleMesh again = contour(*mesh_field(mesh), mesh.bounds().grown(0.1), {0.05, -1, false});
+  EXPECT_NEAR(again.volume(), mesh.volume(), 0.002 * mesh.volume());
+}
+
+TEST(MeshField, BadMeshesAreRefused) {
+  EXPECT_THROW(mesh_field({}), Error);
+  EXPECT_THROW(mesh_field({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}), Error);
+  EXPECT_THROW(mesh_field({{{0, 0, 0}, {1, 0, 0}, {NAN, 1, 0}}, {{0, 1, 2}}}), Error);
+}
+
+}  // namespace
+}  // namespace fieldfab

@@ -1,0 +1,362 @@
+// Volumes: each routine against its slow, obvious twin, and against shapes whose size is known.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/model/model.h"
+
+namespace fieldfab {
+namespace {
+
+SampleLattice lattice_of(int nx, int ny, int nz, const Vec3& spacing = Vec3::Ones(), const Vec3& origin = Vec3::Zero()) {
+  SampleLattice lattice;
+  lattice.size = {nx, ny, nz};
+  lattice.spacing = spacing;
+  lattice.origin = origin;
+  return lattice;
+}
+
+template <class Density>
+VolumePtr volume_by(const SampleLattice& lattice, const Density& density) {
+  std::vector<float> densities;
+  for (int k = 0; k < lattice.size[2]; ++k)
+    for (int j = 0; j < lattice.size[1]; ++j)
+      for (int i = 0; i < lattice.size[0]; ++i)
+        densities.push_back(static_cast<float>(density(Vec3(lattice.origin + lattice.axes * lattice.spacing.cwiseProduct(Vec3(i, j, k))))));
+  return volume_of(std::move(densities), lattice);
+}
+
+VolumePtr random_volume(const SampleLattice& lattice, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(100, 30);
+  return volume_by(lattice, [&](const Vec3&) { return noise(random); });
+}
+
+float density_at(const Volume& volume, int i, int j, int k) {
+  std::vector<float> slice(volume.lattice().slice());
+  volume.read(k, 1, slice.data());
+  return slice[static_cast<std::size_t>(i) + static_cast<std::size_t>(volume.lattice().size[0]) * static_cast<std::size_t>(j)];
+}
+
+/// Trilinear interpolation of densities, the slow way; `at` in samples.
+double trilinear(const Volume& volume, const Vec3& at) {
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    double weight = 1;
+    std::array<int, 3> sample{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const int low = std::min(static_cast<int>(at[axis]), volume.lattice().size[static_cast<std::size_t>(axis)] - 2);
+      const bool upper = (corner >> axis & 1) != 0;
+      sample[static_cast<std::size_t>(axis)] = low + (upper ? 1 : 0);
+      weight *= upper ? at[axis] - low : 1 - (at[axis] - low);
+    }
+    sum += weight * density_at(volume, sample[0], sample[1], sample[2]);
+  }
+  return sum;
+}
+
+double uniform(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+
+TEST(VolumeField, IsTrilinearBetweenSamplesAndEmptyOutside) {
+  const SampleLattice lattice = lattice_of(7, 5, 6, {0.5, 0.7, 1.3}, {10, -3, 2});
+  const VolumePtr volume = random_volume(lattice, 1);
+  for (const bool below : {false, true}) {
+    const FieldPtr solid = volume_field(*volume, {100, below, 0.01});
+    std::mt19937 random(2);
+    for (int n = 0; n < 2000; ++n) {
+      const Vec3 samples(uniform(random, 0, 6), uniform(random, 0, 4), uniform(random, 0, 5));
+      const Vec3 p = lattice.origin + lattice.spacing.cwiseProduct(samples);
+      const double wanted = (below ? -1 : 1) * (100 - trilinear(*volume, samples)) * 0.01;
+      const Box box = lattice.box();
+      const double cap = std::max((box.lower - p).maxCoeff(), (p - box.upper).maxCoeff());
+      EXPECT_NEAR(solid->value(p), std::max(wanted, cap), 2e-5);
+    }
+    for (int n = 0; n < 500; ++n) {
+      Vec3 p(uniform(random, 8, 15), uniform(random, -5, 2), uniform(random, 0, 11));
+      EXPECT_TRUE(lattice.box().contains(p) || solid->value(p) > 0);
+    }
+  }
+}
+
+TEST(VolumeField, GradientsAreDifferences) {
+  const VolumePtr volume = random_volume(lattice_of(9, 8, 7, {0.5, 0.7, 1.3}), 3);
+  const FieldPtr solid = volume_field(*volume, {100, false, 0.02});
+  std::mt19937 random(4);
+  const double h = 1e-3;
+  for (int n = 0; n < 500; ++n) {
+    // Off the planes of samples, where slopes jump.
+    Vec3 p;
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = volume->lattice().spacing[axis] * (static_cast<int>(uniform(random, 1, 5)) + uniform(random, 0.1, 0.9));
+    const Vec3 slope = solid->gradient(p);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 step = h * Vec3::Unit(axis);
+      EXPECT_NEAR(slope[axis], (double{solid->value(p + step)} - solid->value(p - step)) / (2 * h), 5e-3);
+    }
+  }
+}
+
+TEST(VolumeField, IntervalsHoldEveryValue) {
+  const VolumePtr volume = random_volume(lattice_of(40, 33, 30, {0.5, 0.7, 1.3}, {-5, 0, 7}), 5);
+  const FieldPtr solid = volume_field(*volume, {100, false, 0.02});
+  std::mt19937 random(6);
+  for (int n = 0; n < 300; ++n) {
+    const Vec3 a(uniform(random, -8, 18), uniform(random, -3, 26), uniform(random, 4, 50));
+    const double reach = std::pow(10.0, uniform(random, -2, 1.3));
+    const Box box{a, a + Vec3(uniform(random, 0, reach), uniform(random, 0, reach), uniform(random, 0, reach))};
+    const Interval range = solid->interval(box);
+    for (int m = 0; m < 60; ++m) {
+      const Vec3 p = box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)));
+      EXPECT_TRUE(range.contains(solid->value(p)));
+    }
+  }
+}
+
+TEST(Threshold, OtsuIsTheBestOfAll) {
+  std::mt19937 random(7);
+  for (int n = 0; n < 50; ++n) {
+    Histogram histogram;
+    histogram.first = -3;
+    histogram.width = 2;
+    for (int i = 0; i < 40; ++i) histogram.counts.push_back(random() % 4 == 0 ? 0 : random() % 1000);
+    for (const auto count : histogram.counts) histogram.samples += count;
+    // Every threshold's variance between the classes, from the definition.
+    const auto variance = [&](double threshold) {
+      double weight[2] = {}, sum[2] = {};
+      for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        const int side = histogram.middle(i) > threshold ? 1 : 0;
+        weight[side] += static_cast<double>(histogram.counts[i]);
+        sum[side] += static_cast<double>(histogram.counts[i]) * histogram.middle(i);
+      }
+      const double apart = sum[0] / weight[0] - sum[1] / weight[1];
+      return weight[0] * weight[1] * apart * apart;
+    };
+    double best = 0;
+    for (std::size_t i = 0; i + 1 < histogram.counts.size(); ++i)
+      if (const double here = variance(histogram.middle(i) + 1); here > best) best = here;
+    EXPECT_NEAR(variance(otsu_threshold(histogram)) / best, 1, 1e-9);
+  }
+}
+
+TEST(Threshold, PercentilesLeaveThatManyBelow) {
+  const VolumePtr volume = random_volume(lattice_of(30, 30, 30), 8);
+  std::vector<float> all(volume->lattice().count());
+  volume->read(0, 30, all.data());
+  std::sort(all.begin(), all.end());
+  for (const double percent : {1.0, 25.0, 50.0, 90.0, 99.0}) {
+    const double threshold = threshold_by(ThresholdRule::parse(std::to_string(percent) + "%"), *volume, 1 << 20);
+    const auto below = std::lower_bound(all.begin(), all.end(), threshold) - all.begin();
+    EXPECT_NEAR(static_cast<double>(below) / static_cast<double>(all.size()), percent / 100, 1e-3);
+  }
+  EXPECT_THROW(threshold_by(ThresholdRule::parse("1000"), *volume, 1 << 20), Error);
+  EXPECT_THROW(ThresholdRule::parse("many"), Error);
+  EXPECT_THROW(ThresholdRule::parse("101%"), Error);
+}
+
+TEST(Threshold, DensitiesThatAreNoNumbersAreRefused) {
+  for (const double wild : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    const VolumePtr volume = volume_by(lattice_of(6, 5, 4), [&](const Vec3& p) { return p == Vec3(3, 2, 1) ? wild : p.x(); });
+    try {
+      histogram(*volume, 1 << 20);
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("(3, 2, 1)"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(Volumes, AxesThatRunBackwardsAreTurned) {
+  SampleLattice lattice = lattice_of(4, 5, 6, {1, 2, 3}, {10, 20, 30});
+  lattice.axes.diagonal() << -1, 1, -1;
+  const VolumePtr volume = random_volume(lattice, 9), straight = straightened(volume);
+  EXPECT_TRUE(straight->lattice().straight());
+  EXPECT_EQ(straight->lattice().origin, Vec3(7, 20, 15));
+  for (int k = 0; k < 6; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(density_at(*straight, i, j, k), density_at(*volume, 3 - i, j, 5 - k));
+  lattice.axes = Eigen::AngleAxisd(0.3, Vec3::UnitX()).toRotationMatrix();
+  const VolumePtr askew = random_volume(lattice, 9);
+  EXPECT_EQ(straightened(askew), askew);
+}
+
+TEST(Volumes, AskewOnesStandWhereTheyShould) {
+  SampleLattice lattice = lattice_of(30, 30, 30, {1, 1, 1.5}, {5, -40, 8});
+  lattice.axes = (Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::AngleAxisd(-0.7, Vec3::UnitZ())).toRotationMatrix();
+  const Vec3 centre = lattice.origin + lattice.axes * Vec3(14, 15, 20);
+  const VolumePtr volume = volume_by(lattice, [&](const Vec3& p) { return 100 - (p - centre).norm(); });
+  const FieldPtr solid = volume_field(*volume, isosurface(*volume, 91));
+  std::mt19937 random(10);
+  for (int n = 0; n < 200; ++n) {
+    const Vec3 towards = Vec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)).normalized();
+    EXPECT_LT(solid->value(centre + 8.9 * towards), 0);
+    EXPECT_GT(solid->value(centre + 9.1 * towards), 0);
+  }
+}
+
+TEST(Volumes, CroppedAndHalved) {
+  const VolumePtr volume = random_volume(lattice_of(9, 8, 7, {1, 2, 3}, {1, 1, 1}), 11);
+  const VolumePtr part = cropped(volume, {2, 1, 3}, {4, 5, 2});
+  EXPECT_EQ(part->lattice().origin, Vec3(3, 3, 10));
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 5; ++j)
+      for (int i = 0; i < 4; ++i) EXPECT_EQ(density_at(*part, i, j, k), density_at(*volume, i + 2, j + 1, k + 3));
+  EXPECT_THROW(cropped(volume, {6, 0, 0}, {4, 2, 2}), Error);
+  EXPECT_THROW(cropped(volume, {0, 0, 0}, {2147483647, 2, 2}), Error);
+
+  // What is linear stays so, but for the border.
+  const VolumePtr slope = volume_by(lattice_of(11, 11, 11), [](const Vec3& p) { return p.x() + 2 * p.y() - p.z(); });
+  const VolumePtr half = halved(slope);
+  EXPECT_EQ(half->lattice().size, (std::array{6, 6, 6}));
+  for (int i = 1; i < 5; ++i) EXPECT_NEAR(density_at(*half, i, 2, 3), 2 * i + 2 * 4 - 6, 1e-4);
+}
+
+TEST(Clean, CrumbsGoAndCavitiesAreFilled) {
+  const auto ball = [](const Vec3& p, const Vec3& centre, double radius) { return radius - (p - centre).norm(); };
+  const VolumePtr volume = volume_by(lattice_of(40, 30, 30), [&](const Vec3& p) {
+    const double hollow = std::min(ball(p, {12, 15, 15}, 9), -ball(p, {12, 15, 15}, 4));
+    return 100 + 10 * std::max({hollow, ball(p, {30, 15, 15}, 5), ball(p, {35, 4, 4}, 1.5)});
+  });
+  const auto pieces = [&](const CleanSettings& settings) {
+    const VolumePtr clean = cleaned(volume, 100, false, settings);
+    const FieldPtr solid = volume_field(*clean, isosurface(*clean, 100));
+    return std::array{solid->value({12, 15, 22}) < 0, solid->value({12, 15, 15}) < 0, solid->value({30, 15, 15}) < 0,
+                      solid->value({35, 4, 4}) < 0};
+  };
+  EXPECT_EQ(pieces({}), (std::array{true, false, true, true}));
+  EXPECT_EQ(pieces({{}, true, {}, {}}), (std::array{true, false, false, false}));
+  EXPECT_EQ(pieces({{}, false, 50, {}}), (std::array{true, false, true, false}));
+  EXPECT_EQ(pieces({{}, false, {}, 1e9}), (std::array{true, true, true, true}));
+  EXPECT_EQ(pieces({{}, false, {}, 10}), (std::array{true, false, true, true}));
+  // Inverted, what was a cavity is a piece of its own.
+  const VolumePtr inverted = cleaned(volume, 100, true, {{}, true, {}, {}});
+  EXPECT_GE(density_at(*inverted, 12, 15, 15), 100);
+  EXPECT_LT(density_at(*inverted, 1, 1, 1), 100);
+}
+
+TEST(Clean, FiltersSmooth) {
+  const VolumePtr volume = random_volume(lattice_of(24, 24, 24), 12);
+  const auto spread = [](const Volume& v) {
+    std::vector<float> all(v.lattice().count());
+    v.read(0, v.lattice().size[2], all.data());
+    double sum = 0, squares = 0;
+    for (const float d : all) sum += d, squares += double{d} * d;
+    const auto n = static_cast<double>(all.size());
+    return std::sqrt(squares / n - sum / n * (sum / n));
+  };
+  for (const char* filter : {"median", "median:2", "gaussian:1", "anisotropic:3"})
+    EXPECT_LT(spread(*denoised(volume, Denoising::parse(filter))), 0.75 * spread(*volume)) << filter;
+  EXPECT_THROW(Denoising::parse("sharpen"), Error);
+  EXPECT_THROW(Denoising::parse("median:-1"), Error);
+}
+
+class Import : public testing::Test {
+ protected:
+  void TearDown() override {
+    for (const auto& path : {first, second}) std::filesystem::remove(path);
+  }
+  static std::filesystem::path temporary(const char* name) {
+    return std::filesystem::temp_directory_path() / ("fieldfab_import_" + std::to_string(::getpid()) + name);
+  }
+  std::filesystem::path first = temporary("1.asdf"), second = temporary("2.asdf");
+};
+
+/// Wavy, with a little noise: some cells merge, others do not.
+VolumePtr waves(const SampleLattice& lattice) {
+  std::mt19937 random(13);
+  std::normal_distribution<double> noise(0, 0.01);
+  return volume_by(lattice, [&](const Vec3& p) {
+    return 1000 * (std::sin(p.x() / 6) * std::cos(p.y() / 7) + std::sin(p.z() / 5) + (p.x() > 40 ? noise(random) : 0));
+  });
+}
+
+TEST_F(Import, TheFileIsTheSameForAnyMemoryAndThreads) {
+  const VolumePtr volume = waves(lattice_of(150, 70, 131));
+  const Scan scan{volume, isosurface(*volume, 200)};
+  import_scan(scan, first, {});
+  for (const std::size_t memory : {std::size_t{1} << 16, std::size_t{3} << 20}) {
+    const ThreadLimit one(memory == 1 << 16 ? 1 : 0);
+    import_scan(scan, second, {-1, {}, memory});
+    EXPECT_EQ(read_file(first), read_file(second));
+  }
+}
+
+TEST_F(Import, TheSurfaceIsThatOfTheSamples) {
+  const VolumePtr volume = waves(lattice_of(100, 70, 81, {0.5, 0.5, 1}, {3, 4, 5}));
+  const Scan scan{volume, isosurface(*volume, 200)};
+  import_scan(scan, first, {0.05, {}});
+  const auto asdf = Asdf::load(first);
+  const FieldPtr truth = volume_field(*volume, scan.surface);
+  EXPECT_EQ(asdf->region(), volume->lattice().box());
+  // Both ways: near each point of the surface of one the other changes its sign, within what was asked for.
+  const auto farther = [&](const Field& of, const Field& from, double distance) {
+    std::mt19937 random(15);
+    int found = 0, missed = 0;
+    while (found < 4000) {
+      Vec3 low = asdf->region().lower + asdf->region().size().cwiseProduct(Vec3(uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96)));
+      Vec3 high = low + uniform(random, 0.2, 1) * Vec3::Unit(static_cast<Eigen::Index>(random() % 3));
+      const bool inside = of.value(low) < 0;
+      if (inside == (of.value(high) < 0)) continue;
+      for (int i = 0; i < 30; ++i) {
+        const Vec3 middle = 0.5 * (low + high);
+        ((of.value(middle) < 0) == inside ? low : high) = middle;
+      }
+      ++found;
+      bool near = false;
+      for (const Vec3& way : {from.gradient(low), of.gradient(low), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        const Vec3 step = distance * way.normalized();
+        near = near || (from.value(low + step) < 0) != (from.value(low - step) < 0);
+      }
+      missed += near ? 0 : 1;
+    }
+    return missed;
+  };
+  EXPECT_EQ(farther(*asdf, *truth, 0.051), 0);
+  EXPECT_EQ(farther(*truth, *asdf, 0.051), 0);
+}
+
+TEST_F(Import, BallsComeBackWithTheirDiameters) {
+  // 0.2 mm apart (0.2 x 0.2 x 0.3), blurred, noisy: the diameter must be right within 0.02 mm.
+  std::mt19937 random(14);
+  std::normal_distribution<double> noise(0, 15);
+  for (const double diameter : {3.0, 7.3}) {
+    const SampleLattice lattice = lattice_of(50, 50, 36, {0.2, 0.2, 0.3});
+    const Vec3 centre(4.93, 4.87, 5.21);
+    const VolumePtr volume = volume_by(lattice, [&](const Vec3& p) {
+      return 500 * (1 - std::erf(((p - centre).norm() - diameter / 2) / 0.35)) + noise(random);
+    });
+    const Scan scan = take_scan(volume, {});
+    import_scan(scan, first, {});
+    const auto asdf = Asdf::load(first);
+    const double volume_of_ball = contour(*asdf, asdf->region(), {0.2, 0.01, false}).volume();
+    EXPECT_NEAR(std::cbrt(6 * volume_of_ball / std::numbers::pi), diameter, 0.02);
+  }
+}
+
+TEST_F(Import, LevelsAreHalves) {
+  const VolumePtr volume = waves(lattice_of(101, 71, 81));
+  import_scan({volume, isosurface(*volume, 200)}, first, {-1, {-1, 3}});
+  ASSERT_EQ(Asdf::look(first).levels.size(), 3U);
+  EXPECT_EQ(Asdf::load(first, {2, {}})->lattice(), (std::array{25, 17, 20}));
+  const auto fine = Asdf::load(first), coarse = Asdf::load(first, {1, {}});
+  const Vec3 inside(9, 3, 8);
+  EXPECT_EQ(fine->value(inside) < 0, coarse->value(inside) < 0);
+}
+
+TEST_F(Import, WhatIsCancelledLeavesNothing) {
+  const VolumePtr volume = waves(lattice_of(80, 80, 80));
+  Progress progress([&](double fraction, const std::string&) {
+    if (fraction > 0) progress.cancel();
+  });
+  EXPECT_THROW(import_scan({volume, isosurface(*volume, 200)}, first, {-1, {}, 1 << 16}, progress), Error);
+  EXPECT_FALSE(std::filesystem::exists(first));
+}
+
+}  // namespace
+}  // namespace fieldfab
