@@ -115,6 +115,9 @@ int run(int argc, char** argv) {
   } catch (const Error& error) {
     code = exit_code(error.kind());
     complaint = error.what();
+  } catch (const std::filesystem::filesystem_error& error) {  // a folder that cannot be read, for instance
+    code = bad_input;
+    complaint = fmt::format("{}: {}", error.path1().string(), error.code().message());
   } catch (const std::bad_alloc&) {
     code = bad_input;
     complaint = "there is not enough memory for this";

@@ -56,7 +56,7 @@ def test_asdf(tmp_path):
     counts = asdf.statistics()
     assert counts["bytes"] <= 24 * counts["cells"]
     asdf.save(tmp_path / "b.asdf")
-    assert ff.Asdf.load(tmp_path / "b.asdf").value(0.9, 0, 0) == asdf.value(0.9, 0, 0)
+    assert ff.Asdf.load(tmp_path / "b.asdf").value(0.9, 0, 0) == pytest.approx(asdf.value(0.9, 0, 0), abs=0.05 / 1024)
     assert asdf.slice(0.5).lattice[2] == 0
     assert asdf.rescale(2).value(1.9, 0, 0) < 0
     assert asdf.ray((5, 0, 0), (-1, 0, 0)) == pytest.approx(4, abs=0.01)

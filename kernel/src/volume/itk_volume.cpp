@@ -172,21 +172,23 @@ VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
 }
 
 /// nifti_clib takes zeros for what a short file lacks. So its bytes are counted first, uncompressed if need be; NIfTI-1 keeps
-/// the bits of a sample at byte 72.
+/// the bits of a sample at byte 72, and at 108 where the samples begin.
 void require_all_bytes(const Path& path, std::int64_t samples) {
   const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
   std::vector<char> part(1 << 18);
   std::int64_t bytes = 0;
   int got = 0;
   std::int16_t bits = 0;
+  float begin = 0;
   while (file && (got = gzread(file.get(), part.data(), static_cast<unsigned>(part.size()))) > 0) {
-    if (bytes == 0 && got >= 74) std::memcpy(&bits, part.data() + 72, 2);
+    if (bytes == 0 && got >= 112) std::memcpy(&bits, part.data() + 72, 2), std::memcpy(&begin, part.data() + 108, 4);
     bytes += got;
   }
   int failure = Z_OK;
   if (file) gzerror(file.get(), &failure);
   if (bits != 8 && bits != 16 && bits != 32 && bits != 64) bits = 8;
-  const std::int64_t least = samples * (bits / 8);
+  if (!(begin >= 348 && begin < 1e6F)) begin = 348;  // the other byte order, or NIfTI-2
+  const std::int64_t least = static_cast<std::int64_t>(begin) + samples * (bits / 8);
   if (got < 0 || failure != Z_OK || bytes < least) refuse(path, fmt::format("is cut off after {} bytes", bytes));
 }
 
@@ -359,7 +361,7 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
   // ITK tells formats by the whole extension.
-  const Path made = file.temporary().string() + (extension == ".gz" ? ".nii.gz" : extension);
+  const Path made = extension == ".gz" ? Path(file.temporary().string() + ".nii.gz") : file.temporary();
   const Hushed hushed;
   try {
     io->SetFileName(made.string());
@@ -379,10 +381,10 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
     io->SetUseCompression(extension != ".mha");
     io->SetIORegion(all);
     io->Write(densities.data());
-    std::filesystem::rename(made, file.temporary());
+    if (made != file.temporary()) std::filesystem::rename(made, file.temporary());
   } catch (const itk::ExceptionObject& error) {
     std::error_code ignored;
-    std::filesystem::remove(made, ignored);
+    if (made != file.temporary()) std::filesystem::remove(made, ignored);
     throw Error(ErrorKind::io, path.string(), "cannot write: " + said(error));
   }
   file.commit();
