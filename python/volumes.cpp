@@ -131,7 +131,35 @@ void bind_volumes(py::module_& module) {
           },
           py::arg("filename"), py::arg("threshold") = py::none(), py::arg("below") = false, py::arg("max_error") = -1.0,
           py::arg("levels") = 1, py::arg("quantum") = -1.0, py::arg("progress") = py::none(),
-          "Imports the solid into an .asdf file, block by block, whatever the volume's size.");
+          "Imports the solid into an .asdf file, block by block, whatever the volume's size.")
+      .def(
+          "save_part",
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, int part, int parts, double threshold, bool below,
+             double max_error, int levels, double quantum, const py::object& progress) {
+            long_work(progress, [&](Progress& p) {
+              import_part(lattices_of({v, isosurface(*v, threshold, below)}, levels), path, {max_error, {quantum, levels}, memory},
+                          {part, parts}, p);
+              return 0;
+            });
+          },
+          py::arg("filename"), py::arg("part"), py::arg("parts"), py::arg("threshold"), py::arg("below") = false,
+          py::arg("max_error") = -1.0, py::arg("levels") = 1, py::arg("quantum") = -1.0, py::arg("progress") = py::none(),
+          "One part of what save_asdf() does, for merge_parts(): see fieldfab.bricks.")
+      .def(
+          "merge_parts",
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const std::vector<std::filesystem::path>& parts,
+             double threshold, bool below, double max_error, int levels, double quantum, const py::object& progress) {
+            const ImportCounts counts = long_work(progress, [&](Progress& p) {
+              return merge_parts(lattices_of({v, isosurface(*v, threshold, below)}, levels), parts, path,
+                                 {max_error, {quantum, levels}, memory}, p);
+            });
+            py::dict made;
+            made["cells"] = counts.cells, made["leafs"] = counts.leafs, made["blocks"] = counts.blocks;
+            return made;
+          },
+          py::arg("filename"), py::arg("part_files"), py::arg("threshold"), py::arg("below") = false, py::arg("max_error") = -1.0,
+          py::arg("levels") = 1, py::arg("quantum") = -1.0, py::arg("progress") = py::none(),
+          "The .asdf file of all parts, byte for byte that of save_asdf().");
 }
 
 }  // namespace fieldfab::python

@@ -215,7 +215,30 @@ class Volume:
     def densities(self) -> Any: ...
     def half(self) -> Volume: ...
     def histogram(self) -> tuple[list[int], list[float]]: ...
+    def merge_parts(
+        self,
+        filename: Path,
+        part_files: Sequence[Path],
+        threshold: float,
+        below: bool = ...,
+        max_error: float = ...,
+        levels: int = ...,
+        quantum: float = ...,
+        progress: Progress = ...,
+    ) -> dict[str, int]: ...
     def save(self, filename: Path) -> None: ...
+    def save_part(
+        self,
+        filename: Path,
+        part: int,
+        parts: int,
+        threshold: float,
+        below: bool = ...,
+        max_error: float = ...,
+        levels: int = ...,
+        quantum: float = ...,
+        progress: Progress = ...,
+    ) -> None: ...
     def save_asdf(
         self,
         filename: Path,

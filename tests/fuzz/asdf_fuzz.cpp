@@ -1,4 +1,4 @@
-// Any bytes as an .asdf file: an Error, or a distance field that answers. The checksum is set right, so that what is behind it is
+// Any bytes as an .asdf file: an Error, or a distance field that answers. Checksums are set right, so that what is behind them is
 // tried too.
 #include <unistd.h>
 #include <zlib.h>
@@ -17,10 +17,17 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   static const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("fuzz_" + std::to_string(::getpid()) + ".asdf");
   std::string bytes(reinterpret_cast<const char*>(data), size);
-  if (bytes.size() > 12 && bytes.starts_with("FFASDF1\n")) {
+  const auto set_sum = [&](std::size_t at, std::size_t first, std::size_t length) {
     const auto sum = static_cast<std::uint32_t>(
-        crc32(crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()) + 12, static_cast<uInt>(bytes.size() - 12)));
-    std::memcpy(bytes.data() + 8, &sum, 4);
+        crc32(crc32(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()) + first, static_cast<uInt>(length)));
+    std::memcpy(bytes.data() + at, &sum, 4);
+  };
+  if (bytes.size() > 160 && bytes.starts_with("FFASDF2\n")) {
+    std::uint64_t offset = 0, length = 0;
+    std::memcpy(&offset, bytes.data() + 128, 8);
+    std::memcpy(&length, bytes.data() + 136, 8);
+    if (offset <= bytes.size() && length <= bytes.size() - offset) set_sum(152, offset, length);
+    set_sum(8, 12, 148);
   }
   write_file(path, bytes);
   try {

@@ -73,18 +73,35 @@ Asdf::Place Asdf::find(const std::array<double, 3>& at) const noexcept {
   while (place.word.kind() == CellKind::branch) {
     unsigned number = 0, bit = 0;
     const unsigned axes = place.word.axes();
-    for (unsigned axis = 0; axis < 3; ++axis)
-      if ((axes >> axis & 1U) != 0)
-        number |= static_cast<unsigned>(at[axis] >= place.range.first[axis] + place.range.lower_count(static_cast<int>(axis)))
-                  << bit++;
-    place.range = place.range.child(axes, number);
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // LatticeRange::child(), on the way
+      if ((axes >> axis & 1U) == 0) continue;
+      int &first = place.range.first[axis], &count = place.range.count[axis];
+      const int lower = count / 2;
+      const bool upper = at[axis] >= first + lower;
+      number |= static_cast<unsigned>(upper) << bit++;
+      first += upper ? lower : 0;
+      count = upper ? count - lower : lower;
+    }
     place.word = tree_->cells[place.word.first_child() + number];
   }
   return place;
 }
 
+namespace {
+
+/// Whether a point lies in a range, of which the upper planes belong to the next.
+bool holds(const LatticeRange& range, const std::array<double, 3>& at) {
+  bool inside = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    inside &= at[axis] >= range.first[axis] && at[axis] < range.first[axis] + range.count[axis];
+  return inside;
+}
+
+}  // namespace
+
 void Asdf::values(const Points& points, float* out) const noexcept {
   const auto far = static_cast<float>(voxel() * 1.7320508);
+  Place place{{}, {{}, {0, 0, 0}}};  // where the point before this one was: neighbours most often share a cell
   for (std::size_t i = 0; i < points.count; ++i) {
     const Vec3 p(points.x[i], points.y[i], points.z[i]);
     if (!(p.allFinite())) {
@@ -98,7 +115,7 @@ void Asdf::values(const Points& points, float* out) const noexcept {
       continue;
     }
     const std::array<double, 3> at = lattice_point(region_, lattice_, p);
-    const Place place = find(at);
+    if (!holds(place.range, at)) place = find(at);
     switch (place.word.kind()) {
       case CellKind::leaf: out[i] = interpolate(tree_->leafs[place.word.samples()], within(at, place.range)); break;
       case CellKind::filled: out[i] = -far; break;

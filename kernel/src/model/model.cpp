@@ -32,10 +32,10 @@ Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), c
 
 }  // namespace
 
-ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings, Progress& progress) {
+std::vector<LatticeSource> lattices_of(const Scan& scan, int levels_wanted) {
   std::vector<LatticeSource> levels;
   VolumePtr volume = scan.volume;
-  for (int level = 0; level < settings.file.levels; ++level) {
+  for (int level = 0; level < levels_wanted; ++level) {
     if (level > 0) volume = halved(std::move(volume));
     const SampleLattice& lattice = volume->lattice();
     levels.push_back({lattice.box(), lattice.size, lattice.placement(), [volume, surface = scan.surface](int first, int count, float* out) {
@@ -44,7 +44,11 @@ ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, co
                         for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
                       }});
   }
-  return import_asdf(levels, path, settings, progress);
+  return levels;
+}
+
+ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings, Progress& progress) {
+  return import_asdf(lattices_of(scan, settings.file.levels), path, settings, progress);
 }
 
 Model model_of(const Scan& scan, Progress& progress) {

@@ -34,4 +34,16 @@ struct ImportCounts {
 ImportCounts import_asdf(const std::vector<LatticeSource>& levels, const std::filesystem::path& path, const ImportSettings& settings,
                          Progress& progress = Progress::none());
 
+/// The share of an import that one of several processes does: `part` of `parts`, from 0.
+struct ImportShare {
+  int part = 0, parts = 1;
+};
+/// Does a share of import_asdf() and writes what it makes, for merge_parts(). Throws as that does.
+void import_part(const std::vector<LatticeSource>& levels, const std::filesystem::path& path, const ImportSettings& settings,
+                 const ImportShare& share, Progress& progress = Progress::none());
+/// Puts the files of all shares together: byte for byte the file that import_asdf() writes. The levels are asked for their places
+/// only. Throws bad_input where a share is missing or damaged.
+ImportCounts merge_parts(const std::vector<LatticeSource>& levels, const std::vector<std::filesystem::path>& parts,
+                         const std::filesystem::path& path, const ImportSettings& settings, Progress& progress = Progress::none());
+
 }  // namespace fieldfab

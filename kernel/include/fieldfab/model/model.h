@@ -34,6 +34,9 @@ Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::r
 ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings,
                          Progress& progress = Progress::none());
 
+/// The lattices that import_scan() reads: the scan's, and halves of it.
+std::vector<LatticeSource> lattices_of(const Scan& scan, int levels);
+
 /// A scan as a solid in memory.
 Model model_of(const Scan& scan, Progress& progress = Progress::none());
 
