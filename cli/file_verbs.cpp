@@ -144,7 +144,8 @@ class InfoVerb final : public Verb {
                     0};
     if (file.levels.size() > 1) outcome.line += fmt::format(", {} levels", file.levels.size());
     for (const auto& level : file.levels)
-      outcome.json["levels"].push_back({{"lattice", level.lattice}, {"cells", level.cells}, {"blocks", level.blocks}, {"bytes", level.bytes}});
+      outcome.json["levels"].push_back(
+          {{"lattice", level.lattice}, {"cells", level.cells}, {"blocks", level.blocks}, {"bytes", level.bytes}});
     return outcome;
   }
   Outcome volume_info(Progress& progress) const {
@@ -152,25 +153,29 @@ class InfoVerb final : public Verb {
     const VolumePtr volume = open_volume(file_, wanted.file, progress);
     const Histogram counts = histogram(*volume, wanted.memory, progress);
     const double otsu = otsu_threshold(counts), halfway = halfway_threshold(counts);
-    if (!histogram_.empty()) write_png(bar_chart(counts.counts, (halfway - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))), histogram_);
+    if (!histogram_.empty())
+      write_png(bar_chart(counts.counts, (halfway - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))),
+                histogram_);
     const SampleLattice& lattice = volume->lattice();
     const auto vector = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
-    return {fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, "
-                        "thresholds: halfway {:.6g}, Otsu's {:.6g}",
-                        file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
-                        lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest, halfway, otsu),
-            {{"file", file_},
-             {"kind", "volume"},
-             {"samples", lattice.size},
-             {"type", name(volume->type())},
-             {"spacing", vector(lattice.spacing)},
-             {"origin", vector(lattice.origin)},
-             {"axes", {vector(lattice.axes.col(0)), vector(lattice.axes.col(1)), vector(lattice.axes.col(2))}},
-             {"least", counts.least},
-             {"greatest", counts.greatest},
-             {"halfway", halfway},
-             {"otsu", otsu}},
-            0};
+    return {
+        fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, "
+                    "thresholds: halfway {:.6g}, Otsu's {:.6g}",
+                    file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
+                    lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest,
+                    halfway, otsu),
+        {{"file", file_},
+         {"kind", "volume"},
+         {"samples", lattice.size},
+         {"type", name(volume->type())},
+         {"spacing", vector(lattice.spacing)},
+         {"origin", vector(lattice.origin)},
+         {"axes", {vector(lattice.axes.col(0)), vector(lattice.axes.col(1)), vector(lattice.axes.col(2))}},
+         {"least", counts.least},
+         {"greatest", counts.greatest},
+         {"halfway", halfway},
+         {"otsu", otsu}},
+        0};
   }
   Outcome mesh_info() const {
     const TriangleMesh mesh = read_mesh(file_);
@@ -204,8 +209,11 @@ class InfoVerb final : public Verb {
 class ConvertVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
-    options_.declare(*verb_, "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf; a volume also as .nrrd .mha .nii .nii.gz");
+    verb_ =
+        app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
+    options_.declare(*verb_,
+                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf; a volume also as "
+                     ".nrrd .mha .nii .nii.gz");
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);
@@ -237,9 +245,10 @@ class ConvertVerb final : public Verb {
       return outcome;
     }
     if (to != ".asdf" && !is_mesh_extension(to))
-      throw Error(
-          ErrorKind::bad_input, options_.output,
-          fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj .3mf, and .nrrd .mha .nii .nii.gz for volumes", to));
+      throw Error(ErrorKind::bad_input, options_.output,
+                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj "
+                              ".3mf, and .nrrd .mha .nii .nii.gz for volumes",
+                              to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
     if (to == ".asdf")

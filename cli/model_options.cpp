@@ -25,7 +25,8 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")->required();
+  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")
+      ->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
   verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")

@@ -31,8 +31,11 @@ std::size_t bytes(const std::string& text) {
   double number = 0;
   const auto [next, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
   const std::string unit(next, text.data() + text.size());
-  const double factor = unit.empty() ? 1 : unit == "K" || unit == "k" ? 1024.0 : unit == "M" || unit == "m" ? 1048576.0
-                        : unit == "G" || unit == "g" ? 1073741824.0 : 0;
+  const double factor = unit.empty()                 ? 1
+                        : unit == "K" || unit == "k" ? 1024.0
+                        : unit == "M" || unit == "m" ? 1048576.0
+                        : unit == "G" || unit == "g" ? 1073741824.0
+                                                     : 0;
   if (failure != std::errc{} || factor == 0 || !(number * factor >= 1 << 20) || number * factor > 1e15)
     throw Error(ErrorKind::bad_input, "--memory", fmt::format("'{:.40}' is not an amount such as 512M or 2G, at least 1M", text));
   return static_cast<std::size_t>(number * factor);
@@ -43,7 +46,8 @@ std::size_t bytes(const std::string& text) {
 void ScanArguments::declare(CLI::App& verb) {
   const char* const group = "CT volumes";
   verb.add_option("--threshold", threshold,
-                  "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the default: between the two most common)")
+                  "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the "
+                  "default: between the two most common)")
       ->group(group);
   verb.add_flag("--below", below, "solid is what is less dense than the threshold")->group(group);
   verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")->group(group);
@@ -51,7 +55,8 @@ void ScanArguments::declare(CLI::App& verb) {
   verb.add_option("--byte-order", byte_order, "of its samples")->check(CLI::IsMember({"little", "big"}))->group(group);
   verb.add_option("--skip", skip, "bytes before its samples")->group(group);
   verb.add_option("--spacing", spacing, "mm between samples, X,Y,Z; otherwise as the file says, or 1")->group(group);
-  verb.add_option("--series", series, "of a DICOM folder with several: its identifier, a part of it, or its number")->group(group);
+  verb.add_option("--series", series, "of a DICOM folder with several: its identifier, a part of it, or its number")
+      ->group(group);
   verb.add_option("--crop", crop, "only these samples: first X,Y,Z and last X,Y,Z, six numbers from 0")->group(group);
   verb.add_option("--denoise", denoise, "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]")
       ->group(group);

@@ -33,7 +33,8 @@ class BuildVerb final : public Verb {
     options_.declare(*verb_, "the .asdf file to write");
     verb_->add_option("--levels", file_.levels, "resolutions to keep in the file, each half of the one before")
         ->check(CLI::Range(1, 32));
-    verb_->add_option("--quantum", file_.quantum, "keep distances as multiples of this many mm; the default is 1/1024 of a voxel");
+    verb_->add_option("--quantum", file_.quantum,
+                      "keep distances as multiples of this many mm; the default is 1/1024 of a voxel");
   }
   Outcome run(Progress& progress) override {
     if (options_.takes_samples()) return import(progress);
@@ -63,23 +64,26 @@ class BuildVerb final : public Verb {
     const Stopwatch clock;
     const ScanOptions wanted = options_.scan.parsed();
     const Scan scan = open_scan(options_.model, wanted, progress);
-    const ImportCounts counts = import_scan(scan, options_.output, {options_.max_error.value_or(-1), file_, wanted.memory}, progress);
+    const ImportCounts counts =
+        import_scan(scan, options_.output, {options_.max_error.value_or(-1), file_, wanted.memory}, progress);
     const SampleLattice& lattice = scan.volume->lattice();
     const auto bytes = std::filesystem::file_size(options_.output);
-    return {fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} MB, {:.2f} s",
-                        options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
-                        lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs, static_cast<double>(bytes) / 1e6,
-                        clock.seconds()),
-            {{"output", options_.output},
-             {"samples", lattice.size},
-             {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
-             {"threshold", scan.surface.threshold},
-             {"cells", counts.cells},
-             {"leafs", counts.leafs},
-             {"blocks", counts.blocks},
-             {"bytes", bytes},
-             {"seconds", clock.seconds()}},
-            0};
+    return {
+        fmt::format(
+            "{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} MB, {:.2f} s",
+            options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
+            lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs, static_cast<double>(bytes) / 1e6,
+            clock.seconds()),
+        {{"output", options_.output},
+         {"samples", lattice.size},
+         {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
+         {"threshold", scan.surface.threshold},
+         {"cells", counts.cells},
+         {"leafs", counts.leafs},
+         {"blocks", counts.blocks},
+         {"bytes", bytes},
+         {"seconds", clock.seconds()}},
+        0};
   }
 
   ModelOptions options_;

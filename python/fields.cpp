@@ -195,10 +195,14 @@ void bind_fields(py::module_& module) {
           "Reads an .asdf file, or of one with several levels a coarser one, or only what meets a region.")
       .def(
           "save",
-          [](const Asdf& a, const std::filesystem::path& path, int levels, double quantum) { a.save(path, {quantum, levels}); },
+          [](const Asdf& a, const std::filesystem::path& path, int levels, double quantum) {
+            a.save(path, {quantum, levels});
+          },
           py::arg("filename"), py::arg("levels") = 1, py::arg("quantum") = -1.0, py::call_guard<py::gil_scoped_release>(),
           "Writes an .asdf file with so many levels; distances as multiples of quantum mm (1/1024 of a voxel where negative).")
-      .def("placed", [=](const Asdf& a) { return mutable_field(a.placed()); }, "The solid where it is in space: scans can lie askew.")
+      .def(
+          "placed", [=](const Asdf& a) { return mutable_field(a.placed()); },
+          "The solid where it is in space: scans can lie askew.")
       .def(
           "slice", [=](const Asdf& a, double z) { return mutable_asdf(a.slice(z)); }, py::arg("z"),
           "The cut at a height, as a flat Asdf.")

@@ -74,13 +74,17 @@ void bind_volumes(py::module_& module) {
           py::arg("filename"), py::arg("dims") = py::none(), py::arg("type") = "", py::arg("spacing") = py::none(),
           py::arg("series") = "", py::arg("progress") = py::none(),
           "Opens .raw .vol .vgi .tif .mha .mhd .nrrd .nii .dcm .vdb, or a folder of TIFF, PNG or DICOM slices.")
-      .def_property_readonly("size", [](const Volume& v) { return v.lattice().size; }, "Samples along x, y and z.")
+      .def_property_readonly(
+          "size", [](const Volume& v) { return v.lattice().size; }, "Samples along x, y and z.")
       .def_property_readonly("spacing", [=](const Volume& v) { return triple(v.lattice().spacing); })
       .def_property_readonly("origin", [=](const Volume& v) { return triple(v.lattice().origin); })
-      .def_property_readonly("axes", [=](const Volume& v) {
-        const Eigen::Matrix3d& a = v.lattice().axes;
-        return py::make_tuple(triple(a.col(0)), triple(a.col(1)), triple(a.col(2)));
-      }, "The directions of the lattice's axes in space.")
+      .def_property_readonly(
+          "axes",
+          [=](const Volume& v) {
+            const Eigen::Matrix3d& a = v.lattice().axes;
+            return py::make_tuple(triple(a.col(0)), triple(a.col(1)), triple(a.col(2)));
+          },
+          "The directions of the lattice's axes in space.")
       .def_property_readonly("type", [](const Volume& v) { return std::string(name(v.type())); })
       .def("densities", &to_array, "All densities, an array of shape (nz, ny, nx).")
       .def(
@@ -88,14 +92,14 @@ void bind_volumes(py::module_& module) {
           [](const Volume& v) {
             const Histogram counts = histogram(v, memory);
             std::vector<double> edges;
-            for (std::size_t i = 0; i <= counts.counts.size(); ++i) edges.push_back(counts.first + static_cast<double>(i) * counts.width);
+            for (std::size_t i = 0; i <= counts.counts.size(); ++i)
+              edges.push_back(counts.first + static_cast<double>(i) * counts.width);
             return py::make_tuple(counts.counts, edges);
           },
           "Counts and the edges of their bins, as numpy.histogram gives them.")
       .def(
-          "threshold",
-          [](const Volume& v, const py::object& rule) { return threshold_by(rule_of(rule), v, memory); }, py::arg("rule") = "otsu",
-          "The density by a rule: a number, 'otsu' or a share such as '90%'.")
+          "threshold", [](const Volume& v, const py::object& rule) { return threshold_by(rule_of(rule), v, memory); },
+          py::arg("rule") = "otsu", "The density by a rule: a number, 'otsu' or a share such as '90%'.")
       .def(
           "crop",
           [=](const std::shared_ptr<Volume>& v, const std::array<int, 3>& first, const std::array<int, 3>& last) {
@@ -109,18 +113,19 @@ void bind_volumes(py::module_& module) {
           py::call_guard<py::gil_scoped_release>(), "Writes .nrrd, .mha, .nii or .nii.gz.")
       .def(
           "solid",
-          [](const std::shared_ptr<Volume>& v, const py::object& threshold, bool below, const std::string& denoise, bool keep_largest,
-             std::optional<double> min_island, std::optional<double> min_hole, const py::object& progress) {
+          [](const std::shared_ptr<Volume>& v, const py::object& threshold, bool below, const std::string& denoise,
+             bool keep_largest, std::optional<double> min_island, std::optional<double> min_hole, const py::object& progress) {
             const ScanOptions options = options_of(threshold, below, denoise, keep_largest, min_island, min_hole);
-            return std::const_pointer_cast<Field>(long_work(progress, [&](Progress& p) { return model_of(take_scan(v, options, p), p).field; }));
+            return std::const_pointer_cast<Field>(
+                long_work(progress, [&](Progress& p) { return model_of(take_scan(v, options, p), p).field; }));
           },
           py::arg("threshold") = py::none(), py::arg("below") = false, py::arg("denoise") = "", py::arg("keep_largest") = false,
           py::arg("min_island") = py::none(), py::arg("min_hole") = py::none(), py::arg("progress") = py::none(),
           "What is denser than the threshold (Otsu's where none is given), as a solid in mm.")
       .def(
           "save_asdf",
-          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const py::object& threshold, bool below, double max_error,
-             int levels, double quantum, const py::object& progress) {
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const py::object& threshold, bool below,
+             double max_error, int levels, double quantum, const py::object& progress) {
             const ScanOptions options = options_of(threshold, below, "", false, {}, {});
             const ImportCounts counts = long_work(progress, [&](Progress& p) {
               return import_scan(take_scan(v, options, p), path, {max_error, {quantum, levels}, options.memory}, p);
@@ -134,11 +139,11 @@ void bind_volumes(py::module_& module) {
           "Imports the solid into an .asdf file, block by block, whatever the volume's size.")
       .def(
           "save_part",
-          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, int part, int parts, double threshold, bool below,
-             double max_error, int levels, double quantum, const py::object& progress) {
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, int part, int parts, double threshold,
+             bool below, double max_error, int levels, double quantum, const py::object& progress) {
             long_work(progress, [&](Progress& p) {
-              import_part(lattices_of({v, isosurface(*v, threshold, below)}, levels), path, {max_error, {quantum, levels}, memory},
-                          {part, parts}, p);
+              import_part(lattices_of({v, isosurface(*v, threshold, below)}, levels), path,
+                          {max_error, {quantum, levels}, memory}, {part, parts}, p);
               return 0;
             });
           },

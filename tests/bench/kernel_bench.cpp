@@ -170,12 +170,12 @@ void TextBitmap2048(benchmark::State& state) {
 }
 BENCHMARK(TextBitmap2048)->Unit(benchmark::kMillisecond);
 
-/// A first picture of all parts: what someone sees at once.
+/// A first, coarse picture of all parts: what someone sees at once.
 void MtmAzFirstPicture(benchmark::State& state) {
   const ThreadLimit one(1);
   mtm_az();
   for (auto _ : state)
-    for (const auto& [field, box] : mtm_az()) benchmark::DoNotOptimize(render(*field, box, {RenderMode::shaded, 96}));
+    for (const auto& [field, box] : mtm_az()) benchmark::DoNotOptimize(render(*field, box, {RenderMode::shaded, 64}));
 }
 BENCHMARK(MtmAzFirstPicture)->Unit(benchmark::kMillisecond);
 

@@ -1,5 +1,5 @@
-// Volumes side by side with OpenVDB, on the same data in the same run: writes a table for docs/volumes.md to stdout. Times are the
-// best of three.
+// Volumes side by side with OpenVDB, on the same data in the same run: writes a table for docs/volumes.md to stdout. Times are
+// the best of three.
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -142,19 +142,24 @@ void compare(const std::string& name, const std::filesystem::path& path, const V
   const tools::GridSampler<openvdb::FloatGrid, tools::BoxSampler> sampler(*level_set);
   const auto of_level_set = [&](const Vec3& p) { return double{sampler.wsSample(openvdb::Vec3d(p.x(), p.y(), p.z()))}; };
   const Box box = lattice.box();
-  const auto there = distance(box, voxel, of_field(*asdf), of_field(*truth)), back = distance(box, voxel, of_field(*truth), of_field(*asdf));
-  const auto vdb_there = distance(box, voxel, of_level_set, of_field(*truth)), vdb_back = distance(box, voxel, of_field(*truth), of_level_set);
+  const auto there = distance(box, voxel, of_field(*asdf), of_field(*truth)),
+             back = distance(box, voxel, of_field(*truth), of_field(*asdf));
+  const auto vdb_there = distance(box, voxel, of_level_set, of_field(*truth)),
+             vdb_back = distance(box, voxel, of_field(*truth), of_level_set);
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  fmt::print("| {} | {} x {} x {} | {:.1f} | {:.2f} ({:.0f}x) | {:.1f} | {:.4f} / {:.3f}, {:.4f} / {:.3f} | {:.4f} / {:.3f}, {:.4f} / {:.3f} |\n",
-             name, lattice.size[0], lattice.size[1], lattice.size[2], raw, megabytes(asdf_file), raw / megabytes(asdf_file),
-             megabytes(vdb_file), there.first, there.second, back.first, back.second, vdb_there.first, vdb_there.second, vdb_back.first,
-             vdb_back.second);
-  fmt::print(stderr,
-             "{}: import {:.2f} s (OpenVDB's copyFromDense {:.2f} s); mesh {:.2f} s, {} triangles, valid {}, {} self-intersections; "
-             "volumeToMesh {:.2f} s, {} quads, manifold {}, closed {}, {} self-intersections\n",
-             name, import_seconds, theirs_seconds, mesh_seconds, mesh.triangles.size(), verdict.valid(), verdict.self_intersections,
-             theirs_mesh_seconds, quads.size(), their_verdict.manifold, their_verdict.closed, their_verdict.self_intersections);
+  fmt::print(
+      "| {} | {} x {} x {} | {:.1f} | {:.2f} ({:.0f}x) | {:.1f} | {:.4f} / {:.3f}, {:.4f} / {:.3f} | {:.4f} / {:.3f}, {:.4f} / "
+      "{:.3f} |\n",
+      name, lattice.size[0], lattice.size[1], lattice.size[2], raw, megabytes(asdf_file), raw / megabytes(asdf_file),
+      megabytes(vdb_file), there.first, there.second, back.first, back.second, vdb_there.first, vdb_there.second, vdb_back.first,
+      vdb_back.second);
+  fmt::print(
+      stderr,
+      "{}: import {:.2f} s (OpenVDB's copyFromDense {:.2f} s); mesh {:.2f} s, {} triangles, valid {}, {} self-intersections; "
+      "volumeToMesh {:.2f} s, {} quads, manifold {}, closed {}, {} self-intersections\n",
+      name, import_seconds, theirs_seconds, mesh_seconds, mesh.triangles.size(), verdict.valid(), verdict.self_intersections,
+      theirs_mesh_seconds, quads.size(), their_verdict.manifold, their_verdict.closed, their_verdict.self_intersections);
 }
 
 }  // namespace
@@ -165,8 +170,10 @@ int main(int count, char** arguments) {
   const bool large = count > 2 && std::string(arguments[2]) == "large";
   std::mt19937 random(1);
   std::normal_distribution<float> noise;
-  fmt::print("| volume | samples | raw floats, MB | .asdf, MB | OpenVDB's level set, MB | .asdf to samples and back, voxels (mean / most) | "
-             "level set to samples and back |\n|---|---|---|---|---|---|---|\n");
+  fmt::print(
+      "| volume | samples | raw floats, MB | .asdf, MB | OpenVDB's level set, MB | .asdf to samples and back, voxels (mean / "
+      "most) | "
+      "level set to samples and back |\n|---|---|---|---|---|---|---|\n");
   const std::filesystem::path data = TEST_DATA "/ct";
   compare("cthead, bone", data / "cthead", {}, 150, folder);
   compare("cthead, skin", data / "cthead", {}, 60, folder);

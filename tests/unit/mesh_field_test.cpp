@@ -16,7 +16,9 @@
 namespace fieldfab {
 namespace {
 
-double uniform(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double uniform(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 TriangleMesh ball_mesh(double radius = 1, const Vec3& centre = Vec3::Zero()) {
   const FieldPtr ball = translate(frep::make_field(frep::shapes::sphere(radius)), centre);
@@ -74,8 +76,8 @@ double brute_winding(const TriangleMesh& mesh, const Vec3& p) {
 
 TEST(MeshField, AgreesWithBruteForce) {
   TriangleMesh soup = ball_mesh();
-  append(soup, ball_mesh(0.7, {0.8, 0.3, 0}));               // they overlap
-  append(soup, inside_out(ball_mesh(0.4, {-0.3, 0, 0})));    // a cavity
+  append(soup, ball_mesh(0.7, {0.8, 0.3, 0}));             // they overlap
+  append(soup, inside_out(ball_mesh(0.4, {-0.3, 0, 0})));  // a cavity
   TriangleMesh open = ball_mesh();
   std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]][2] > 0.6F; });
   for (const TriangleMesh& mesh : {ball_mesh(), soup, inside_out(soup), open}) {
@@ -97,7 +99,7 @@ TEST(MeshField, AgreesWithBruteForce) {
       EXPECT_NEAR(std::abs(value[i]), brute_distance(mesh, p), 1e-5);
       EXPECT_EQ(value[i], again[i]);
       if (const double winding = std::abs(brute_winding(mesh, p)); std::abs(winding - 0.5) > 0.03) {
-        EXPECT_EQ(value[i] < 0, winding > 0.5) << p.transpose() << " winding " << winding;
+        EXPECT_EQ(value[i]<0, winding> 0.5) << p.transpose() << " winding " << winding;
       }
       EXPECT_TRUE(std::abs(value[i]) < 1e-3 || std::abs(Vec3(dx[i], dy[i], dz[i]).norm() - 1) < 1e-4);
     }

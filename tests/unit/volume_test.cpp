@@ -29,7 +29,8 @@ VolumePtr volume_by(const SampleLattice& lattice, const Density& density) {
   for (int k = 0; k < lattice.size[2]; ++k)
     for (int j = 0; j < lattice.size[1]; ++j)
       for (int i = 0; i < lattice.size[0]; ++i)
-        densities.push_back(static_cast<float>(density(Vec3(lattice.origin + lattice.axes * lattice.spacing.cwiseProduct(Vec3(i, j, k))))));
+        densities.push_back(
+            static_cast<float>(density(Vec3(lattice.origin + lattice.axes * lattice.spacing.cwiseProduct(Vec3(i, j, k))))));
   return volume_of(std::move(densities), lattice);
 }
 
@@ -62,7 +63,9 @@ double trilinear(const Volume& volume, const Vec3& at) {
   return sum;
 }
 
-double uniform(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double uniform(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 TEST(VolumeField, IsTrilinearBetweenSamplesAndEmptyOutside) {
   const SampleLattice lattice = lattice_of(7, 5, 6, {0.5, 0.7, 1.3}, {10, -3, 2});
@@ -113,7 +116,8 @@ TEST(VolumeField, IntervalsHoldEveryValue) {
     const Box box{a, a + Vec3(uniform(random, 0, reach), uniform(random, 0, reach), uniform(random, 0, reach))};
     const Interval range = solid->interval(box);
     for (int m = 0; m < 60; ++m) {
-      const Vec3 p = box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)));
+      const Vec3 p =
+          box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)));
       EXPECT_TRUE(range.contains(solid->value(p)));
     }
   }
@@ -299,7 +303,9 @@ TEST_F(Import, TheSurfaceIsThatOfTheSamples) {
     std::mt19937 random(15);
     int found = 0, missed = 0;
     while (found < 4000) {
-      Vec3 low = asdf->region().lower + asdf->region().size().cwiseProduct(Vec3(uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96)));
+      Vec3 low =
+          asdf->region().lower + asdf->region().size().cwiseProduct(
+                                     Vec3(uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96)));
       Vec3 high = low + uniform(random, 0.2, 1) * Vec3::Unit(static_cast<Eigen::Index>(random() % 3));
       const bool inside = of.value(low) < 0;
       if (inside == (of.value(high) < 0)) continue;

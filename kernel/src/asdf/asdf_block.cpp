@@ -1,5 +1,5 @@
-// A block: a byte for each cell, depth first (kind, split axes), then the distances of the corners in the order in which leafs need
-// them, each as its difference from what the leaf's earlier corners foretell (docs/asdf-format.md).
+// A block: a byte for each cell, depth first (kind, split axes), then the distances of the corners in the order in which leafs
+// need them, each as its difference from what the leaf's earlier corners foretell (docs/asdf-format.md).
 #include "asdf_block.h"
 
 #include <zstd.h>
@@ -68,7 +68,8 @@ class Encoder {
     ++block.cells;
     kinds_ += static_cast<char>(static_cast<unsigned>(cell.kind) | (cell.kind == CellKind::branch ? cell.axes << 2U : 0U));
     if (cell.kind == CellKind::leaf) add_corners(cell, range);
-    for (std::size_t i = 0; i < cell.children.size(); ++i) add(cell.children[i], range.child(cell.axes, static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < cell.children.size(); ++i)
+      add(cell.children[i], range.child(cell.axes, static_cast<unsigned>(i)));
   }
   EncodedBlock finish() {
     const std::string raw = kinds_ + numbers_;
@@ -102,7 +103,11 @@ class Encoder {
 class Decoder {
  public:
   Decoder(std::string_view raw, const EncodedBlock& counts, const LatticeRange& range, double quantum, const std::string& place)
-      : kinds_(raw.substr(0, counts.cells)), numbers_(raw.substr(counts.cells)), corners_(range), quantum_(quantum), place_(place) {
+      : kinds_(raw.substr(0, counts.cells)),
+        numbers_(raw.substr(counts.cells)),
+        corners_(range),
+        quantum_(quantum),
+        place_(place) {
     tree.cells.reserve(counts.cells);
     tree.leafs.reserve(counts.leafs);
     tree.cells.resize(1);

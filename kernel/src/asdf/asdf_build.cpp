@@ -33,8 +33,7 @@ class Builder {
       report(range);
       return whole;
     }
-    if (BuildCell plane;
-        maker_.merges() && here.field->affine() && one_plane(*here.field, range, plane)) {
+    if (BuildCell plane; maker_.merges() && here.field->affine() && one_plane(*here.field, range, plane)) {
       report(range);
       return plane;
     }

@@ -12,8 +12,8 @@ LatticeSamples LatticeSamples::from(const LatticeRange& whole, const LatticeRang
   for (std::size_t axis = 0; axis < 3; ++axis)
     samples.value += stride[axis] * static_cast<std::size_t>(part.first[axis] - whole.first[axis]);
   samples.shift += static_cast<unsigned>(part.first[0] - whole.first[0]);
-  samples.inside += (part.first[1] - whole.first[1]) +
-                    static_cast<std::ptrdiff_t>(stride[2] / stride[1]) * (part.first[2] - whole.first[2]);
+  samples.inside +=
+      (part.first[1] - whole.first[1]) + static_cast<std::ptrdiff_t>(stride[2] / stride[1]) * (part.first[2] - whole.first[2]);
   return samples;
 }
 
@@ -33,7 +33,8 @@ LatticeSamples BlockSamples::all(const std::array<std::size_t, 3>& points) {
   return {value.data(), inside.data(), 0, {1, points[0], points[0] * points[1]}};
 }
 
-CellMaker::CellMaker(const Box& region, const std::array<int, 3>& lattice, double max_error, bool merge_leafs, std::uintmax_t memory)
+CellMaker::CellMaker(const Box& region, const std::array<int, 3>& lattice, double max_error, bool merge_leafs,
+                     std::uintmax_t memory)
     : region_(region), max_error_(max_error), merge_leafs_(merge_leafs), memory_(memory) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     count_[axis] = std::max(lattice[axis], 1);
@@ -73,7 +74,6 @@ BuildCell CellMaker::joined(std::vector<BuildCell> children, unsigned axes, cons
   return result;
 }
 
-
 BuildCell CellMaker::block(const LatticeSamples& samples, const LatticeRange& range) {
   unsigned inside = 0, outside = 0;
   for (int k = 0; k <= range.count[2]; ++k)
@@ -106,9 +106,8 @@ BuildCell CellMaker::block(const LatticeSamples& samples, const LatticeRange& ra
   return joined(std::move(children), axes, range);
 }
 
-
 bool CellMaker::one_leaf(const LatticeSamples& samples, const std::array<int, 3>& count, const std::array<double, 3>& size,
-              BuildCell& leaf) const {
+                         BuildCell& leaf) const {
   for (std::size_t corner = 0; corner < 8; ++corner) {
     leaf.corners[corner] = samples.corner(corner, count);
     if (!std::isfinite(leaf.corners[corner])) return false;

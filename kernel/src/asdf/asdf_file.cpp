@@ -23,8 +23,7 @@ constexpr std::uint32_t most_levels = 32;
 constexpr unsigned char block_bit = 32;  // in a cell's byte
 
 std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 LatticeRange whole(const std::array<int, 3>& lattice) {
@@ -57,7 +56,8 @@ Header read_header(std::string_view file, const std::filesystem::path& path) {
   if (!file.starts_with(magic) || file.size() < header_size) damaged(path, "it does not begin as one");
   ByteReader reader(file.substr(magic.size(), header_size - magic.size()), path);
   const auto sum = reader.take<std::uint32_t>();
-  if (sum != checksum(file.substr(magic.size() + 4, header_size - magic.size() - 4))) damaged(path, "the checksum of its header is wrong");
+  if (sum != checksum(file.substr(magic.size() + 4, header_size - magic.size() - 4)))
+    damaged(path, "the checksum of its header is wrong");
   Header header{};
   header.levels = reader.take<std::uint32_t>();
   header.max_error = reader.take<double>();
@@ -96,7 +96,8 @@ std::vector<Level> read_directory(std::string_view file, const Header& header, c
     reader.take(level.region.lower.data(), 3 * sizeof(double));
     reader.take(level.region.upper.data(), 3 * sizeof(double));
     level.lattice = reader.take<std::array<int, 3>>();
-    const auto kinds = reader.take<std::uint32_t>(), corners = reader.take<std::uint32_t>(), blocks = reader.take<std::uint32_t>();
+    const auto kinds = reader.take<std::uint32_t>(), corners = reader.take<std::uint32_t>(),
+               blocks = reader.take<std::uint32_t>();
     level.kinds = take_text(kinds);
     level.corners = take_text(corners);
     if (std::uint64_t{blocks} * 28 > reader.left()) damaged(path, "its directory ends too early");
@@ -258,7 +259,8 @@ BuildCell block_mark() {
   return mark;
 }
 
-AsdfWriter::AsdfWriter(const std::filesystem::path& path, const Header& header) : file_(path), header_(header), size_(header_size) {
+AsdfWriter::AsdfWriter(const std::filesystem::path& path, const Header& header)
+    : file_(path), header_(header), size_(header_size) {
   file_.write(std::string(header_size, '\0'));
 }
 
@@ -271,8 +273,8 @@ void AsdfWriter::begin_level(const Box& region, const std::array<int, 3>& lattic
 }
 
 void AsdfWriter::add(const LatticeRange& range, const EncodedBlock& block) {
-  records_[range.first] = {size_,      static_cast<std::uint32_t>(block.bytes.size()), block.raw_size, checksum(block.bytes),
-                           block.cells, block.leafs};
+  records_[range.first] = {
+      size_, static_cast<std::uint32_t>(block.bytes.size()), block.raw_size, checksum(block.bytes), block.cells, block.leafs};
   file_.write(block.bytes);
   size_ += block.bytes.size();
 }
@@ -295,8 +297,8 @@ void AsdfWriter::add_trunk(const BuildCell& cell, const LatticeRange& range) {
 
 void AsdfWriter::end_level(const BuildCell& trunk) {
   add_trunk(trunk, whole(lattice_));
-  for (const double bound : {region_.lower.x(), region_.lower.y(), region_.lower.z(), region_.upper.x(), region_.upper.y(),
-                             region_.upper.z()})
+  for (const double bound :
+       {region_.lower.x(), region_.lower.y(), region_.lower.z(), region_.upper.x(), region_.upper.y(), region_.upper.z()})
     append(directory_, bound);
   append(directory_, lattice_);
   for (const std::size_t size : {kinds_.size(), corners_.size(), table_.size() / 28})
@@ -329,7 +331,8 @@ std::shared_ptr<const Asdf> AsdfFile::make(Contents contents, const std::filesys
   auto& [region, lattice, max_error, placement, tree] = contents;
   if (!region.valid() || !std::isfinite(max_error)) damaged(path, "its region is not finite");
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (lattice[axis] < 0 || lattice[axis] > 1 << 24 || (lattice[axis] > 0) != (region.size()[static_cast<Eigen::Index>(axis)] > 0))
+    if (lattice[axis] < 0 || lattice[axis] > 1 << 24 ||
+        (lattice[axis] > 0) != (region.size()[static_cast<Eigen::Index>(axis)] > 0))
       damaged(path, "its lattice does not fit its region");
   for (const LeafSamples& samples : tree.leafs) tree.greatest = std::max(tree.greatest, 32768 * samples.step);
   std::shared_ptr<Asdf> asdf(new Asdf(region, lattice, max_error, std::make_shared<Asdf::Tree>(std::move(tree))));
@@ -357,9 +360,9 @@ std::shared_ptr<const Asdf> Asdf::load(const std::filesystem::path& path, const 
   const Level& level = levels[static_cast<std::size_t>(part.level)];
   for (const int n : level.lattice)
     if (n < 0 || n > 1 << 24) damaged(path, "its lattice is not possible");
-  return AsdfFile::make({level.region, level.lattice, header.max_error, header.placement,
-                         Assembly(file, header, level, part.region, path).run()},
-                        path);
+  return AsdfFile::make(
+      {level.region, level.lattice, header.max_error, header.placement, Assembly(file, header, level, part.region, path).run()},
+      path);
 }
 
 AsdfFileInfo Asdf::look(const std::filesystem::path& path) {
@@ -380,7 +383,8 @@ AsdfFileInfo Asdf::look(const std::filesystem::path& path) {
 void Asdf::save(const std::filesystem::path& path, const AsdfFileSettings& settings, Progress& progress) const {
   if (root_ != 0) throw Error(ErrorKind::internal, path.string(), "only a whole distance field can be saved");
   if (settings.levels < 1 || settings.levels > static_cast<int>(most_levels))
-    throw Error(ErrorKind::bad_input, "levels", fmt::format("{} levels; from 1 to {} are possible", settings.levels, most_levels));
+    throw Error(ErrorKind::bad_input, "levels",
+                fmt::format("{} levels; from 1 to {} are possible", settings.levels, most_levels));
   const double quantum = settings.quantum_for(voxel());
   AsdfWriter writer(path, {max_error_, quantum, placement_});
   AsdfFile::write(*this, writer, quantum);

@@ -25,15 +25,15 @@ struct Slab {
   std::array<int, 3> points{};
 
   [[nodiscard]] const float* row(int y, int z) const {
-    return values.data() + static_cast<std::size_t>(points[0]) *
-                               (static_cast<std::size_t>(y - first[1]) +
-                                static_cast<std::size_t>(points[1]) * static_cast<std::size_t>(z - first[2]));
+    return values.data() +
+           static_cast<std::size_t>(points[0]) * (static_cast<std::size_t>(y - first[1]) +
+                                                  static_cast<std::size_t>(points[1]) * static_cast<std::size_t>(z - first[2]));
   }
 };
 
 /// What a brick, the cells below one that becomes a block of the file, came to.
 struct Brick {
-  BuildCell root;      ///< a mark, where there is a block
+  BuildCell root;  ///< a mark, where there is a block
   EncodedBlock block;
 };
 
@@ -210,8 +210,8 @@ struct Precision {
   }
 };
 
-// A part's file, for this machine only: for each level, for each of its bricks that belong to the part: the root's kind, slack and
-// corners, then the block's numbers and its bytes.
+// A part's file, for this machine only: for each level, for each of its bricks that belong to the part: the root's kind, slack
+// and corners, then the block's numbers and its bytes.
 constexpr std::string_view part_magic = "FFPART1\n";
 
 /// The bricks of a level that a part does: whole layers.
@@ -228,8 +228,8 @@ std::vector<LatticeRange> share_of(std::vector<LatticeRange> bricks, const Impor
 
 }  // namespace
 
-ImportCounts import_asdf(const std::vector<LatticeSource>& levels, const std::filesystem::path& path, const ImportSettings& settings,
-                         Progress& progress) {
+ImportCounts import_asdf(const std::vector<LatticeSource>& levels, const std::filesystem::path& path,
+                         const ImportSettings& settings, Progress& progress) {
   const Precision precision(levels, settings, path);
   AsdfWriter writer(path, {precision.max_error, precision.quantum, levels.front().placement});
   ImportCounts counts;
@@ -261,8 +261,8 @@ void import_part(const std::vector<LatticeSource>& levels, const std::filesystem
           append(record, brick.root.kind);
           append(record, brick.root.slack);
           append(record, brick.root.corners);
-          for (const std::uint32_t number : {brick.block.raw_size, brick.block.cells, brick.block.leafs,
-                                             static_cast<std::uint32_t>(brick.block.bytes.size())})
+          for (const std::uint32_t number :
+               {brick.block.raw_size, brick.block.cells, brick.block.leafs, static_cast<std::uint32_t>(brick.block.bytes.size())})
             append(record, number);
           file.write(record);
           file.write(brick.block.bytes);

@@ -70,8 +70,8 @@ struct BuildCell {
   std::vector<BuildCell> children;
 };
 
-/// No more than the length of the gradient anywhere in a leaf with sides `size` mm, so that differences of values can be told in mm:
-/// where two functions differ by d, their surfaces are at most d / steepness apart.
+/// No more than the length of the gradient anywhere in a leaf with sides `size` mm, so that differences of values can be told in
+/// mm: where two functions differ by d, their surfaces are at most d / steepness apart.
 double steepness(const std::array<float, 8>& corners, const std::array<double, 3>& size);
 
 /// Joins children that are alike, an axis at a time (Alg. 2.1). `children` are those of a branch over `range` that splits `axes`.

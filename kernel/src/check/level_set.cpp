@@ -156,7 +156,7 @@ void LevelSet::save(const std::filesystem::path& path) const {
   // Distances are in voxels here; the tree's values outside of its leafs, and its background, are distances, too.
   const openvdb::FloatGrid::Ptr grid = vdb_->grid->deepCopy();
   openvdb::tools::changeBackground(grid->tree(), mm * grid->background());
-  openvdb::tools::foreach(grid->beginValueAll(), [mm](const openvdb::FloatGrid::ValueAllIter& value) {
+  openvdb::tools::foreach (grid->beginValueAll(), [mm](const openvdb::FloatGrid::ValueAllIter& value) {
     if (value.isVoxelValue()) value.setValue(mm * *value);
   });
   openvdb::tools::signedFloodFill(grid->tree());

@@ -58,7 +58,8 @@ class MeshField final : public Field {
         box = {box.lower.cwiseMin(at), box.upper.cwiseMax(at)};
       }
       // Triangles without area have no plane to look for the nearest point in; their edges belong to others.
-      if (const Kernel::Triangle_3 triangle(corner[0], corner[1], corner[2]); !triangle.is_degenerate()) triangles_.push_back(triangle);
+      if (const Kernel::Triangle_3 triangle(corner[0], corner[1], corner[2]); !triangle.is_degenerate())
+        triangles_.push_back(triangle);
     }
     if (triangles_.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
     progress.check();

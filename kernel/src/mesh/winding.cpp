@@ -59,7 +59,8 @@ void WindingNumber::divide(std::uint32_t first, std::uint32_t count) {
   Eigen::Index axis = 0;
   box.size().maxCoeff(&axis);
   const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, end, [axis](const auto& a, const auto& b) { return centre_of(a)[axis] < centre_of(b)[axis]; });
+  std::nth_element(begin, begin + half, end,
+                   [axis](const auto& a, const auto& b) { return centre_of(a)[axis] < centre_of(b)[axis]; });
   divide(first, half);
   groups_[here].second = static_cast<std::uint32_t>(groups_.size());
   divide(first + half, count - half);

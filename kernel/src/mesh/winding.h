@@ -8,9 +8,9 @@
 
 namespace fieldfab {
 
-/// The generalised winding number of a mesh (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside of a closed mesh that faces outward, 0
-/// outside, and between these near holes. Groups of triangles far away count as one (Barill et al. 2018), which is off by less
-/// than 0.02 in all.
+/// The generalised winding number of a mesh (Jacobson, Kavan, Sorkine-Hornung 2013): 1 inside of a closed mesh that faces
+/// outward, 0 outside, and between these near holes. Groups of triangles far away count as one (Barill et al. 2018), which is off
+/// by less than 0.02 in all.
 class WindingNumber {
  public:
   explicit WindingNumber(const TriangleMesh& mesh);
@@ -22,10 +22,10 @@ class WindingNumber {
 
  private:
   struct Group {
-    Vec3 centre;           ///< weighted by area
-    Vec3 areas;            ///< sum of the triangles' area vectors
-    double area = 0;       ///< sum of their areas
-    double radius = 0;     ///< all its triangles lie within, about the centre
+    Vec3 centre;                 ///< weighted by area
+    Vec3 areas;                  ///< sum of the triangles' area vectors
+    double area = 0;             ///< sum of their areas
+    double radius = 0;           ///< all its triangles lie within, about the centre
     std::uint32_t first, count;  ///< of the triangles, in order_
     std::uint32_t second = 0;    ///< the other half; the first half follows at once. 0 in groups that are not divided
   };

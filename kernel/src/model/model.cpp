@@ -38,16 +38,18 @@ std::vector<LatticeSource> lattices_of(const Scan& scan, int levels_wanted) {
   for (int level = 0; level < levels_wanted; ++level) {
     if (level > 0) volume = halved(std::move(volume));
     const SampleLattice& lattice = volume->lattice();
-    levels.push_back({lattice.box(), lattice.size, lattice.placement(), [volume, surface = scan.surface](int first, int count, float* out) {
-                        volume->read(first, count, out);
-                        const std::size_t samples = static_cast<std::size_t>(count) * volume->lattice().slice();
-                        for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
-                      }});
+    levels.push_back(
+        {lattice.box(), lattice.size, lattice.placement(), [volume, surface = scan.surface](int first, int count, float* out) {
+           volume->read(first, count, out);
+           const std::size_t samples = static_cast<std::size_t>(count) * volume->lattice().slice();
+           for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
+         }});
   }
   return levels;
 }
 
-ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings, Progress& progress) {
+ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings,
+                         Progress& progress) {
   return import_asdf(lattices_of(scan, settings.file.levels), path, settings, progress);
 }
 
@@ -95,7 +97,8 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
   }
   if (is_volume_path(path)) return model_of(open_scan(path, scan, progress), progress);
   throw Error(ErrorKind::bad_input, path.string(),
-              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf .stl .ply .off .obj .3mf {}", extension, volume_extensions()));
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf .stl .ply .off .obj .3mf {}",
+                          extension, volume_extensions()));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {

@@ -25,8 +25,8 @@ std::vector<float> all_of(const Volume& volume, Progress& progress) {
   return densities;
 }
 
-/// Which samples belong together: those of one kind that share a face. Union-find over runs along x would be faster; this is a few
-/// passes over an array of numbers.
+/// Which samples belong together: those of one kind that share a face. Union-find over runs along x would be faster; this is a
+/// few passes over an array of numbers.
 class Pieces {
  public:
   Pieces(const std::vector<bool>& solid, const std::array<int, 3>& size) : parent_(solid.size()) {

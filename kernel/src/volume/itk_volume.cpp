@@ -77,7 +77,8 @@ typename Io::Pointer opened(const Path& path, const char* kind) {
 /// Where the samples are. Two-dimensional pictures have one slice.
 SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_slice_will_do) {
   const unsigned dimensions = io.GetNumberOfDimensions();
-  if (io.GetNumberOfComponents() != 1) refuse(path, fmt::format("{} numbers a sample; one is wanted", io.GetNumberOfComponents()));
+  if (io.GetNumberOfComponents() != 1)
+    refuse(path, fmt::format("{} numbers a sample; one is wanted", io.GetNumberOfComponents()));
   for (unsigned axis = 3; axis < dimensions; ++axis)
     if (io.GetDimensions(axis) > 1) refuse(path, fmt::format("{} dimensions; a volume has three", dimensions));
   if (dimensions < 2) refuse(path, fmt::format("{} dimensions; a volume has three", dimensions));
@@ -89,7 +90,8 @@ SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_
     lattice.spacing[a] = io.GetSpacing(axis);
     lattice.origin[a] = io.GetOrigin(axis);
     const std::vector<double> direction = io.GetDirection(axis);
-    for (unsigned row = 0; row < 3 && row < direction.size(); ++row) lattice.axes(static_cast<Eigen::Index>(row), a) = direction[row];
+    for (unsigned row = 0; row < 3 && row < direction.size(); ++row)
+      lattice.axes(static_cast<Eigen::Index>(row), a) = direction[row];
   }
   if (!one_slice_will_do || size[2] > 1) sample_count(size, path);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -99,8 +101,8 @@ SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_
     if (lattice.spacing[a] < 0) lattice.spacing[a] *= -1, lattice.axes.col(a) *= -1;
     if (lattice.spacing[a] == 0 && axis == 2) lattice.spacing[a] = 1;
   }
-  if (!lattice.spacing.allFinite() || lattice.spacing.minCoeff() <= 0 || !lattice.origin.allFinite() || !lattice.axes.allFinite() ||
-      std::abs(lattice.axes.determinant()) < 1e-6)
+  if (!lattice.spacing.allFinite() || lattice.spacing.minCoeff() <= 0 || !lattice.origin.allFinite() ||
+      !lattice.axes.allFinite() || std::abs(lattice.axes.determinant()) < 1e-6)
     refuse(path, "tells distances or directions that are not possible");
   return lattice;
 }
@@ -212,7 +214,8 @@ VolumePtr open_meta(const Path& path) {
     };
     const std::string key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
     if (key == "CompressedData") compressed = value == "True" || value == "true" || value == "1";
-    if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB") big_endian = value == "True" || value == "true" || value == "1";
+    if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB")
+      big_endian = value == "True" || value == "true" || value == "1";
     if (key == "HeaderSize") header = std::strtoll(value.c_str(), nullptr, 10);
     if (key == "ElementDataFile") data_file = value;
   }
@@ -220,7 +223,8 @@ VolumePtr open_meta(const Path& path) {
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
   if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST" || header < 0) return read_whole(*io, path);
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
-  RawLayout layout{lattice, type, big_endian, local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
+  RawLayout layout{lattice, type, big_endian,
+                   local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
   return open_samples(data, layout);
 }
 
@@ -297,8 +301,9 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
       if (!wanted.empty() && series[i].find(wanted) != std::string::npos) chosen = i;
     if (wanted.empty() && series.size() == 1) chosen = 0;
     if (chosen == series.size())
-      refuse(path, fmt::format("{}: {}", wanted.empty() ? fmt::format("holds {} series; choose one with --series", series.size())
-                                                        : fmt::format("holds no series '{}'", wanted),
+      refuse(path, fmt::format("{}: {}",
+                               wanted.empty() ? fmt::format("holds {} series; choose one with --series", series.size())
+                                              : fmt::format("holds no series '{}'", wanted),
                                list_of_series(series, *names)));
     files = names->GetFileNames(series[chosen]);
   }
@@ -329,11 +334,13 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
   std::vector<double> sorted = gaps;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
   const double gap = sorted[sorted.size() / 2];
-  if (!(gap > 0)) refuse(path, "has several slices at one place: choose between them with --series, or put one set in a folder of its own");
+  if (!(gap > 0))
+    refuse(path, "has several slices at one place: choose between them with --series, or put one set in a folder of its own");
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (std::abs(gaps[i] - gap) > 0.1 * gap)
-      refuse(path, fmt::format("the slices {} and {} are {:.4g} mm apart, the others {:.4g} mm: slices are missing or twice there",
-                               placed[i].path.filename().string(), placed[i + 1].path.filename().string(), gaps[i], gap));
+      refuse(path,
+             fmt::format("the slices {} and {} are {:.4g} mm apart, the others {:.4g} mm: slices are missing or twice there",
+                         placed[i].path.filename().string(), placed[i + 1].path.filename().string(), gaps[i], gap));
   SampleLattice lattice = placed[0].slice->lattice;
   const Vec3 step = (placed.back().slice->lattice.origin - lattice.origin) / static_cast<double>(placed.size() - 1);
   lattice.spacing.z() = step.norm();

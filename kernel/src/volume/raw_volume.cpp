@@ -184,12 +184,13 @@ std::optional<std::array<double, 3>> three_numbers(std::string_view text) {
 VolumePtr open_samples(const Path& path, const RawLayout& layout) {
   const auto& n = layout.lattice.size;
   const std::size_t expected = sample_count({n[0], n[1], n[2]}, path) * size_of(layout.type);
-  if (std::error_code none; !std::filesystem::exists(path, none)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
+  if (std::error_code none; !std::filesystem::exists(path, none))
+    throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   if (!std::filesystem::is_regular_file(path)) throw Error(ErrorKind::io, path.string(), "is no regular file");
   const std::uint64_t there = std::filesystem::file_size(path);
   if (layout.skip > there || there - layout.skip != expected)
-    refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there, n[0], n[1], n[2],
-                             name(layout.type), layout.skip, layout.skip + expected));
+    refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there, n[0], n[1],
+                             n[2], name(layout.type), layout.skip, layout.skip + expected));
   return std::make_shared<RawVolume>(path, layout);
 }
 
@@ -214,9 +215,13 @@ VolumePtr open_vgi(const Path& path, const VolumeFileOptions& options) {
   if (!spacing) spacing = number_list("samplingdistance");
   if (spacing) {
     const auto unit = settings.find("unit");
-    const double mm = unit == settings.end() || unit->second == "mm" ? 1 : unit->second == "m" ? 1000 : unit->second == "um" ? 1e-3 : 1;
+    const double mm = unit == settings.end() || unit->second == "mm" ? 1
+                      : unit->second == "m"                          ? 1000
+                      : unit->second == "um"                         ? 1e-3
+                                                                     : 1;
     layout.lattice.spacing = mm * Vec3((*spacing)[0], (*spacing)[1], (*spacing)[2]);
-    if (!layout.lattice.spacing.allFinite() || layout.lattice.spacing.minCoeff() <= 0) refuse(path, "tells an impossible resolution");
+    if (!layout.lattice.spacing.allFinite() || layout.lattice.spacing.minCoeff() <= 0)
+      refuse(path, "tells an impossible resolution");
   }
   layout.type = options.type ? *options.type : type_of_vgi(settings, path);
   layout.big_endian = options.big_endian.value_or(false);
@@ -253,8 +258,9 @@ VolumePtr open_raw(const Path& path, const VolumeFileOptions& options) {
   if (const std::uint64_t bytes = std::filesystem::file_size(path); !type && bytes >= layout.skip)
     type = type_by_size(bytes - layout.skip, samples);
   if (!type)
-    refuse(path, fmt::format("{} bytes are no whole number of bytes for each of {} x {} x {} samples; give --dims, --type and --skip",
-                             std::filesystem::file_size(path), (*size)[0], (*size)[1], (*size)[2]));
+    refuse(path,
+           fmt::format("{} bytes are no whole number of bytes for each of {} x {} x {} samples; give --dims, --type and --skip",
+                       std::filesystem::file_size(path), (*size)[0], (*size)[1], (*size)[2]));
   layout.type = *type;
   layout.big_endian = options.big_endian.value_or(hints.big_endian.value_or(false));
   return open_samples(path, layout);

@@ -15,7 +15,9 @@ namespace fieldfab {
 
 using Path = std::filesystem::path;
 
-[[noreturn]] inline void refuse(const Path& path, const std::string& why) { throw Error(ErrorKind::bad_input, path.string(), why); }
+[[noreturn]] inline void refuse(const Path& path, const std::string& why) {
+  throw Error(ErrorKind::bad_input, path.string(), why);
+}
 
 /// How many samples a lattice of that size has. Throws bad_input for less than two an axis, or more than can be counted.
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path);

@@ -129,14 +129,14 @@ class TiffPage final : public Slice {
     for (std::size_t i = 0; i < count; ++i) {
       std::array<Sample, 4> sample{};
       std::memcpy(sample.data(), from + i * channels_ * sizeof(Sample), std::min<std::size_t>(channels_, 4) * sizeof(Sample));
-      out[i] = channels_ == 1
-                   ? static_cast<float>(sample[0])
-                   : grey(static_cast<float>(sample[0]), static_cast<float>(sample[1]), static_cast<float>(sample[2]));
+      out[i] = channels_ == 1 ? static_cast<float>(sample[0])
+                              : grey(static_cast<float>(sample[0]), static_cast<float>(sample[1]), static_cast<float>(sample[2]));
     }
   }
   void greys(const std::uint8_t* from, std::size_t count, float* out) const {
     const bool has_sign = format_ == SAMPLEFORMAT_INT;
-    if (format_ == SAMPLEFORMAT_IEEEFP) return bits_ == 64 ? greys_of<double>(from, count, out) : greys_of<float>(from, count, out);
+    if (format_ == SAMPLEFORMAT_IEEEFP)
+      return bits_ == 64 ? greys_of<double>(from, count, out) : greys_of<float>(from, count, out);
     if (bits_ == 8) return has_sign ? greys_of<std::int8_t>(from, count, out) : greys_of<std::uint8_t>(from, count, out);
     if (bits_ == 16) return has_sign ? greys_of<std::int16_t>(from, count, out) : greys_of<std::uint16_t>(from, count, out);
     return has_sign ? greys_of<std::int32_t>(from, count, out) : greys_of<std::uint32_t>(from, count, out);
@@ -193,7 +193,8 @@ class PngSlice final : public Slice {
       return static_cast<float>(two);
     };
     for (std::size_t i = 0; i < pixels; ++i)
-      out[i] = channels < 3 ? sample(i * channels) : grey(sample(i * channels), sample(i * channels + 1), sample(i * channels + 2));
+      out[i] =
+          channels < 3 ? sample(i * channels) : grey(sample(i * channels), sample(i * channels + 1), sample(i * channels + 2));
   }
 
  private:

@@ -37,9 +37,9 @@ std::pair<double, double> extent(const Volume& volume, std::size_t memory, Progr
         wild += density[i] - density[i];  // 0, or NaN
       }
       if (wild != 0)
-        not_a_number(volume.lattice(), static_cast<std::size_t>(first) + k,
-                     static_cast<std::size_t>(std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) -
-                                              density));
+        not_a_number(
+            volume.lattice(), static_cast<std::size_t>(first) + k,
+            static_cast<std::size_t>(std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) - density));
       of_slice[static_cast<std::size_t>(first) + k] = {least, most};
     });
   });
@@ -99,8 +99,8 @@ double otsu_threshold(const Histogram& histogram) {
 
 namespace {
 
-/// The most common density among bins first .. last: the middle of a narrow window is moved to the mean of what is in it, from where
-/// it holds most.
+/// The most common density among bins first .. last: the middle of a narrow window is moved to the mean of what is in it, from
+/// where it holds most.
 double most_common(const Histogram& histogram, std::size_t first, std::size_t last) {
   const std::size_t reach = std::max<std::size_t>(1, histogram.counts.size() / 80);
   const auto window = [&](std::size_t middle) {
@@ -119,7 +119,8 @@ double most_common(const Histogram& histogram, std::size_t first, std::size_t la
     const auto [low, high] = window(static_cast<std::size_t>(std::lround(mean)));
     double weight = 0, sum = 0;
     for (std::size_t i = low; i <= high; ++i)
-      weight += static_cast<double>(histogram.counts[i]), sum += static_cast<double>(histogram.counts[i]) * static_cast<double>(i);
+      weight += static_cast<double>(histogram.counts[i]),
+          sum += static_cast<double>(histogram.counts[i]) * static_cast<double>(i);
     if (weight == 0) break;
     const bool still = std::abs(sum / weight - mean) < 1e-3;
     mean = sum / weight;

@@ -16,15 +16,15 @@ struct TypeName {
 };
 /// The first name of a type is the one it is called by.
 constexpr std::array type_names{
-    TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},      TypeName{"uint16", SampleType::uint16},
-    TypeName{"int16", SampleType::int16},     TypeName{"uint32", SampleType::uint32},  TypeName{"int32", SampleType::int32},
+    TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},       TypeName{"uint16", SampleType::uint16},
+    TypeName{"int16", SampleType::int16},     TypeName{"uint32", SampleType::uint32},   TypeName{"int32", SampleType::int32},
     TypeName{"float32", SampleType::float32}, TypeName{"float64", SampleType::float64}, TypeName{"u8", SampleType::uint8},
-    TypeName{"8bit", SampleType::uint8},      TypeName{"uchar", SampleType::uint8},    TypeName{"byte", SampleType::uint8},
-    TypeName{"i8", SampleType::int8},         TypeName{"char", SampleType::int8},      TypeName{"u16", SampleType::uint16},
-    TypeName{"16bit", SampleType::uint16},    TypeName{"ushort", SampleType::uint16},  TypeName{"i16", SampleType::int16},
-    TypeName{"short", SampleType::int16},     TypeName{"u32", SampleType::uint32},     TypeName{"uint", SampleType::uint32},
-    TypeName{"i32", SampleType::int32},       TypeName{"int", SampleType::int32},      TypeName{"f32", SampleType::float32},
-    TypeName{"float", SampleType::float32},   TypeName{"f64", SampleType::float64},    TypeName{"double", SampleType::float64}};
+    TypeName{"8bit", SampleType::uint8},      TypeName{"uchar", SampleType::uint8},     TypeName{"byte", SampleType::uint8},
+    TypeName{"i8", SampleType::int8},         TypeName{"char", SampleType::int8},       TypeName{"u16", SampleType::uint16},
+    TypeName{"16bit", SampleType::uint16},    TypeName{"ushort", SampleType::uint16},   TypeName{"i16", SampleType::int16},
+    TypeName{"short", SampleType::int16},     TypeName{"u32", SampleType::uint32},      TypeName{"uint", SampleType::uint32},
+    TypeName{"i32", SampleType::int32},       TypeName{"int", SampleType::int32},       TypeName{"f32", SampleType::float32},
+    TypeName{"float", SampleType::float32},   TypeName{"f64", SampleType::float64},     TypeName{"double", SampleType::float64}};
 
 }  // namespace
 

@@ -100,8 +100,8 @@ class VolumeField final : public Field {
     void add(const Extremes& other) { least = std::min(least, other.least), most = std::max(most, other.most); }
   };
   struct Place {
-    std::size_t sample;          // the cell's first
-    std::array<float, 3> within; // 0 to 1
+    std::size_t sample;           // the cell's first
+    std::array<float, 3> within;  // 0 to 1
   };
   struct Interpolated {
     float value;
@@ -136,13 +136,13 @@ class VolumeField final : public Field {
     const std::array<float, 4> along_x{mix(s[0], s[1], u), mix(s[row], s[row + 1], u), mix(s[slice], s[slice + 1], u),
                                        mix(s[slice + row], s[slice + row + 1], u)};
     const float lower = mix(along_x[0], along_x[1], v), upper = mix(along_x[2], along_x[3], v);
-    const float dx = mix(mix(s[1] - s[0], s[row + 1] - s[row], v),
-                         mix(s[slice + 1] - s[slice], s[slice + row + 1] - s[slice + row], v), w);
+    const float dx =
+        mix(mix(s[1] - s[0], s[row + 1] - s[row], v), mix(s[slice + 1] - s[slice], s[slice + row + 1] - s[slice + row], v), w);
     return {mix(lower, upper, w), {dx, mix(along_x[1] - along_x[0], along_x[3] - along_x[2], w), upper - lower}};
   }
 
-  /// How far a point is outside of the samples along the axis where it is farthest out (negative: how deep inside), and on which of
-  /// the six sides that is. The solid ends there.
+  /// How far a point is outside of the samples along the axis where it is farthest out (negative: how deep inside), and on which
+  /// of the six sides that is. The solid ends there.
   [[nodiscard]] std::pair<float, int> beyond(const std::array<float, 3>& point) const {
     std::pair<float, int> farthest{-std::numeric_limits<float>::infinity(), 0};
     for (int axis = 0; axis < 3; ++axis) {

@@ -71,8 +71,8 @@ void require_all_slices(const std::vector<Path>& files) {
   for (std::size_t i = 1; i < numbers.size(); ++i) step = std::min(step, numbers[i] - numbers[i - 1]);
   for (std::size_t i = 1; i < numbers.size(); ++i)
     if (numbers[i] - numbers[i - 1] != step)
-      refuse(files[0].parent_path(), fmt::format("a slice is missing between {} and {}", files[i - 1].filename().string(),
-                                                 files[i].filename().string()));
+      refuse(files[0].parent_path(),
+             fmt::format("a slice is missing between {} and {}", files[i - 1].filename().string(), files[i].filename().string()));
 }
 
 /// Distances as the folder tells them in dimensions.txt: widthScale, heightScale, depthScale.
@@ -116,7 +116,8 @@ VolumePtr open_folder(const Path& folder, const VolumeFileOptions& options, Prog
     progress.report(static_cast<double>(slices.size()) / static_cast<double>(files.size()), "looking at slices");
     if (pngs.empty()) {
       std::vector<SlicePtr> pages = tiff_pages(file);
-      if (pages.size() > 1 && files.size() > 1) refuse(file, fmt::format("holds {} pictures, where each file should be one", pages.size()));
+      if (pages.size() > 1 && files.size() > 1)
+        refuse(file, fmt::format("holds {} pictures, where each file should be one", pages.size()));
       for (SlicePtr& page : pages) slices.push_back(std::move(page));
     } else {
       slices.push_back(png_slice(file));
@@ -143,8 +144,8 @@ VolumePtr open_as_is(const Path& path, const VolumeFileOptions& options, Progres
 bool is_volume_path(const Path& path) {
   if (std::filesystem::is_directory(path)) return true;
   const std::string extension = extension_of(path);
-  return is_one_of(extension, {".raw", ".vol", ".vgi", ".tif", ".tiff", ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".dcm", ".dicom",
-                               ".ima", ".vdb"}) ||
+  return is_one_of(extension, {".raw", ".vol", ".vgi", ".tif", ".tiff", ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".dcm",
+                               ".dicom", ".ima", ".vdb"}) ||
          (extension == ".gz" && extension_of(path.stem()) == ".nii");
 }
 

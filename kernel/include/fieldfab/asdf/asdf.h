@@ -71,7 +71,8 @@ class Asdf final : public Field {
   /// What a file holds, without reading its cells. Throws as load().
   static AsdfFileInfo look(const std::filesystem::path& path);
   /// Writes an .asdf file (docs/asdf-format.md). Throws io.
-  void save(const std::filesystem::path& path, const AsdfFileSettings& settings = {}, Progress& progress = Progress::none()) const;
+  void save(const std::filesystem::path& path, const AsdfFileSettings& settings = {},
+            Progress& progress = Progress::none()) const;
 
   void values(const Points& points, float* out) const noexcept override;
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override;

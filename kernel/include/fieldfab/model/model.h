@@ -25,8 +25,8 @@ struct Model {
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
 enum class Scripts { refused, run };
 
-/// Reads .math, .vm, .frep, .asdf, a mesh or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script. Throws io, or bad_input (also for an
-/// extension no reader knows, with a list of those known), or cancelled.
+/// Reads .math, .vm, .frep, .asdf, a mesh or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script.
+/// Throws io, or bad_input (also for an extension no reader knows, with a list of those known), or cancelled.
 Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none(),
                  const ScanOptions& scan = {}, const AsdfPart& part = {});
 /// Writes the .asdf file of a scan, in as much memory as the settings say, whatever its size (see import_asdf()); its levels are

@@ -25,10 +25,10 @@ std::optional<SampleType> sample_type(std::string_view name);
 
 /// Where the samples are: sample (i, j, k) is at origin + axes * (i, j, k) * spacing.
 struct SampleLattice {
-  std::array<int, 3> size{};                             ///< samples along each axis, 2 or more
-  Vec3 spacing = Vec3::Ones();                           ///< mm between samples along each axis
-  Vec3 origin = Vec3::Zero();                            ///< the first sample's place, mm
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();    ///< columns: directions of length 1, not always at right angles
+  std::array<int, 3> size{};                           ///< samples along each axis, 2 or more
+  Vec3 spacing = Vec3::Ones();                         ///< mm between samples along each axis
+  Vec3 origin = Vec3::Zero();                          ///< the first sample's place, mm
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: directions of length 1, not always at right angles
 
   [[nodiscard]] std::size_t slice() const { return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]); }
   [[nodiscard]] std::size_t count() const { return slice() * static_cast<std::size_t>(size[2]); }
@@ -49,7 +49,8 @@ class Volume {
   /// What separates solid from nothing where the file tells (a level set's 0).
   [[nodiscard]] std::optional<double> own_threshold() const { return own_threshold_; }
 
-  /// Writes the densities of `count` slices from `first` on: x fastest, then y, then z. Throws io, or bad_input for damaged files.
+  /// Writes the densities of `count` slices from `first` on: x fastest, then y, then z. Throws io, or bad_input for damaged
+  /// files.
   virtual void read(int first, int count, float* out) const = 0;
 
  protected:
@@ -67,13 +68,14 @@ VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, 
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count);
 /// The same samples in another order and lattice, if that makes its axes x, y and z; itself otherwise.
 VolumePtr straightened(VolumePtr volume);
-/// Every second sample along each axis, each the mean of its neighbourhood (weights 1 2 1 along each axis): the next coarser level.
+/// Every second sample along each axis, each the mean of its neighbourhood (weights 1 2 1 along each axis): the next coarser
+/// level.
 VolumePtr halved(VolumePtr volume);
 /// The same samples at other distances.
 VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 
-/// Calls body(first, count, densities) for parts of the slices, in order, none larger than `bytes` of floats (one slice at least);
-/// a part begins with the slice that the part before it ended with where `shared` is set. Stops when `progress` says so.
+/// Calls body(first, count, densities) for parts of the slices, in order, none larger than `bytes` of floats (one slice at
+/// least); a part begins with the slice that the part before it ended with where `shared` is set. Stops when `progress` says so.
 void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
                const std::function<void(int first, int count, const float* densities)>& body);
 

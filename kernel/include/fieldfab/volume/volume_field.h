@@ -20,8 +20,8 @@ struct Isosurface {
   }
 };
 
-/// The isosurface at a threshold with its scale: the median steepness of the density where the surface crosses some of the slices,
-/// evenly chosen, so that the answer does not depend on how a volume is read.
+/// The isosurface at a threshold with its scale: the median steepness of the density where the surface crosses some of the
+/// slices, evenly chosen, so that the answer does not depend on how a volume is read.
 Isosurface isosurface(const Volume& volume, double threshold, bool below = false);
 
 /// The solid: densities interpolated trilinearly between samples, empty outside of the lattice. Keeps all samples in memory, 4
