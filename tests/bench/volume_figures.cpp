@@ -49,7 +49,7 @@ void generate(const std::filesystem::path& path, const std::array<int, 3>& size,
 }
 
 /// How far the surface of one function is from that of another: mean and farthest, voxels. Points of the first are found between
-/// places of different sign; from each the second is looked for along its slope.
+/// places of different sign; around each the second is looked for.
 template <class Of, class From>
 std::pair<double, double> distance(const Box& box, double voxel, const Of& of, const From& from) {
   std::mt19937 random(1);
@@ -68,18 +68,17 @@ std::pair<double, double> distance(const Box& box, double voxel, const Of& of, c
     Vec3 slope;
     for (int axis = 0; axis < 3; ++axis)
       slope[axis] = from(low + 0.05 * voxel * Vec3::Unit(axis)) - from(low - 0.05 * voxel * Vec3::Unit(axis));
-    double near = voxel;
-    for (const Vec3& way : {slope, Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
-      if (!(way.norm() > 0)) continue;
-      double small = 0, large = near;
-      const auto changes = [&](double t) {
-        const Vec3 step = t * way.normalized();
-        return (from(low + step) < 0) != (from(low - step) < 0);
-      };
-      if (!changes(large)) continue;
-      for (int i = 0; i < 20; ++i) (changes(0.5 * (small + large)) ? large : small) = 0.5 * (small + large);
-      near = large;
-    }
+    // The nearest place, in steps of a seventh, where the sign is not that of here.
+    const bool here = from(low) < 0;
+    double near = 0.002 * voxel;
+    const auto changes = [&](double t) {
+      for (const Vec3& way : {slope, Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}) {
+        const Vec3 step = way.norm() > 0 ? Vec3(t * way.normalized()) : Vec3::Zero();
+        if ((from(low + step) < 0) != here || (from(low - step) < 0) != here) return true;
+      }
+      return false;
+    };
+    while (near < voxel && !changes(near)) near *= 8.0 / 7;
     ++found;
     sum += near / voxel;
     farthest = std::max(farthest, near / voxel);
@@ -190,11 +189,11 @@ int main(int count, char** arguments) {
   if (large) {
     const auto scan = folder / "scan_512x512x361_int16.raw";
     const VolumePtr head = open_volume(data / "cthead");
-    const FieldPtr field = volume_field(*head, {0, false, 1});
+    const FieldPtr field = volume_field(*head, {0, false, 1e-4});  // flat, so that the cap at the border is thin
     const Box box = head->lattice().box();
     generate<std::int16_t>(scan, {512, 512, 361}, [&](int i, int j, int k) {
       const Vec3 at = box.size().cwiseProduct(Vec3(i / 511.0, j / 511.0, k / 360.0));
-      return std::lround(-12.0F * field->value(at * 0.999999) - 1000 + 12 * noise(random));
+      return std::lround(-120000.0F * field->value(at * 0.999999) - 1000 + 12 * noise(random));
     });
     compare("head, 512 x 512 x 361, 16 bits", scan, {}, 800, folder);
     std::filesystem::remove(scan);

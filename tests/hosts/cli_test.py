@@ -166,3 +166,29 @@ def test_help():
     assert "render" in run("--help").stdout
     for verb in ("build", "mesh", "render", "check", "info", "convert"):
         assert run(verb, "--help").returncode == 0
+
+
+def test_meshes_are_models(tmp_path):
+    """A cube without one of its sides, inside out, comes back closed and valid; so does one whose parts overlap."""
+    corners = [(x, y, z) for z in (0, 10) for y in (0, 10) for x in (0, 10)]
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+    def write(name, sides, turned=False, shift=0):
+        faces = [(a, b, c) for q in sides for a, b, c in ((q[0], q[1], q[2]), (q[0], q[2], q[3]))]
+        lines = ["OFF", f"{len(corners)} {len(faces)} 0"]
+        lines += [f"{x + shift} {y + shift} {z + shift}" for x, y, z in corners]
+        lines += ["3 " + " ".join(map(str, reversed(f) if turned else f)) for f in faces]
+        (tmp_path / name).write_text("\n".join(lines) + "\n")
+        return tmp_path / name
+
+    whole = write("whole.off", sides)
+    made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
+    assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100  # its edges are sharp, its sides flat
+    assert summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)["volume"] == pytest.approx(1000, rel=1e-3)
+    # Half of the view from the missing side's middle is triangles: the lid dents inwards, and the solid is closed.
+    holed = write("holed.off", sides[1:])
+    assert 500 < summary("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5)["volume"] < 1000
+    assert summary("check", holed, "--voxel", 0.5)["passed"]
+    built = summary("build", whole, "-o", tmp_path / "c.asdf", "--voxel", 0.5)
+    assert built["leafs"] > 0
+    assert "no triangles" in refused("build", write("none.off", []), "-o", tmp_path / "d.asdf")

@@ -118,6 +118,7 @@ class BrickMaker {
     slab.points = {source_.points[0], to.first[1] + to.count[1] - from.first[1] + 1, from.count[2] + 1};
     const std::size_t part = static_cast<std::size_t>(slab.points[0]) * static_cast<std::size_t>(slab.points[1]);
     const std::size_t slice = static_cast<std::size_t>(source_.points[0]) * static_cast<std::size_t>(source_.points[1]);
+    require_memory(sizeof(float) * (part * static_cast<std::size_t>(slab.points[2]) + (part == slice ? 0 : 2 * slice)), "volume");
     slab.values.resize(part * static_cast<std::size_t>(slab.points[2]));
     parallel_for(static_cast<std::size_t>(slab.points[2]), [&](std::size_t k) {
       progress_.check();

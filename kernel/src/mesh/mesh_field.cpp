@@ -64,6 +64,7 @@ class MeshField final : public Field {
     if (triangles_.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
     progress.check();
     bounds_ = box;
+    touching_ = 1e-6 * box.diagonal();
     tree_.insert(triangles_.begin(), triangles_.end());
     tree_.build();
     tree_.accelerate_distance_queries();
@@ -80,8 +81,8 @@ class MeshField final : public Field {
     Look last;
     for (std::size_t i = 0; i < points.count; ++i) {
       last = look({points.x[i], points.y[i], points.z[i]}, last);
-      const Vec3 away = last.point - last.nearest;
-      const Vec3 slope = last.distance != 0 ? Vec3(away / last.distance) : Vec3::Zero();
+      const bool on_surface = std::abs(last.distance) < touching_;
+      const Vec3 slope = on_surface ? outward_at(last.point) : Vec3((last.point - last.nearest) / last.distance);
       out[i] = static_cast<float>(last.distance);
       slopes.dx[i] = static_cast<float>(slope.x());
       slopes.dy[i] = static_cast<float>(slope.y());
@@ -122,11 +123,20 @@ class MeshField final : public Field {
     return {p, near, (inside ? -1 : 1) * (p - near).norm()};
   }
 
+  /// The normal of the nearest triangle, towards the outside: what way a point lies from where it is itself cannot be told.
+  [[nodiscard]] Vec3 outward_at(const Vec3& p) const {
+    const auto triangle = *tree_.closest_point_and_primitive({p.x(), p.y(), p.z()}).second;
+    const auto normal = CGAL::normal(triangle[0], triangle[1], triangle[2]);
+    const Vec3 outward = Vec3(normal.x(), normal.y(), normal.z()).normalized();
+    return std::abs(winding_.at(p + 10 * touching_ * outward)) > 0.5 ? Vec3(-outward) : outward;
+  }
+
   Triangles triangles_;
   Tree tree_;
   WindingNumber winding_;
   bool closed_;
   Box bounds_;
+  double touching_ = 0;  ///< mm; what is as near to a triangle is on it
 };
 
 }  // namespace
