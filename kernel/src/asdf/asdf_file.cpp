@@ -373,6 +373,7 @@ AsdfFileInfo Asdf::look(const std::filesystem::path& path) {
   if (file.starts_with("ASDF")) return info;
   const Header header = read_header(file, path);
   info.quantum = header.quantum;
+  info.placement = header.placement;
   for (const Level& level : read_directory(file, header, path)) {
     info.levels.push_back({level.region, level.lattice, level.blocks.size(), level.kinds.size(), 0});
     for (const auto& block : level.blocks) info.levels.back().cells += block.cells - 1, info.levels.back().bytes += block.size;

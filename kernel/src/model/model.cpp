@@ -78,13 +78,17 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     return from_expression(run_script(path, progress));
   }
   if (extension == ".asdf") {
-    const auto asdf = Asdf::load(path, part);
+    AsdfPart own = part;  // in the file's coordinates
+    if (part.region) {
+      const Eigen::Affine3d back = Asdf::look(path).placement.inverse();
+      own.region = image_of(*part.region, back.linear(), back.translation());
+    }
+    const auto asdf = Asdf::load(path, own);
     Model model;
     model.kind = "asdf";
     model.field = asdf->placed();
     model.voxel = asdf->finest();
-    model.bounds = image_of(part.region ? intersection(*part.region, asdf->region()) : asdf->region(), asdf->placement().linear(),
-                            asdf->placement().translation());
+    model.bounds = image_of(asdf->region(), asdf->placement().linear(), asdf->placement().translation());
     return model;
   }
   if (is_mesh_extension(extension)) {

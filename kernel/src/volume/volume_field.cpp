@@ -72,6 +72,7 @@ class VolumeField final : public Field {
       }
     }
   }
+  [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
   [[nodiscard]] bool sampled() const noexcept override { return true; }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {

@@ -53,6 +53,7 @@ struct AsdfFileInfo {
   };
   std::vector<Level> levels;
   double quantum = 0;
+  Eigen::Affine3d placement = Eigen::Affine3d::Identity();  ///< see Asdf::placement()
   std::size_t file_size = 0;
 };
 
