@@ -49,6 +49,10 @@ class Slice {
   virtual void read(float* out) const = 0;
 };
 using SlicePtr = std::unique_ptr<Slice>;
+/// Grey as the eye weighs colours (ITU-R BT.601); what is grey already stays the same number.
+inline float grey(float red, float green, float blue) {
+  return red == green && green == blue ? red : 0.299F * red + 0.587F * green + 0.114F * blue;
+}
 /// Slices by these files, one after another, read when they are asked for. Throws bad_input where they differ in size or type.
 VolumePtr stack_of(std::vector<SlicePtr> slices, const std::vector<Path>& files, SampleLattice lattice);
 

@@ -1,0 +1,24 @@
+// In the place of the files that need ITK or OpenVDB, where these cannot be compiled: Debian's ITK knows no clang, which the fuzzers
+// are built with.
+#include "fieldfab/volume/clean.h"
+#include "readers.h"
+
+namespace fieldfab {
+namespace {
+
+[[noreturn]] void left_out(const Path& path) { refuse(path, "this build was made without ITK and OpenVDB"); }
+
+}  // namespace
+
+VolumePtr open_with_itk(const Path& path) { left_out(path); }
+VolumePtr open_dicom(const Path& path, const std::string&, Progress&) { left_out(path); }
+VolumePtr open_vdb(const Path& path) { left_out(path); }
+SlicePtr png_slice(const Path& path) { left_out(path); }
+bool is_dicom(const Path&) { return false; }
+void write_with_itk(const Volume&, const Path& path, Progress&) { left_out(path); }
+VolumePtr denoised(VolumePtr volume, const Denoising& denoising, Progress&) {
+  if (denoising.kind != Denoising::Kind::none) left_out("denoise");
+  return volume;
+}
+
+}  // namespace fieldfab
