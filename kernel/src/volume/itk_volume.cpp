@@ -150,27 +150,13 @@ SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   return *type;
 }
 
-/// A volume that came in one piece: floats, that remember of which type they were.
-class WholeFile final : public Volume {
- public:
-  WholeFile(std::vector<float> densities, const SampleLattice& lattice, SampleType type)
-      : Volume(lattice, type), densities_(std::move(densities)) {}
-  void read(int first, int count, float* out) const override {
-    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * lattice_.slice(),
-                static_cast<std::size_t>(count) * lattice_.slice(), out);
-  }
-
- private:
-  std::vector<float> densities_;
-};
-
 VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
   const SampleLattice lattice = lattice_of(io, path, false);
   const SampleType type = known_type(io, path);
   require_memory(lattice.count() * (size_of(type) + sizeof(float)), path.string());
   std::vector<float> densities(lattice.count());
   read_samples(io, type, lattice.count(), path, densities.data());
-  return std::make_shared<WholeFile>(std::move(densities), lattice, type);
+  return volume_of(std::move(densities), lattice, {}, type);
 }
 
 /// nifti_clib takes zeros for what a short file lacks. So its bytes are counted first, uncompressed if need be; NIfTI-1 keeps

@@ -66,8 +66,8 @@ namespace {
 
 class InMemory final : public Volume {
  public:
-  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold)
-      : Volume(lattice, SampleType::float32, own_threshold), densities_(std::move(densities)) {}
+  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold, SampleType type)
+      : Volume(lattice, type, own_threshold), densities_(std::move(densities)) {}
   void read(int first, int count, float* out) const override {
     const std::size_t slice = lattice_.slice();
     std::copy_n(densities_.data() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice, out);
@@ -179,14 +179,15 @@ class Halved final : public Volume {
 
 }  // namespace
 
-VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold) {
+VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
+                    SampleType type) {
   for (const int n : lattice.size)
     if (n < 2) throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
   if (densities.size() != lattice.count())
     throw Error(ErrorKind::bad_input, "volume",
                 fmt::format("{} densities for {} x {} x {} samples", densities.size(), lattice.size[0], lattice.size[1],
                             lattice.size[2]));
-  return std::make_shared<InMemory>(std::move(densities), lattice, own_threshold);
+  return std::make_shared<InMemory>(std::move(densities), lattice, own_threshold, type);
 }
 
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count) {

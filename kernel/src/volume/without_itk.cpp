@@ -1,5 +1,5 @@
-// In the place of the files that need ITK or OpenVDB, where these cannot be compiled: Debian's ITK knows no clang, which the fuzzers
-// are built with.
+// In the place of the files that need ITK or OpenVDB, where these cannot be compiled: Debian's ITK knows no clang, which the
+// fuzzers are built with.
 #include "fieldfab/volume/clean.h"
 #include "readers.h"
 

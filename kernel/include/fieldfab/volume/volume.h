@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/core/progress.h"
@@ -62,8 +64,10 @@ class Volume {
 };
 using VolumePtr = std::shared_ptr<const Volume>;
 
-/// Densities in memory. Throws bad_input where their number or the lattice is not possible.
-VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold = {});
+/// Densities in memory, that were of some type where they come from. Throws bad_input where their number or the lattice is not
+/// possible.
+VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold = {},
+                    SampleType type = SampleType::float32);
 /// The samples first .. first + count - 1 along each axis.
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count);
 /// The same samples in another order and lattice, if that makes its axes x, y and z; itself otherwise.
