@@ -244,22 +244,6 @@ TEST(Clean, CrumbsGoAndCavitiesAreFilled) {
   EXPECT_LT(density_at(*inverted, 1, 1, 1), 100);
 }
 
-TEST(Clean, FiltersSmooth) {
-  const VolumePtr volume = random_volume(lattice_of(24, 24, 24), 12);
-  const auto spread = [](const Volume& v) {
-    std::vector<float> all(v.lattice().count());
-    v.read(0, v.lattice().size[2], all.data());
-    double sum = 0, squares = 0;
-    for (const float d : all) sum += d, squares += double{d} * d;
-    const auto n = static_cast<double>(all.size());
-    return std::sqrt(squares / n - sum / n * (sum / n));
-  };
-  for (const char* filter : {"median", "median:2", "gaussian:1", "anisotropic:3"})
-    EXPECT_LT(spread(*denoised(volume, Denoising::parse(filter))), 0.75 * spread(*volume)) << filter;
-  EXPECT_THROW(Denoising::parse("sharpen"), Error);
-  EXPECT_THROW(Denoising::parse("median:-1"), Error);
-}
-
 class Import : public testing::Test {
  protected:
   void TearDown() override {
