@@ -329,6 +329,25 @@ TEST_F(Import, BallsComeBackWithTheirDiameters) {
   }
 }
 
+TEST_F(Import, CylindersComeBackWithTheirDiameters) {
+  // Through the lattice from end to end, tilted a little, blurred and noisy.
+  std::mt19937 random(16);
+  std::normal_distribution<double> noise(0, 15);
+  const Vec3 along = Vec3(0.1, 0.05, 1).normalized(), through(4.93, 4.87, 5.21);
+  for (const double diameter : {3.0, 7.3}) {
+    const SampleLattice lattice = lattice_of(50, 50, 36, {0.2, 0.2, 0.3});
+    const VolumePtr volume = volume_by(lattice, [&](const Vec3& p) {
+      const Vec3 off = p - through;
+      return 500 * (1 - std::erf(((off - off.dot(along) * along).norm() - diameter / 2) / 0.35)) + noise(random);
+    });
+    import_scan(take_scan(volume, {}), first, {});
+    const auto asdf = Asdf::load(first);
+    const double held = contour(*asdf, asdf->region(), {0.2, 0.01, false}).volume();
+    const double length = asdf->region().size().z() / along.z();
+    EXPECT_NEAR(2 * std::sqrt(held / length / std::numbers::pi), diameter, 0.02);
+  }
+}
+
 TEST_F(Import, LevelsAreHalves) {
   const VolumePtr volume = waves(lattice_of(101, 71, 81));
   import_scan({volume, isosurface(*volume, 200)}, first, {-1, {-1, 3}});
