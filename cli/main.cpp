@@ -32,7 +32,7 @@ int exit_code(ErrorKind kind) {
 int complain(int code, const std::string& message) {
   std::string line = message;
   for (char& c : line)
-    if (c == '\n' || c == '\r') c = ' ';
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';  // files can say anything
   fmt::print(stderr, "fieldfab: {}\n", line);
   return code;
 }

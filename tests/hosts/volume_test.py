@@ -157,6 +157,7 @@ FORMATS = {
                                           CompressedDataSize=len(zlib.compress(BALL.tobytes())))}, [], "uint8"),
     "mhd": ({"ball.mhd": meta("data.raw", ElementType="MET_SHORT", ElementByteOrderMSB="True"),
              "data.raw": BALL.astype(">i2").tobytes()}, [], "int16"),
+    "mhd, samples at the end": ({"BALL.MHD": meta("data.raw", HeaderSize=-1), "data.raw": b"header" + BALL.tobytes()}, [], "uint8"),
     "nrrd": ({"ball.nrrd": nrrd()}, [], "uint8"),
     "nrrd, gzip": ({"ball.nrrd": nrrd("gzip")}, [], "uint8"),
     "nrrd, float": ({"ball.nrrd": nrrd(type="float", endian="big", body=BALL.astype(">f4").tobytes())}, [], "float32"),

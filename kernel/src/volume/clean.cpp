@@ -10,20 +10,9 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 namespace {
-
-std::vector<float> all_of(const Volume& volume, Progress& progress) {
-  require_memory(3 * volume.lattice().count() * sizeof(float), "volume");
-  std::vector<float> densities(volume.lattice().count());
-  parallel_for(static_cast<std::size_t>(volume.lattice().size[2]), [&](std::size_t k) {
-    progress.check();
-    volume.read(static_cast<int>(k), 1, densities.data() + k * volume.lattice().slice());
-  });
-  return densities;
-}
 
 /// Which samples belong together: those of one kind that share a face. Union-find over runs along x would be faster; this is a
 /// few passes over an array of numbers.
@@ -79,7 +68,7 @@ VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSet
   if (lattice.count() > std::numeric_limits<std::uint32_t>::max())
     throw Error(ErrorKind::too_large, "volume", "too many samples to find the pieces of the solid");
   require_memory(14 * lattice.count(), "volume");
-  std::vector<float> densities = all_of(*volume, progress);
+  std::vector<float> densities = read_all(*volume, progress);
   const double sample_volume = lattice.spacing.prod() * std::abs(lattice.axes.determinant());
   const auto turn_over = [&](bool of_solid, const auto& goes) {
     progress.check();

@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include "fieldfab/core/file.h"
-#include "fieldfab/core/parallel.h"
 #include "readers.h"
 
 namespace fieldfab {
@@ -107,15 +106,6 @@ SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_
   return lattice;
 }
 
-template <class Sample>
-void to_floats(const std::vector<std::byte>& bytes, std::size_t count, float* out) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Sample sample;
-    std::memcpy(&sample, bytes.data() + i * sizeof(Sample), sizeof(Sample));
-    out[i] = static_cast<float>(sample);
-  }
-}
-
 /// All samples; the header was read.
 void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, const Path& path, float* out) {
   const std::size_t size = count * size_of(type);
@@ -132,16 +122,7 @@ void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, cons
       refuse(path, "cannot be read: " + said(error));
     }
   }
-  switch (type) {
-    case SampleType::uint8: return to_floats<std::uint8_t>(bytes, count, out);
-    case SampleType::int8: return to_floats<std::int8_t>(bytes, count, out);
-    case SampleType::uint16: return to_floats<std::uint16_t>(bytes, count, out);
-    case SampleType::int16: return to_floats<std::int16_t>(bytes, count, out);
-    case SampleType::uint32: return to_floats<std::uint32_t>(bytes, count, out);
-    case SampleType::int32: return to_floats<std::int32_t>(bytes, count, out);
-    case SampleType::float32: return to_floats<float>(bytes, count, out);
-    case SampleType::float64: return to_floats<double>(bytes, count, out);
-  }
+  to_floats(type, bytes.data(), count, false, out);
 }
 
 SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
@@ -207,8 +188,11 @@ VolumePtr open_meta(const Path& path) {
   }
   if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
-  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST" || header < 0) return read_whole(*io, path);
+  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path);
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
+  if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
+    header = std::max<long long>(
+        0, static_cast<long long>(std::filesystem::file_size(data)) - static_cast<long long>(lattice.count() * size_of(type)));
   RawLayout layout{lattice, type, big_endian,
                    local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
   return open_samples(data, layout);
@@ -252,7 +236,7 @@ bool is_dicom(const Path& path) {
 
 VolumePtr open_with_itk(const Path& path) {
   if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
-  const std::string extension = path.extension().string();
+  const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
@@ -340,13 +324,8 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
 
 void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
-  require_memory(lattice.count() * sizeof(float), path.string());
-  std::vector<float> densities(lattice.count());
-  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
-    progress.check();
-    volume.read(static_cast<int>(k), 1, densities.data() + k * lattice.slice());
-  });
-  const std::string extension = path.extension().string();
+  const std::vector<float> densities = read_all(volume, progress);
+  const std::string extension = extension_of(path);
   itk::ImageIOBase::Pointer io;
   if (extension == ".nrrd") io = itk::NrrdImageIO::New().GetPointer();
   if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();

@@ -36,19 +36,6 @@ void convert(const std::byte* from, std::size_t count, bool swap, float* out) {
   }
 }
 
-void convert(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out) {
-  switch (type) {
-    case SampleType::uint8: return convert<std::uint8_t>(from, count, swap, out);
-    case SampleType::int8: return convert<std::int8_t>(from, count, swap, out);
-    case SampleType::uint16: return convert<std::uint16_t>(from, count, swap, out);
-    case SampleType::int16: return convert<std::int16_t>(from, count, swap, out);
-    case SampleType::uint32: return convert<std::uint32_t>(from, count, swap, out);
-    case SampleType::int32: return convert<std::int32_t>(from, count, swap, out);
-    case SampleType::float32: return convert<float>(from, count, swap, out);
-    case SampleType::float64: return convert<double>(from, count, swap, out);
-  }
-}
-
 /// Read with pread(), not mapped: what was read of a mapped file counts as memory of this process.
 class RawVolume final : public Volume {
  public:
@@ -69,7 +56,7 @@ class RawVolume final : public Volume {
     for (std::size_t left = static_cast<std::size_t>(count) * slice; left > 0;) {
       const std::size_t part = std::min(left, most);
       fill(bytes.data(), part, at);
-      convert(type_, bytes.data(), part / sample, swap_, out);
+      to_floats(type_, bytes.data(), part / sample, swap_, out);
       out += part / sample, at += part, left -= part;
     }
   }
@@ -144,6 +131,19 @@ SampleType type_of_vgi(const std::map<std::string, std::string>& settings, const
 }
 
 }  // namespace
+
+void to_floats(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out) {
+  switch (type) {
+    case SampleType::uint8: return convert<std::uint8_t>(from, count, swap, out);
+    case SampleType::int8: return convert<std::int8_t>(from, count, swap, out);
+    case SampleType::uint16: return convert<std::uint16_t>(from, count, swap, out);
+    case SampleType::int16: return convert<std::int16_t>(from, count, swap, out);
+    case SampleType::uint32: return convert<std::uint32_t>(from, count, swap, out);
+    case SampleType::int32: return convert<std::int32_t>(from, count, swap, out);
+    case SampleType::float32: return convert<float>(from, count, swap, out);
+    case SampleType::float64: return convert<double>(from, count, swap, out);
+  }
+}
 
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path) {
   double product = 1;

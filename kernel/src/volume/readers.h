@@ -22,6 +22,12 @@ using Path = std::filesystem::path;
 /// How many samples a lattice of that size has. Throws bad_input for less than two an axis, or more than can be counted.
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path);
 
+/// Samples as a file keeps them, `swap`ped where its byte order is the other one, as floats.
+void to_floats(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out);
+
+/// A path's extension in lower case.
+std::string extension_of(const Path& path);
+
 /// `key = value` lines; keys in lower case, what comes later counts less. Throws as read_file().
 std::map<std::string, std::string> read_settings(const Path& path);
 /// Three numbers apart by spaces, commas or x; nothing where there are others.

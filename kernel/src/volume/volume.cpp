@@ -7,6 +7,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 namespace {
@@ -217,6 +218,17 @@ VolumePtr respaced(VolumePtr volume, const Vec3& spacing) {
   if (!spacing.allFinite() || spacing.minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "spacing", "must be three positive numbers of mm");
   return std::make_shared<Respaced>(std::move(volume), spacing);
+}
+
+std::vector<float> read_all(const Volume& volume, Progress& progress) {
+  const SampleLattice& lattice = volume.lattice();
+  require_memory(lattice.count() * sizeof(float), "volume");
+  std::vector<float> densities(lattice.count());
+  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
+    progress.check();
+    volume.read(static_cast<int>(k), 1, densities.data() + k * lattice.slice());
+  });
+  return densities;
 }
 
 void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,

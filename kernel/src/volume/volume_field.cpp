@@ -237,15 +237,8 @@ Isosurface isosurface(const Volume& volume, double threshold, bool below) {
 
 FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
-  require_memory(lattice.count() * sizeof(float), "volume");
-  std::vector<float> samples(lattice.count());
-  const std::size_t slice = lattice.slice();
-  parallel_for(static_cast<std::size_t>(lattice.size[2]), [&](std::size_t k) {
-    progress.check();
-    float* const here = samples.data() + k * slice;
-    volume.read(static_cast<int>(k), 1, here);
-    for (std::size_t i = 0; i < slice; ++i) here[i] = surface.value(here[i]);
-  });
+  std::vector<float> samples = read_all(volume, progress);
+  for (float& sample : samples) sample = surface.value(sample);
   const FieldPtr solid = std::make_shared<VolumeField>(std::move(samples), lattice);
   return lattice.straight() ? solid : transform(solid, lattice.placement());
 }

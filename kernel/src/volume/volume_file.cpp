@@ -7,7 +7,6 @@
 #include "readers.h"
 
 namespace fieldfab {
-namespace {
 
 std::string extension_of(const Path& path) {
   std::string extension = path.extension().string();
@@ -15,6 +14,8 @@ std::string extension_of(const Path& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
+
+namespace {
 
 bool is_one_of(const std::string& extension, std::initializer_list<std::string_view> known) {
   return std::find(known.begin(), known.end(), extension) != known.end();

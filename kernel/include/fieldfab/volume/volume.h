@@ -78,6 +78,9 @@ VolumePtr halved(VolumePtr volume);
 /// The same samples at other distances.
 VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 
+/// All densities, x fastest. Throws too_large where they do not fit into memory, cancelled.
+std::vector<float> read_all(const Volume& volume, Progress& progress = Progress::none());
+
 /// Calls body(first, count, densities) for parts of the slices, in order, none larger than `bytes` of floats (one slice at
 /// least); a part begins with the slice that the part before it ended with where `shared` is set. Stops when `progress` says so.
 void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
