@@ -1,0 +1,372 @@
+// Marching squares over a quadtree of a Field.
+#include "fieldfab/cam/contour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <span>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr int block = 16;   // squares a side that are sampled one by one
+constexpr int task = 512;   // regions up to this many squares a side are one thread's work
+
+/// Which lattice edge a contour crosses: the sample it begins at, and whether it goes along y.
+using Crossing = std::uint64_t;
+
+/// A piece of contour through one square, the inside on its left, from one lattice edge to another.
+struct Piece {
+  Crossing from, to;
+  std::array<float, 2> start, corner;  // corner: NaN where there is none
+};
+
+/// The samples of the lattice over a region; the outermost ones lie beyond it.
+struct Squares {
+  Vec2 origin;
+  double cell, z;
+  int columns, rows;  // squares
+  Rectangle region;
+  [[nodiscard]] float x(int i) const { return static_cast<float>(origin.x() + cell * i); }
+  [[nodiscard]] float y(int j) const { return static_cast<float>(origin.y() + cell * j); }
+  [[nodiscard]] Crossing edge(int i, int j, int along_y) const {
+    return (static_cast<Crossing>(j) * static_cast<Crossing>(columns + 2) + static_cast<Crossing>(i)) * 2 + static_cast<Crossing>(along_y);
+  }
+};
+
+/// Squares [left, right) x [low, high).
+struct Part {
+  int left, low, right, high;
+};
+
+/// Samples one block of squares and makes its pieces of contour.
+class Block {
+ public:
+  Block(const Field& field, const Squares& squares, double level, const Part& part)
+      : field_(field), squares_(squares), level_(static_cast<float>(level)), part_(part), wide_(part.right - part.left + 1) {}
+
+  void trace(std::vector<Piece>& pieces) {
+    sample();
+    find_crossings();
+    if (count_ == 0) return;
+    close_in();
+    const std::size_t first = pieces.size();
+    for (int j = part_.low; j < part_.high; ++j)
+      for (int i = part_.left; i < part_.right; ++i) connect(i, j, pieces);
+    if (!field_.sampled()) place_corners({pieces.data() + first, pieces.size() - first});
+  }
+
+ private:
+  static constexpr std::size_t side = block + 1, most_crossings = 2 * side * side;
+
+  [[nodiscard]] std::size_t sample_index(int i, int j) const {
+    return static_cast<std::size_t>(j - part_.low) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i - part_.left);
+  }
+
+  /// The Field's values less the level, made positive beyond the region.
+  void evaluate(std::size_t count, const float* x, const float* y, float* out) const {
+    std::array<float, most_crossings> z;
+    std::fill_n(z.data(), count, static_cast<float>(squares_.z));
+    field_.values({x, y, z.data(), count}, out);
+    const Rectangle& r = squares_.region;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double beyond = std::max(std::max(r.lower.x() - x[k], x[k] - r.upper.x()), std::max(r.lower.y() - y[k], y[k] - r.upper.y()));
+      const float value = out[k] - level_;
+      out[k] = value != value ? 1.0F : beyond > 0 ? std::max(value, static_cast<float>(beyond)) : value;
+    }
+  }
+
+  void sample() {
+    std::array<float, side * side> x, y;
+    std::size_t count = 0;
+    for (int j = part_.low; j <= part_.high; ++j)
+      for (int i = part_.left; i <= part_.right; ++i, ++count) x[count] = squares_.x(i), y[count] = squares_.y(j);
+    evaluate(count, x.data(), y.data(), value_.data());
+  }
+
+  void find_crossings() {
+    for (int j = part_.low; j <= part_.high; ++j)
+      for (int i = part_.left; i <= part_.right; ++i) {
+        const std::size_t here = sample_index(i, j);
+        if (i < part_.right) add_crossing(here, sample_index(i + 1, j), i, j, 0);
+        if (j < part_.high) add_crossing(here, sample_index(i, j + 1), i, j, 1);
+      }
+  }
+
+  void add_crossing(std::size_t a, std::size_t b, int i, int j, int along_y) {
+    std::int32_t& slot = slot_[2 * a + static_cast<std::size_t>(along_y)];
+    slot = -1;
+    const bool a_in = value_[a] < 0, b_in = value_[b] < 0;
+    if (a_in == b_in) return;
+    slot = static_cast<std::int32_t>(count_);
+    const int bi = i + 1 - along_y, bj = j + along_y;
+    Ends& e = ends_[count_++];
+    e.inside = {squares_.x(a_in ? i : bi), squares_.y(a_in ? j : bj)};
+    e.outside = {squares_.x(a_in ? bi : i), squares_.y(a_in ? bj : j)};
+    e.value_inside = value_[a_in ? a : b], e.value_outside = value_[a_in ? b : a];
+  }
+
+  /// Regula falsi (the Illinois way) on all crossings together; where that is slow, at a jump for instance, halving.
+  void close_in() {
+    const auto near = static_cast<float>(1e-3 * squares_.cell);
+    std::array<float, most_crossings> value;
+    std::array<std::int8_t, most_crossings> last{};
+    for (int step = 0;; ++step) {
+      float moved = 0;
+      for (std::size_t k = 0; k < count_; ++k) {
+        const Ends& e = ends_[k];
+        constexpr int patience = 5;
+        const float share = step > patience ? 0.5F : std::clamp(e.value_inside / (e.value_inside - e.value_outside), 0.0F, 1.0F);
+        const float x = e.inside[0] + share * (e.outside[0] - e.inside[0]), y = e.inside[1] + share * (e.outside[1] - e.inside[1]);
+        if (step > 0) moved = std::max(moved, std::max(std::abs(x - x_[k]), std::abs(y - y_[k])));
+        x_[k] = x, y_[k] = y;
+      }
+      if ((step > 0 && moved <= near) || step == 16) return;
+      evaluate(count_, x_.data(), y_.data(), value.data());
+      bool exact = true;
+      for (std::size_t k = 0; k < count_; ++k) {
+        Ends& e = ends_[k];
+        const bool in = value[k] < 0;
+        const std::int8_t side_now = in ? 1 : -1;
+        exact &= value[k] == 0;
+        (in ? e.inside : e.outside) = {x_[k], y_[k]};
+        (in ? e.value_inside : e.value_outside) = value[k];
+        if (last[k] == side_now) (in ? e.value_outside : e.value_inside) *= 0.5F;
+        last[k] = side_now;
+      }
+      if (exact) return;
+    }
+  }
+
+  /// The pieces of one square (Keeter Fig. 6-8), each with the inside on its left.
+  void connect(int i, int j, std::vector<Piece>& pieces) {
+    const std::size_t a = sample_index(i, j), b = sample_index(i + 1, j), c = sample_index(i, j + 1), d = sample_index(i + 1, j + 1);
+    const int state = (value_[a] < 0 ? 1 : 0) | (value_[b] < 0 ? 2 : 0) | (value_[c] < 0 ? 4 : 0) | (value_[d] < 0 ? 8 : 0);
+    enum { bottom, right, top, left };
+    const auto piece = [&](int from, int to) {
+      const auto place = [&](int side_of) {
+        struct Place {
+          Crossing key;
+          std::int32_t slot;
+        };
+        switch (side_of) {
+          case bottom: return Place{squares_.edge(i, j, 0), slot_[2 * a]};
+          case right: return Place{squares_.edge(i + 1, j, 1), slot_[2 * b + 1]};
+          case top: return Place{squares_.edge(i, j + 1, 0), slot_[2 * c]};
+          default: return Place{squares_.edge(i, j, 1), slot_[2 * a + 1]};
+        }
+      };
+      const auto start = place(from), end = place(to);
+      const auto s = static_cast<std::size_t>(start.slot);
+      const float none = std::numeric_limits<float>::quiet_NaN();
+      pieces.push_back({start.key, end.key, {x_[s], y_[s]}, {none, none}});
+      end_slot_.push_back({start.slot, end.slot, i, j});
+    };
+    switch (state) {
+      case 1: return piece(bottom, left);
+      case 2: return piece(right, bottom);
+      case 3: return piece(right, left);
+      case 4: return piece(left, top);
+      case 5: return piece(bottom, top);
+      case 7: return piece(right, top);
+      case 8: return piece(top, right);
+      case 10: return piece(top, bottom);
+      case 11: return piece(top, left);
+      case 12: return piece(left, right);
+      case 13: return piece(bottom, right);
+      case 14: return piece(left, bottom);
+      case 6:
+      case 9: {
+        const bool joined = value_[a] + value_[b] + value_[c] + value_[d] < 0;  // through the middle
+        if (state == 6) {
+          if (joined) return piece(left, bottom), piece(right, top);
+          return piece(right, bottom), piece(left, top);
+        }
+        if (joined) return piece(bottom, right), piece(top, left);
+        return piece(bottom, left), piece(top, right);
+      }
+      default: return;
+    }
+  }
+
+  /// Where the tangents at both ends of a piece meet at an angle near the square, and the Field is zero there, is a corner.
+  void place_corners(std::span<Piece> pieces) {
+    std::array<float, most_crossings> z, value, dx, dy, dz;
+    std::fill_n(z.data(), count_, static_cast<float>(squares_.z));
+    field_.gradients({x_.data(), y_.data(), z.data(), count_}, value.data(), {dx.data(), dy.data(), dz.data()});
+    for (std::size_t k = 0; k < count_; ++k)  // along the region's border the contour is the border
+      for (int axis = 0; axis < 2; ++axis) {
+        const double at = axis == 0 ? x_[k] : y_[k], near = 2e-3 * squares_.cell;
+        const double side_of = std::abs(at - squares_.region.lower[axis]) < near ? -1 : std::abs(at - squares_.region.upper[axis]) < near ? 1 : 0;
+        if (side_of != 0) dx[k] = static_cast<float>(axis == 0 ? side_of : 0), dy[k] = static_cast<float>(axis == 0 ? 0 : side_of);
+      }
+    std::array<float, most_crossings> corner_x, corner_y, corner_value, steepness;
+    std::array<std::size_t, most_crossings> whose;
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const auto p = static_cast<std::size_t>(end_slot_[k].from), q = static_cast<std::size_t>(end_slot_[k].to);
+      const Vec2 n(dx[p], dy[p]), m(dx[q], dy[q]);
+      const double lengths = n.norm() * m.norm(), sine = n.x() * m.y() - n.y() * m.x();
+      if (!(std::abs(sine) > 0.2 * lengths)) continue;  // 11 degrees; also NaN and 0
+      const Vec2 a(x_[p], y_[p]), b(x_[q], y_[q]);
+      const double along_n = n.dot(a), along_m = m.dot(b);
+      const Vec2 corner((along_n * m.y() - along_m * n.y()) / sine, (along_m * n.x() - along_n * m.x()) / sine);
+      const Vec2 low(squares_.x(end_slot_[k].i), squares_.y(end_slot_[k].j));
+      // The tip of a corner may reach into the next square between two samples.
+      if (!Rectangle{low, low + Vec2::Constant(squares_.cell)}.grown(squares_.cell).contains(corner)) continue;
+      corner_x[found] = static_cast<float>(corner.x()), corner_y[found] = static_cast<float>(corner.y());
+      steepness[found] = static_cast<float>(std::min(n.norm(), m.norm()));
+      whose[found++] = k;
+      if (found == most_crossings) break;
+    }
+    if (found == 0) return;
+    evaluate(found, corner_x.data(), corner_y.data(), corner_value.data());
+    for (std::size_t f = 0; f < found; ++f)
+      if (std::abs(corner_value[f]) <= 0.02F * steepness[f] * static_cast<float>(squares_.cell))
+        pieces[whose[f]].corner = {corner_x[f], corner_y[f]};
+  }
+
+  struct Ends {
+    std::array<float, 2> inside, outside;
+    float value_inside, value_outside;
+  };
+  struct Slots {
+    std::int32_t from, to;
+    int i, j;
+  };
+
+  const Field& field_;
+  const Squares& squares_;
+  float level_;
+  Part part_;
+  int wide_;
+  std::array<float, side * side> value_;
+  std::array<std::int32_t, most_crossings> slot_;  // of the edges along x and y that begin at each sample
+  std::array<Ends, most_crossings> ends_;
+  std::array<float, most_crossings> x_, y_;
+  std::size_t count_ = 0;
+  std::vector<Slots> end_slot_;
+};
+
+/// Goes down the quadtree and collects pieces.
+class Descent {
+ public:
+  Descent(const Squares& squares, double level, Progress& progress) : squares_(squares), level_(level), progress_(progress) {}
+
+  void run(const FieldPtr& field, const Part& part) {
+    progress_.check();
+    const int longer = std::max(part.right - part.left, part.high - part.low);
+    if (longer <= task) {
+      std::vector<Piece> found;
+      descend(field, part, found);
+      const std::lock_guard lock(collecting_);
+      pieces_.insert(pieces_.end(), found.begin(), found.end());
+      return;
+    }
+    const auto children = split(*field, part);
+    parallel_for(children.size(), [&](std::size_t i) { run(children[i].field, children[i].part); });
+  }
+
+  /// In the same order for any number of threads.
+  std::vector<Piece> take() {
+    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
+    return std::move(pieces_);
+  }
+
+ private:
+  struct Child {
+    FieldPtr field;
+    Part part;
+  };
+
+  /// The quarters that a contour may pass through.
+  std::vector<Child> split(const Field& field, const Part& part) const {
+    const auto halves = [](int from, int to) {
+      // At a multiple of the block's size, so that blocks are full.
+      const int middle = from + ((to - from) / 2 + block - 1) / block * block;
+      return std::array<int, 3>{from, std::min(middle, to), to};
+    };
+    const auto x = halves(part.left, part.right), y = halves(part.low, part.high);
+    std::array<Part, 4> parts;
+    std::array<Box, 4> boxes;
+    std::array<Restriction, 4> here;
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < 2; ++v)
+      for (std::size_t u = 0; u < 2; ++u) {
+        const Part p{x[u], y[v], x[u + 1], y[v + 1]};
+        if (p.left >= p.right || p.low >= p.high) continue;
+        parts[count] = p;
+        boxes[count++] = {{squares_.x(p.left), squares_.y(p.low), squares_.z}, {squares_.x(p.right), squares_.y(p.high), squares_.z}};
+      }
+    field.restrict_all({boxes.data(), count}, Purpose::value, {here.data(), count});
+    std::vector<Child> children;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Interval& range = here[i].range;
+      const bool at_border = parts[i].left == 0 || parts[i].low == 0 || parts[i].right == squares_.columns || parts[i].high == squares_.rows;
+      const bool inside = range.upper < level_ && !range.maybe_nan, outside = range.lower > level_ && !range.maybe_nan;
+      if (!outside && (!inside || at_border)) children.push_back({here[i].field, parts[i]});
+    }
+    return children;
+  }
+
+  void descend(const FieldPtr& field, const Part& part, std::vector<Piece>& found) const {
+    if (part.right - part.left <= block && part.high - part.low <= block) return Block(*field, squares_, level_, part).trace(found);
+    for (const Child& child : split(*field, part)) descend(child.field, child.part, found);
+  }
+
+  const Squares& squares_;
+  double level_;
+  Progress& progress_;
+  std::mutex collecting_;
+  std::vector<Piece> pieces_;
+};
+
+/// Follows pieces from crossing to crossing until each loop closes.
+Loops link(const std::vector<Piece>& pieces, double cell) {
+  const auto next_of = [&](Crossing key) {
+    return std::lower_bound(pieces.begin(), pieces.end(), key, [](const Piece& piece, Crossing k) { return piece.from < k; });
+  };
+  std::vector<bool> used(pieces.size(), false);
+  Loops loops;
+  const double same = 1e-6 * cell;
+  for (std::size_t first = 0; first < pieces.size(); ++first) {
+    if (used[first]) continue;
+    Loop loop;
+    const auto add = [&](const std::array<float, 2>& p) {
+      const Vec2 point(p[0], p[1]);
+      if (loop.points.empty() || (point - loop.points.back()).norm() > same) loop.points.push_back(point);
+    };
+    for (std::size_t i = first; !used[i];) {
+      used[i] = true;
+      add(pieces[i].start);
+      if (pieces[i].corner[0] == pieces[i].corner[0]) add(pieces[i].corner);
+      i = static_cast<std::size_t>(next_of(pieces[i].to) - pieces.begin());
+    }
+    while (loop.points.size() > 1 && (loop.points.front() - loop.points.back()).norm() <= same) loop.points.pop_back();
+    if (loop.points.size() >= 3) loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+}  // namespace
+
+Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, Progress& progress) {
+  const Vec2 size = region.size();
+  if (!(settings.cell > 0) || !size.allFinite() || !(size.minCoeff() > 0))
+    throw Error(ErrorKind::bad_input, "contour", "needs a region and a cell that are finite and have a size");
+  const Vec2 count = (size / settings.cell).array().ceil() + 2;
+  if (count.maxCoeff() > 1e8) throw Error(ErrorKind::too_large, "contour", fmt::format("{:.3g} cells along a side", count.maxCoeff()));
+  const Squares squares{region.lower - 0.5 * (count * settings.cell - size), settings.cell, settings.z, static_cast<int>(count.x()),
+                        static_cast<int>(count.y()), region};
+  Descent descent(squares, settings.level, progress);
+  descent.run(field.shared_from_this(), {0, 0, squares.columns, squares.rows});
+  return link(descent.take(), settings.cell);
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,159 @@
+// Signed distance to closed curves: a tree of boxes over their edges.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fieldfab/cam/contour.h"
+
+namespace fieldfab::cam {
+namespace {
+
+class OutlineField final : public Field {
+ public:
+  explicit OutlineField(const Loops& loops) {
+    std::vector<Edge> edges;
+    for (const Loop& loop : loops) {
+      const std::size_t n = loop.points.size();
+      const auto normal = [&](std::size_t k) {  // of the edge from k to k + 1, to the right: away from the solid
+        const Vec2 along = (loop.points[(k + 1) % n] - loop.points[k % n]).normalized();
+        return Vec2(along.y(), -along.x());
+      };
+      for (std::size_t k = 0; k < n; ++k) {
+        const Vec2 before = normal(k + n - 1), here = normal(k), after = normal(k + 1);
+        edges.push_back({loop.points[k], loop.points[(k + 1) % n], before + here, here, here + after});
+        bounds_.add(loop.points[k]);
+      }
+    }
+    edges_.reserve(edges.size());
+    if (!edges.empty()) grow(edges, 0, edges.size());
+  }
+
+  void values(const Points& points, float* out) const noexcept override {
+    Nearest nearest;
+    for (std::size_t i = 0; i < points.count; ++i) {
+      nearest = find({points.x[i], points.y[i]}, nearest.edge);
+      out[i] = static_cast<float>(nearest.distance);
+    }
+  }
+  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    Nearest nearest;
+    for (std::size_t i = 0; i < points.count; ++i) {
+      const Vec2 p(points.x[i], points.y[i]);
+      nearest = find(p, nearest.edge);
+      out[i] = static_cast<float>(nearest.distance);
+      const Vec2 away = p - nearest.place;
+      const double length = away.norm();
+      // On the curve itself the direction is the edge's.
+      const Vec2 slope = length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance)) : normal_of(nearest.edge);
+      slopes.dx[i] = static_cast<float>(slope.x()), slopes.dy[i] = static_cast<float>(slope.y()), slopes.dz[i] = 0;
+    }
+  }
+  [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    const Rectangle r = Rectangle::of(box);
+    const double middle = find(0.5 * (r.lower + r.upper), 0).distance, reach = 0.5 * r.size().norm() * (1 + 1e-6) + 1e-6;
+    return {static_cast<float>(middle - reach), static_cast<float>(middle + reach), false};
+  }
+  [[nodiscard]] std::size_t cost() const noexcept override { return 100; }
+
+ private:
+  struct Edge {
+    Vec2 from, to, normal_from, normal, normal_to;  // the normals point away from the solid; those of the ends have no unit length
+  };
+  struct Node {
+    Rectangle box;
+    std::uint32_t first, count;  // edges; count is 0 for a branch, whose second child is at `first`, the first one right behind it
+  };
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    std::uint32_t edge = 0;
+    Vec2 place = Vec2::Zero();
+  };
+
+  /// Appends the node of edges [first, last), and those below it.
+  void grow(std::vector<Edge>& edges, std::size_t first, std::size_t last) {
+    const std::size_t here = nodes_.size();
+    Rectangle box = Rectangle::nothing();
+    for (std::size_t i = first; i < last; ++i) box.add(edges[i].from), box.add(edges[i].to);
+    constexpr std::size_t leaf = 6;
+    if (last - first <= leaf) {
+      nodes_.push_back({box, static_cast<std::uint32_t>(edges_.size()), static_cast<std::uint32_t>(last - first)});
+      edges_.insert(edges_.end(), edges.begin() + static_cast<std::ptrdiff_t>(first), edges.begin() + static_cast<std::ptrdiff_t>(last));
+      return;
+    }
+    nodes_.push_back({box, 0, 0});
+    const int axis = box.size().x() > box.size().y() ? 0 : 1;
+    const std::size_t middle = (first + last) / 2;
+    std::nth_element(edges.begin() + static_cast<std::ptrdiff_t>(first), edges.begin() + static_cast<std::ptrdiff_t>(middle),
+                     edges.begin() + static_cast<std::ptrdiff_t>(last),
+                     [axis](const Edge& a, const Edge& b) { return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis]; });
+    grow(edges, first, middle);
+    nodes_[here].first = static_cast<std::uint32_t>(nodes_.size());
+    grow(edges, middle, last);
+  }
+
+  static Vec2 closest_on(const Edge& e, const Vec2& p) {
+    const Vec2 along = e.to - e.from;
+    const double length = along.squaredNorm(), t = length > 0 ? (p - e.from).dot(along) / length : 0;
+    return t <= 0 ? e.from : t >= 1 ? e.to : Vec2(e.from + t * along);
+  }
+  static double squared_distance(const Rectangle& box, const Vec2& p) {
+    return (p - p.cwiseMax(box.lower).cwiseMin(box.upper)).squaredNorm();
+  }
+  [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const { return edges_.empty() ? Vec2::Zero() : edges_[edge].normal; }
+
+  /// The nearest place on the curves; `guess` is an edge that may be near.
+  [[nodiscard]] Nearest find(const Vec2& p, std::uint32_t guess) const noexcept {
+    Nearest nearest;
+    if (edges_.empty()) return nearest;
+    nearest.edge = guess;
+    nearest.place = closest_on(edges_[guess], p);
+    double best = (p - nearest.place).squaredNorm();
+    struct Waiting {
+      std::uint32_t node;
+      double squared;
+    };
+    std::array<Waiting, 64> waiting;  // deep enough for 2^60 edges: each level leaves one
+    std::size_t count = 0;
+    waiting[count++] = {0, squared_distance(nodes_[0].box, p)};
+    while (count > 0) {
+      const Waiting w = waiting[--count];
+      if (w.squared >= best) continue;
+      const Node& node = nodes_[w.node];
+      if (node.count == 0) {
+        Waiting a{w.node + 1, squared_distance(nodes_[w.node + 1].box, p)}, b{node.first, squared_distance(nodes_[node.first].box, p)};
+        if (a.squared < b.squared) std::swap(a, b);
+        if (a.squared < best) waiting[count++] = a;
+        if (b.squared < best) waiting[count++] = b;
+        continue;
+      }
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+        const Vec2 place = closest_on(edges_[i], p);
+        const double squared = (p - place).squaredNorm();
+        if (squared < best) best = squared, nearest.edge = i, nearest.place = place;
+      }
+    }
+    const Edge& e = edges_[nearest.edge];
+    // At an end two edges are equally near: the sum of their normals tells the side.
+    const Vec2& normal = nearest.place == e.from ? e.normal_from : nearest.place == e.to ? e.normal_to : e.normal;
+    nearest.distance = std::copysign(std::sqrt(best), normal.dot(p - nearest.place));
+    return nearest;
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<Node> nodes_;
+  Rectangle bounds_ = Rectangle::nothing();
+};
+
+}  // namespace
+
+FieldPtr outline_field(const Loops& loops) { return std::make_shared<OutlineField>(loops); }
+
+Loops offset(const Loops& loops, double distance, double cell, Progress& progress) {
+  if (loops.empty()) return {};
+  Rectangle region = Rectangle::nothing();
+  for (const Loop& loop : loops)
+    for (const Vec2& p : loop.points) region.add(p);
+  return contours(*outline_field(loops), region.grown(std::max(0.0, distance) + cell), {cell, 0, distance}, progress);
+}
+
+}  // namespace fieldfab::cam
