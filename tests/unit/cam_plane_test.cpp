@@ -97,9 +97,9 @@ TEST(Contours, AreTheSameForAnyNumberOfThreadsAndHoldEveryIsland) {
     area += one[i].area();
   }
   int inside = 0;  // brute force: how much of the region is solid
-  for (int j = 0; j < 1000; ++j)
-    for (int i = 0; i < 1200; ++i) inside += field->value({0.025 + 0.05 * i, 0.025 + 0.05 * j, 0}) < 0 ? 1 : 0;
-  EXPECT_NEAR(area, inside * 0.0025, 0.3);
+  for (int j = 0; j < 2000; ++j)
+    for (int i = 0; i < 2400; ++i) inside += field->value({0.0125 + 0.025 * i, 0.0125 + 0.025 * j, 0}) < 0 ? 1 : 0;
+  EXPECT_NEAR(area, inside * 0.000625, 0.2);
 }
 
 TEST(Contours, RefuseWhatHasNoSize) {

@@ -11,6 +11,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/render/heights.h"
 
 namespace fieldfab {
 namespace {
@@ -346,6 +347,14 @@ std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, 
       .run(field.shared_from_this(), {0, 0, grid.width, grid.height}, not_filled,
            [&](const FieldPtr& part, const Rectangle& r) { tile.draw(part, r, 0, tile.layers()); });
   return heights;
+}
+
+std::vector<float> heights(const Field& field, const Box& region, int width, int height, Progress& progress) {
+  std::vector<float> found = rasterise_heights(field, {width, height, region}, nullptr, progress);
+  for (int low = 0, high = height - 1; low < high; ++low, --high)
+    std::swap_ranges(found.begin() + static_cast<std::ptrdiff_t>(low) * width, found.begin() + static_cast<std::ptrdiff_t>(low + 1) * width,
+                     found.begin() + static_cast<std::ptrdiff_t>(high) * width);
+  return found;
 }
 
 }  // namespace fieldfab

@@ -1,0 +1,168 @@
+// Surfaces as cutters meet them: against closed forms, brute force, and the Field itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "fieldfab/cam/contour.h"
+#include "fieldfab/cam/surface.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+FieldPtr formula(const std::string& text) { return frep::make_field(frep::parse_infix(text)); }
+
+Tool tool(const std::string& shape, double diameter, double corner = 0, double angle = 0) {
+  Tool t;
+  t.shape = shape, t.diameter = diameter, t.corner_radius = corner, t.angle = angle;
+  return t;
+}
+
+TEST(Profile, HeightsAreThoseOfTheShapes) {
+  EXPECT_EQ(tool("flat", 6).profile().height(2.9), 0);
+  EXPECT_NEAR(tool("ball", 6).profile().height(3), 3, 1e-12);
+  EXPECT_NEAR(tool("ball", 6).profile().height(1), 3 - std::sqrt(8.0), 1e-12);
+  EXPECT_NEAR(tool("bull", 6, 1).profile().height(2.5), 1 - std::sqrt(0.75), 1e-12);
+  EXPECT_NEAR(tool("v", 6, 0, pi / 2).profile().height(2), 2, 1e-12);
+  const Profile tapered = tool("tapered", 6, 0.5, pi / 9).profile();  // 10 degrees a side
+  const double bend = 0.5 * std::cos(pi / 18);
+  EXPECT_NEAR(tapered.height(bend), 0.5 * (1 - std::sin(pi / 18)), 1e-12);
+  EXPECT_NEAR(tapered.height(bend + 1) - tapered.height(bend), 1 / std::tan(pi / 18), 1e-12);
+  EXPECT_THROW((void)tool("bull", 6, 4).profile(), Error);
+  EXPECT_THROW((void)tool("spoon", 6).profile(), Error);
+  EXPECT_THROW((void)tool("v", 6).profile(), Error);
+}
+
+TEST(Profile, GrownIsTheMinkowskiSumWithABall) {
+  for (const Tool& t : {tool("flat", 6), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
+    const Profile p = t.profile(), grown = p.grown(0.4);
+    std::vector<Vec2> points;
+    for (int i = 0; i <= 200; ++i) points.emplace_back(3.0 * i / 200, p.height(3.0 * i / 200));
+    Tool free = tool("profile", 0);
+    free.points = points;
+    const Profile sampled = free.profile().grown(0.4);
+    for (double d = 0; d < 2.95; d += 0.05) EXPECT_NEAR(grown.height(d), sampled.height(d), 0.02) << t.shape << " " << d;
+  }
+}
+
+TEST(Profile, DistanceIsTheInverseOfHeight) {
+  for (const Tool& t : {tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
+    const Profile p = t.profile();
+    for (double d = 2.1; d < 2.99; d += 0.1) EXPECT_NEAR(p.distance(p.height(d)), d, 1e-9) << t.shape;
+  }
+}
+
+TEST(Surface, KeepsWallsToTheTolerance) {
+  const FieldPtr box = rotate(box_field({{-5, -4, 0}, {5, 4, 6}}), {0, 0, 1}, 0.3);
+  const auto surface = Surface::of(*box, {{-8, -8, -1}, {8, 8, 7}}, {0.25, 0.02});
+  EXPECT_GT(surface->fine_squares(), 50U);
+  EXPECT_EQ(surface->top(), 6);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<> any(-7.5, 7.5);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 p(any(random), any(random));
+    const double wall = box->value({p.x(), p.y(), 3});
+    if (std::abs(wall) > 0.03) { EXPECT_NEAR(surface->height(p), wall < 0 ? 6 : -1, 1e-3) << p.transpose(); }
+  }
+}
+
+TEST(Surface, FindsRibsThatNoSampleMeets) {
+  const FieldPtr rib = box_field({{0.10, -3, 0}, {0.15, 3, 5}});
+  const auto surface = Surface::of(*unite(rib, box_field({{-4, -4, -1}, {4, 4, 0}})), {{-4, -4, -1}, {4, 4, 5}}, {0.3, 0.02});
+  EXPECT_NEAR(surface->top(), 5, 1e-3);
+  EXPECT_NEAR(surface->height({0.125, 1.234}), 5, 1e-2);
+}
+
+TEST(TipSurface, FollowsClosedForms) {
+  // A dome: a ball cutter's centre stays its radius off.
+  const auto dome = Surface::of(*formula("sqrt(x*x+y*y+z*z) - 10"), {{-12, -12, 0}, {12, 12, 10}}, {0.1, 0.01});
+  const TipSurface ball(dome, tool("ball", 6).profile());
+  for (double x = 0; x < 9; x += 0.37) EXPECT_NEAR(ball.tip({x, 0.2}), std::sqrt(13 * 13 - x * x - 0.04) - 3, 0.01) << x;
+  // A flat cutter touches a dome with its rim.
+  const TipSurface flat(dome, tool("flat", 6).profile());
+  for (double x = 3.1; x < 12; x += 0.37) EXPECT_NEAR(flat.tip({x, 0}), std::sqrt(100 - (x - 3) * (x - 3)), 0.01) << x;
+  // Allowance is kept along the normal.
+  const TipSurface off(dome, tool("ball", 6).profile(), 0.5);
+  EXPECT_NEAR(off.tip({5, 0}), std::sqrt(13.5 * 13.5 - 25) - 3, 0.01);
+  // A V in a groove of its own angle goes to the bottom.
+  const auto groove = Surface::of(*formula("max(z - abs(x), z - 4)"), {{-6, -6, -1}, {6, 6, 4}}, {0.1, 0.01});
+  EXPECT_NEAR(TipSurface(groove, tool("v", 6, 0, pi / 2).profile()).tip({0, 0}), 0, 0.02);
+  EXPECT_NEAR(TipSurface(groove, tool("v", 6, 0, pi / 2).profile()).tip({1, 0}), 1, 0.02);
+}
+
+TEST(TipSurface, IsThatOfBruteForce) {
+  std::mt19937 random(2);
+  HeightMap map(60, 50, 0.5, {1, 2}, 0);
+  for (float& z : map.values) z = std::uniform_real_distribution<float>(0, 3)(random);
+  const auto surface = Surface::of(map, 0);
+  for (const Tool& t : {tool("flat", 4), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 5, 0.5, pi / 4)}) {
+    const Profile profile = t.profile();
+    const TipSurface tips(surface, profile);
+    std::uniform_real_distribution<> x(-2, 34), y(-2, 30);
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 p(x(random), y(random));
+      double samples = 0, dense = 0;
+      for (int v = 0; v < map.height; ++v)
+        for (int u = 0; u < map.width; ++u)
+          if (const double away = (map.place(u, v) - p).norm(); away <= profile.radius()) samples = std::max(samples, map.at(u, v) - profile.height(away));
+      for (int v = -80; v <= 80; ++v)
+        for (int u = -80; u <= 80; ++u)
+          if (const double away = profile.radius() * std::hypot(u, v) / 80; away <= profile.radius())
+            dense = std::max(dense, surface->height(p + profile.radius() * Vec2(u, v) / 80) - profile.height(away));
+      EXPECT_GE(tips.tip(p), samples - 1e-6) << t.shape;
+      EXPECT_LE(tips.tip(p), std::max(samples, dense) + 0.1) << t.shape;
+    }
+    for (int i = 0; i < 100; ++i) {
+      const Vec2 low(x(random), y(random)), high = low + Vec2(1.3, 0.7) * static_cast<double>(i % 7);
+      const Interval range = tips.range({low, high});
+      for (int k = 0; k < 20; ++k) {
+        const Vec2 p = low + (high - low).cwiseProduct(Vec2(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random)));
+        EXPECT_TRUE(range.contains(static_cast<float>(tips.tip(p)))) << t.shape;
+      }
+    }
+  }
+}
+
+TEST(TipSurface, NeverCutsTheSolid) {
+  // Random places of each cutter on hostile solids: no point of its surface is inside by more than the tolerance.
+  struct Case {
+    FieldPtr solid;
+    Box bounds;
+  };
+  const Case cases[] = {
+      {rotate(box_field({{-5, -4, 0}, {5, 4, 4}}), {0, 0, 1}, 0.3), {{-8, -8, 0}, {8, 8, 4.5}}},
+      {formula("(z - 3 + 2*abs(x)) / sqrt(5)"), {{-6, -6, 0}, {6, 6, 3.2}}},  // a knife's edge
+      {formula("z - 2 - sin(1.3*x)*cos(1.1*y)"), {{-8, -8, 0}, {8, 8, 4}}},
+  };
+  std::mt19937 random(3);
+  for (const Case& c : cases) {
+    const auto surface = Surface::of(*c.solid, c.bounds, {0.1, 0.01});
+    for (const Tool& t : {tool("flat", 3), tool("ball", 4), tool("bull", 4, 0.7), tool("v", 4, 0, pi / 3), tool("tapered", 4, 0.5, pi / 6)}) {
+      const Profile profile = t.profile();
+      const TipSurface tips(surface, profile);
+      std::uniform_real_distribution<> x(c.bounds.lower.x() + 2, c.bounds.upper.x() - 2), share(0, 1);
+      double deepest = 0;
+      for (int i = 0; i < 400; ++i) {
+        const Vec2 p(x(random), x(random));
+        const double tip = tips.tip(p);
+        for (int k = 0; k < 200; ++k) {
+          const double away = profile.radius() * std::sqrt(share(random)), angle = 2 * pi * share(random);
+          const Vec3 at(p.x() + away * std::cos(angle), p.y() + away * std::sin(angle), tip + profile.height(away));
+          if (at.z() < c.bounds.lower.z()) continue;
+          deepest = std::min(deepest, static_cast<double>(c.solid->value(at)) / std::max(1.0, c.solid->gradient(at).norm()));
+        }
+      }
+      EXPECT_GT(deepest, -0.015) << t.shape;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fieldfab::cam
