@@ -74,5 +74,6 @@ std::unique_ptr<Verb> check_verb();
 std::unique_ptr<Verb> info_verb();
 std::unique_ptr<Verb> convert_verb();
 std::unique_ptr<Verb> edit_verb();
+std::unique_ptr<Verb> cam_verb();
 
 }  // namespace fieldfab::cli

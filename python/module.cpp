@@ -48,6 +48,7 @@ PYBIND11_MODULE(_core, module) {
   bind_fields(module);
   bind_results(module);
   bind_volumes(module);
+  bind_cam(module);
 }
 
 }  // namespace fieldfab::python

@@ -9,7 +9,8 @@ import sys
 
 from . import _core
 from ._core import *  # noqa: F401,F403: the module is the package's whole interface
-from ._core import Error, shapes
+from ._core import Error, cam, shapes
 
 __all__ = [name for name in vars(_core) if not name.startswith("_")]
 sys.modules[__name__ + ".shapes"] = shapes  # so that `from fieldfab.shapes import sphere` works
+sys.modules[__name__ + ".cam"] = cam

@@ -1,3 +1,4 @@
 from ._core import *
 from ._core import Error as Error
+from . import cam as cam
 from . import shapes as shapes

@@ -1,0 +1,66 @@
+/// Machines: one data file each (cam/machine/*.toml, docs/machines.md), and the writers that turn programs into their files.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fieldfab/cam/program.h"
+#include "fieldfab/cam/setting.h"
+
+namespace fieldfab::cam {
+
+/// A rotary axis of a machine.
+struct RotaryAxis {
+  char letter = 'A';
+  Vec3 direction = Vec3::UnitX();
+  double lower = -1e300, upper = 1e300;  ///< radians
+};
+
+/// How tool and work turn against each other.
+struct Kinematics {
+  /// "none", "head-head", "table-table" or "head-table" (of its two axes, the first one carries the second one in a head, and the table's
+  /// first axis is the one nearest to the machine's bed).
+  std::string kind = "none";
+  std::vector<RotaryAxis> axes;
+  Vec3 centre = Vec3::Zero();  ///< of a table's axes in the part's coordinates, mm
+  double pivot = 0;            ///< of a head: from its pivot to the gauge line, mm
+  bool tip_mode = false;       ///< the control follows the tool's tip itself (G43.4, TCP): then x, y, z are the tip's
+};
+
+/// A machine as its data file describes it.
+struct Machine {
+  std::string id, name, format, extension, description;
+  std::string takes;                     ///< what it is fed with: "paths", "flat paths", "height map", "outlines", "mesh"
+  double unit = 1;                       ///< mm in one unit of its files
+  double tick = 0;                       ///< mm of its smallest step where files hold whole ticks
+  int decimals = 4;
+  bool arcs = false;
+  double feed_unit = 1;                  ///< mm/min in one unit of its feeds
+  double max_feed = 0;                   ///< mm/min; 0: no limit known
+  double max_spindle = 0;
+  std::array<double, 3> travel{0, 0, 0}; ///< mm; 0: no limit known
+  Dynamics dynamics;
+  Kinematics kinematics;
+  std::map<std::string, std::string> text;  ///< header, footer, rapid, line, ... : templates
+  std::map<std::string, std::string> words; ///< named words of templates, left out while they do not change
+  Settings settings;                        ///< of its own: power, speed, ...
+  std::map<std::string, std::map<std::string, Value>> materials;  ///< defaults by material
+  std::string default_operation;            ///< what is done where a job names nothing
+  std::string file;                         ///< the data file, for messages
+};
+
+/// The machines that come with Fieldfab, by id.
+const std::map<std::string, std::string>& machine_files();
+/// The machine of that id, or the one in a .toml file of that name. Throws bad_input (with the nearest id), io.
+Machine load_machine(const std::string& id_or_path);
+/// Reads a data file. Throws bad_input with FILE:LINE.
+Machine read_machine(std::string_view toml, const std::string& file);
+
+/// The text of a program for a machine. Throws bad_input for moves outside of the machine's limits, or that it cannot make.
+std::string write_program(const Program& program, const Machine& machine, const Values& values);
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,70 @@
+/// What is sent to a machine: moves, with the tool and the speeds they are made with.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fieldfab/cam/path.h"
+#include "fieldfab/cam/tool.h"
+
+namespace fieldfab::cam {
+
+/// One straight or round move of the tool's tip, in the part's coordinates.
+struct Move {
+  Vec3 to = Vec3::Zero();     ///< mm
+  double feed = 0;            ///< mm/min; 0: as fast as the machine can, not cutting
+  double bulge = 0;           ///< see PathPoint; 0 for a straight one
+  Vec3 axis = Vec3::UnitZ();  ///< of the tool at its end, towards the spindle
+  [[nodiscard]] bool rapid() const { return feed == 0; }
+};
+
+/// The moves of one operation. The first one starts where the machine then is: it is a rapid to a safe place.
+struct Section {
+  std::string name;           ///< of the operation, for comments and set-up sheets
+  Tool tool;
+  double spindle = 0;         ///< revolutions per minute; 0: none
+  std::string coolant;        ///< "", "mist" or "flood"
+  double clearance = 0;       ///< z at which nothing is in the way, mm
+  std::vector<Move> moves;
+  [[nodiscard]] bool tilted() const;
+};
+
+struct Program {
+  std::string name;
+  std::vector<Section> sections;
+  Box stock;                  ///< the material, mm; empty where not known
+};
+
+/// How the tool gets into the material.
+enum class Entry { plunge, ramp, helix };
+
+struct LinkSettings {
+  double clearance = 5;       ///< z of rapids between paths, mm
+  double feed = 600, plunge = 200;  ///< mm/min
+  Entry entry = Entry::plunge;
+  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< against the plane, radians
+  double above = 1;           ///< how far above the material the tool slows down, mm
+  /// z of the material's surface where a path begins; no higher than it is known to be. Tools enter from there.
+  std::function<double(const Path&)> material = nullptr;
+  /// Whether the tool may go straight from one place to another while it cuts, instead of up, over and down.
+  std::function<bool(const Vec3& from, const Vec3& to)> may_stay_down = nullptr;
+};
+
+/// Joins paths to moves: rapids at the clearance, entries, cuts.
+std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& settings);
+
+/// Time that moves take, seconds: with the machine's acceleration (mm/s^2) and rapid speed (mm/min), stopping at corners as far as
+/// the machine must.
+struct Dynamics {
+  double rapid = 3000, acceleration = 200, corner = 0.02;  ///< corner: mm by which a corner may be cut while not stopping
+};
+double duration(const std::vector<Move>& moves, const Dynamics& dynamics);
+
+/// Length cut and length travelled without cutting, mm.
+struct Lengths {
+  double cut = 0, rapid = 0;
+};
+Lengths lengths(const std::vector<Move>& moves);
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,63 @@
+/// The workflow as a graph (Keeter 6.1): stages turn one kind of thing into another, and the system finds the chain that leads from what
+/// there is to what a machine takes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/order.h"
+#include "fieldfab/cam/program.h"
+#include "fieldfab/cam/setting.h"
+#include "fieldfab/render/image.h"
+
+namespace fieldfab::cam {
+
+/// A part as a Field.
+struct Solid {
+  FieldPtr field;
+  Box bounds;
+  bool flat = false;  ///< a drawing: the same at every z
+};
+
+/// Paths, and how they want to be joined.
+struct Cuts {
+  std::vector<Path> paths;
+  bool ordered = false;             ///< their order and start points matter: leave them
+  bool inside_first = true, may_reverse = false;
+  std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
+};
+
+using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
+/// What an Artifact is; in the variant's order.
+enum class Kind { solid, image, bitmap, outline, surface, paths };
+const char* name_of(Kind kind);
+
+/// What stages may ask about the job besides their own settings.
+struct Context {
+  Tool tool;
+  Box stock;                         ///< the material, mm
+  Progress& progress;
+  std::vector<std::string>& notes;   ///< what the user should know
+};
+
+/// A step of a workflow.
+struct Stage {
+  std::string name, help;
+  Kind takes, makes;
+  bool operation = false;            ///< asked for by name in a job; others are put in where they lead on
+  Settings settings;
+  std::function<Artifact(const Artifact&, const Values&, Context&)> run;
+};
+
+/// All stages there are. To add one, add it to the table of its file in cam/workflow: nothing else has to know.
+const std::vector<Stage>& stages();
+/// An operation by name; throws bad_input at `place` with the nearest name.
+const Stage& operation(const std::string& name, const std::string& place);
+/// The shortest chain of stages from a kind to an operation, the operation last. Throws bad_input where none leads there.
+std::vector<const Stage*> chain(Kind from, const Stage& operation);
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,131 @@
+#include "kinematics.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::cam {
+namespace {
+
+Eigen::Matrix3d turn(const RotaryAxis& axis, double angle) { return Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix(); }
+
+/// Angles t with a cos t + b sin t = c.
+std::vector<double> solutions(double a, double b, double c) {
+  const double length = std::hypot(a, b);
+  if (length < 1e-12) return std::abs(c) < 1e-9 ? std::vector<double>{0} : std::vector<double>{};
+  if (std::abs(c) > length * (1 + 1e-9)) return {};
+  const double middle = std::atan2(b, a), half = std::acos(std::clamp(c / length, -1.0, 1.0));
+  return {middle + half, middle - half};
+}
+
+}  // namespace
+
+// The part of the tool's direction that the rotations make: head axes turn the tool, table axes turn the work the other way. In the
+// work's coordinates the tool points along  T1' T2' H1 H2 z, where H are head rotations and T' inverse table rotations; which is a product
+// of at most two rotations, the outer one first.
+
+Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
+  if (k_.kind == "head-head") {
+    Vec3 v = k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], angles[1]) * Vec3::UnitZ()) : Vec3::UnitZ();
+    return turn(k_.axes[0], angles[0]) * v;
+  }
+  if (k_.kind == "table-table") {
+    // The work stands on the second axis, which stands on the first: work to bed is R1 R2, so the tool in the work is R2' R1' z.
+    Vec3 v = turn(k_.axes[0], -angles[0]) * Vec3::UnitZ();
+    return k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], -angles[1]) * v) : v;
+  }
+  if (k_.kind == "head-table") {
+    Vec3 v = turn(k_.axes[0], angles[0]) * Vec3::UnitZ();
+    return k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], -angles[1]) * v) : v;
+  }
+  return Vec3::UnitZ();
+}
+
+std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) const {
+  if (k_.kind == "none") return (axis - Vec3::UnitZ()).norm() < 1e-9 ? std::vector<std::array<double, 2>>{{0, 0}} : std::vector<std::array<double, 2>>{};
+  // axis = Outer(p) Inner(q) z with directions o and i, signs as the kind has them.
+  const bool head_outer = k_.kind == "head-head";
+  const bool single = k_.axes.size() == 1;
+  const Vec3 inner = single || head_outer ? (single ? k_.axes[0].direction : k_.axes[1].direction) : k_.axes[0].direction;
+  const Vec3 outer = single ? Vec3(Vec3::UnitZ()) : head_outer ? k_.axes[0].direction : k_.axes[1].direction;
+  // The outer rotation keeps the component along its own direction: o . axis = o . Inner(q) z.
+  const Vec3 z = Vec3::UnitZ();
+  const double along = inner.dot(z) * outer.dot(inner);
+  const double a = outer.dot(z) - along, b = outer.dot(inner.cross(z)), c = outer.dot(axis) - along;
+  std::vector<std::array<double, 2>> found;
+  for (const double q : solutions(a, b, c)) {
+    const Vec3 v = Eigen::AngleAxisd(q, inner) * z;
+    double p = 0;
+    const Vec3 from = v - outer.dot(v) * outer, to = axis - outer.dot(axis) * outer;
+    if (from.norm() > 1e-9 && to.norm() > 1e-9) p = std::atan2(outer.dot(from.cross(to)), from.dot(to));
+    if (single && std::abs(p) > 1e-9) continue;  // nothing turns about z there
+    // Signs and order of the machine's own axes.
+    if (k_.kind == "head-head") found.push_back(single ? std::array<double, 2>{q, 0} : std::array<double, 2>{p, q});
+    if (k_.kind == "table-table") found.push_back({-q, -p});
+    if (k_.kind == "head-table") found.push_back({q, -p});
+  }
+  return found;
+}
+
+AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const {
+  if (!tilts() && (axis - Vec3::UnitZ()).norm() > 1e-9)
+    throw Error(ErrorKind::bad_input, "machine", "this machine cannot tilt the tool");
+  const std::array<double, 2> from = last ? last->angles : std::array<double, 2>{0, 0};
+  std::optional<std::array<double, 2>> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& angles : angles_for(axis)) {
+    std::array<double, 2> turned = angles;
+    bool within = true;
+    for (std::size_t k = 0; k < k_.axes.size(); ++k) {
+      // The turn nearest to where the axis stands that its limits allow.
+      const double full = 2 * std::numbers::pi;
+      turned[k] += full * std::round((from[k] - turned[k]) / full);
+      while (turned[k] > k_.axes[k].upper + 1e-9) turned[k] -= full;
+      while (turned[k] < k_.axes[k].lower - 1e-9) turned[k] += full;
+      within &= turned[k] <= k_.axes[k].upper + 1e-9 && turned[k] >= k_.axes[k].lower - 1e-9;
+    }
+    const double way = std::abs(turned[0] - from[0]) + std::abs(turned[1] - from[1]);
+    if (within && way < least - 1e-9) least = way, best = turned;
+  }
+  if (!best)
+    throw Error(ErrorKind::bad_input, "machine", fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(), -axis.z()));
+  for (double& angle : *best)
+    if (std::abs(angle) < 1e-12) angle = 0;
+  AxisPose pose{tip, *best};
+  if (k_.tip_mode || !tilts()) return pose;
+  if (k_.kind == "head-head") {
+    // x, y and z move the pivot; they count from where the tip is when the tool points down.
+    const double arm = k_.pivot + length;
+    pose.position = tip + arm * (axis - Vec3::UnitZ());
+  } else if (k_.kind == "table-table") {
+    Eigen::Matrix3d work = turn(k_.axes[0], pose.angles[0]);
+    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], pose.angles[1]);
+    pose.position = k_.centre + work * (tip - k_.centre);
+  } else {
+    Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], pose.angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    const Vec3 in_bed = work * axis;
+    pose.position = k_.centre + work * (tip - k_.centre) + (k_.pivot + length) * (in_bed - Vec3::UnitZ());
+  }
+  return pose;
+}
+
+std::pair<Vec3, Vec3> PoseSolver::pose(const AxisPose& axes, double length) const {
+  const Vec3 axis = tool_axis(axes.angles);
+  if (k_.tip_mode || !tilts()) return {axes.position, axis};
+  if (k_.kind == "head-head") return {axes.position - (k_.pivot + length) * (axis - Vec3::UnitZ()), axis};
+  if (k_.kind == "table-table") {
+    Eigen::Matrix3d work = turn(k_.axes[0], axes.angles[0]);
+    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], axes.angles[1]);
+    return {k_.centre + work.transpose() * (axes.position - k_.centre), axis};
+  }
+  Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], axes.angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Vec3 in_bed = work * axis;
+  return {k_.centre + work.transpose() * (axes.position - (k_.pivot + length) * (in_bed - Vec3::UnitZ()) - k_.centre), axis};
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,36 @@
+/// From tool poses to axis values.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "fieldfab/cam/machine.h"
+
+namespace fieldfab::cam {
+
+/// Where the axes stand.
+struct AxisPose {
+  Vec3 position = Vec3::Zero();        ///< of x, y and z, mm
+  std::array<double, 2> angles{0, 0};  ///< of the rotary axes, radians
+};
+
+/// Solves for a machine's axes.
+class PoseSolver {
+ public:
+  explicit PoseSolver(const Kinematics& kinematics) : k_(kinematics) {}
+  [[nodiscard]] bool tilts() const { return k_.kind != "none"; }
+  [[nodiscard]] const std::vector<RotaryAxis>& axes() const { return k_.axes; }
+
+  /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge line; of
+  /// several, the one that turns least from `last`. Throws bad_input where the machine cannot point the tool that way.
+  [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const;
+  /// The other way round: tip and axis of a pose.
+  [[nodiscard]] std::pair<Vec3, Vec3> pose(const AxisPose& axes, double length) const;
+
+ private:
+  [[nodiscard]] std::vector<std::array<double, 2>> angles_for(const Vec3& axis) const;
+  [[nodiscard]] Vec3 tool_axis(const std::array<double, 2>& angles) const;
+  const Kinematics& k_;
+};
+
+}  // namespace fieldfab::cam

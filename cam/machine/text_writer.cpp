@@ -1,0 +1,274 @@
+// Programs as text, by the templates of a machine's data file (docs/machines.md).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/cam/machine.h"
+#include "fieldfab/core/error.h"
+#include "kinematics.h"
+#include "writers.h"
+
+namespace fieldfab::cam {
+namespace {
+
+/// Fills templates. {name} stands for a value; what is in [brackets] is left out while none of its values has changed since it was last
+/// written; {name*factor:u8} and {name*factor:u16} are bytes, the greater one first.
+class Templates {
+ public:
+  explicit Templates(const Machine& machine) : machine_(machine) {}
+
+  void set(const std::string& name, double value) {
+    numbers_[name] = value;
+    texts_[name] = number_text(value, machine_.decimals);
+  }
+  void set_whole(const std::string& name, double value) {
+    numbers_[name] = value;
+    texts_[name] = fmt::format("{}", std::llround(value));
+  }
+  void set_text(const std::string& name, std::string value) { texts_[name] = std::move(value); }
+  [[nodiscard]] const std::string& text(const std::string& name) const { return texts_.at(name); }
+
+  [[nodiscard]] bool has(const std::string& key) const { return machine_.text.contains(key); }
+  /// Forgets what was written, so that brackets are written again.
+  void forget() { written_.clear(); }
+
+  /// The template of that name, filled; empty where the machine has none.
+  std::string fill(const std::string& key) {
+    const auto found = machine_.text.find(key);
+    if (found == machine_.text.end()) return {};
+    const std::string& pattern = found->second;
+    std::string out;
+    bool any_bracket = false, any_written = false;
+    for (std::size_t i = 0; i < pattern.size();) {
+      if (pattern[i] == '[') {
+        const std::size_t end = pattern.find(']', i);
+        if (end == std::string::npos) refuse(key, "has '[' without ']'");
+        any_bracket = true;
+        const std::string piece = bracket(pattern.substr(i + 1, end - i - 1), key);
+        any_written |= !piece.empty();
+        out += piece;
+        i = end + 1;
+      } else if (pattern[i] == '{') {
+        const std::string name = pattern.substr(i + 1, pattern.find('}', i) - i - 1);
+        out += written_[name] = value(pattern, i, key);
+        any_written = true;
+      } else {
+        out += pattern[i++];
+      }
+    }
+    return any_bracket && !any_written ? std::string() : out;  // nothing has changed, and all was in brackets: no move
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& key, const std::string& what) const {
+    throw Error(ErrorKind::bad_input, machine_.file, fmt::format("the template {} {}", key, what));
+  }
+
+  std::string bracket(const std::string& pattern, const std::string& key) {
+    std::string out;
+    bool changed = false;
+    for (std::size_t i = 0; i < pattern.size();) {
+      if (pattern[i] != '{') {
+        out += pattern[i++];
+        continue;
+      }
+      const std::string name = pattern.substr(i + 1, pattern.find('}', i) - i - 1);
+      const std::string text = value(pattern, i, key);
+      std::string& before = written_[name];
+      changed |= before != text;
+      before = text;
+      out += text;
+    }
+    return changed ? out : std::string();
+  }
+
+  /// The value of the {...} that begins at `i`, which moves behind it.
+  std::string value(const std::string& pattern, std::size_t& i, const std::string& key) {
+    const std::size_t end = pattern.find('}', i);
+    if (end == std::string::npos) refuse(key, "has '{' without '}'");
+    std::string name = pattern.substr(i + 1, end - i - 1), bytes;
+    i = end + 1;
+    if (const std::size_t colon = name.find(':'); colon != std::string::npos) bytes = name.substr(colon + 1), name.resize(colon);
+    double factor = 1;
+    bool scaled = false;
+    if (const std::size_t star = name.find('*'); star != std::string::npos) {
+      factor = std::stod(name.substr(star + 1));
+      name.resize(star);
+      scaled = true;
+    }
+    const auto text = texts_.find(name);
+    if (text == texts_.end()) refuse(key, fmt::format("uses {{{}}}, which has no value", name));
+    if (!scaled && bytes.empty()) return text->second;
+    const auto number = numbers_.find(name);
+    if (number == numbers_.end()) refuse(key, fmt::format("needs a number for {}", name));
+    if (bytes.empty()) return number_text(number->second * factor, machine_.decimals);
+    const auto whole = static_cast<unsigned>(std::clamp(std::llround(number->second * factor), 0LL, 65535LL));
+    if (bytes == "i") return fmt::format("{}", std::llround(number->second * factor));
+    if (bytes == "u8") return {static_cast<char>(whole & 255U)};
+    if (bytes == "u16") return {static_cast<char>(whole >> 8U), static_cast<char>(whole & 255U)};
+    refuse(key, fmt::format("knows no form '{}'; there are i, u8 and u16", bytes));
+  }
+
+  const Machine& machine_;
+  std::map<std::string, std::string> texts_, written_;
+  std::map<std::string, double> numbers_;
+};
+
+/// Writes one program.
+class TextWriter {
+ public:
+  TextWriter(const Program& program, const Machine& machine, const Values& values)
+      : program_(program), machine_(machine), values_(values), templates_(machine), solver_(machine.kinematics) {}
+
+  std::string write() {
+    set_settings();
+    const Section* const first = program_.sections.empty() ? nullptr : &program_.sections.front();
+    set_section(first != nullptr ? *first : Section{});
+    out_ += templates_.fill("header");
+    int tool = -1;
+    double spindle = -1;
+    std::string coolant;
+    for (const Section& section : program_.sections) {
+      set_section(section);
+      out_ += templates_.fill("section");
+      if (section.tool.number != tool) {
+        if (spindle > 0) out_ += templates_.fill("spindle_off");
+        out_ += templates_.fill("tool_change");
+        tool = section.tool.number;
+        spindle = -1;
+        templates_.forget();
+        at_known_ = false;
+      }
+      if (section.spindle != spindle && section.spindle > 0) out_ += templates_.fill("spindle_on");
+      spindle = section.spindle;
+      if (section.coolant != coolant) out_ += templates_.fill("coolant_" + (section.coolant.empty() ? "off" : section.coolant));
+      coolant = section.coolant;
+      for (const Move& move : section.moves) add(move, section);
+    }
+    if (!coolant.empty()) out_ += templates_.fill("coolant_off");
+    if (spindle > 0) out_ += templates_.fill("spindle_off");
+    out_ += templates_.fill("footer");
+    return std::move(out_);
+  }
+
+ private:
+  void set_settings() {
+    for (const auto& [name, given] : values_.given) {
+      if (const double* const number = std::get_if<double>(&given.value)) templates_.set(name, *number);
+      if (const bool* const flag = std::get_if<bool>(&given.value)) templates_.set_whole(name, *flag ? 1 : 0);
+      if (const auto* const text = std::get_if<std::string>(&given.value)) templates_.set_text(name, *text);
+    }
+    templates_.set_text("program", comment_safe(program_.name));
+    for (const char* name : {"x", "y", "z", "i", "j", "f", "a", "b", "c", "cx", "cy", "turn", "radius"}) templates_.set(name, 0);
+  }
+
+  void set_section(const Section& section) {
+    templates_.set_text("operation", comment_safe(section.name));
+    templates_.set_text("tool_name", comment_safe(section.tool.name));
+    templates_.set_whole("tool", section.tool.number);
+    templates_.set("diameter", section.tool.diameter / machine_.unit);
+    templates_.set_whole("rpm", section.spindle);
+    templates_.set("clearance", coordinate_value(section.clearance));
+    coordinate("clearance", section.clearance);
+    double slowest = 0;
+    for (const Move& move : section.moves)
+      if (!move.rapid() && (slowest == 0 || move.feed < slowest)) slowest = move.feed;
+    templates_.set("slowest", slowest / machine_.feed_unit);
+  }
+
+  static std::string comment_safe(std::string text) {
+    for (char& c : text)
+      if (static_cast<unsigned char>(c) < 32 || c == '(' || c == ')' || c == ';' || c == '%') c = ' ';
+    return text;
+  }
+
+  [[nodiscard]] double coordinate_value(double mm) const { return machine_.tick > 0 ? std::round(mm / machine_.tick) : mm / machine_.unit; }
+  void coordinate(const std::string& name, double mm) {
+    if (machine_.tick > 0)
+      templates_.set_whole(name, coordinate_value(mm));
+    else
+      templates_.set(name, coordinate_value(mm));
+  }
+
+  void add(const Move& move, const Section& section) {
+    if (move.bulge != 0 && !(machine_.arcs && at_known_ && !solver_.tilts())) return add_arc_as_lines(move, section);
+    const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
+    check(pose.position);
+    const bool turned = last_ && pose.angles != last_->angles;
+    for (std::size_t k = 0; k < solver_.axes().size(); ++k) {
+      const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
+      templates_.set(letter, pose.angles[k] * 180 / std::numbers::pi);
+    }
+    if (!move.rapid()) {
+      const bool first = templates_.text("f") != number_text(move.feed / machine_.feed_unit, machine_.decimals);
+      templates_.set("f", move.feed / machine_.feed_unit);
+      if (first) out_ += templates_.fill("feed");
+    }
+    coordinate("x", pose.position.x()), coordinate("y", pose.position.y()), coordinate("z", pose.position.z());
+    if (turned && templates_.has("tilt") && (pose.position - last_->position).norm() < 1e-9) {
+      out_ += templates_.fill("tilt");
+    } else if (move.bulge != 0) {
+      const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
+      coordinate("i", arc.centre.x() - at_.x()), coordinate("j", arc.centre.y() - at_.y());
+      coordinate("cx", arc.centre.x()), coordinate("cy", arc.centre.y()), coordinate("radius", arc.radius);
+      templates_.set("turn", -arc.turn * 180 / std::numbers::pi);
+      out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
+    } else {
+      out_ += templates_.fill(move.rapid() ? "rapid" : "line");
+    }
+    at_ = move.to;
+    at_known_ = true;
+    last_ = pose;
+  }
+
+  void add_arc_as_lines(const Move& move, const Section& section) {
+    if (!at_known_) throw Error(ErrorKind::internal, "program", "begins with an arc");
+    const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
+    // Chords that leave the arc by no more than a hundredth of a millimetre or a tick.
+    const double sag = std::max(0.005, machine_.tick / 2), step = 2 * std::sqrt(2 * sag * std::max(arc.radius, sag));
+    Path piece;
+    piece.points = {{at_, move.bulge}, {move.to}};
+    const std::vector<PathPoint> points = points_along(piece, step);
+    for (std::size_t i = 1; i < points.size(); ++i) add({points[i].at, move.feed, 0, move.axis}, section);
+  }
+
+  void check(const Vec3& p) {
+    range_.lower = started_ ? Vec3(range_.lower.cwiseMin(p)) : p;
+    range_.upper = started_ ? Vec3(range_.upper.cwiseMax(p)) : p;
+    started_ = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double travel = machine_.travel[static_cast<std::size_t>(axis)], used = range_.size()[axis];
+      if (travel > 0 && used > travel + 1e-6)
+        throw Error(ErrorKind::bad_input, "machine",
+                    fmt::format("{} can move {:.6g} mm along {}; this program needs {:.6g} mm or more", machine_.name, travel, "xyz"[axis], used));
+    }
+  }
+
+  const Program& program_;
+  const Machine& machine_;
+  const Values& values_;
+  Templates templates_;
+  PoseSolver solver_;
+  std::string out_;
+  Vec3 at_ = Vec3::Zero();
+  bool at_known_ = false, started_ = false;
+  Box range_;
+  std::optional<AxisPose> last_;
+};
+
+}  // namespace
+
+std::string number_text(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+std::string write_text(const Program& program, const Machine& machine, const Values& values) { return TextWriter(program, machine, values).write(); }
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,208 @@
+// Operations on outlines: profile, isolation, pocket, drilling.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::cam {
+
+std::vector<double> Depths::passes() const {
+  if (!(bottom < top)) throw Error(ErrorKind::bad_input, "depth", fmt::format("the bottom of the cut ({:.6g}) must be below its top ({:.6g})", bottom, top));
+  if (!(step > 0)) throw Error(ErrorKind::bad_input, "stepdown", "must be above 0");
+  const double depth = top - bottom;
+  const int count = std::max(1, static_cast<int>(std::ceil(depth / step - 1e-9)));
+  std::vector<double> z;
+  for (int i = 1; i <= count; ++i) z.push_back(i == count ? bottom : top - depth * i / count);
+  return z;
+}
+
+namespace {
+
+/// A loop as a path at z: its left side is what stays, so that it runs conventionally; turned round for climb.
+Path path_of(const Loop& loop, double z, const CutSettings& cut, bool wall_on_left) {
+  Path path;
+  if (cut.arcs) {
+    path = fit_arcs(loop.points, true, z, cut.tolerance);
+  } else {
+    std::vector<Vec3> points;
+    for (const Vec2& p : loop.points) points.emplace_back(p.x(), p.y(), z);
+    points.push_back(points.front());
+    for (const Vec3& p : simplified(points, cut.tolerance)) path.points.push_back({p});
+    path.points.pop_back();
+    path.closed = true;
+  }
+  if (wall_on_left == cut.climb) reverse(path);
+  return path;
+}
+
+/// The part of a path from one distance along it to another; a closed one goes on from its end.
+Path part_of(const Path& path, double from, double to) {
+  Path out;
+  double done = 0;
+  const std::size_t n = path.points.size();
+  for (std::size_t i = 0; done < to; ++i) {
+    if (!path.closed && i + 1 >= n) break;
+    const PathPoint &a = path.points[i % n], &b = path.points[(i + 1) % n];
+    const bool straight = a.bulge == 0;
+    const Arc arc = straight ? Arc{} : arc_between(a.at.head<2>(), b.at.head<2>(), a.bulge);
+    const double length = straight ? (b.at - a.at).norm() : std::hypot(arc.radius * arc.turn, b.at.z() - a.at.z());
+    const double first = std::max(0.0, from - done), last = std::min(length, to - done);
+    if (length > 0 && last > first) {
+      const auto at = [&](double along) {
+        const double share = along / length;
+        if (straight) return Vec3(a.at + share * (b.at - a.at));
+        const Vec2 out_from = a.at.head<2>() - arc.centre;
+        const double c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
+        return Vec3(arc.centre.x() + c * out_from.x() - s * out_from.y(), arc.centre.y() + s * out_from.x() + c * out_from.y(), a.at.z() + share * (b.at.z() - a.at.z()));
+      };
+      PathPoint start = a;
+      start.at = at(first);
+      start.bulge = straight ? 0 : std::tan(arc.turn * (last - first) / length / 4);
+      if (out.points.empty())
+        out.points.push_back(start);
+      else
+        out.points.back().bulge = start.bulge;
+      out.points.push_back({at(last), 0, b.axis});
+    }
+    done += length;
+  }
+  return out;
+}
+
+/// Lifts a closed path over evenly spaced tabs: down on one side, up on the other, straight.
+Path with_tabs(const Path& path, const Tabs& tabs, double tab_top, double tool_radius) {
+  const double length = path.length(), wide = tabs.width + 2 * tool_radius;
+  const int count = std::min(tabs.count, static_cast<int>(length / (2 * wide)));
+  if (count < 1) return path;
+  Path out;
+  const double z = path.points.front().at.z();
+  for (int i = 0; i < count; ++i) {
+    const double from = length * i / count, to = length * (i + 1) / count, tab = to - wide;
+    const Path low = part_of(path, from, tab), high = part_of(path, tab, to);
+    const auto add = [&](const Path& piece, double height) {
+      for (PathPoint p : piece.points) {
+        p.at.z() = height;
+        if (!out.points.empty() && (out.points.back().at - p.at).norm() < 1e-9)
+          out.points.back() = p;
+        else
+          out.points.push_back(p);
+      }
+    };
+    add(low, z), add(high, tab_top);
+  }
+  out.points.push_back(out.points.front());  // down again at the beginning
+  out.level = path.level;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs, Progress& progress) {
+  const double off = side == Side::on ? 0 : cut.radius + cut.allowance;
+  const double level = side == Side::inside ? -off : off;
+  const Loops loops = contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
+  std::vector<Path> paths;
+  const std::vector<double> passes = cut.depths.passes();
+  for (std::size_t pass = 0; pass < passes.size(); ++pass)
+    for (const Loop& loop : loops) {
+      Path path = path_of(loop, passes[pass], cut, side != Side::inside);
+      const double tab_top = cut.depths.bottom + tabs.height;
+      path.level = static_cast<int>(pass);
+      paths.push_back(tabs.count > 0 && passes[pass] < tab_top - 1e-9 ? with_tabs(path, tabs, tab_top, cut.radius) : path);
+    }
+  return paths;
+}
+
+std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut, Progress& progress) {
+  if (count != 1 && !(stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
+  std::vector<Path> paths;
+  const std::vector<double> passes = cut.depths.passes();
+  for (int ring = 0; count < 0 || ring < count; ++ring) {
+    const double level = cut.radius + cut.allowance + ring * stepover;
+    // Until the offsets have left the bounds, where only their outermost frame is left.
+    const Loops loops = contours(*part.distance, count < 0 ? part.bounds : part.bounds.grown(level + 2 * part.cell), {part.cell, 0, level}, progress);
+    const bool filled = loops.size() == 1 && loops[0].area() >= (1 - 1e-9) * part.bounds.size().prod();
+    if (loops.empty() || (count < 0 && filled)) break;
+    for (std::size_t pass = 0; pass < passes.size(); ++pass)
+      for (const Loop& loop : loops) {
+        paths.push_back(path_of(loop, passes[pass], cut, true));
+        paths.back().level = static_cast<int>(pass);
+      }
+  }
+  return paths;
+}
+
+std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z, const CutSettings& cut,
+                        Progress& progress) {
+  if (!(stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
+  std::vector<Path> paths;
+  for (int ring = 0;; ++ring) {
+    const Loops loops = contours(area, bounds, {cell, 0, -ring * stepover}, progress);
+    if (loops.empty()) break;
+    for (const Loop& loop : loops) paths.push_back(path_of(loop, z, cut, false));
+  }
+  return paths;
+}
+
+std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left, Progress& progress) {
+  const FieldPtr reachable = offset(area.distance, -(cut.radius + cut.allowance));
+  const std::vector<Path> once = rings(*reachable, area.bounds, area.cell, stepover, 0, cut, progress);
+  if (left != nullptr) {
+    // Parts of the area without a path in them.
+    Loops part = contours(*area.distance, area.bounds, {area.cell}, progress);
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      if (part[i].area() < 0) continue;
+      const bool cut_into = std::any_of(once.begin(), once.end(), [&](const Path& p) { return part[i].encloses(p.points[0].at.head<2>()); });
+      if (!cut_into) left->push_back(0.5 * (part[i].bounds().lower + part[i].bounds().upper));
+    }
+  }
+  std::vector<Path> paths;
+  const std::vector<double> passes = cut.depths.passes();
+  for (std::size_t pass = 0; pass < passes.size(); ++pass)
+    for (Path path : once) {
+      for (PathPoint& p : path.points) p.at.z() = passes[pass];
+      path.level = static_cast<int>(pass);
+      paths.push_back(std::move(path));
+    }
+  return paths;
+}
+
+std::vector<Hole> holes(const Loops& loops, double tolerance) {
+  std::vector<Hole> found;
+  for (const Loop& loop : loops) {
+    const Rectangle box = loop.bounds();
+    const Vec2 centre = 0.5 * (box.lower + box.upper);
+    double sum = 0;
+    for (const Vec2& p : loop.points) sum += (p - centre).norm();
+    const double radius = sum / static_cast<double>(loop.points.size());
+    const bool round = loop.points.size() >= 8 && std::all_of(loop.points.begin(), loop.points.end(),
+                                                               [&](const Vec2& p) { return std::abs((p - centre).norm() - radius) <= tolerance; });
+    // A square's corners can lie on a circle, too: its area tells.
+    if (round && std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <= 2 * std::numbers::pi * radius * 2 * tolerance)
+      found.push_back({centre, radius});
+  }
+  return found;
+}
+
+std::vector<Path> drill(const std::vector<Hole>& where, double peck, const Depths& depths) {
+  std::vector<Path> paths;
+  const std::vector<double> passes = Depths{depths.top, depths.bottom, peck > 0 ? peck : 1e300}.passes();
+  for (const Hole& hole : where) {
+    Path path;
+    const auto add = [&](double z) { path.points.push_back({{hole.centre.x(), hole.centre.y(), z}}); };
+    add(depths.top);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      add(passes[i]);
+      if (i + 1 < passes.size()) add(depths.top);  // out of the hole with the chips
+    }
+    paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,156 @@
+// Paths become moves: rapids, entries, cuts; and how long they take.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/cam/program.h"
+
+namespace fieldfab::cam {
+
+bool Section::tilted() const {
+  return std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.axis != Vec3::UnitZ(); });
+}
+
+namespace {
+
+class Linker {
+ public:
+  explicit Linker(const LinkSettings& settings) : s_(settings) {}
+
+  void add(const Path& path) {
+    if (path.points.empty()) return;
+    const Vec3 start = path.points.front().at;
+    if (moves_.empty() || !(s_.may_stay_down && s_.may_stay_down(moves_.back().to, start))) {
+      retract();
+      rapid({start.x(), start.y(), s_.clearance});
+      enter(path);
+    } else {
+      cut(start, s_.feed);
+    }
+    follow(path);
+  }
+
+  std::vector<Move> take() {
+    retract();
+    return std::move(moves_);
+  }
+
+ private:
+  void rapid(const Vec3& to) { moves_.push_back({to}); }
+  void cut(const Vec3& to, double feed, double bulge = 0) {
+    if (bulge == 0 && (moves_.back().to - to).norm() < 1e-9) return;
+    moves_.push_back({to, feed, bulge});
+  }
+  void retract() {
+    if (!moves_.empty() && moves_.back().to.z() < s_.clearance) rapid({moves_.back().to.x(), moves_.back().to.y(), s_.clearance});
+  }
+
+  void enter(const Path& path) {
+    const Vec3 start = path.points.front().at;
+    const double material = s_.material ? std::min(s_.material(path), s_.clearance) : s_.clearance;
+    const double from = std::clamp(material + s_.above, start.z(), s_.clearance);
+    if (from < s_.clearance) rapid({start.x(), start.y(), from});
+    if (from > start.z() && s_.entry != Entry::plunge && path.closed && path.length() > 1e-3) return descend(path, from);
+    cut(start, s_.plunge);
+  }
+
+  /// Down along the path itself, round and round; a ramp on the way for any length, a helix where the path is a circle.
+  void descend(const Path& path, double from) {
+    const double slope = std::tan(s_.ramp_angle), bottom = path.points.front().at.z(), length = path.length();
+    // Whole rounds, so that the cut begins where the path does.
+    const int rounds = std::max(1, static_cast<int>(std::ceil((from - bottom) / slope / length)));
+    double done = 0;
+    const std::size_t n = path.points.size();
+    for (int round = 0; round < rounds; ++round)
+      for (std::size_t i = 0; i < n; ++i) {
+        const PathPoint &a = path.points[i], &b = path.points[(i + 1) % n];
+        Path piece;
+        piece.points = {a, b};
+        done += piece.length();
+        const double share = std::min(1.0, done / (rounds * length));
+        cut({b.at.x(), b.at.y(), share > 1 - 1e-9 ? bottom : from + share * (bottom - from)}, s_.plunge, a.bulge);
+      }
+  }
+
+  void follow(const Path& path) {
+    for (std::size_t i = 0; i + 1 < path.points.size(); ++i) step(path.points[i], path.points[i + 1]);
+    if (path.closed) step(path.points.back(), path.points.front());
+  }
+  void step(const PathPoint& a, const PathPoint& b) {
+    const Vec3 way = b.at - a.at;
+    const bool down = a.bulge == 0 && -way.z() > 2 * way.head<2>().norm();
+    cut(b.at, down ? s_.plunge : s_.feed, a.bulge);
+  }
+
+  const LinkSettings& s_;
+  std::vector<Move> moves_;
+};
+
+}  // namespace
+
+std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& settings) {
+  Linker linker(settings);
+  for (const Path& path : paths) linker.add(path);
+  return linker.take();
+}
+
+namespace {
+
+double length_of(const Vec3& from, const Move& m) {
+  if (m.bulge == 0) return (m.to - from).norm();
+  const Arc arc = arc_between(from.head<2>(), m.to.head<2>(), m.bulge);
+  return std::hypot(arc.radius * arc.turn, m.to.z() - from.z());
+}
+
+/// Direction at the start (share 0) or the end (share 1) of a move.
+Vec3 direction(const Vec3& from, const Move& m, double share) {
+  Vec3 chord = m.to - from;
+  if (m.bulge != 0) {
+    const double turn = 2 * std::atan(m.bulge) * (share > 0 ? 1 : -1);
+    chord = Vec3(std::cos(turn) * chord.x() - std::sin(turn) * chord.y(), std::sin(turn) * chord.x() + std::cos(turn) * chord.y(), chord.z());
+  }
+  const double length = chord.norm();
+  return length > 0 ? Vec3(chord / length) : Vec3::Zero();
+}
+
+}  // namespace
+
+Lengths lengths(const std::vector<Move>& moves) {
+  Lengths sum;
+  for (std::size_t i = 1; i < moves.size(); ++i) (moves[i].rapid() ? sum.rapid : sum.cut) += length_of(moves[i - 1].to, moves[i]);
+  return sum;
+}
+
+double duration(const std::vector<Move>& moves, const Dynamics& d) {
+  const std::size_t n = moves.size();
+  if (n < 2) return 0;
+  // The speed at each joint: what the corner allows, then what can be braked to (backwards) and reached (forwards).
+  std::vector<double> limit(n, 0.0), length(n, 0.0), speed(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    length[i] = length_of(moves[i - 1].to, moves[i]);
+    speed[i] = (moves[i].rapid() ? d.rapid : std::min(moves[i].feed, d.rapid)) / 60;
+  }
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double cosine = std::clamp(direction(moves[i - 1].to, moves[i], 1).dot(direction(moves[i].to, moves[i + 1], 0)), -1.0, 1.0);
+    // A circle that cuts the corner by d.corner, at the acceleration there is.
+    const double half = std::sqrt((1 + cosine) / 2), radius = half < 1 - 1e-12 ? d.corner * half / (1 - half) : 1e12;
+    limit[i] = std::min({speed[i], speed[i + 1], std::sqrt(d.acceleration * radius)});
+  }
+  for (std::size_t i = n - 1; i-- > 1;) limit[i] = std::min(limit[i], std::sqrt(limit[i + 1] * limit[i + 1] + 2 * d.acceleration * length[i + 1]));
+  for (std::size_t i = 1; i < n; ++i) limit[i] = std::min(limit[i], std::sqrt(limit[i - 1] * limit[i - 1] + 2 * d.acceleration * length[i]));
+  double seconds = 0;
+  for (std::size_t i = 1; i < n; ++i) {
+    if (length[i] <= 0) continue;
+    const double a = limit[i - 1], b = limit[i], v = speed[i], acceleration = d.acceleration;
+    const double ramps = (2 * v * v - a * a - b * b) / (2 * acceleration);
+    if (ramps <= length[i]) {
+      seconds += (2 * v - a - b) / acceleration + (length[i] - ramps) / v;
+    } else {
+      const double peak = std::sqrt((2 * acceleration * length[i] + a * a + b * b) / 2);
+      seconds += (2 * peak - a - b) / acceleration;
+    }
+  }
+  return seconds;
+}
+
+}  // namespace fieldfab::cam

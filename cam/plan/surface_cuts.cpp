@@ -1,0 +1,191 @@
+// Operations on a surface: roughing in levels, raster, spiral and waterline finishing.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::cam {
+
+double stepover_for_scallop(double corner_radius, double scallop) {
+  if (!(scallop > 0) || !(scallop < corner_radius))
+    throw Error(ErrorKind::bad_input, "scallop", fmt::format("must be above 0 and below the tool's corner radius of {:.6g} mm", corner_radius));
+  return 2 * std::sqrt(scallop * (2 * corner_radius - scallop));
+}
+
+namespace {
+
+/// The tip's way over the surface along a line in the plane, as a polyline that is nowhere below it by more than the tolerance.
+class Follower {
+ public:
+  Follower(const TipSurface& tips, double bottom, double tolerance) : tips_(tips), bottom_(bottom), tolerance_(tolerance) {}
+
+  /// Goes straight from the last point to `to`.
+  void go(const Vec2& to) {
+    const Vec3 next = at(to);
+    if (points_.empty())
+      points_.push_back(next);
+    else
+      refine(points_.back(), next, 0);
+  }
+  /// The way so far; a new one begins.
+  std::vector<Vec3> take() { return simplified(std::exchange(points_, {}), 0.25 * tolerance_); }
+
+ private:
+  Vec3 at(const Vec2& p) {
+    const TipSurface::Contact touched = tips_.contact(p, guess_);
+    guess_ = touched.place;
+    return {p.x(), p.y(), std::max(bottom_, touched.tip)};
+  }
+
+  /// Halves the way until its middle lies on it, or, at a wall, until it is as short as the tolerance.
+  void refine(const Vec3& from, const Vec3& to, int depth) {
+    const double across = (to - from).head<2>().norm();
+    if (depth < 24 && across > 0.5 * tolerance_) {
+      const Vec3 middle = at(0.5 * (from + to).head<2>());
+      const bool bent = std::abs(middle.z() - 0.5 * (from.z() + to.z())) > 0.5 * tolerance_;
+      const bool steep = std::abs(to.z() - from.z()) > 2 * across;  // perhaps a wall on one side of the middle
+      if (bent || (steep && across > tolerance_)) {
+        refine(from, middle, depth + 1);
+        refine(middle, to, depth + 1);
+        return;
+      }
+    }
+    // At a wall the tool goes up before it goes on, and on before it goes down.
+    if (std::abs(to.z() - from.z()) > 2 * across && across > 0) {
+      const double high = std::max(from.z(), to.z());
+      points_.emplace_back(to.z() > from.z() ? from.x() : to.x(), to.z() > from.z() ? from.y() : to.y(), high);
+    }
+    points_.push_back(to);
+  }
+
+  const TipSurface& tips_;
+  double bottom_, tolerance_;
+  Vec2 guess_ = Vec2::Zero();
+  std::vector<Vec3> points_;
+};
+
+Path path_through(const std::vector<Vec3>& points) {
+  Path path;
+  for (const Vec3& p : points) path.points.push_back({p});
+  return path;
+}
+
+void check(const FinishSettings& settings) {
+  if (!(settings.stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
+  if (!(settings.tolerance > 0)) throw Error(ErrorKind::bad_input, "tolerance", "must be above 0");
+}
+
+}  // namespace
+
+std::vector<Path> raster(const TipSurface& tips, const FinishSettings& settings, Progress& progress) {
+  check(settings);
+  // In coordinates along and across the passes.
+  const Vec2 along(std::cos(settings.angle), std::sin(settings.angle)), across(-along.y(), along.x());
+  const Rectangle& r = settings.area;
+  Rectangle turned = Rectangle::nothing();
+  for (const Vec2& corner : {r.lower, r.upper, Vec2(r.lower.x(), r.upper.y()), Vec2(r.upper.x(), r.lower.y())})
+    turned.add({along.dot(corner), across.dot(corner)});
+  const int passes = 1 + std::max(1, static_cast<int>(std::ceil(turned.size().y() / settings.stepover - 1e-9)));
+  const double cell = tips.surface().samples().cell;
+  std::vector<Path> paths(static_cast<std::size_t>(passes));
+  parallel_for(paths.size(), [&](std::size_t pass) {
+    progress.check();
+    // The line of this pass, as far as it lies within the rectangle.
+    const double v = turned.lower.y() + turned.size().y() * static_cast<double>(pass) / (passes - 1);
+    double first = turned.lower.x(), last = turned.upper.x();
+    for (int axis = 0; axis < 2; ++axis) {
+      const double slope = along[axis], start = v * across[axis];
+      if (std::abs(slope) < 1e-12) continue;
+      const double a = (r.lower[axis] - start) / slope, b = (r.upper[axis] - start) / slope;
+      first = std::max(first, std::min(a, b)), last = std::min(last, std::max(a, b));
+    }
+    if (last < first) return;
+    const int steps = std::max(1, static_cast<int>(std::ceil((last - first) / cell)));
+    Follower follower(tips, settings.bottom, settings.tolerance);
+    for (int i = 0; i <= steps; ++i) follower.go((first + (last - first) * i / steps) * along + v * across);
+    paths[pass] = path_through(follower.take());
+    if (settings.both_ways && pass % 2 == 1) reverse(paths[pass]);
+    progress.report(static_cast<double>(pass) / passes, "finishing");
+  });
+  std::erase_if(paths, [](const Path& p) { return p.points.size() < 2; });
+  return paths;
+}
+
+std::vector<Path> spiral(const TipSurface& tips, const FinishSettings& settings, Progress& progress) {
+  check(settings);
+  const Vec2 centre = 0.5 * (settings.area.lower + settings.area.upper);
+  const double furthest = 0.5 * settings.area.size().norm(), cell = tips.surface().samples().cell;
+  std::vector<Path> paths;
+  Follower follower(tips, settings.bottom, settings.tolerance);
+  bool going = false;
+  const auto finish = [&] {
+    if (going) paths.push_back(path_through(follower.take()));
+    going = false;
+  };
+  double angle = 0;
+  for (double radius = 0; radius <= furthest;) {
+    const Vec2 p = centre + radius * Vec2(std::cos(angle), std::sin(angle));
+    if (settings.area.contains(p))
+      follower.go(p), going = true;
+    else
+      finish();
+    angle += cell / std::max(radius, cell);
+    radius = settings.stepover * angle / (2 * std::numbers::pi);
+    progress.check();
+    progress.report(radius / furthest, "finishing");
+  }
+  finish();
+  std::erase_if(paths, [](const Path& p) { return p.points.size() < 2; });
+  return paths;
+}
+
+std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell, const CutSettings& cut,
+                            Progress& progress) {
+  const FieldPtr field = TipSurface::field(tips);
+  const std::vector<double> passes = cut.depths.passes();
+  std::vector<Path> paths;
+  for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+    progress.report(static_cast<double>(pass) / static_cast<double>(passes.size()), "waterlines");
+    for (const Loop& loop : contours(*field, area, {cell, 0, -passes[pass]}, progress)) {
+      Path path = cut.arcs ? fit_arcs(loop.points, true, passes[pass], cut.tolerance) : Path{};
+      if (!cut.arcs) {
+        for (const Vec2& p : loop.points) path.points.push_back({{p.x(), p.y(), passes[pass]}});
+        path.closed = true;
+      }
+      if (cut.climb) reverse(path);
+      path.level = static_cast<int>(pass);
+      paths.push_back(std::move(path));
+    }
+  }
+  return paths;
+}
+
+std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings, Progress& progress) {
+  const FieldPtr blocked = TipSurface::field(tips);
+  // The tool's middle may leave the stock by its radius, and does so that nothing stays at the border.
+  const Rectangle reach = settings.stock.grown(settings.cut.radius);
+  const std::vector<double> passes = settings.depths.passes();
+  std::vector<Path> paths;
+  for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+    progress.report(static_cast<double>(pass) / static_cast<double>(passes.size()), "roughing");
+    Loops walls = contours(*blocked, reach.grown(2 * settings.cell), {settings.cell, 0, -passes[pass]}, progress);
+    // Distance to the walls, and to the border of what is to be reached: negative where the middle may be.
+    const Vec2 a = reach.lower, b = reach.upper;
+    FieldPtr free = outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}});
+    if (!walls.empty()) free = intersect(free, complement(outline_field(walls)));
+    for (Path& path : rings(*free, reach.grown(settings.cell), settings.cell, settings.stepover, passes[pass], settings.cut, progress)) {
+      path.level = static_cast<int>(pass);
+      paths.push_back(std::move(path));
+    }
+  }
+  return paths;
+}
+
+}  // namespace fieldfab::cam

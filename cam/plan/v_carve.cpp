@@ -1,0 +1,186 @@
+// V-carving: along the medial axis of the outline, from Boost's Voronoi diagram of its edges.
+#include <algorithm>
+#include <boost/polygon/segment_data.hpp>
+#include <boost/polygon/voronoi.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::cam {
+namespace {
+
+using Segment = boost::polygon::segment_data<int>;
+using IntPoint = boost::polygon::point_data<int>;
+using Diagram = boost::polygon::voronoi_diagram<double>;
+
+constexpr double steps_per_mm = 1e5;  // Boost wants whole numbers; 20 m fit
+
+/// A point of the medial axis and how far the outline is from there.
+struct AxisPoint {
+  Vec2 at;
+  double radius;
+};
+using Branch = std::vector<AxisPoint>;
+
+class MedialAxis {
+ public:
+  MedialAxis(const Loops& loops, double tolerance) : distance_(outline_field(loops)), tolerance_(tolerance) {
+    for (const Loop& loop : loops) {
+      std::vector<Vec3> points;
+      for (const Vec2& p : loop.points) points.emplace_back(p.x(), p.y(), 0);
+      points.push_back(points.front());
+      points = simplified(points, tolerance);
+      for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const IntPoint a = rounded(points[i]), b = rounded(points[i + 1]);
+        if (a != b) segments_.emplace_back(a, b);
+      }
+    }
+    boost::polygon::construct_voronoi(segments_.begin(), segments_.end(), &diagram_);
+  }
+
+  /// The axis inside the outline, in runs from fork to fork.
+  std::vector<Branch> branches() const {
+    std::multimap<const Diagram::vertex_type*, const Diagram::edge_type*> at;
+    for (const auto& edge : diagram_.edges())
+      if (belongs(edge)) at.emplace(edge.vertex0(), &edge);
+    std::map<const Diagram::edge_type*, bool> used;
+    std::vector<Branch> found;
+    const auto run_from = [&](const Diagram::edge_type* edge) {
+      Branch branch;
+      while (!used[edge]) {
+        used[edge] = used[edge->twin()] = true;
+        append(*edge, branch);
+        const auto [first, last] = at.equal_range(edge->vertex1());
+        const Diagram::edge_type* next = nullptr;
+        for (auto it = first; it != last; ++it)
+          if (!used[it->second]) next = it->second;
+        if (next == nullptr || std::distance(first, last) != 2) break;  // an end or a fork
+        edge = next;
+      }
+      found.push_back(std::move(branch));
+    };
+    for (const auto& [vertex, edge] : at)
+      if (!used[edge] && at.count(vertex) != 2) run_from(edge);
+    for (const auto& [vertex, edge] : at)
+      if (!used[edge]) run_from(edge);  // rings
+    return found;
+  }
+
+ private:
+  static IntPoint rounded(const Vec3& p) {
+    const Vec3 steps = p * steps_per_mm;
+    if (!(steps.cwiseAbs().maxCoeff() < 2e9)) throw Error(ErrorKind::bad_input, "v_carve", "outlines must lie within 20 m of the origin");
+    return {static_cast<int>(std::lround(steps.x())), static_cast<int>(std::lround(steps.y()))};
+  }
+  static Vec2 place(const IntPoint& p) { return Vec2(p.x(), p.y()) / steps_per_mm; }
+  static Vec2 place(const Diagram::vertex_type& v) { return Vec2(v.x(), v.y()) / steps_per_mm; }
+
+  [[nodiscard]] double depth(const Vec2& p) const { return -static_cast<double>(distance_->value({p.x(), p.y(), 0})); }
+
+  /// The nearest point of a cell's site.
+  [[nodiscard]] Vec2 foot(const Diagram::cell_type& cell, const Vec2& p) const {
+    const Segment& s = segments_[cell.source_index()];
+    const Vec2 a = place(s.low()), b = place(s.high());
+    if (cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_START_POINT) return a;
+    if (cell.source_category() == boost::polygon::SOURCE_CATEGORY_SEGMENT_END_POINT) return b;
+    const Vec2 along = b - a;
+    return a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+  }
+
+  /// Whether an edge is part of the axis, not of what facets of a smooth outline add to it: its two sites are seen at an angle.
+  [[nodiscard]] bool belongs(const Diagram::edge_type& edge) const {
+    if (!edge.is_primary() || !edge.is_finite()) return false;
+    const Vec2 a = place(*edge.vertex0()), b = place(*edge.vertex1());
+    if (depth(0.5 * (a + b)) < tolerance_) return false;
+    const auto angle = [&](const Vec2& p) {
+      const Vec2 u = foot(*edge.cell(), p) - p, v = foot(*edge.twin()->cell(), p) - p;
+      return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
+    };
+    constexpr double least = 35 * std::numbers::pi / 180;
+    return std::max({angle(a), angle(b), angle(0.5 * (a + b))}) > least;
+  }
+
+  /// Adds the points of an edge, which may be a parabola.
+  void append(const Diagram::edge_type& edge, Branch& branch) const {
+    const Vec2 a = place(*edge.vertex0()), b = place(*edge.vertex1());
+    const auto add = [&](const Vec2& p) {
+      if (branch.empty() || (branch.back().at - p).norm() > 1e-7) branch.push_back({p, std::max(0.0, depth(p))});
+    };
+    add(a);
+    if (edge.is_curved()) {
+      const bool point_here = edge.cell()->contains_point();
+      const Diagram::cell_type &point_cell = point_here ? *edge.cell() : *edge.twin()->cell(), &line_cell = point_here ? *edge.twin()->cell() : *edge.cell();
+      const Vec2 focus = foot(point_cell, a), start = place(segments_[line_cell.source_index()].low());
+      const Vec2 along = (place(segments_[line_cell.source_index()].high()) - start).normalized();
+      Vec2 across(-along.y(), along.x());
+      double height = (focus - start).dot(across);
+      if (height < 0) height = -height, across = -across;
+      const double x0 = (focus - start).dot(along), from = (a - start).dot(along), to = (b - start).dot(along);
+      const int steps = std::clamp(static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))), 1, 1000);
+      if (height > 1e-9)
+        for (int i = 1; i < steps; ++i) {
+          const double x = from + (to - from) * i / steps;
+          add(start + x * along + ((x - x0) * (x - x0) + height * height) / (2 * height) * across);
+        }
+    }
+    add(b);
+  }
+
+  FieldPtr distance_;
+  double tolerance_;
+  std::vector<Segment> segments_;
+  Diagram diagram_;
+};
+
+}  // namespace
+
+std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut, Progress& progress) {
+  if (!(half_angle > 0) || !(half_angle < std::numbers::pi / 2)) throw Error(ErrorKind::bad_input, "v_carve", "needs a V with an angle between 0 and 180 degrees");
+  if (part.empty()) return {};
+  const double slope = 1 / std::tan(half_angle), widest = (cut.depths.top - cut.depths.bottom) / slope;
+  progress.report(0, "medial axis");
+  std::vector<Path> paths;
+  bool floor = false;
+  for (const Branch& branch : MedialAxis(part, cut.tolerance).branches()) {
+    progress.check();
+    std::vector<Vec3> run;
+    const auto finish = [&] {
+      if (run.size() > 1) {
+        Path path;
+        for (const Vec3& p : simplified(run, cut.tolerance)) path.points.push_back({p});
+        paths.push_back(std::move(path));
+      }
+      run.clear();
+    };
+    const auto add = [&](const Vec2& p, double radius) { run.emplace_back(p.x(), p.y(), cut.depths.top - slope * radius); };
+    for (std::size_t i = 0; i < branch.size(); ++i) {
+      const AxisPoint& here = branch[i];
+      const bool deep = here.radius > widest;
+      floor |= deep;
+      if (i > 0 && (branch[i - 1].radius > widest) != deep) {
+        const AxisPoint& before = branch[i - 1];
+        const double t = (widest - before.radius) / (here.radius - before.radius);
+        add(before.at + t * (here.at - before.at), widest);
+        if (deep) finish();
+      }
+      if (!deep) add(here.at, here.radius);
+    }
+    finish();
+  }
+  if (floor) {
+    // Where the V would go too deep: a flat floor, from the line where it is just deep enough inwards.
+    Rectangle bounds = Rectangle::nothing();
+    for (const Loop& loop : part)
+      for (const Vec2& p : loop.points) bounds.add(p);
+    const FieldPtr inner = offset(outline_field(part), -widest);
+    const double cell = std::min(bounds.size().maxCoeff() / 200, widest / 4);
+    for (Path& path : rings(*inner, bounds.grown(cell), cell, stepover, cut.depths.bottom, cut, progress)) paths.push_back(std::move(path));
+  }
+  return paths;
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,322 @@
+// Reading job files.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "fieldfab/cam/job.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/model/model.h"
+#include "stages.h"
+#include "toml_table.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double degrees = std::numbers::pi / 180;
+
+/// Settings that every operation has: how its paths are joined to moves.
+Settings link_settings_table() {
+  Settings s{above_zero(number("feed", "mm/min", 600, "of cutting")), above_zero(number("plunge", "mm/min", 200, "into the material")),
+             at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")), choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
+             above_zero(number("clearance", "mm", 5, "of rapids above the stock")), choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
+             between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices"))};
+  return s;
+}
+
+Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from, const std::vector<double>& list) {
+  if (list.size() < from + 3) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
+  return {list[from], list[from + 1], list[from + 2]};
+}
+
+Tool read_tool(const TomlTable& table, int number) {
+  table.only({"number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute", "length", "shank", "holder_diameter",
+              "holder_length", "flutes", "feed", "plunge", "spindle"});
+  Tool tool;
+  const auto get = [&](const char* key, double& into) {
+    if (const auto value = table.number(key)) {
+      if (!(*value >= 0) || !std::isfinite(*value)) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} must not be negative", key));
+      into = *value;
+    }
+  };
+  tool.number = static_cast<int>(table.number("number").value_or(number));
+  tool.name = table.text("name").value_or("");
+  tool.shape = table.text("shape").value_or("flat");
+  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("angle", tool.angle), get("tip_diameter", tool.tip_diameter);
+  get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
+  get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
+  tool.angle *= degrees;
+  tool.flutes = static_cast<int>(table.number("flutes").value_or(2));
+  for (const auto& row : table.rows("profile")) {
+    if (row.size() != 2) throw Error(ErrorKind::bad_input, table.place("profile"), "a profile is [[distance from the axis, height], ...]");
+    tool.points.emplace_back(row[0], row[1]);
+  }
+  try {
+    if (tool.shape == "profile" && tool.diameter == 0 && !tool.points.empty()) tool.diameter = 2 * tool.points.back().x();
+    if (tool.diameter > 0 || tool.shape == "profile") (void)tool.profile();
+  } catch (const Error& error) {
+    throw Error(ErrorKind::bad_input, table.place(), error.what());
+  }
+  if (tool.name.empty()) tool.name = fmt::format("{:.4g} mm {}", tool.diameter, tool.shape);
+  return tool;
+}
+
+}  // namespace
+
+class JobReader {
+ public:
+  JobReader(const std::filesystem::path& path, Progress& progress)
+      : path_(path), progress_(progress), table_(TomlTable::parse(read_file(path, 16 << 20), path.string())) {}
+
+  Job read() {
+    table_.only({"name", "machine", "material", "input", "stock", "tool", "operation", "setting"});
+    job_.file_ = path_.string();
+    job_.program_.name = table_.text("name").value_or(path_.stem().string());
+    read_machine();
+    read_input();
+    read_stock();
+    read_tools();
+    read_operations();
+    return std::move(job_);
+  }
+
+ private:
+  [[nodiscard]] Error refuse(const TomlTable& table, const std::string& key, const std::string& what) const {
+    return {ErrorKind::bad_input, table.place(key), what};
+  }
+  [[nodiscard]] std::filesystem::path beside(const std::string& name) const {
+    const std::filesystem::path p(name);
+    return p.is_absolute() ? p : path_.parent_path() / p;
+  }
+
+  void read_machine() {
+    const auto id = table_.text("machine");
+    if (!id) throw refuse(table_, "", "a job needs a machine");
+    try {
+      job_.machine_ = load_machine(id->ends_with(".toml") ? beside(*id).string() : *id);
+    } catch (const Error& error) {
+      if (error.place() != "machine") throw;
+      throw refuse(table_, "machine", error.what());
+    }
+    const Machine& machine = job_.machine_;
+    job_.material_ = table_.text("material").value_or("");
+    if (!job_.material_.empty() && !machine.materials.contains(job_.material_)) {
+      std::vector<std::string> known;
+      for (const auto& [name, values] : machine.materials) known.push_back(name);
+      throw refuse(table_, "material", fmt::format("{} has no defaults for '{}'{}{}", machine.name, job_.material_, suggestion(job_.material_, known),
+                                                   known.empty() ? "; it has none at all" : fmt::format("; it knows {}", fmt::join(known, ", "))));
+    }
+    const auto own = table_.table("setting");
+    if (own) {
+      std::vector<std::string> known;
+      for (const Setting& s : machine.settings) known.push_back(s.name);
+      own->only(known);
+    }
+    for (const Setting& setting : machine.settings) {
+      Given given{setting.standard, "machine", ""};
+      const std::string material_place = fmt::format("{}: material {}", machine.file, job_.material_);
+      if (const auto* value = material_value(setting.name)) given = {checked(setting, *value, material_place), "material " + job_.material_, ""};
+      if (own && own->has(setting.name)) given = {checked(setting, *own->value(setting.name), own->place(setting.name)), "job", own->place(setting.name)};
+      job_.machine_values_.given[setting.name] = given;
+    }
+  }
+
+  [[nodiscard]] const Value* material_value(const std::string& name) const {
+    const auto material = job_.machine_.materials.find(job_.material_);
+    if (material == job_.machine_.materials.end()) return nullptr;
+    const auto value = material->second.find(name);
+    return value == material->second.end() ? nullptr : &value->second;
+  }
+
+  void read_input() {
+    const auto input = table_.table("input");
+    if (!input) throw refuse(table_, "", "a job needs an [input] with a model or an image");
+    input->only({"model", "models", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
+    if (const auto image = input->text("image")) {
+      if (input->has("model")) throw refuse(*input, "image", "an input is a model or an image, not both");
+      job_.input_ = read_png(beside(*image));
+      return;
+    }
+    job_.input_ = read_solid(*input);
+  }
+
+  Solid read_model(const TomlTable& input, const std::string& name) {
+    ScanOptions scan;
+    if (const auto threshold = input.value("threshold")) {
+      const double* const number = std::get_if<double>(&*threshold);
+      scan.threshold = number != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *number} : ThresholdRule::parse(*input.text("threshold"));
+    }
+    Model model = load_model(beside(name), Scripts::refused, progress_, scan);
+    Solid solid;
+    const double scale = input.number("scale").value_or(1);
+    if (!(scale > 0)) throw refuse(input, "scale", "scale must be above 0");
+    solid.field = model.field;
+    if (scale != 1) solid.field = fieldfab::scale(solid.field, Vec3::Constant(scale));
+    if (const auto turns = input.list("rotate")) {
+      const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
+      for (int axis = 0; axis < 3; ++axis)
+        if (angles[axis] != 0) solid.field = fieldfab::rotate(solid.field, Vec3::Unit(axis), angles[axis]);
+    }
+    if (const auto bounds = input.list("bounds")) {
+      solid.bounds = {vector_of(input, "bounds", 0, *bounds), vector_of(input, "bounds", 3, *bounds)};
+      if (!solid.bounds.valid()) throw refuse(input, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
+      solid.flat = solid.bounds.size().z() == 0;
+    } else if (const SolidBounds found = solid_bounds(*solid.field, progress_); found.bounded[0] && found.bounded[1] && !found.bounded[2] && !found.empty) {
+      solid.flat = true;
+      solid.bounds = found.box;
+      solid.bounds.lower.z() = solid.bounds.upper.z() = 0;
+    } else {
+      if (found.empty) throw refuse(input, "model", fmt::format("{}: the solid is empty", name));
+      if (!found.is_bounded()) throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+      solid.bounds = found.box;
+    }
+    return solid;
+  }
+
+  Solid read_solid(const TomlTable& input) {
+    const auto name = input.text("model");
+    if (!name) throw refuse(input, "", "an input needs a model or an image");
+    Solid solid = read_model(input, *name);
+    Vec3 move = Vec3::Zero();
+    if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
+    // Where the program's zero is on the part.
+    const std::string zero = input.text("zero").value_or("model");
+    const Box& b = solid.bounds;
+    if (zero == "corner")
+      move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
+    else if (zero == "centre")
+      move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
+    else if (zero != "model")
+      throw refuse(input, "zero", fmt::format("zero is '{}'; it must be one of model, corner, centre{}", zero, suggestion(zero, {"model", "corner", "centre"})));
+    if (move != Vec3::Zero()) {
+      solid.field = translate(solid.field, move);
+      solid.bounds = {b.lower + move, b.upper + move};
+    }
+    return solid;
+  }
+
+  /// The material: given, or the part's bounds with a margin.
+  void read_stock() {
+    Box part;
+    if (const auto* const solid = std::get_if<Solid>(&job_.input_)) {
+      part = solid->bounds;
+    } else {
+      const Image& image = std::get<Image>(job_.input_);
+      const double pixel = image.pixels_per_mm > 0 ? 1 / image.pixels_per_mm : 1;
+      part = {{0, 0, 0}, {image.width * pixel, image.height * pixel, 0}};
+      if (image.has_heights) part.lower.z() = image.bounds.lower.z(), part.upper.z() = image.bounds.upper.z();
+    }
+    Box stock = part;
+    if (const auto table = table_.table("stock")) {
+      table->only({"lower", "upper", "margin", "thickness", "top"});
+      const double margin = table->number("margin").value_or(0);
+      stock = {{part.lower.x() - margin, part.lower.y() - margin, part.lower.z()}, {part.upper.x() + margin, part.upper.y() + margin, part.upper.z()}};
+      if (const auto top = table->number("top")) stock.upper.z() += *top;
+      if (const auto thickness = table->number("thickness")) stock.lower.z() = stock.upper.z() - *thickness;
+      if (const auto lower = table->list("lower")) stock.lower = vector_of(*table, "lower", 0, *lower);
+      if (const auto upper = table->list("upper")) stock.upper = vector_of(*table, "upper", 0, *upper);
+      if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
+    }
+    job_.stock_ = stock;
+    if (auto* const solid = std::get_if<Solid>(&job_.input_); solid != nullptr && !solid->flat) {
+      // What is machined from above stands on the stock's floor and may not stick out of its top.
+      solid->bounds.lower.z() = std::min(solid->bounds.lower.z(), stock.lower.z());
+      for (int axis = 0; axis < 2; ++axis) {
+        solid->bounds.lower[axis] = std::min(solid->bounds.lower[axis], stock.lower[axis]);
+        solid->bounds.upper[axis] = std::max(solid->bounds.upper[axis], stock.upper[axis]);
+      }
+    }
+  }
+
+  void read_tools() {
+    int next = 1;
+    for (const TomlTable& table : table_.tables("tool")) {
+      Tool tool = read_tool(table, next);
+      next = tool.number + 1;
+      for (const Tool& other : tools_)
+        if (other.number == tool.number) throw refuse(table, "number", fmt::format("there are two tools with number {}", tool.number));
+      tools_.push_back(std::move(tool));
+    }
+  }
+
+  void read_operations() {
+    const auto tables = table_.tables("operation");
+    int index = 0;
+    for (const TomlTable& table : tables) add_operation(table, ++index);
+    if (tables.empty()) {
+      if (job_.machine_.default_operation.empty()) throw refuse(table_, "", "a job needs at least one [[operation]]");
+      const std::string toml = fmt::format("[[operation]]\ntype = \"{}\"\n", job_.machine_.default_operation);
+      add_operation(TomlTable::parse(toml, path_.string()).tables("operation")[0], 1);
+    }
+  }
+
+  [[nodiscard]] Tool tool_for(const TomlTable& table) const {
+    const auto number = table.number("tool");
+    if (!number) {
+      if (tools_.empty()) {
+        Tool beam;  // a beam or a blade of no width
+        beam.shape = "flat";
+        const auto kerf = job_.machine_values_.given.find("kerf");
+        beam.diameter = kerf == job_.machine_values_.given.end() ? 0 : std::get<double>(kerf->second.value);
+        beam.name = beam.diameter > 0 ? fmt::format("beam of {:.4g} mm", beam.diameter) : "no tool";
+        return beam;
+      }
+      if (tools_.size() == 1) return tools_[0];
+      throw refuse(table, "", fmt::format("the job has {} tools: say which, tool = NUMBER", tools_.size()));
+    }
+    for (const Tool& tool : tools_)
+      if (tool.number == *number) return tool;
+    throw refuse(table, "tool", fmt::format("there is no [[tool]] with number {:g}", *number));
+  }
+
+  void add_operation(const TomlTable& table, int index) {
+    const auto type = table.text("type");
+    if (!type) throw refuse(table, "", "an [[operation]] needs a type");
+    PlannedOperation op;
+    const Stage& last = operation(*type, table.place("type"));
+    op.name = table.text("name").value_or(fmt::format("{} {}", index, *type));
+    op.tool = tool_for(table);
+    op.stages = chain(static_cast<Kind>(job_.input_.index()), last);
+    std::vector<std::string> known{"type", "name", "tool"};
+    const auto add = [&](const Setting& setting) {
+      known.push_back(setting.name);
+      op.values.given[setting.name] = resolve(setting, table, op.tool);
+    };
+    for (const Stage* stage : op.stages)
+      for (const Setting& setting : stage->settings) add(setting);
+    for (const Setting& setting : link_settings_table()) add(setting);
+    table.only(known);
+    op.values.given["type"] = {*type, "job", table.place("type").empty() ? table.place() : table.place("type")};
+    const double feed = op.values.number("feed"), most = job_.machine_.max_feed;
+    if (most > 0 && feed > most) throw refuse(table, "feed", fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
+    if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
+      throw refuse(table, "spindle", fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name, job_.machine_.max_spindle));
+    job_.operations_.push_back(std::move(op));
+  }
+
+  /// The job's value, else the tool's, the material's, the default.
+  [[nodiscard]] Given resolve(const Setting& setting, const TomlTable& table, const Tool& tool) const {
+    if (const auto value = table.value(setting.name)) return {checked(setting, *value, table.place(setting.name)), "job", table.place(setting.name)};
+    const double own = setting.name == "feed" ? tool.feed : setting.name == "plunge" ? tool.plunge : setting.name == "spindle" ? tool.spindle : 0;
+    if (own > 0) return {own, fmt::format("tool {}", tool.number), table.place()};
+    if (const Value* const value = material_value(setting.name))
+      return {checked(setting, *value, fmt::format("{}: material {}", job_.machine_.file, job_.material_)), "material " + job_.material_, table.place()};
+    return {setting.standard, "default", table.place()};
+  }
+
+  std::filesystem::path path_;
+  Progress& progress_;
+  TomlTable table_;
+  std::vector<Tool> tools_;
+  Job job_;
+};
+
+Job Job::read(const std::filesystem::path& path, Progress& progress) { return JobReader(path, progress).read(); }
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,35 @@
+/// The tables of stages, one file each.
+#pragma once
+
+#include "fieldfab/cam/stage.h"
+#include "unset.h"
+
+namespace fieldfab::cam {
+
+std::vector<Stage> conversion_stages();
+std::vector<Stage> flat_stages();
+std::vector<Stage> surface_stages();
+
+/// Shorthands for tables of settings.
+inline Setting number(std::string name, std::string unit, double standard, std::string help) {
+  Setting s;
+  s.name = std::move(name), s.unit = std::move(unit), s.standard = standard, s.help = std::move(help);
+  return s;
+}
+inline Setting above_zero(Setting s) { return s.lower = 0, s.lower_open = true, s; }
+inline Setting at_least(double lower, Setting s) { return s.lower = lower, s; }
+inline Setting between(double lower, double upper, Setting s) { return s.lower = lower, s.upper = upper, s; }
+inline Setting flag(std::string name, bool standard, std::string help) {
+  Setting s;
+  s.name = std::move(name), s.standard = standard, s.help = std::move(help);
+  return s;
+}
+inline Setting choice(std::string name, std::vector<std::string> choices, std::string help) {
+  Setting s;
+  s.name = std::move(name), s.standard = choices[0], s.choices = std::move(choices), s.help = std::move(help);
+  return s;
+}
+
+inline bool is_set(const Values& values, const std::string& name) { return values.number(name) != unset; }
+
+}  // namespace fieldfab::cam

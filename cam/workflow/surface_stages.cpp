@@ -1,0 +1,155 @@
+// Operations on surfaces.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+#include "stages.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double degrees = std::numbers::pi / 180;
+using SurfacePtr = std::shared_ptr<const Surface>;
+
+Settings operator+(Settings a, const Settings& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+Depths depths_of(const Values& values, const Context& context, const Surface& surface) {
+  Depths d;
+  d.top = is_set(values, "top") ? values.number("top") : std::max(context.stock.upper.z(), surface.top());
+  d.bottom = is_set(values, "bottom") ? values.number("bottom") : surface.floor();
+  d.step = is_set(values, "stepdown") ? values.number("stepdown") : std::max(0.1, context.tool.diameter / 2);
+  return d;
+}
+
+Settings depth_settings() {
+  return {number("top", "mm", unset, "z where the cut begins; the default is the stock's top"),
+          number("bottom", "mm", unset, "z where it ends; the default is the surface's floor"),
+          above_zero(number("stepdown", "mm", unset, "depth of each level; the default is half the tool's diameter"))};
+}
+
+CutSettings cut_of(const Values& values, const Context& context) {
+  CutSettings cut;
+  cut.radius = context.tool.profile().radius();
+  cut.climb = values.flag("climb");
+  cut.tolerance = values.number("tolerance");
+  return cut;
+}
+
+double stepover_of(const Values& values, const Context& context) {
+  if (values.has("scallop") && is_set(values, "scallop")) {
+    const double corner = context.tool.shape == "ball" ? context.tool.radius() : context.tool.corner_radius;
+    if (!(corner > 0)) throw Error(ErrorKind::bad_input, values.place("scallop"), "a scallop needs a ball, bull-nose or tapered tool; give a stepover");
+    return stepover_for_scallop(corner, values.number("scallop"));
+  }
+  return values.number("stepover") * 2 * context.tool.profile().radius();
+}
+
+Artifact rough_stage(const Artifact& in, const Values& values, Context& context) {
+  const SurfacePtr& surface = std::get<SurfacePtr>(in);
+  RoughSettings settings;
+  settings.stock = Rectangle::of(context.stock);
+  settings.depths = depths_of(values, context, *surface);
+  settings.depths.bottom = std::max(settings.depths.bottom + values.number("allowance"), surface->floor());
+  settings.cut = cut_of(values, context);
+  settings.stepover = stepover_of(values, context);
+  settings.cell = std::max(surface->samples().cell, settings.cut.radius / 20);
+  const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
+  Cuts cuts;
+  cuts.paths = rough(tips, settings, context.progress);
+  const double longest = 2.5 * settings.stepover;
+  cuts.may_stay_down = [tips, longest](const Vec3& from, const Vec3& to) {
+    const double length = (to - from).norm();
+    if (std::abs(from.z() - to.z()) > 1e-6 || length > longest) return false;
+    const int steps = 1 + static_cast<int>(length / (0.1 * longest));
+    for (int i = 0; i <= steps; ++i)
+      if (tips->tip((from + (to - from) * i / steps).head<2>()) > from.z() + 1e-3) return false;
+    return true;
+  };
+  return cuts;
+}
+
+FinishSettings finish_of(const Values& values, const Context& context, const Surface& surface) {
+  FinishSettings settings;
+  settings.area = Rectangle::of(context.stock);
+  settings.stepover = stepover_of(values, context);
+  settings.tolerance = values.number("tolerance");
+  settings.bottom = is_set(values, "bottom") ? values.number("bottom") : surface.floor();
+  return settings;
+}
+
+/// Whether the tool may go straight on over the surface to the next pass.
+std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest, double tolerance) {
+  return [tips = std::move(tips), longest, tolerance](const Vec3& from, const Vec3& to) {
+    const double length = (to - from).head<2>().norm();
+    if (length > longest) return false;
+    const int steps = 1 + static_cast<int>(length / tips->surface().samples().cell * 4);
+    for (int i = 0; i <= steps; ++i) {
+      const Vec3 p = from + (to - from) * i / steps;
+      if (tips->tip(p.head<2>()) > p.z() + tolerance) return false;
+    }
+    return true;
+  };
+}
+
+Artifact finish_stage(const Artifact& in, const Values& values, Context& context) {
+  const SurfacePtr& surface = std::get<SurfacePtr>(in);
+  FinishSettings settings = finish_of(values, context, *surface);
+  const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
+  const std::string& pattern = values.text("pattern");
+  Cuts cuts;
+  cuts.ordered = true;
+  const auto add = [&](std::vector<Path> paths) { cuts.paths.insert(cuts.paths.end(), paths.begin(), paths.end()); };
+  settings.both_ways = values.flag("both_ways");
+  settings.angle = values.number("angle") * degrees;
+  if (pattern == "spiral") {
+    add(spiral(*tips, settings, context.progress));
+  } else {
+    add(raster(*tips, settings, context.progress));
+    if (pattern == "cross") {
+      settings.angle += std::numbers::pi / 2;
+      add(raster(*tips, settings, context.progress));
+    }
+  }
+  cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
+  return cuts;
+}
+
+Artifact waterline_stage(const Artifact& in, const Values& values, Context& context) {
+  const SurfacePtr& surface = std::get<SurfacePtr>(in);
+  CutSettings cut = cut_of(values, context);
+  cut.depths = depths_of(values, context, *surface);
+  const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
+  Cuts cuts;
+  cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20), cut, context.progress);
+  return cuts;
+}
+
+}  // namespace
+
+std::vector<Stage> surface_stages() {
+  const Setting allowance = at_least(0, number("allowance", "mm", 0, "left on the part"));
+  const Setting climb = flag("climb", true, "climb milling; conventional where false");
+  const Setting tolerance = above_zero(number("tolerance", "mm", 0.01, "of the path against the surface"));
+  const Setting scallop = above_zero(number("scallop", "mm", unset, "height of the ridges between passes, instead of a stepover"));
+  const auto stepover = [](double standard) {
+    Setting s = number("stepover", "diameters", standard, "between passes");
+    s.lower = 0, s.lower_open = true, s.upper = 1;
+    return s;
+  };
+  return {
+      {"rough", "clears in levels what lies above the part", Kind::surface, Kind::paths, true,
+       Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} + depth_settings(), rough_stage},
+      {"finish", "parallel passes over the part's surface", Kind::surface, Kind::paths, true,
+       {choice("pattern", {"raster", "cross", "spiral"}, "of the passes"), number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
+        flag("both_ways", true, "every other pass runs back"), number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
+       finish_stage},
+      {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true, Settings{allowance, climb, tolerance} + depth_settings(), waterline_stage},
+  };
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,61 @@
+// cam: from a job file to a machine's program.
+#include <fmt/format.h>
+
+#include "fieldfab/cam/job.h"
+#include "fieldfab/core/error.h"
+#include "verbs.h"
+
+namespace fieldfab::cli {
+namespace {
+
+class CamVerb final : public Verb {
+ public:
+  void declare(CLI::App& app) override {
+    verb_ = app.add_subcommand("cam", "plan toolpaths and write a machine's program");
+    verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")->required();
+    verb_->add_option("-o,--output", output_, "the program to write");
+    verb_->add_flag("--plan", plan_, "show the chain of stages and all settings, and stop");
+  }
+
+  Outcome run(Progress& progress) override {
+    cam::Job job = cam::Job::read(job_, progress);
+    if (plan_) return {job.plan(), {{"plan", job.plan()}}, 0};
+    if (output_.empty()) throw Error(ErrorKind::bad_input, "-o", "name the program to write, or ask for --plan");
+    job.run(progress);
+    job.write(output_, progress);
+    return report(job);
+  }
+
+ private:
+  [[nodiscard]] Outcome report(const cam::Job& job) const {
+    Outcome outcome;
+    auto operations = nlohmann::ordered_json::array();
+    double seconds = 0, cut = 0, rapid = 0;
+    for (const cam::OperationReport& r : job.reports()) {
+      seconds += r.seconds, cut += r.length.cut, rapid += r.length.rapid;
+      operations.push_back({{"name", r.name},
+                            {"paths", r.paths},
+                            {"cut", r.length.cut},
+                            {"rapid", r.length.rapid},
+                            {"air_before", r.air.before},
+                            {"air_after", r.air.after},
+                            {"seconds", r.seconds}});
+    }
+    for (const std::string& note : job.notes()) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    outcome.line = fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_, job.machine().name,
+                               job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000, rapid / 1000, static_cast<int>(seconds) / 60,
+                               static_cast<int>(seconds) % 60);
+    outcome.json = {{"output", output_}, {"machine", job.machine().name}, {"operations", operations}, {"seconds", seconds},
+                    {"cut", cut},        {"rapid", rapid},                {"notes", job.notes()}};
+    return outcome;
+  }
+
+  std::string job_, output_;
+  bool plan_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Verb> cam_verb() { return std::make_unique<CamVerb>(); }
+
+}  // namespace fieldfab::cli

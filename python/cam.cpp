@@ -1,0 +1,123 @@
+#include "bindings.h"
+#include "fieldfab/cam/contour.h"
+#include "fieldfab/cam/distance.h"
+#include "fieldfab/cam/job.h"
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::python {
+namespace {
+
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+Rows rows_of(const cam::Loop& loop) {
+  Rows rows({static_cast<py::ssize_t>(loop.points.size()), py::ssize_t{2}});
+  auto out = rows.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+    for (py::ssize_t k = 0; k < 2; ++k) out(i, k) = loop.points[static_cast<std::size_t>(i)][k];
+  return rows;
+}
+
+py::list lists_of(const cam::Loops& loops) {
+  py::list out;
+  for (const cam::Loop& loop : loops) out.append(rows_of(loop));
+  return out;
+}
+
+cam::Loops loops_of(const std::vector<Rows>& given) {
+  cam::Loops loops;
+  for (const Rows& rows : given) {
+    if (rows.ndim() != 2 || rows.shape(1) != 2 || rows.shape(0) < 3) throw Error(ErrorKind::bad_input, "loops", "a loop is an (n, 2) array of at least three points");
+    cam::Loop loop;
+    const auto in = rows.unchecked<2>();
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) loop.points.emplace_back(in(i, 0), in(i, 1));
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// x, y, z, feed, bulge and the tool's axis of each move.
+Rows rows_of(const std::vector<cam::Move>& moves) {
+  Rows rows({static_cast<py::ssize_t>(moves.size()), py::ssize_t{8}});
+  auto out = rows.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const cam::Move& m = moves[static_cast<std::size_t>(i)];
+    const double row[] = {m.to.x(), m.to.y(), m.to.z(), m.feed, m.bulge, m.axis.x(), m.axis.y(), m.axis.z()};
+    for (py::ssize_t k = 0; k < 8; ++k) out(i, k) = row[k];
+  }
+  return rows;
+}
+
+py::dict dict_of(const cam::OperationReport& r) {
+  py::dict d;
+  d["name"] = r.name, d["paths"] = r.paths, d["air_before"] = r.air.before, d["air_after"] = r.air.after;
+  d["cut"] = r.length.cut, d["rapid"] = r.length.rapid, d["seconds"] = r.seconds;
+  return d;
+}
+
+void bind_job(py::module_& module) {
+  py::class_<cam::Job>(module, "Job", "A part, a machine, tools and operations, as a job file says (docs/cam.md).")
+      .def(py::init([](const std::filesystem::path& path, const py::object& progress) {
+             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::read(path, p)); });
+           }),
+           py::arg("filename"), py::arg("progress") = py::none())
+      .def("plan", &cam::Job::plan, "The chains of stages with all settings, as text.")
+      .def(
+          "run", [](cam::Job& job, const py::object& progress) { long_work(progress, [&](Progress& p) { job.run(p); }); },
+          py::arg("progress") = py::none(), "Plans all paths.")
+      .def(
+          "save", [](const cam::Job& job, const std::filesystem::path& path) { job.write(path); }, py::arg("filename"),
+          "Writes the machine's program, after run().")
+      .def_property_readonly("machine", [](const cam::Job& job) { return job.machine().name; })
+      .def_property_readonly("reports",
+                             [](const cam::Job& job) {
+                               py::list out;
+                               for (const auto& r : job.reports()) out.append(dict_of(r));
+                               return out;
+                             })
+      .def_property_readonly("notes", &cam::Job::notes)
+      .def_property_readonly(
+          "moves",
+          [](const cam::Job& job) {
+            py::list out;
+            for (const cam::Section& section : job.program().sections) out.append(rows_of(section.moves));
+            return out;
+          },
+          "For each operation an (n, 8) array: x, y, z, feed (mm/min, 0 for rapids), bulge, and the tool's axis.");
+}
+
+}  // namespace
+
+void bind_cam(py::module_& parent) {
+  py::module_ module = parent.def_submodule("cam", "Toolpaths and machines.");
+  bind_job(module);
+  module.def("machines", [] {
+    py::dict out;
+    for (const auto& [id, text] : cam::machine_files()) out[py::str(id)] = cam::load_machine(id).name;
+    return out;
+  }, "The machines that come with Fieldfab: id to name.");
+  module.def(
+      "distance_transform",
+      [](const py::array_t<bool, py::array::c_style | py::array::forcecast>& bitmap, double cell) {
+        if (bitmap.ndim() != 2) throw Error(ErrorKind::bad_input, "bitmap", "must have two axes");
+        cam::Bitmap samples(static_cast<int>(bitmap.shape(1)), static_cast<int>(bitmap.shape(0)), cell, cam::Vec2::Zero(), 0);
+        std::transform(bitmap.data(), bitmap.data() + bitmap.size(), samples.values.begin(), [](bool b) { return b ? 1 : 0; });
+        const cam::Lattice<float> distance = cam::distance_transform(samples);
+        return py::array_t<float>({bitmap.shape(0), bitmap.shape(1)}, distance.values.data());
+      },
+      py::arg("bitmap"), py::arg("cell") = 1.0, "Exact distance from each sample to the nearest True one, in mm (Meijster).");
+  module.def(
+      "contours",
+      [](const py::object& solid, const py::object& bounds, double cell, double z, double level, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return lists_of(long_work(progress, [&](Progress& p) {
+          return cam::contours(*field, cam::Rectangle::of(region_of(field, bounds, p)), {cell, z, level}, p);
+        }));
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cell") = 0.1, py::arg("z") = 0.0, py::arg("level") = 0.0,
+      py::arg("progress") = py::none(), "Closed curves where the solid is cut by a plane: (n, 2) arrays, the solid on their left.");
+  module.def(
+      "offset", [](const std::vector<Rows>& loops, double distance, double cell) { return lists_of(cam::offset(loops_of(loops), distance, cell)); },
+      py::arg("loops"), py::arg("distance"), py::arg("cell") = 0.1, "The loops moved outward by a distance, mm.");
+}
+
+}  // namespace fieldfab::python

@@ -1,0 +1,44 @@
+"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it behaves)."""
+
+import re
+import shutil
+import subprocess
+import tempfile
+
+import numpy as np
+
+
+def canonical(program, tools=((1, 0.0, 0.1),)):
+    """The calls (name, [numbers]) that rs274 makes of a G-code file; an AssertionError with its message where it refuses the file."""
+    assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
+    with tempfile.TemporaryDirectory() as folder:
+        table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"
+        with open(table, "w") as f:
+            for number, length, diameter in tools:
+                f.write(f"T{number} P{number} Z{length / 25.4:.8f} D{diameter / 25.4:.8f}\n")
+        open(variables, "w").close()
+        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, timeout=300)
+        assert done.returncode == 0, done.stderr + done.stdout
+        calls = []
+        for line in open(out):
+            found = re.match(r"\s*\d+\s+N\S*\s+(\w+)\((.*)\)\s*$", line)
+            if found and found[1] != "COMMENT":
+                numbers = [float(x) for x in re.findall(r"-?\d+\.?\d*", found[2])]
+                calls.append((found[1], numbers))
+        return calls
+
+
+def moves(program, **keywords):
+    """An (n, 6) array of x, y, z, A, B, C after each move, its kinds, and the arcs' centres (nan for straight ones)."""
+    at, kinds, centres = [], [], []
+    for name, n in canonical(program, **keywords):
+        if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED"):
+            at.append(n[:6])
+            centres.append((np.nan, np.nan, 0))
+        elif name == "ARC_FEED":  # end1, end2, centre1, centre2, turns, axis end, A, B, C
+            at.append([n[0], n[1], n[5], *n[6:9]])
+            centres.append((n[2], n[3], n[4]))
+        else:
+            continue
+        kinds.append(name)
+    return np.array(at), kinds, np.array(centres)
