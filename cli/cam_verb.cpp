@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "fieldfab/cam/job.h"
+#include "fieldfab/cam/picture.h"
 #include "fieldfab/core/error.h"
 #include "verbs.h"
 
@@ -14,6 +15,10 @@ class CamVerb final : public Verb {
     verb_ = app.add_subcommand("cam", "plan toolpaths and write a machine's program");
     verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")->required();
     verb_->add_option("-o,--output", output_, "the program to write");
+    verb_->add_option("--picture", pictures_, "also draw the tool's ways: a .png or an .svg; may be given several times");
+    verb_->add_option("--colour", colour_, "of the picture: by order or by depth")->check(CLI::IsMember({"order", "depth"}));
+    verb_->add_flag("--oblique", oblique_, "draw the picture from the front and above, not from straight above");
+    verb_->add_option("--sheet", sheet_, "also write a set-up sheet, an .html file");
     verb_->add_flag("--plan", plan_, "show the chain of stages and all settings, and stop");
   }
 
@@ -23,6 +28,9 @@ class CamVerb final : public Verb {
     if (output_.empty()) throw Error(ErrorKind::bad_input, "-o", "name the program to write, or ask for --plan");
     job.run(progress);
     job.write(output_, progress);
+    for (const std::string& picture : pictures_)
+      cam::write_picture(job.program(), picture, {colour_ == "depth" ? cam::Colouring::depth : cam::Colouring::order, 1024, oblique_, true});
+    if (!sheet_.empty()) cam::write_setup_sheet(job, sheet_);
     return report(job);
   }
 
@@ -50,8 +58,9 @@ class CamVerb final : public Verb {
     return outcome;
   }
 
-  std::string job_, output_;
-  bool plan_ = false;
+  std::string job_, output_, sheet_, colour_ = "order";
+  std::vector<std::string> pictures_;
+  bool plan_ = false, oblique_ = false;
 };
 
 }  // namespace

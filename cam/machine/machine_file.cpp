@@ -67,7 +67,7 @@ Setting read_setting(const std::string& name, const TomlTable& table) {
 Machine read_machine(std::string_view toml, const std::string& file) {
   const TomlTable table = TomlTable::parse(toml, file);
   table.only({"name", "description", "format", "extension", "takes", "units", "unit", "tick", "decimals", "arcs", "feed_unit", "max_feed", "max_spindle",
-              "travel", "rapid", "acceleration", "text", "setting", "material", "kinematics", "default_operation"});
+              "travel", "negative", "rapid", "acceleration", "text", "setting", "material", "kinematics", "default_operation"});
   Machine m;
   m.file = file;
   m.id = std::filesystem::path(file).stem().string();
@@ -97,11 +97,12 @@ Machine read_machine(std::string_view toml, const std::string& file) {
     if (travel->size() != 3) throw Error(ErrorKind::bad_input, table.place("travel"), "travel must be [x, y, z] in mm");
     std::copy(travel->begin(), travel->end(), m.travel.begin());
   }
+  m.negative = table.flag("negative").value_or(true);
   m.dynamics.rapid = table.number("rapid").value_or(m.dynamics.rapid);
   m.dynamics.acceleration = table.number("acceleration").value_or(m.dynamics.acceleration);
   m.default_operation = table.text("default_operation").value_or("");
   if (const auto text = table.table("text")) {
-    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw", "arc_ccw", "tilt", "comment", "coolant_mist", "coolant_flood", "coolant_off"});
+    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw", "arc_ccw", "tilt", "coolant_mist", "coolant_flood", "coolant_off", "begin", "end"});
     for (const std::string& key : text->keys()) m.text[key] = *text->text(key);
   }
   if (const auto settings = table.table("setting"))

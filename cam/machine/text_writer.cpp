@@ -14,7 +14,7 @@ namespace fieldfab::cam {
 namespace {
 
 /// Fills templates. {name} stands for a value; what is in [brackets] is left out while none of its values has changed since it was last
-/// written; {name*factor:u8} and {name*factor:u16} are bytes, the greater one first.
+/// written; {name*factor:i} is a whole number, :d4 one of four digits, :u8 and :u16 are bytes, the greater one first.
 class Templates {
  public:
   explicit Templates(const Machine& machine) : machine_(machine) {}
@@ -106,9 +106,10 @@ class Templates {
     if (bytes.empty()) return number_text(number->second * factor, machine_.decimals);
     const auto whole = static_cast<unsigned>(std::clamp(std::llround(number->second * factor), 0LL, 65535LL));
     if (bytes == "i") return fmt::format("{}", std::llround(number->second * factor));
+    if (bytes == "d4") return fmt::format("{:04d}", whole);
     if (bytes == "u8") return {static_cast<char>(whole & 255U)};
     if (bytes == "u16") return {static_cast<char>(whole >> 8U), static_cast<char>(whole & 255U)};
-    refuse(key, fmt::format("knows no form '{}'; there are i, u8 and u16", bytes));
+    refuse(key, fmt::format("knows no form '{}'; there are i, d4, u8 and u16", bytes));
   }
 
   const Machine& machine_;
@@ -147,6 +148,7 @@ class TextWriter {
       coolant = section.coolant;
       for (const Move& move : section.moves) add(move, section);
     }
+    stop_cutting();
     if (!coolant.empty()) out_ += templates_.fill("coolant_off");
     if (spindle > 0) out_ += templates_.fill("spindle_off");
     out_ += templates_.fill("footer");
@@ -156,7 +158,11 @@ class TextWriter {
  private:
   void set_settings() {
     for (const auto& [name, given] : values_.given) {
-      if (const double* const number = std::get_if<double>(&given.value)) templates_.set(name, *number);
+      if (const double* const number = std::get_if<double>(&given.value)) {
+        templates_.set(name, *number);
+        if (name == "xmin") offset_.x() = *number;
+        if (name == "ymin") offset_.y() = *number;
+      }
       if (const bool* const flag = std::get_if<bool>(&given.value)) templates_.set_whole(name, *flag ? 1 : 0);
       if (const auto* const text = std::get_if<std::string>(&given.value)) templates_.set_text(name, *text);
     }
@@ -184,6 +190,7 @@ class TextWriter {
     return text;
   }
 
+  [[nodiscard]] bool flat() const { return machine_.takes == "flat paths"; }
   [[nodiscard]] double coordinate_value(double mm) const { return machine_.tick > 0 ? std::round(mm / machine_.tick) : mm / machine_.unit; }
   void coordinate(const std::string& name, double mm) {
     if (machine_.tick > 0)
@@ -192,7 +199,13 @@ class TextWriter {
       templates_.set(name, coordinate_value(mm));
   }
 
+  void stop_cutting() {
+    if (cutting_) out_ += templates_.fill("end");
+    cutting_ = false;
+  }
+
   void add(const Move& move, const Section& section) {
+    if (flat() && at_known_ && (move.to - at_).head<2>().norm() < 1e-9 && move.bulge == 0) return;  // up and down mean nothing there
     if (move.bulge != 0 && !(machine_.arcs && at_known_ && !solver_.tilts())) return add_arc_as_lines(move, section);
     const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
     check(pose.position);
@@ -201,18 +214,23 @@ class TextWriter {
       const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
       templates_.set(letter, pose.angles[k] * 180 / std::numbers::pi);
     }
-    if (!move.rapid()) {
+    if (move.rapid()) {
+      stop_cutting();
+      if (templates_.has("feed")) templates_.set_text("f", "");  // said again after a rapid
+    } else {
       const bool first = templates_.text("f") != number_text(move.feed / machine_.feed_unit, machine_.decimals);
       templates_.set("f", move.feed / machine_.feed_unit);
       if (first) out_ += templates_.fill("feed");
+      if (!cutting_) out_ += templates_.fill("begin");
+      cutting_ = true;
     }
-    coordinate("x", pose.position.x()), coordinate("y", pose.position.y()), coordinate("z", pose.position.z());
+    coordinate("x", pose.position.x() + offset_.x()), coordinate("y", pose.position.y() + offset_.y()), coordinate("z", pose.position.z());
     if (turned && templates_.has("tilt") && (pose.position - last_->position).norm() < 1e-9) {
       out_ += templates_.fill("tilt");
     } else if (move.bulge != 0) {
       const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
       coordinate("i", arc.centre.x() - at_.x()), coordinate("j", arc.centre.y() - at_.y());
-      coordinate("cx", arc.centre.x()), coordinate("cy", arc.centre.y()), coordinate("radius", arc.radius);
+      coordinate("cx", arc.centre.x() + offset_.x()), coordinate("cy", arc.centre.y() + offset_.y()), coordinate("radius", arc.radius);
       templates_.set("turn", -arc.turn * 180 / std::numbers::pi);
       out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
     } else {
@@ -235,6 +253,9 @@ class TextWriter {
   }
 
   void check(const Vec3& p) {
+    if (!machine_.negative && (p.head<2>() + offset_).minCoeff() < -1e-6)
+      throw Error(ErrorKind::bad_input, "machine",
+                  fmt::format("{} knows no places below 0; this program goes to x {:.6g}, y {:.6g}: set zero = \"corner\" for the input, or xmin and ymin", machine_.name, p.x() + offset_.x(), p.y() + offset_.y()));
     range_.lower = started_ ? Vec3(range_.lower.cwiseMin(p)) : p;
     range_.upper = started_ ? Vec3(range_.upper.cwiseMax(p)) : p;
     started_ = true;
@@ -253,7 +274,8 @@ class TextWriter {
   PoseSolver solver_;
   std::string out_;
   Vec3 at_ = Vec3::Zero();
-  bool at_known_ = false, started_ = false;
+  Vec2 offset_ = Vec2::Zero();  // where the machine's settings want the program's zero
+  bool at_known_ = false, started_ = false, cutting_ = false;
   Box range_;
   std::optional<AxisPose> last_;
 };

@@ -7,6 +7,9 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/triangle_mesh.h"
+#include "fieldfab/render/render.h"
 #include "unset.h"
 
 namespace fieldfab::cam {
@@ -110,7 +113,19 @@ void Job::run(Progress& progress) {
   program_.stock = stock_;
 }
 
-void Job::write(const std::filesystem::path& path, Progress&) const {
+void Job::write(const std::filesystem::path& path, Progress& progress) const {
+  if (machine_.takes == "mesh" || machine_.takes == "height map") {
+    const Solid* const part = solid();
+    if (part == nullptr || part->flat) throw Error(ErrorKind::bad_input, file_, fmt::format("{} takes a {}: the input must be a solid", machine_.name, machine_.takes));
+    if (machine_.takes == "height map") {
+      RenderSettings settings;
+      settings.mode = RenderMode::height;
+      settings.size = 2048;
+      return write_png(render(*part->field, part->bounds, settings, progress), path);
+    }
+    const double longest = part->bounds.size().maxCoeff(), voxel = machine_values_.number("voxel");
+    return write_mesh(contour(*part->field, part->bounds.grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress), path, progress);
+  }
   write_file(path, write_program(program_, machine_, machine_values_));
 }
 

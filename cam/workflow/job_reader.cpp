@@ -248,12 +248,17 @@ class JobReader {
   void read_operations() {
     const auto tables = table_.tables("operation");
     int index = 0;
-    for (const TomlTable& table : tables) add_operation(table, ++index);
+    const std::string& takes = job_.machine_.takes;
+    if (takes != "paths" && takes != "flat paths") {
+      if (!tables.empty()) throw refuse(tables[0], "", fmt::format("{} takes a {}: it has no operations", job_.machine_.name, takes));
+      return;
+    }
     if (tables.empty()) {
       if (job_.machine_.default_operation.empty()) throw refuse(table_, "", "a job needs at least one [[operation]]");
       const std::string toml = fmt::format("[[operation]]\ntype = \"{}\"\n", job_.machine_.default_operation);
       add_operation(TomlTable::parse(toml, path_.string()).tables("operation")[0], 1);
     }
+    for (const TomlTable& table : tables) add_operation(table, ++index);
   }
 
   [[nodiscard]] Tool tool_for(const TomlTable& table) const {
@@ -293,7 +298,10 @@ class JobReader {
     for (const Setting& setting : link_settings_table()) add(setting);
     table.only(known);
     op.values.given["type"] = {*type, "job", table.place("type").empty() ? table.place() : table.place("type")};
-    const double feed = op.values.number("feed"), most = job_.machine_.max_feed;
+    const double most = job_.machine_.max_feed;
+    for (const char* name : {"feed", "plunge"})
+      if (Given& given = op.values.given[name]; most > 0 && given.from == "default") given.value = std::min(most, std::get<double>(given.value));
+    const double feed = op.values.number("feed");
     if (most > 0 && feed > most) throw refuse(table, "feed", fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
     if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
       throw refuse(table, "spindle", fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name, job_.machine_.max_spindle));

@@ -43,10 +43,10 @@ struct Machine {
   double max_feed = 0;                   ///< mm/min; 0: no limit known
   double max_spindle = 0;
   std::array<double, 3> travel{0, 0, 0}; ///< mm; 0: no limit known
+  bool negative = true;                  ///< whether its x and y may be below 0
   Dynamics dynamics;
   Kinematics kinematics;
   std::map<std::string, std::string> text;  ///< header, footer, rapid, line, ... : templates
-  std::map<std::string, std::string> words; ///< named words of templates, left out while they do not change
   Settings settings;                        ///< of its own: power, speed, ...
   std::map<std::string, std::map<std::string, Value>> materials;  ///< defaults by material
   std::string default_operation;            ///< what is done where a job names nothing
