@@ -161,23 +161,57 @@ class Level {
     begin_at(path, static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) - path.points.begin()));
   }
 
-  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const {
-    for (int p = parent_[inner]; p >= 0; p = parent_[static_cast<std::size_t>(p)])
-      if (static_cast<std::size_t>(p) == outer) return true;
-    return false;
+  /// By numbers from a walk through the tree: what is inside is numbered between a path's first and its last.
+  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const { return first_[outer] < first_[inner] && first_[inner] <= last_[outer]; }
+  void number_tree() {
+    const std::size_t n = paths_.size();
+    first_.assign(n, 0), last_.assign(n, 0);
+    std::vector<std::vector<std::size_t>> children(n);
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < n; ++i) (parent_[i] < 0 ? waiting : children[static_cast<std::size_t>(parent_[i])]).push_back(i);
+    std::size_t next = 0;
+    std::vector<bool> entered(n, false);
+    while (!waiting.empty()) {
+      const std::size_t i = waiting.back();
+      if (entered[i]) {
+        last_[i] = next;
+        waiting.pop_back();
+        continue;
+      }
+      entered[i] = true;
+      first_[i] = ++next;
+      waiting.insert(waiting.end(), children[i].begin(), children[i].end());
+    }
   }
-  [[nodiscard]] bool related(std::size_t a, std::size_t b) const { return encloses(a, b) || encloses(b, a); }
-  [[nodiscard]] Vec2 end_before(std::size_t place) const { return place == 0 ? from_ : end_of(paths_[sequence_[place - 1]]); }
-  [[nodiscard]] const Path& at(std::size_t place) const { return paths_[sequence_[place]]; }
+  /// Whether one of them must come before the other.
+  [[nodiscard]] bool related(std::size_t a, std::size_t b) const { return !alone_[a] && !alone_[b] && (encloses(a, b) || encloses(b, a)); }
+
+  [[nodiscard]] const Vec2& start_at(std::size_t place) const { return start_[sequence_[place]]; }
+  [[nodiscard]] const Vec2& end_at(std::size_t place) const { return end_[sequence_[place]]; }
+  [[nodiscard]] const Vec2& end_before(std::size_t place) const { return place == 0 ? from_ : end_at(place - 1); }
+  void look_again(std::size_t place) {
+    if (place < sequence_.size()) look_[sequence_[place]] = true;
+  }
 
   /// Moves single paths to better places and turns runs round, until nothing helps; looks `reach` places far.
   void improve() {
-    constexpr std::size_t reach = 60;
+    const std::size_t n = paths_.size();
+    start_.resize(n), end_.resize(n);
+    alone_.assign(n, true);
+    for (std::size_t i = 0; i < n; ++i) {
+      start_[i] = start_of(paths_[i]), end_[i] = end_of(paths_[i]);
+      if (parent_[i] >= 0) alone_[i] = alone_[static_cast<std::size_t>(parent_[i])] = false;
+    }
+    look_.assign(n, true);
+    number_tree();
+    constexpr std::size_t reach = 50;
     constexpr int most_rounds = 8;
     for (int round = 0; round < most_rounds; ++round) {
       bool changed = false;
       for (std::size_t i = 0; i < sequence_.size(); ++i) {
         if (i % 64 == 0) progress_.check();
+        if (!look_[sequence_[i]]) continue;
+        look_[sequence_[i]] = false;
         changed |= move_one(i, reach);
         changed |= turn_run(i, reach);
       }
@@ -189,51 +223,62 @@ class Level {
   /// Or-opt: takes the path at `i` out and puts it in where the way gets shortest.
   bool move_one(std::size_t i, std::size_t reach) {
     const std::size_t n = sequence_.size(), moved = sequence_[i];
-    const Path& path = paths_[moved];
-    const Vec2 before = end_before(i);
-    double gain_out = (start_of(path) - before).norm();
-    if (i + 1 < n) gain_out += (start_of(at(i + 1)) - end_of(path)).norm() - (start_of(at(i + 1)) - before).norm();
+    const Vec2 &before = end_before(i), start = start_[moved], end = end_[moved];
+    double gain_out = (start - before).norm();
+    if (i + 1 < n) gain_out += (start_at(i + 1) - end).norm() - (start_at(i + 1) - before).norm();
     if (gain_out < 1e-6) return false;
     double best = 1e-6;
     std::ptrdiff_t target = -1;
-    const auto cost_between = [&](const Vec2& from, const Path* to) {
-      const double in = (start_of(path) - from).norm();
-      return to == nullptr ? in : in + (start_of(*to) - end_of(path)).norm() - (start_of(*to) - from).norm();
+    // Between a place that ends at `from` and the next one.
+    const auto gain_between = [&](const Vec2& from, std::size_t next) {
+      const double in = (start - from).norm();
+      return next >= n ? gain_out - in : gain_out - in - (start_at(next) - end).norm() + (start_at(next) - from).norm();
     };
     for (std::size_t j = i + 1; j < std::min(n, i + reach) && !related(sequence_[j], moved); ++j)  // after j
-      if (const double gain = gain_out - cost_between(end_of(at(j)), j + 1 < n ? &at(j + 1) : nullptr); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
+      if (const double gain = gain_between(end_at(j), j + 1); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
     for (std::size_t j = i; j-- > (i > reach ? i - reach : 0) && !related(sequence_[j], moved);)  // before j
-      if (const double gain = gain_out - cost_between(end_before(j), &at(j)); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
+      if (const double gain = gain_between(end_before(j), j); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
     if (target < 0) return false;
     const auto first = sequence_.begin();
-    if (const auto t = static_cast<std::size_t>(target); t > i)
+    const auto t = static_cast<std::size_t>(target);
+    if (t > i)
       std::rotate(first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(i) + 1, first + target + 1);
     else
       std::rotate(first + target, first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(i) + 1);
+    for (const std::size_t place : {i, i + 1, t, t + 1}) look_again(place);
+    if (i > 0) look_again(i - 1);
+    if (t > 0) look_again(t - 1);
     return true;
   }
 
   /// 2-opt: cuts the paths from `i` to some later one in the other order.
   bool turn_run(std::size_t i, std::size_t reach) {
     const std::size_t n = sequence_.size();
+    const Vec2& before = end_before(i);
+    const double in = (start_at(i) - before).norm();
     double kept = 0, turned = 0;  // the way within the run, one way and the other
+    bool all_alone = alone_[sequence_[i]];
     for (std::size_t j = i + 1; j < std::min(n, i + reach); ++j) {
-      const Path &a = at(j - 1), &b = at(j);
-      for (std::size_t k = i; k < j; ++k)
-        if (related(sequence_[k], sequence_[j])) return false;
-      const bool can_turn = settings_.may_reverse || (a.closed && b.closed);
-      if (!can_turn) return false;
-      kept += (start_of(b) - end_of(a)).norm();
-      turned += (end_of(a) - start_of(b)).norm();
-      const Vec2 before = end_before(i);
-      double now = (start_of(at(i)) - before).norm() + kept, then = (end_of(b) - before).norm() + turned;
-      if (j + 1 < n) now += (start_of(at(j + 1)) - end_of(b)).norm(), then += (start_of(at(j + 1)) - start_of(at(i))).norm();
-      if (then < now - 1e-6) {
-        std::reverse(sequence_.begin() + static_cast<std::ptrdiff_t>(i), sequence_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-        for (std::size_t k = i; k <= j; ++k)
-          if (!at(k).closed) reverse(paths_[sequence_[k]]);
-        return true;
+      if (!settings_.may_reverse && !(paths_[sequence_[j - 1]].closed && paths_[sequence_[j]].closed)) return false;
+      all_alone &= alone_[sequence_[j]];
+      if (!all_alone)
+        for (std::size_t k = i; k < j; ++k)
+          if (related(sequence_[k], sequence_[j])) return false;
+      kept += (start_at(j) - end_at(j - 1)).norm();
+      turned += (end_at(j - 1) - start_at(j)).norm();
+      double now = in + kept, then = (end_at(j) - before).norm() + turned;
+      if (j + 1 < n) now += (start_at(j + 1) - end_at(j)).norm(), then += (start_at(j + 1) - start_at(i)).norm();
+      if (then >= now - 1e-6) continue;
+      std::reverse(sequence_.begin() + static_cast<std::ptrdiff_t>(i), sequence_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      for (std::size_t k = i; k <= j; ++k) {
+        look_again(k);
+        if (paths_[sequence_[k]].closed) continue;
+        reverse(paths_[sequence_[k]]);
+        std::swap(start_[sequence_[k]], end_[sequence_[k]]);
       }
+      look_again(j + 1);
+      if (i > 0) look_again(i - 1);
+      return true;
     }
     return false;
   }
@@ -247,13 +292,17 @@ class Level {
       if (!path.closed) continue;
       const Vec2 before = end_before(i);
       const auto cost = [&](const PathPoint& p) {
-        return (flat(p) - before).norm() + (i + 1 < sequence_.size() ? (start_of(at(i + 1)) - flat(p)).norm() : 0.0);
+        return (flat(p) - before).norm() + (i + 1 < sequence_.size() ? (start_at(i + 1) - flat(p)).norm() : 0.0);
       };
       std::size_t best = 0;
       double least = cost(path.points[0]) - 1e-6;
       for (std::size_t k = 1; k < path.points.size(); ++k)
         if (const double c = cost(path.points[k]); c < least) least = c, best = k;
-      if (best != 0) begin_at(path, best), changed = true;
+      if (best == 0) continue;
+      begin_at(path, best);
+      start_[sequence_[i]] = end_[sequence_[i]] = flat(path.points.front());
+      for (const std::size_t place : {i, i + 1}) look_again(place);
+      changed = true;
     }
     return changed;
   }
@@ -264,6 +313,9 @@ class Level {
   Progress& progress_;
   std::vector<int> parent_;
   std::vector<std::size_t> sequence_;
+  std::vector<Vec2> start_, end_;   // of each path
+  std::vector<std::size_t> first_, last_;
+  std::vector<bool> alone_, look_;  // nothing encloses it or lies in it; whether moving it may help
 };
 
 }  // namespace

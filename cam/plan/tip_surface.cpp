@@ -56,12 +56,18 @@ void TipSurface::lay_out_blocks() {
     }
 }
 
-/// The highest tip for a block of samples, the first of them at (x0, y0) from the axis; what is out of the cutter's reach counts, too.
-/// A plain loop, which the compiler turns into vectors.
+/// A tip and the column of the block whose samples hold it there.
+struct BlockTip {
+  float tip;
+  int column;
+};
+
+/// The highest tip for a block of samples, the first of them at (x0, y0) from the axis. A plain loop, which the compiler turns into
+/// vectors.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
-float highest_tip(const float* heights, float x0, float y0, float cell, const FlatCornerCone& c) {
+BlockTip highest_tip(const float* heights, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
   constexpr int side = TipSurface::block_side;
   const float flat = c.flat, corner = c.corner, widest = c.widest, cone = c.cone, slope = c.slope;
   std::array<float, side> highest;
@@ -69,14 +75,16 @@ float highest_tip(const float* heights, float x0, float y0, float cell, const Fl
   for (int row = 0; row < side; ++row) {
     const float y = y0 + cell * static_cast<float>(row), y_squared = y * y;
     for (int k = 0; k < side; ++k) {
-      const float x = x0 + cell * static_cast<float>(k), away = std::sqrt(x * x + y_squared), beyond = away - flat;
+      const auto i = static_cast<std::size_t>(k);
+      const float x = x0 + cell * static_cast<float>(k), squared = x * x + y_squared, away = std::sqrt(squared), beyond = away - flat;
       const float positive = beyond > 0 ? beyond : 0, out = positive < widest ? positive : widest;
       const float inside = corner * corner - out * out, round = corner - std::sqrt(inside > 0 ? inside : 0), straight = cone + slope * away;
-      const float tip = heights[row * side + k] - (round > straight ? round : straight);
-      highest[static_cast<std::size_t>(k)] = tip > highest[static_cast<std::size_t>(k)] ? tip : highest[static_cast<std::size_t>(k)];
+      const float there = heights[row * side + k] - (round > straight ? round : straight), tip = squared <= reach ? there : -1e30F;
+      highest[i] = tip > highest[i] ? tip : highest[i];
     }
   }
-  return *std::max_element(highest.begin(), highest.end());
+  const auto best = std::max_element(highest.begin(), highest.end());
+  return {*best, static_cast<int>(best - highest.begin())};
 }
 
 /// One search: the best contact so far, and what still may be better.
@@ -128,12 +136,16 @@ struct TipSurface::Search {
     const HeightMap& h = tips.surface_->samples();
     const float* const block = tips.block(column, row);
     const Vec2 first = h.place(column * block_side, row * block_side);
-    if (tips.closed_form_.valid &&
-        highest_tip(block, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()), static_cast<float>(h.cell),
-                    tips.closed_form_) <= best.tip - margin)
-      return try_fine(column, row);
-    for (int k = 0; k < block_side * block_side; ++k)
-      if (block[k] > best.tip) try_place(first + h.cell * Vec2(k % block_side, k / block_side), block[k]);
+    const auto try_sample = [&](int k) { try_place(first + h.cell * Vec2(k % block_side, k / block_side), block[k]); };
+    if (tips.closed_form_.valid) {
+      const BlockTip found = highest_tip(block, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()),
+                                         static_cast<float>(h.cell), static_cast<float>(reach), tips.closed_form_);
+      if (found.tip > best.tip - margin)
+        for (int row_of = 0; row_of < block_side; ++row_of) try_sample(row_of * block_side + found.column);
+    } else {
+      for (int k = 0; k < block_side * block_side; ++k)
+        if (block[k] > best.tip) try_sample(k);
+    }
     try_fine(column, row);
   }
 
