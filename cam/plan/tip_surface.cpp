@@ -11,6 +11,7 @@ namespace fieldfab::cam {
 
 namespace {
 constexpr int table_size = 4096;
+constexpr int longest_side = 32;  // of blocks and of fine squares
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 }  // namespace
 
@@ -62,16 +63,15 @@ struct BlockTip {
   int column;
 };
 
-/// The highest tip for a block of samples, the first of them at (x0, y0) from the axis. A plain loop, which the compiler turns into
-/// vectors.
+/// The highest tip for a block of side x side samples, the first of them at (x0, y0) from the axis. A plain loop, which the compiler
+/// turns into vectors.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
-BlockTip highest_tip(const float* heights, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
-  constexpr int side = TipSurface::block_side;
+BlockTip highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
   const float flat = c.flat, corner = c.corner, widest = c.widest, cone = c.cone, slope = c.slope;
-  std::array<float, side> highest;
-  highest.fill(-1e30F);
+  std::array<float, longest_side> highest;
+  std::fill_n(highest.begin(), side, -1e30F);
   for (int row = 0; row < side; ++row) {
     const float y = y0 + cell * static_cast<float>(row), y_squared = y * y;
     for (int k = 0; k < side; ++k) {
@@ -83,7 +83,7 @@ BlockTip highest_tip(const float* heights, float x0, float y0, float cell, float
       highest[i] = tip > highest[i] ? tip : highest[i];
     }
   }
-  const auto best = std::max_element(highest.begin(), highest.end());
+  const auto best = std::max_element(highest.begin(), highest.begin() + side);
   return {*best, static_cast<int>(best - highest.begin())};
 }
 
@@ -131,39 +131,30 @@ struct TipSurface::Search {
     for (std::size_t i = 0; i < count && children[i].bound > best.tip; ++i) descend(level - 1, children[i].column, children[i].row);
   }
 
-  /// All samples of a block.
-  void try_block(int column, int row) {
-    const HeightMap& h = tips.surface_->samples();
-    const float* const block = tips.block(column, row);
-    const Vec2 first = h.place(column * block_side, row * block_side);
-    const auto try_sample = [&](int k) { try_place(first + h.cell * Vec2(k % block_side, k / block_side), block[k]); };
-    if (tips.closed_form_.valid) {
-      const BlockTip found = highest_tip(block, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()),
-                                         static_cast<float>(h.cell), static_cast<float>(reach), tips.closed_form_);
-      if (found.tip > best.tip - margin)
-        for (int row_of = 0; row_of < block_side; ++row_of) try_sample(row_of * block_side + found.column);
-    } else {
-      for (int k = 0; k < block_side * block_side; ++k)
-        if (block[k] > best.tip) try_sample(k);
+  /// Side x side samples, `step` apart, the first of them at `first`.
+  void try_samples(const float* heights, int side, const Vec2& first, double step) {
+    const auto try_sample = [&](int k) { try_place(first + step * Vec2(k % side, k / side), heights[k]); };
+    if (!tips.closed_form_.valid) {
+      for (int k = 0; k < side * side; ++k)
+        if (heights[k] > best.tip) try_sample(k);
+      return;
     }
-    try_fine(column, row);
+    const BlockTip found = highest_tip(heights, side, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()),
+                                       static_cast<float>(step), static_cast<float>(reach), tips.closed_form_);
+    if (found.tip > best.tip - margin)
+      for (int row = 0; row < side; ++row) try_sample(row * side + found.column);
   }
 
-  /// The fine samples of a block.
-  void try_fine(int column, int row) {
+  /// All samples of a block, and the fine ones of its squares.
+  void try_block(int column, int row) {
     const Surface& surface = *tips.surface_;
-    if (surface.fine_squares() == 0 || !tips.has_fine(column, row)) return;
     const HeightMap& h = surface.samples();
+    try_samples(tips.block(column, row), block_side, h.place(column * block_side, row * block_side), h.cell);
+    if (surface.fine_squares() == 0 || !tips.has_fine(column, row)) return;
     const int side = surface.fine_side();
-    const double step = h.cell / (side - 1);
     for (int v = row * block_side; v < std::min(h.height, (row + 1) * block_side); ++v)
-      for (int u = column * block_side; u < std::min(h.width, (column + 1) * block_side); ++u) {
-        const float* const fine = surface.fine(u, v);
-        if (fine == nullptr || bound(0, u, v) <= best.tip) continue;
-        const Vec2 first = h.place(u, v);
-        for (int k = 0; k < side * side; ++k)
-          if (fine[k] > best.tip) try_place(first + step * Vec2(k % side, k / side), fine[k]);
-      }
+      for (int u = column * block_side; u < std::min(h.width, (column + 1) * block_side); ++u)
+        if (const float* const fine = surface.fine(u, v); fine != nullptr && bound(0, u, v) > best.tip) try_samples(fine, side, h.place(u, v), h.cell / (side - 1));
   }
 
   static constexpr double margin = 1e-4;  // of single precision: the best is computed again in double

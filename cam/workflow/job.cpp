@@ -7,6 +7,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/field/operations.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/render/render.h"
@@ -62,20 +63,44 @@ std::string Job::plan() const {
   return out;
 }
 
-void Job::run(Progress& progress) {
-  program_.sections.clear();
-  reports_.clear();
-  // Operations share what the first stages made of the input, where their settings are the same.
-  std::map<std::string, Artifact> made;
-  for (const PlannedOperation& op : operations_) {
-    Context context{op.tool, stock_, progress, notes_};
-    Artifact artifact = input_;
-    std::string key;
+namespace {
+
+/// The input as a plane sees it. Sides are cut as far as the middle of the part: the other half belongs to the plane across.
+Artifact seen_from(const Artifact& input, const Plane& plane) {
+  const auto* const solid = std::get_if<Solid>(&input);
+  if (solid == nullptr || plane.is_top()) return input;
+  Solid turned;
+  Eigen::Affine3d back = Eigen::Affine3d::Identity();
+  back.linear() = plane.axes.transpose();
+  turned.field = transform(solid->field, back);
+  turned.bounds = plane.into(solid->bounds);
+  turned.bounds.lower.z() = turned.bounds.centre().z();
+  return turned;
+}
+
+}  // namespace
+
+/// Runs one operation after the other; keeps what they share.
+class JobRunner {
+ public:
+  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress) {}
+
+  void run() {
+    for (const PlannedOperation& op : job_.operations_) add(op);
+    job_.program_.stock = job_.stock_;
+    join_planes();
+  }
+
+ private:
+  /// Down the chain of stages; operations share what the first stages made, where their settings are the same.
+  Artifact through_stages(const PlannedOperation& op, Context& context) {
+    Artifact artifact = seen_from(job_.input_, op.plane);
+    std::string key = op.plane.name;
     for (const Stage* stage : op.stages) {
-      progress.report(0, stage->name);
-      key += fmt::format("{}/{:.17g}", stage->name, stage->operation ? 0.0 : op.tool.diameter);
+      progress_.report(0, stage->name);
+      key += fmt::format("/{}/{:.17g}", stage->name, stage->operation ? 0.0 : op.tool.diameter);
       for (const Setting& setting : stage->settings) key += fmt::format("/{}", text_of(op.values.given.at(setting.name).value));
-      if (const auto known = made.find(key); known != made.end()) {
+      if (const auto known = made_.find(key); known != made_.end()) {
         artifact = known->second;
         continue;
       }
@@ -85,32 +110,78 @@ void Job::run(Progress& progress) {
         if (error.kind() != ErrorKind::bad_input) throw;
         throw Error(error.kind(), op.values.place("type"), fmt::format("{}: {}", op.name, error.what()));
       }
-      if (!stage->operation) made[key] = artifact;
+      if (!stage->operation) made_[key] = artifact;
     }
-    Cuts& cuts = std::get<Cuts>(artifact);
+    return artifact;
+  }
+
+  void add(const PlannedOperation& op) {
+    const Box stock = op.plane.into(job_.stock_);
+    const auto* const solid = std::get_if<Solid>(&job_.input_);
+    Context context{op.tool, stock, op.plane, solid != nullptr ? solid->field : nullptr, earlier_, progress_, job_.notes_};
+    Cuts cuts = std::get<Cuts>(through_stages(op, context));
     OperationReport report;
     report.name = op.name;
     if (!cuts.ordered) {
       OrderSettings settings;
       settings.inside_first = cuts.inside_first;
       settings.may_reverse = cuts.may_reverse;
-      report.air = order(cuts.paths, settings, progress);
+      report.air = order(cuts.paths, settings, progress_);
     }
     Section section;
     section.name = op.name;
     section.tool = op.tool;
     section.spindle = op.values.number("spindle");
     section.coolant = op.values.text("coolant") == "none" ? "" : op.values.text("coolant");
-    section.clearance = stock_.upper.z() + op.values.number("clearance");
-    section.moves = link(cuts.paths, link_settings(op, cuts, stock_));
-    check_depth(op, section, stock_);
+    section.clearance = stock.upper.z() + op.values.number("clearance");
+    section.moves = link(cuts.paths, link_settings(op, cuts, stock));
+    if (section.moves.empty()) {
+      job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
+      return;
+    }
+    check_depth(op, section, stock);
+    section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
-    report.seconds = duration(section.moves, machine_.dynamics);
-    reports_.push_back(report);
-    program_.sections.push_back(std::move(section));
+    report.seconds = duration(section.moves, job_.machine_.dynamics);
+    job_.reports_.push_back(report);
+    job_.program_.sections.push_back(std::move(section));
+    clearances_.push_back(op.values.number("clearance"));
+    if (cuts.finished) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
   }
-  program_.stock = stock_;
+
+  /// Algorithm 6.1 wherever the tool's direction changes; and upright at the end.
+  void join_planes() {
+    auto& sections = job_.program_.sections;
+    const Kinematics& k = job_.machine_.kinematics;
+    const auto arm = [&](const Section& s) { return k.kind == "table-table" ? 0.0 : k.pivot + s.tool.length; };
+    const auto high = [&](const Section& s, const Move& near) {
+      return Move{{near.to.x(), near.to.y(), job_.stock_.upper.z() + s.tool.length + 50}, 0, 0, Vec3::UnitZ()};
+    };
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (!sections[i].tilted() && (i == 0 || !sections[i - 1].tilted())) continue;
+      const Move from = i == 0 ? high(sections[0], sections[0].moves.front()) : sections[i - 1].moves.back();
+      const auto moves = transfer(from, sections[i].moves.front(), job_.stock_, clearances_[i], arm(sections[i]));
+      sections[i].moves.insert(sections[i].moves.begin(), moves.begin(), moves.end());
+    }
+    if (sections.empty() || !sections.back().tilted()) return;
+    Section& last = sections.back();
+    const Move end = last.moves.back();
+    const auto moves = transfer(end, high(last, end), job_.stock_, 5, arm(last));
+    last.moves.insert(last.moves.end(), moves.begin(), moves.end());
+  }
+
+  Job& job_;
+  Progress& progress_;
+  std::map<std::string, Artifact> made_;
+  std::vector<Reached> earlier_;
+  std::vector<double> clearances_;  // of each section
+};
+
+void Job::run(Progress& progress) {
+  program_.sections.clear();
+  reports_.clear();
+  JobRunner(*this, progress).run();
 }
 
 void Job::write(const std::filesystem::path& path, Progress& progress) const {

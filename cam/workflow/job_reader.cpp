@@ -26,7 +26,10 @@ Settings link_settings_table() {
   Settings s{above_zero(number("feed", "mm/min", 600, "of cutting")), above_zero(number("plunge", "mm/min", 200, "into the material")),
              at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")), choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
              above_zero(number("clearance", "mm", 5, "of rapids above the stock")), choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
-             between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices"))};
+             between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
+             choice("plane", {"top", "front", "back", "left", "right", "five", "view", "stepped"}, "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps"),
+             number("alpha", "degrees", 0, "of a view: the part's turn about z"), between(0, 180, number("beta", "degrees", 0, "of a view: then about x")),
+             between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))};
   return s;
 }
 
@@ -259,6 +262,13 @@ class JobReader {
       add_operation(TomlTable::parse(toml, path_.string()).tables("operation")[0], 1);
     }
     for (const TomlTable& table : tables) add_operation(table, ++index);
+    // One plane after the other, each with all of its operations.
+    std::vector<std::string> seen;
+    for (const PlannedOperation& op : job_.operations_)
+      if (std::find(seen.begin(), seen.end(), op.plane.name) == seen.end()) seen.push_back(op.plane.name);
+    std::stable_sort(job_.operations_.begin(), job_.operations_.end(), [&](const PlannedOperation& a, const PlannedOperation& b) {
+      return std::find(seen.begin(), seen.end(), a.plane.name) < std::find(seen.begin(), seen.end(), b.plane.name);
+    });
   }
 
   [[nodiscard]] Tool tool_for(const TomlTable& table) const {
@@ -305,7 +315,30 @@ class JobReader {
     if (most > 0 && feed > most) throw refuse(table, "feed", fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
     if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
       throw refuse(table, "spindle", fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name, job_.machine_.max_spindle));
-    job_.operations_.push_back(std::move(op));
+    const std::vector<Plane> planes = planes_of(op.values);
+    if (std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); })) {
+      const auto* const solid = std::get_if<Solid>(&job_.input_);
+      if (solid == nullptr || solid->flat) throw refuse(table, "plane", "only a solid can be cut from other sides");
+      if (job_.machine_.kinematics.kind == "none") throw refuse(table, "plane", fmt::format("{} cannot tilt its tool", job_.machine_.name));
+      if (job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) && !job_.machine_.kinematics.tip_mode)
+        throw refuse(table, "tool", fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away", op.tool.number, job_.machine_.name));
+    }
+    const std::string name = op.name;
+    for (const Plane& plane : planes) {
+      if (job_.machine_.kinematics.kind == "head-head" && plane.axes.col(2).z() < -1e-9)
+        throw refuse(table, "plane", fmt::format("plane {} overhangs: the tool would point upwards", plane.name));
+      op.plane = plane;
+      if (planes.size() > 1) op.name = fmt::format("{} ({})", name, plane.name);
+      job_.operations_.push_back(op);
+    }
+  }
+
+  [[nodiscard]] static std::vector<Plane> planes_of(const Values& values) {
+    const std::string& name = values.text("plane");
+    if (name == "five") return five_planes();
+    if (name == "stepped") return stepped_planes(static_cast<int>(values.number("steps")));
+    if (name == "view") return {plane_from_view(values.number("alpha") * degrees, values.number("beta") * degrees)};
+    return {plane_named(name)};
   }
 
   /// The job's value, else the tool's, the material's, the default.

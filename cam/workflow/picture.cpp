@@ -74,9 +74,11 @@ Drawing draw(const Program& program, const PictureSettings& settings) {
   if (!settings.rapids) std::erase_if(drawing.lines, [](const Line& line) { return line.rapid; });
   // Rapids first, so that cuts lie over them.
   std::stable_partition(drawing.lines.begin(), drawing.lines.end(), [](const Line& line) { return line.rapid; });
-  for (const Line& line : drawing.lines) drawing.bounds.add(line.from), drawing.bounds.add(line.to);
-  if (drawing.lines.empty()) drawing.bounds = {Vec2::Zero(), Vec2::Ones()};
-  drawing.bounds = drawing.bounds.grown(0.03 * drawing.bounds.size().maxCoeff() + 1e-3);
+  // The cuts, and what there is room for of the rapids about them.
+  for (const Line& line : drawing.lines)
+    if (!line.rapid) drawing.bounds.add(line.from), drawing.bounds.add(line.to);
+  if (!(drawing.bounds.size().minCoeff() > 0)) drawing.bounds = {Vec2::Zero(), Vec2::Ones()};
+  drawing.bounds = drawing.bounds.grown(0.06 * drawing.bounds.size().maxCoeff() + 1e-3);
   return drawing;
 }
 

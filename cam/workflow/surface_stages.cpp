@@ -115,6 +115,14 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
       add(raster(*tips, settings, context.progress));
     }
   }
+  if (context.part != nullptr) {
+    const std::size_t before = cuts.paths.size();
+    cuts.paths = not_reached(cuts.paths, context.plane, *tips, *context.part, context.earlier, std::max(settings.tolerance, 0.05));
+    cuts.ordered = cuts.paths.size() == before;
+    cuts.may_reverse = settings.both_ways;
+    cuts.inside_first = false;
+    cuts.finished = tips;
+  }
   cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
   return cuts;
 }

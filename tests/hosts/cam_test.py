@@ -270,3 +270,113 @@ def test_images_are_machined(tmp_path):
     at, kinds, _ = rs274.moves(tmp_path / "o.ngc", tools=((1, 0, 0.4),))
     cut = at[at[:, 2] < 0]
     assert np.ptp(cut[:, 0]) == pytest.approx(20.4, abs=0.02) and np.ptp(cut[:, 1]) == pytest.approx(10.4, abs=0.02)
+
+
+BLOCK = "max(max(max(abs(x)-9,max(abs(y)-7,abs(z)-6)), 3-sqrt(x*x+z*z)), 2-sqrt((y-7)*(y-7)+(z-6)*(z-6)))"
+FIVE = """
+machine = "MACHINE"
+[input]
+model = "part.frep"
+[stock]
+margin = 1
+top = 1
+[[tool]]
+shape = "ball"
+diameter = 4
+length = 40
+[[operation]]
+type = "finish"
+plane = "PLANE"
+stepover = 0.5
+"""
+
+
+def turn(axis, degrees):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return {"x": np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), "y": np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]), "z": np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])}[axis]
+
+
+def tip_and_axis(machine, x, y, z, a, b, c, length):
+    """Where the tip is in the work and where the tool points, from axis values: written from what the axes do, apart from the library."""
+    p, up = np.array([x, y, z]), np.array([0.0, 0, 1])
+    if machine == "five_axis_ac":  # A tilts the trunnion about x; C turns the plate on it
+        work = turn("x", a) @ turn("z", c)
+        return work.T @ p, work.T @ up
+    if machine == "five_axis_bc":
+        work = turn("y", b) @ turn("z", c)
+        return work.T @ p, work.T @ up
+    if machine == "five_axis_tcp":
+        work = turn("x", a) @ turn("z", c)
+        return p, work.T @ up
+    if machine == "five_axis_head":  # C carries B; x, y, z move the pivot, counted from the tip of a tool pointing down
+        axis = turn("z", c) @ turn("y", b) @ up
+        return p + (150 + length) * (up - axis), axis
+    if machine == "five_axis_mixed":
+        head, plate = turn("y", b) @ up, turn("z", c)
+        return plate.T @ (p + (150 + length) * (up - head)), plate.T @ head
+    raise KeyError(machine)
+
+
+@pytest.mark.parametrize("plane", ["five", "stepped"])
+@pytest.mark.parametrize("machine", ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
+def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, plane):
+    path = job(tmp_path, FIVE.replace("MACHINE", machine).replace("PLANE", plane), part_frep=BLOCK)
+    run("cam", path, "-o", tmp_path / "out.ngc")
+    text = "".join(line for line in open(tmp_path / "out.ngc") if not line.startswith("M42"))  # rs274 knows no M428
+    (tmp_path / "out.ngc").write_text(text)
+    planned = ff.cam.Job(path)
+    planned.run()
+    ours = np.vstack(planned.moves)
+    keep = [0]
+    for i in range(1, len(ours)):
+        if np.abs(ours[i, [0, 1, 2, 5, 6, 7]] - ours[keep[-1]][[0, 1, 2, 5, 6, 7]]).max() > 1e-5:
+            keep.append(i)
+    ours = ours[keep]
+    theirs, kinds, _ = rs274.moves(tmp_path / "out.ngc", tools=((1, 0, 4),))
+    assert len(theirs) == len(ours)
+    for row, planned_row in zip(theirs, ours):
+        tip, axis = tip_and_axis(machine, *row, length=40)
+        assert np.abs(axis - planned_row[5:8]).max() < 2e-5
+        # four decimals of a degree, seen from the pivot
+        assert np.abs(tip - planned_row[:3]).max() < (6e-4 if machine in ("five_axis_head", "five_axis_mixed") else 3e-4)
+    assert len({tuple(np.round(a, 3)) for a in ours[:, 5:8]}) >= 5
+
+
+def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
+    """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis, B tilts, A turns by the smaller of two angles."""
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "five"), part_frep=BLOCK)
+    run("cam", path, "-o", tmp_path / "out.sbp")
+    lines = [line.strip().split(",") for line in open(tmp_path / "out.sbp") if line.startswith("M5")]
+    arm = 6.787 * 25.4 + 40
+    planned = ff.cam.Job(path)
+    planned.run()
+    ours = np.vstack(planned.moves)
+    x = y = z = a = b = 0.0
+    tips = []
+    for line in lines:
+        n = [float(v) if v else None for v in line[1:]]
+        x, y, z = [25.4 * v if v is not None else old for v, old in zip(n[:3], (x, y, z))]
+        a, b = n[3], n[4]
+        assert abs(a) <= 90.001
+        axis = turn("z", a) @ turn("y", b) @ np.array([0.0, 0, 1])
+        tips.append(np.array([x, y, z]) - arm * (axis - np.array([0, 0, 1])))
+    tips = np.array(tips[1:])
+    nearest = [np.abs(tips - row[:3]).max(axis=1).min() for row in ours[:: max(1, len(ours) // 300)]]
+    assert max(nearest) < 1e-3
+    text = open(tmp_path / "out.sbp").read()
+    for plane in ("top", "back", "front", "left", "right"):
+        assert f"({plane})" in text or f" {plane} " in text
+    # between planes the head is upright
+    assert text.count("M5,,,,0,0") >= 4
+
+
+def test_planes_are_refused_where_a_machine_cannot(tmp_path):
+    path = job(tmp_path, FIVE.replace("MACHINE", "linuxcnc").replace("PLANE", "front"), part_frep=BLOCK)
+    assert "cannot tilt" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace('"PLANE"', '"view"\nbeta = 120'), part_frep=BLOCK)
+    assert "overhangs" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", ""), part_frep=BLOCK)
+    assert "needs a length" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
+    path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", "length = 3"), part_frep=BLOCK)
+    done = run("cam", path, "-o", tmp_path / "o", check=False)
+    assert done.returncode == 2 and "reaches 3 mm" in done.stderr

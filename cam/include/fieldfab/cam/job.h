@@ -19,6 +19,7 @@ struct PlannedOperation {
   std::vector<const Stage*> stages;    ///< from the input on, the operation last
   Values values;
   Tool tool;
+  Plane plane;
 };
 
 /// What an operation came to.
@@ -55,6 +56,7 @@ class Job {
 
  private:
   friend class JobReader;
+  friend class JobRunner;
   Machine machine_;
   Values machine_values_;
   std::string material_;

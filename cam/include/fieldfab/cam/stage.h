@@ -10,6 +10,7 @@
 
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/cam/order.h"
+#include "fieldfab/cam/planes.h"
 #include "fieldfab/cam/program.h"
 #include "fieldfab/cam/setting.h"
 #include "fieldfab/render/image.h"
@@ -29,6 +30,7 @@ struct Cuts {
   bool ordered = false;             ///< their order and start points matter: leave them
   bool inside_first = true, may_reverse = false;
   std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
+  std::shared_ptr<const TipSurface> finished = nullptr;  ///< where a finishing tool could go, so that later planes leave that out
 };
 
 using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
@@ -39,7 +41,10 @@ const char* name_of(Kind kind);
 /// What stages may ask about the job besides their own settings.
 struct Context {
   Tool tool;
-  Box stock;                         ///< the material, mm
+  Box stock;                         ///< the material, mm, in the plane's coordinates
+  Plane plane;                       ///< that is cut from
+  FieldPtr part;                     ///< in its own coordinates; nullptr for images
+  const std::vector<Reached>& earlier;  ///< what other planes have finished
   Progress& progress;
   std::vector<std::string>& notes;   ///< what the user should know
 };
