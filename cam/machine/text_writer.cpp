@@ -134,6 +134,12 @@ class TextWriter {
     for (const Section& section : program_.sections) {
       set_section(section);
       out_ += templates_.fill("section");
+      if (!section.setup.empty()) {
+        if (spindle > 0) out_ += templates_.fill("spindle_off");
+        out_ += templates_.fill("setup");
+        spindle = -1;
+        templates_.forget();
+      }
       if (section.tool.number != tool) {
         if (spindle > 0) out_ += templates_.fill("spindle_off");
         out_ += templates_.fill("tool_change");
@@ -173,6 +179,7 @@ class TextWriter {
   void set_section(const Section& section) {
     templates_.set_text("operation", comment_safe(section.name));
     templates_.set_text("tool_name", comment_safe(section.tool.name));
+    templates_.set_text("setup", comment_safe(section.setup));
     templates_.set_whole("tool", section.tool.number);
     templates_.set("diameter", section.tool.diameter / machine_.unit);
     templates_.set_whole("rpm", section.spindle);

@@ -195,6 +195,21 @@ class Block {
     }
   }
 
+  /// Whether another piece passes through the same square.
+  [[nodiscard]] bool two_pieces(std::size_t k, std::size_t count) const {
+    const auto same = [&](std::size_t a, std::size_t b) { return end_slot_[a].i == end_slot_[b].i && end_slot_[a].j == end_slot_[b].j; };
+    return (k > 0 && same(k, k - 1)) || (k + 1 < count && same(k, k + 1));
+  }
+  /// Whether all four corners of a square are on one side.
+  [[nodiscard]] bool no_contour_in(int i, int j) const {
+    const std::array<float, 4> x{squares_.x(i), squares_.x(i + 1), squares_.x(i), squares_.x(i + 1)};
+    const std::array<float, 4> y{squares_.y(j), squares_.y(j), squares_.y(j + 1), squares_.y(j + 1)};
+    std::array<float, 4> value;
+    evaluate(4, x.data(), y.data(), value.data());
+    const auto inside = std::count_if(value.begin(), value.end(), [](float v) { return v < 0; });
+    return inside == 0 || inside == 4;
+  }
+
   /// Where the tangents at both ends of a piece meet at an angle near the square, and the Field is zero there, is a corner.
   void place_corners(std::span<Piece> pieces) {
     std::array<float, most_crossings> z, value, dx, dy, dz;
@@ -218,8 +233,12 @@ class Block {
       const double along_n = n.dot(a), along_m = m.dot(b);
       const Vec2 corner((along_n * m.y() - along_m * n.y()) / sine, (along_m * n.x() - along_n * m.x()) / sine);
       const Vec2 low(squares_.x(end_slot_[k].i), squares_.y(end_slot_[k].j));
-      // The tip of a corner may reach into the next square between two samples.
-      if (!Rectangle{low, low + Vec2::Constant(squares_.cell)}.grown(squares_.cell).contains(corner)) continue;
+      // The tip of a corner may reach into the next square between two samples, if no other piece is there.
+      const Vec2 beside = ((corner - low) / squares_.cell).array().floor();
+      if (beside.cwiseAbs().maxCoeff() > 1) continue;
+      const int i = end_slot_[k].i + static_cast<int>(beside.x()), j = end_slot_[k].j + static_cast<int>(beside.y());
+      const bool own = beside.isZero() && !two_pieces(k, pieces.size());
+      if (!own && (beside.isZero() || !no_contour_in(i, j))) continue;
       corner_x[found] = static_cast<float>(corner.x()), corner_y[found] = static_cast<float>(corner.y());
       steepness[found] = static_cast<float>(std::min(n.norm(), m.norm()));
       whose[found++] = k;

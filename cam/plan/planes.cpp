@@ -25,11 +25,12 @@ Plane plane_along(const Vec3& axis, std::string name) {
 
 Plane plane_named(const std::string& name) {
   if (name == "top") return plane_along({0, 0, 1}, name);
+  if (name == "bottom") return plane_along({0, 0, -1}, name);
   if (name == "front") return plane_along({0, -1, 0}, name);
   if (name == "back") return plane_along({0, 1, 0}, name);
   if (name == "left") return plane_along({-1, 0, 0}, name);
   if (name == "right") return plane_along({1, 0, 0}, name);
-  throw Error(ErrorKind::bad_input, "plane", fmt::format("there is no plane '{}'; known are top, front, back, left, right", name));
+  throw Error(ErrorKind::bad_input, "plane", fmt::format("there is no plane '{}'; known are top, bottom, front, back, left, right", name));
 }
 
 Plane plane_from_view(double alpha, double beta) {
@@ -59,7 +60,7 @@ std::vector<Plane> stepped_planes(int count) {
 }
 
 bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) const {
-  const Vec3 n = plane_.into(normal), q = plane_.into(point);
+  const Vec3 n = plane_.axes.transpose() * normal, q = plane_.into(point);
   if (n.z() < steepest_) return false;
   // The tip when the cutter lies against the point with that normal.
   const FlatCornerCone c = tips_->profile().closed_form();
@@ -75,7 +76,7 @@ bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) c
 
 std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part, const std::vector<Reached>& earlier,
                               double tolerance) {
-  if (earlier.empty()) return paths;
+  if (earlier.empty() && !plane.to_the_middle) return paths;
   const double cell = tips.surface().samples().cell;
   std::vector<std::vector<Path>> kept(paths.size());
   parallel_for(paths.size(), [&](std::size_t i) {
@@ -96,10 +97,10 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
       const TipSurface::Contact touched = tips.contact(points[k].at.head<2>(), guess);
       guess = touched.place;
       const double floor = tips.surface().floor(), height = tips.surface().height(touched.place);
-      if (height <= floor + cell) continue;  // there is nothing of the part here
-      const Vec3 place = plane.out_of({touched.place.x(), touched.place.y(), height});
+      if (plane.to_the_middle && height <= floor + cell) continue;  // there is nothing of this half of the part here
+      const Vec3 place = plane.out_of(Vec3(touched.place.x(), touched.place.y(), height));
       const Vec3 slope = part.gradient(place);
-      const Vec3 normal = slope.norm() > 0 ? Vec3(slope.normalized()) : plane.out_of(Vec3::UnitZ());
+      const Vec3 normal = slope.norm() > 0 ? Vec3(slope.normalized()) : Vec3(plane.axes.col(2));
       wanted[k] = std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
     }
     // A little more on both ends, so that nothing stays between.
@@ -132,7 +133,7 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
 }
 
 std::vector<Move> placed(const std::vector<Move>& moves, const Plane& plane, double tolerance) {
-  if (plane.is_top()) return moves;
+  if (plane.is_top() || plane.setup) return moves;
   std::vector<Move> out;
   const Vec3 axis = plane.axes.col(2);
   for (std::size_t i = 0; i < moves.size(); ++i) {

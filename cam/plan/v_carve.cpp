@@ -96,6 +96,9 @@ class MedialAxis {
     if (!edge.is_primary() || !edge.is_finite()) return false;
     const Vec2 a = place(*edge.vertex0()), b = place(*edge.vertex1());
     if (depth(0.5 * (a + b)) < tolerance_) return false;
+    // Outlines that cross themselves spoil the diagram: what is not as far from the outline as it should be is left out.
+    for (const Vec2& p : {a, b})
+      if (std::abs((foot(*edge.cell(), p) - p).norm() - std::abs(depth(p))) > 4 * tolerance_) return false;
     const auto angle = [&](const Vec2& p) {
       const Vec2 u = foot(*edge.cell(), p) - p, v = foot(*edge.twin()->cell(), p) - p;
       return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));

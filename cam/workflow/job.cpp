@@ -23,7 +23,7 @@ std::string text_of(const Value& value) {
   return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
 }
 
-LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock) {
+LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material, double radius) {
   LinkSettings s;
   const Values& v = op.values;
   s.clearance = stock.upper.z() + v.number("clearance");
@@ -32,8 +32,7 @@ LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const B
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
   s.ramp_angle = v.number("ramp_angle") * 3.14159265358979323846 / 180;
   s.above = std::min(s.above, v.number("clearance"));
-  const double top = stock.upper.z();
-  s.material = [top](const Path&) { return top; };
+  s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
   s.may_stay_down = cuts.may_stay_down;
   return s;
 }
@@ -53,7 +52,7 @@ void check_depth(const PlannedOperation& op, const Section& section, const Box& 
 std::string Job::plan() const {
   std::string out = fmt::format("{}: {} -> {}\n", file_, name_of(static_cast<Kind>(input_.index())), machine_.name);
   for (const PlannedOperation& op : operations_) {
-    out += fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>(input_.index())));
+    out += fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>((op.own_input ? *op.own_input : input_).index())));
     for (const Stage* stage : op.stages) out += fmt::format(" -> [{}] -> {}", stage->name, name_of(stage->makes));
     out += fmt::format(" -> [order] -> [link] -> [{}]\n", machine_.name);
     for (const auto& [name, given] : op.values.given) out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), fmt::format("{} {}", given.from, given.place));
@@ -65,16 +64,17 @@ std::string Job::plan() const {
 
 namespace {
 
-/// The input as a plane sees it. Sides are cut as far as the middle of the part: the other half belongs to the plane across.
+/// The input as a plane sees it.
 Artifact seen_from(const Artifact& input, const Plane& plane) {
   const auto* const solid = std::get_if<Solid>(&input);
-  if (solid == nullptr || plane.is_top()) return input;
+  if (solid == nullptr || (plane.is_top() && !plane.to_the_middle)) return input;
   Solid turned;
   Eigen::Affine3d back = Eigen::Affine3d::Identity();
   back.linear() = plane.axes.transpose();
+  back.translation() = -plane.origin;
   turned.field = transform(solid->field, back);
   turned.bounds = plane.into(solid->bounds);
-  turned.bounds.lower.z() = turned.bounds.centre().z();
+  if (plane.to_the_middle) turned.bounds.lower.z() = turned.bounds.centre().z();
   return turned;
 }
 
@@ -94,8 +94,9 @@ class JobRunner {
  private:
   /// Down the chain of stages; operations share what the first stages made, where their settings are the same.
   Artifact through_stages(const PlannedOperation& op, Context& context) {
-    Artifact artifact = seen_from(job_.input_, op.plane);
+    Artifact artifact = seen_from(op.own_input ? *op.own_input : job_.input_, op.plane);
     std::string key = op.plane.name;
+    if (op.own_input) key += op.name;
     for (const Stage* stage : op.stages) {
       progress_.report(0, stage->name);
       key += fmt::format("/{}/{:.17g}", stage->name, stage->operation ? 0.0 : op.tool.diameter);
@@ -117,8 +118,8 @@ class JobRunner {
 
   void add(const PlannedOperation& op) {
     const Box stock = op.plane.into(job_.stock_);
-    const auto* const solid = std::get_if<Solid>(&job_.input_);
-    Context context{op.tool, stock, op.plane, solid != nullptr ? solid->field : nullptr, earlier_, progress_, job_.notes_};
+    const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
+    Context context{op.tool, stock, op.plane, solid != nullptr ? solid->field : nullptr, material_of(op, stock), earlier_, progress_, job_.notes_};
     Cuts cuts = std::get<Cuts>(through_stages(op, context));
     OperationReport report;
     report.name = op.name;
@@ -134,12 +135,18 @@ class JobRunner {
     section.spindle = op.values.number("spindle");
     section.coolant = op.values.text("coolant") == "none" ? "" : op.values.text("coolant");
     section.clearance = stock.upper.z() + op.values.number("clearance");
-    section.moves = link(cuts.paths, link_settings(op, cuts, stock));
+    Material& material = material_of(op, stock);
+    section.moves = link(cuts.paths, link_settings(op, cuts, stock, material, op.tool.diameter / 2));
     if (section.moves.empty()) {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;
     }
     check_depth(op, section, stock);
+    if (op.plane.setup && op.plane.name != setup_)
+      section.setup = fmt::format("turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its top", op.plane.name, -stock.lower.x(),
+                                  -stock.lower.y(), stock.upper.z());
+    setup_ = op.plane.setup ? op.plane.name : "";
+    if (op.tool.diameter > 0) material.cut(section.moves, op.tool.profile());
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
@@ -148,6 +155,18 @@ class JobRunner {
     job_.program_.sections.push_back(std::move(section));
     clearances_.push_back(op.values.number("clearance"));
     if (cuts.finished) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
+  }
+
+  /// What is left as the operation's plane sees it.
+  Material& material_of(const PlannedOperation& op, const Box& stock) {
+    const auto found = materials_.find(op.plane.name);
+    if (found != materials_.end()) return found->second;
+    // As fine as the smallest tool needs, as far as memory is not wasted on it.
+    double smallest = stock.size().head<2>().maxCoeff() / 100;
+    for (const PlannedOperation& other : job_.operations_)
+      if (other.tool.diameter > 0) smallest = std::min(smallest, other.tool.diameter / 8);
+    const double cell = std::max(smallest, stock.size().head<2>().maxCoeff() / 2000);
+    return materials_.emplace(op.plane.name, Material(Rectangle::of(stock), stock.upper.z(), std::max(cell, 1e-3))).first->second;
   }
 
   /// Algorithm 6.1 wherever the tool's direction changes; and upright at the end.
@@ -174,8 +193,10 @@ class JobRunner {
   Job& job_;
   Progress& progress_;
   std::map<std::string, Artifact> made_;
+  std::map<std::string, Material> materials_;  // by plane
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
+  std::string setup_;               // how the work lies
 };
 
 void Job::run(Progress& progress) {

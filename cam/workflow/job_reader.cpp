@@ -13,6 +13,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/model/model.h"
+#include "sheet.h"
 #include "stages.h"
 #include "toml_table.h"
 
@@ -27,7 +28,8 @@ Settings link_settings_table() {
              at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")), choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
              above_zero(number("clearance", "mm", 5, "of rapids above the stock")), choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
              between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
-             choice("plane", {"top", "front", "back", "left", "right", "five", "view", "stepped"}, "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps"),
+             choice("plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},
+                    "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot tilt stops for turning the part by hand"),
              number("alpha", "degrees", 0, "of a view: the part's turn about z"), between(0, 180, number("beta", "degrees", 0, "of a view: then about x")),
              between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))};
   return s;
@@ -182,10 +184,29 @@ class JobReader {
     return solid;
   }
 
-  Solid read_solid(const TomlTable& input) {
+  /// One model, or several: together as they are, or laid out on a sheet.
+  Solid read_models(const TomlTable& input) {
     const auto name = input.text("model");
-    if (!name) throw refuse(input, "", "an input needs a model or an image");
-    Solid solid = read_model(input, *name);
+    std::vector<std::string> names = input.texts("models");
+    if (name.has_value() == !names.empty()) throw refuse(input, name ? "models" : "", "an input needs a model, or models, or an image");
+    if (name) names = {*name};
+    std::vector<Solid> parts;
+    for (const std::string& part : names) parts.push_back(read_model(input, part));
+    if (const auto sheet = input.list("sheet")) {
+      if (sheet->size() != 2) throw refuse(input, "sheet", "sheet is [width, height] in mm");
+      return lay_on_sheet(parts, {(*sheet)[0], (*sheet)[1]}, input.number("gap").value_or(5));
+    }
+    Solid all = parts[0];
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      all.field = unite(all.field, parts[i].field);
+      all.bounds = hull(all.bounds, parts[i].bounds);
+      all.flat = all.flat && parts[i].flat;
+    }
+    return all;
+  }
+
+  Solid read_solid(const TomlTable& input) {
+    Solid solid = read_models(input);
     Vec3 move = Vec3::Zero();
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Where the program's zero is on the part.
@@ -197,10 +218,13 @@ class JobReader {
       move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
     else if (zero != "model")
       throw refuse(input, "zero", fmt::format("zero is '{}'; it must be one of model, corner, centre{}", zero, suggestion(zero, {"model", "corner", "centre"})));
+    zero_ = zero;
+    move_ = move;
     if (move != Vec3::Zero()) {
       solid.field = translate(solid.field, move);
       solid.bounds = {b.lower + move, b.upper + move};
     }
+    part_ = solid.bounds;
     return solid;
   }
 
@@ -226,6 +250,8 @@ class JobReader {
       if (const auto upper = table->list("upper")) stock.upper = vector_of(*table, "upper", 0, *upper);
       if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
     }
+    // A beam or a blade goes through whatever there is.
+    if (job_.machine_.takes == "flat paths" && stock.size().z() == 0) stock.lower.z() -= 1;
     job_.stock_ = stock;
     if (auto* const solid = std::get_if<Solid>(&job_.input_); solid != nullptr && !solid->flat) {
       // What is machined from above stands on the stock's floor and may not stick out of its top.
@@ -297,8 +323,9 @@ class JobReader {
     const Stage& last = operation(*type, table.place("type"));
     op.name = table.text("name").value_or(fmt::format("{} {}", index, *type));
     op.tool = tool_for(table);
-    op.stages = chain(static_cast<Kind>(job_.input_.index()), last);
-    std::vector<std::string> known{"type", "name", "tool"};
+    if (const auto model = table.text("model")) op.own_input = read_own_model(table, *model);
+    op.stages = chain(static_cast<Kind>((op.own_input ? *op.own_input : job_.input_).index()), last);
+    std::vector<std::string> known{"type", "name", "tool", "model"};
     const auto add = [&](const Setting& setting) {
       known.push_back(setting.name);
       op.values.given[setting.name] = resolve(setting, table, op.tool);
@@ -315,12 +342,17 @@ class JobReader {
     if (most > 0 && feed > most) throw refuse(table, "feed", fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
     if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
       throw refuse(table, "spindle", fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name, job_.machine_.max_spindle));
-    const std::vector<Plane> planes = planes_of(op.values);
+    std::vector<Plane> planes = planes_of(op.values);
+    const bool by_hand = job_.machine_.kinematics.kind == "none";
+    if (by_hand)
+      for (Plane& plane : planes) turn_by_hand(plane);
     if (std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); })) {
       const auto* const solid = std::get_if<Solid>(&job_.input_);
       if (solid == nullptr || solid->flat) throw refuse(table, "plane", "only a solid can be cut from other sides");
-      if (job_.machine_.kinematics.kind == "none") throw refuse(table, "plane", fmt::format("{} cannot tilt its tool", job_.machine_.name));
-      if (job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) && !job_.machine_.kinematics.tip_mode)
+      if (by_hand && !job_.machine_.text.contains("setup")) throw refuse(table, "plane", fmt::format("{} can neither tilt its tool nor stop for turning the part", job_.machine_.name));
+      if (by_hand && (op.values.text("plane") == "view" || op.values.text("plane") == "stepped"))
+        throw refuse(table, "plane", fmt::format("{} cannot tilt its tool: only faces can be turned up by hand", job_.machine_.name));
+      if (!by_hand && job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) && !job_.machine_.kinematics.tip_mode)
         throw refuse(table, "tool", fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away", op.tool.number, job_.machine_.name));
     }
     const std::string name = op.name;
@@ -333,12 +365,23 @@ class JobReader {
     }
   }
 
+  /// A set-up of its own, with the zero where the job has it: in the corner or the centre of what is then the part's top.
+  void turn_by_hand(Plane& plane) const {
+    if (plane.is_top()) return;
+    plane.setup = true;
+    const Box part = plane.into(part_);
+    if (zero_ == "corner") plane.origin = {part.lower.x(), part.lower.y(), part.upper.z()};
+    if (zero_ == "centre") plane.origin = {part.centre().x(), part.centre().y(), part.upper.z()};
+  }
+
   [[nodiscard]] static std::vector<Plane> planes_of(const Values& values) {
     const std::string& name = values.text("plane");
     if (name == "five") return five_planes();
     if (name == "stepped") return stepped_planes(static_cast<int>(values.number("steps")));
     if (name == "view") return {plane_from_view(values.number("alpha") * degrees, values.number("beta") * degrees)};
-    return {plane_named(name)};
+    Plane plane = plane_named(name);
+    plane.to_the_middle = !plane.is_top();
+    return {plane};
   }
 
   /// The job's value, else the tool's, the material's, the default.
@@ -355,6 +398,19 @@ class JobReader {
   Progress& progress_;
   TomlTable table_;
   std::vector<Tool> tools_;
+  /// A model that only one operation works on, placed as the input is.
+  Solid read_own_model(const TomlTable& operation, const std::string& name) {
+    const auto input = table_.table("input");
+    if (input->has("image")) throw refuse(operation, "model", "a job with an image as its input has no other models");
+    Solid solid = read_model(*input, name);
+    solid.field = translate(solid.field, move_);
+    solid.bounds = {solid.bounds.lower + move_, solid.bounds.upper + move_};
+    return solid;
+  }
+
+  Vec3 move_ = Vec3::Zero();    // of the input
+  Box part_;                    // the input's bounds
+  std::string zero_ = "model";  // where on the part the program's zero is
   Job job_;
 };
 

@@ -82,6 +82,7 @@ void write_setup_sheet(const Job& job, const std::filesystem::path& path) {
     one.sections = {program.sections[i]};
     PictureSettings above, oblique;
     oblique.oblique = true;
+    if (!program.sections[i].setup.empty()) out += fmt::format("<p class=\"note\">By hand: {}</p>\n", escaped(program.sections[i].setup));
     out += fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n{}{}</div>\n", escaped(program.sections[i].name), svg_picture(one, above), svg_picture(one, oblique));
   }
   write_file(path, out + "</html>\n");

@@ -60,7 +60,7 @@ Artifact rough_stage(const Artifact& in, const Values& values, Context& context)
   settings.cell = std::max(surface->samples().cell, settings.cut.radius / 20);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   Cuts cuts;
-  cuts.paths = rough(tips, settings, context.progress);
+  cuts.paths = where_material(rough(tips, settings, context.progress), context.material, settings.cut.radius);
   const double longest = 2.5 * settings.stepover;
   cuts.may_stay_down = [tips, longest](const Vec3& from, const Vec3& to) {
     const double length = (to - from).norm();

@@ -80,6 +80,17 @@ std::optional<std::vector<double>> TomlTable::list(const std::string& key) const
   return typed<std::vector<double>>(key, "a list of numbers");
 }
 
+std::vector<std::string> TomlTable::texts(const std::string& key) const {
+  std::vector<std::string> found;
+  const toml::node* const node = node_->table->get(key);
+  if (node == nullptr) return found;
+  const toml::array* const array = node->as_array();
+  if (array == nullptr || !std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_string(); }))
+    throw Error(ErrorKind::bad_input, place(key), fmt::format("{} must be a list of texts", key));
+  for (const toml::node& item : *array) found.push_back(item.as_string()->get());
+  return found;
+}
+
 std::vector<std::vector<double>> TomlTable::rows(const std::string& key) const {
   std::vector<std::vector<double>> rows;
   const toml::node* const node = node_->table->get(key);

@@ -26,6 +26,8 @@ class TomlTable {
   [[nodiscard]] std::optional<std::string> text(const std::string& key) const;
   [[nodiscard]] std::optional<bool> flag(const std::string& key) const;
   [[nodiscard]] std::optional<std::vector<double>> list(const std::string& key) const;
+  /// A list of texts; empty where it is missing.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
   /// A list of points [[x, y], ...].
   [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& key) const;
   /// A table within it; nothing where it is missing. Throws bad_input for something else.

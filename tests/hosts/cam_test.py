@@ -371,7 +371,7 @@ def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
 
 
 def test_planes_are_refused_where_a_machine_cannot(tmp_path):
-    path = job(tmp_path, FIVE.replace("MACHINE", "linuxcnc").replace("PLANE", "front"), part_frep=BLOCK)
+    path = job(tmp_path, FIVE.replace("MACHINE", "linuxcnc").replace("PLANE", "stepped"), part_frep=BLOCK)
     assert "cannot tilt" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace('"PLANE"', '"view"\nbeta = 120'), part_frep=BLOCK)
     assert "overhangs" in run("cam", path, "-o", tmp_path / "o", check=False).stderr
@@ -380,3 +380,24 @@ def test_planes_are_refused_where_a_machine_cannot(tmp_path):
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "front").replace("length = 40", "length = 3"), part_frep=BLOCK)
     done = run("cam", path, "-o", tmp_path / "o", check=False)
     assert done.returncode == 2 and "reaches 3 mm" in done.stderr
+
+
+def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
+    text = FIVE.replace("MACHINE", "linuxcnc").replace('"part.frep"', '"part.frep"\nzero = "centre"')
+    both = text.replace("PLANE", "top") + '[[operation]]\ntype = "finish"\nplane = "bottom"\nstepover = 0.5\n'
+    path = job(tmp_path, both, part_frep="max(max(abs(x)-9,max(abs(y)-7,abs(z)-6)), 3-sqrt((x-4)*(x-4)+(z-6)*(z-6)))")
+    run("cam", path, "-o", tmp_path / "out.ngc", "--sheet", tmp_path / "s.html")
+    names = [name for name, _ in rs274.canonical(tmp_path / "out.ngc", tools=((1, 0, 4),))]
+    assert names.count("PROGRAM_STOP") == 1
+    assert "turn the stock so that its bottom is up" in (tmp_path / "s.html").read_text()
+    planned = ff.cam.Job(path)
+    planned.run()
+    top, bottom = planned.moves
+    # The groove is in the top side only; turned over, what is up is flat, and zero is on it.
+    assert top[top[:, 3] > 0][:, 2].min() < -2.5
+    for before, after in zip(bottom[:-1], bottom[1:]):
+        if after[3] > 0:
+            for t in np.linspace(0, 1, 9):
+                x, y, z = before[:3] + t * (after[:3] - before[:3])
+                if abs(x) < 8.5 and abs(y) < 6.5:
+                    assert z > -0.02

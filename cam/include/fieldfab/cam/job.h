@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct PlannedOperation {
   Values values;
   Tool tool;
   Plane plane;
+  std::optional<Artifact> own_input = std::nullopt;  ///< where it works on a model of its own
 };
 
 /// What an operation came to.

@@ -14,16 +14,19 @@ namespace fieldfab::cam {
 struct Plane {
   std::string name = "top";
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< its x, y and z in the part's coordinates; z is the tool's axis
+  Vec3 origin = Vec3::Zero();  ///< of its coordinates, in its own directions: not zero where a set-up has a zero of its own
+  bool to_the_middle = true;   ///< the far half of the part belongs to the plane across
+  bool setup = false;          ///< the part is turned by hand, and programs are in the plane's coordinates
   [[nodiscard]] bool is_top() const { return axes.isIdentity(1e-12); }
-  [[nodiscard]] Vec3 into(const Vec3& p) const { return axes.transpose() * p; }
-  [[nodiscard]] Vec3 out_of(const Vec3& p) const { return axes * p; }
+  [[nodiscard]] Vec3 into(const Vec3& p) const { return axes.transpose() * p - origin; }
+  [[nodiscard]] Vec3 out_of(const Vec3& p) const { return axes * (p + origin); }
   /// The box that holds another one, in the plane's coordinates.
-  [[nodiscard]] Box into(const Box& box) const { return image_of(box, axes.transpose(), Vec3::Zero()); }
+  [[nodiscard]] Box into(const Box& box) const { return image_of(box, axes.transpose(), -origin); }
 };
 
 /// The plane that the tool's axis (from tip to spindle) is at right angles to; its x is level.
 Plane plane_along(const Vec3& axis, std::string name);
-/// "top", "front", "back", "left" or "right"; throws bad_input for another name.
+/// "top", "bottom", "front", "back", "left" or "right"; throws bad_input for another name.
 Plane plane_named(const std::string& name);
 /// The plane seen after turning the part by `alpha` about z and then by `beta` about x (radians), as pictures do.
 Plane plane_from_view(double alpha, double beta);

@@ -25,6 +25,7 @@ struct Section {
   Tool tool;
   double spindle = 0;         ///< revolutions per minute; 0: none
   std::string coolant;        ///< "", "mist" or "flood"
+  std::string setup;          ///< what to do by hand before it; empty where the work stays as it is
   double clearance = 0;       ///< z at which nothing is in the way, mm
   std::vector<Move> moves;
   [[nodiscard]] bool tilted() const;

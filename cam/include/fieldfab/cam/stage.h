@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "fieldfab/cam/material.h"
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/cam/order.h"
 #include "fieldfab/cam/planes.h"
@@ -44,6 +45,7 @@ struct Context {
   Box stock;                         ///< the material, mm, in the plane's coordinates
   Plane plane;                       ///< that is cut from
   FieldPtr part;                     ///< in its own coordinates; nullptr for images
+  const Material& material;          ///< what earlier operations on this plane have left
   const std::vector<Reached>& earlier;  ///< what other planes have finished
   Progress& progress;
   std::vector<std::string>& notes;   ///< what the user should know

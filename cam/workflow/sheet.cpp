@@ -1,0 +1,56 @@
+#include "sheet.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::cam {
+namespace {
+
+/// A part lying flat: its middle at z = 0, its lower left corner at the origin.
+Solid laid_flat(const Solid& part) {
+  Eigen::Index thinnest = 0;
+  part.bounds.size().minCoeff(&thinnest);
+  Eigen::Affine3d turn = Eigen::Affine3d::Identity();
+  if (!part.flat && thinnest == 0) turn.rotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
+  if (!part.flat && thinnest == 1) turn.rotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
+  Box box = image_of(part.bounds, turn.linear(), Vec3::Zero());
+  if (box.size().y() > box.size().x()) {
+    turn.prerotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
+    box = image_of(part.bounds, turn.linear(), Vec3::Zero());
+  }
+  const Vec3 move(-box.lower.x(), -box.lower.y(), -box.centre().z());
+  turn.pretranslate(move);
+  return {transform(part.field, turn), {Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true};
+}
+
+}  // namespace
+
+Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double gap) {
+  std::vector<Solid> flat;
+  for (const Solid& part : parts) flat.push_back(laid_flat(part));
+  std::stable_sort(flat.begin(), flat.end(), [](const Solid& a, const Solid& b) { return a.bounds.size().y() > b.bounds.size().y(); });
+  Solid all;
+  all.flat = true;
+  double x = 0, y = 0, row = 0;
+  for (const Solid& part : flat) {
+    const Vec3 size = part.bounds.size();
+    if (x > 0 && x + size.x() > sheet.x()) x = 0, y += row + gap, row = 0;
+    if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
+      throw Error(ErrorKind::bad_input, "sheet", fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
+    // Held within its own bounds: formulas may mean something elsewhere, too.
+    const FieldPtr placed = translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
+    all.field = all.field ? unite(all.field, placed) : placed;
+    x += size.x() + gap;
+    row = std::max(row, size.y());
+  }
+  all.bounds = {Vec3::Zero(), Vec3(sheet.x(), sheet.y(), 0)};
+  return all;
+}
+
+}  // namespace fieldfab::cam
