@@ -1,0 +1,215 @@
+// Operations on outlines, entries, and how long programs take: closed forms.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/cam/material.h"
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/program.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Loop rectangle(double w, double h) { return {{{0, 0}, {w, 0}, {w, h}, {0, h}}}; }
+Loop ring(const Vec2& centre, double radius, bool hole, int n = 256) {
+  Loop loop;
+  for (int i = 0; i < n; ++i) loop.points.push_back(centre + radius * Vec2(std::cos((hole ? -2 : 2) * pi * i / n), std::sin((hole ? -2 : 2) * pi * i / n)));
+  return loop;
+}
+Outline outline(const Loops& loops, const Rectangle& bounds) { return {outline_field(loops), bounds, 0.1}; }
+
+CutSettings cut_of(double radius, double depth) {
+  CutSettings cut;
+  cut.radius = radius;
+  cut.depths = {0, -depth, 1e300};
+  return cut;
+}
+
+TEST(Depths, AreEvenAndEndAtTheBottom) {
+  EXPECT_EQ((Depths{0, -4, 1.5}.passes()), (std::vector<double>{-4.0 / 3, -8.0 / 3, -4}));
+  EXPECT_EQ((Depths{0, -4, 2}.passes()), (std::vector<double>{-2, -4}));
+  EXPECT_EQ((Depths{1, 0, 1e300}.passes()), (std::vector<double>{0}));
+  EXPECT_THROW((void)(Depths{0, 0, 1}.passes()), Error);
+  EXPECT_THROW((void)(Depths{0, -1, 0}.passes()), Error);
+}
+
+TEST(Profile2d, RunsAroundAtTheToolsRadius) {
+  const Outline part = outline({rectangle(20, 10)}, {{0, 0}, {20, 10}});
+  const auto outside = profile(part, Side::outside, cut_of(2, 3)), inside = profile(part, Side::inside, cut_of(2, 3)), on = profile(part, Side::on, cut_of(2, 3));
+  ASSERT_EQ(outside.size(), 1U);
+  EXPECT_NEAR(outside[0].length(), 60 + 4 * pi, 0.02);
+  EXPECT_NEAR(inside[0].length(), 60 - 16, 0.02);
+  EXPECT_NEAR(on[0].length(), 60, 0.02);
+  // Climb: the wall on the right, so clockwise outside and anticlockwise inside.
+  const auto area = [](const Path& path) {
+    Loop loop;
+    for (const PathPoint& p : points_along(path, 0.1)) loop.points.push_back(p.at.head<2>());
+    return loop.area();
+  };
+  EXPECT_LT(area(outside[0]), 0);
+  EXPECT_GT(area(inside[0]), 0);
+  CutSettings conventional = cut_of(2, 3);
+  conventional.climb = false;
+  EXPECT_GT(area(profile(part, Side::outside, conventional)[0]), 0);
+}
+
+TEST(Profile2d, TabsStandAsWideAsAsked) {
+  const Outline part = outline({rectangle(40, 30)}, {{0, 0}, {40, 30}});
+  const auto paths = profile(part, Side::outside, cut_of(1.5, 3), {4, 5, 1});
+  ASSERT_EQ(paths.size(), 1U);
+  double low = 0, high = 0;
+  for (std::size_t i = 1; i < paths[0].points.size(); ++i) {
+    Path piece;
+    piece.points = {paths[0].points[i - 1], paths[0].points[i]};
+    if (piece.points[0].at.z() != piece.points[1].at.z()) continue;
+    (piece.points[0].at.z() == -3 ? low : high) += piece.length();
+  }
+  EXPECT_NEAR(high, 4 * (5 + 3), 0.01);  // each as wide as the tab and the tool
+  EXPECT_NEAR(low + high, 140 + 3 * pi, 0.05);
+}
+
+TEST(Pocket, ReachesEveryPlaceTheToolFits) {
+  const Loops area{rectangle(30, 20), ring({15, 10}, 4, true)};
+  std::vector<Vec2> left;
+  const auto paths = pocket(outline(area, {{0, 0}, {30, 20}}), 1.2, cut_of(1.5, 1), &left);
+  EXPECT_TRUE(left.empty());
+  const FieldPtr distance = outline_field(area);
+  std::vector<Vec2> tips;
+  for (const Path& path : paths) {
+    const auto points = points_along(path, 0.05);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (int k = 0; k <= 200; ++k) {
+        tips.emplace_back((points[i - 1].at + (points[i].at - points[i - 1].at) * k / 200).head<2>());
+        EXPECT_LE(distance->value({tips.back().x(), tips.back().y(), 0}), -1.5 + 0.01);
+      }
+  }
+  // Every place at least a tool's radius from the walls lies under the tool's edge somewhere.
+  for (double x = 1.5; x < 28.5; x += 0.37)
+    for (double y = 1.5; y < 18.5; y += 0.41) {
+      if (distance->value({x, y, 0}) > -1.5) continue;
+      double nearest = 1e9;
+      for (const Vec2& tip : tips) nearest = std::min(nearest, (tip - Vec2(x, y)).squaredNorm());
+      EXPECT_LE(std::sqrt(nearest), 1.5) << x << " " << y;
+    }
+}
+
+TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
+  std::vector<Vec2> left;
+  const auto paths = pocket(outline({rectangle(20, 10), ring({30, 5}, 1, false)}, {{0, 0}, {32, 10}}), 1, cut_of(1.5, 1), &left);
+  EXPECT_FALSE(paths.empty());
+  ASSERT_EQ(left.size(), 1U);
+  EXPECT_NEAR((left[0] - Vec2(30, 5)).norm(), 0, 0.1);
+}
+
+TEST(Drill, FindsRoundHolesOnly) {
+  const std::vector<Hole> found = holes({rectangle(40, 40), ring({10, 10}, 2, true), {{{20, 20}, {20, 24}, {24, 24}, {24, 20}}}}, 0.02);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].radius, 2, 1e-3);
+  EXPECT_NEAR((found[0].centre - Vec2(10, 10)).norm(), 0, 1e-3);
+  const auto paths = drill(found, 2, {0, -5, 1e300});
+  EXPECT_NEAR(paths[0].length(), 5.0 / 3 * 2 + 10.0 / 3 * 2 + 5, 1e-9);
+}
+
+/// How deep a V of half angle 45 degrees has carved at a place.
+double carved(const std::vector<Path>& paths, const Vec2& q, double slope) {
+  double lowest = 0;
+  for (const Path& path : paths) {
+    const auto points = points_along(path, 0.05);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (int s = 0; s <= 400; ++s) {
+        const Vec3 tip = points[i - 1].at + (points[i].at - points[i - 1].at) * s / 400;
+        lowest = std::min(lowest, tip.z() + slope * (tip.head<2>() - q).norm());
+      }
+  }
+  return lowest;
+}
+
+TEST(VCarve, FlanksEndAtTheOutline) {
+  const Loops letter{{{{0, 0}, {12, 0}, {12, 3}, {3, 3}, {3, 12}, {0, 12}}}};  // an L
+  const FieldPtr distance = outline_field(letter);
+  for (const double half : {pi / 4, pi / 6}) {
+    CutSettings cut = cut_of(0, 50);
+    const auto paths = v_carve(letter, half, 0.2, cut);
+    ASSERT_FALSE(paths.empty());
+    const double slope = 1 / std::tan(half);
+    for (double x = -0.5; x < 12.5; x += 0.43)
+      for (double y = -0.5; y < 12.5; y += 0.47) {
+        const double inside = -static_cast<double>(distance->value({x, y, 0}));
+        EXPECT_NEAR(carved(paths, {x, y}, slope), -slope * std::max(0.0, inside), 0.05) << x << " " << y;
+      }
+  }
+}
+
+TEST(VCarve, WidePlacesGetAFlatFloor) {
+  const auto paths = v_carve({rectangle(20, 20)}, pi / 4, 0.3, cut_of(0, 2));
+  double deepest = 0;
+  for (const Path& path : paths)
+    for (const PathPoint& p : path.points) deepest = std::min(deepest, p.at.z());
+  EXPECT_NEAR(deepest, -2, 1e-9);
+  EXPECT_NEAR(carved(paths, {10, 10}, 1), -2, 0.3);  // ridges of a stepover at most
+  EXPECT_NEAR(carved(paths, {1, 10}, 1), -1, 0.01);
+}
+
+TEST(VCarve, RoundThingsHaveNoSpurs) {
+  const auto paths = v_carve({ring({0, 0}, 5, false, 200)}, pi / 4, 0.2, cut_of(0, 50));
+  double length = 0;
+  for (const Path& path : paths) length += path.length();
+  EXPECT_LT(length, 1);  // the middle, not 200 spokes
+}
+
+TEST(Link, EntersByRampsAndStaysAboveTheMaterial) {
+  Path path;
+  path.closed = true;
+  path.points = {{{0, 0, -2}}, {{10, 0, -2}}, {{10, 10, -2}}, {{0, 10, -2}}};
+  LinkSettings settings;
+  settings.entry = Entry::ramp;
+  settings.material = [](const Path&) { return 0.0; };
+  const auto moves = link({path}, settings);
+  EXPECT_TRUE(moves.front().rapid());
+  EXPECT_EQ(moves.front().to.z(), 5);
+  EXPECT_EQ(moves.back().to.z(), 5);
+  double steepest = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    const Vec3 way = moves[i].to - moves[i - 1].to;
+    if (moves[i].rapid()) { EXPECT_GE(moves[i].to.z(), 0.99); }
+    if (!moves[i].rapid() && way.z() < 0) steepest = std::max(steepest, std::atan2(-way.z(), way.head<2>().norm()));
+  }
+  EXPECT_LE(steepest, settings.ramp_angle + 1e-9);
+  EXPECT_GT(lengths(moves).cut, 80);  // the ramp, and once round at the bottom
+}
+
+TEST(Duration, IsThatOfClosedForms) {
+  const Dynamics d{6000, 100, 0.01};
+  // 100 mm at 50 mm/s, half a second to get there and to stop: 25/2 mm each.
+  EXPECT_NEAR(duration({{{0, 0, 0}}, {{100, 0, 0}, 3000}}, d), 0.5 + 0.5 + 75.0 / 50, 1e-9);
+  // Too short to reach its speed.
+  EXPECT_NEAR(duration({{{0, 0, 0}}, {{1, 0, 0}, 3000}}, d), 2 * std::sqrt(1.0 / 100), 1e-9);
+  // A straight way in two pieces takes as long as in one; a corner takes longer.
+  const double straight = duration({{{0, 0, 0}}, {{50, 0, 0}, 3000}, {{100, 0, 0}, 3000}}, d);
+  EXPECT_NEAR(straight, 2.5, 1e-9);
+  EXPECT_GT(duration({{{0, 0, 0}}, {{50, 0, 0}, 3000}, {{50, 50, 0}, 3000}}, d), straight + 0.2);
+}
+
+TEST(Material, IsWhatTheToolLeaves) {
+  Material material({{0, 0}, {20, 20}}, 5, 0.25);
+  material.cut({{{10, 0, 10}}, {{10, 0, 2}, 100}, {{10, 20, 2}, 100}, {{0, 0, 10}}}, Profile(5, 0, 0, 5));
+  EXPECT_EQ(material.highest({10, 10}, 1), 2);
+  EXPECT_EQ(material.highest({10, 10}, 5.5), 5);
+  EXPECT_EQ(material.highest({2, 10}, 1), 5);
+  EXPECT_TRUE(std::isinf(material.highest({40, 40}, 1)));
+  Path along;
+  along.points = {{{10, 2, 2}}, {{10, 18, 2}}};
+  Path across;
+  across.points = {{{2, 10, 2}}, {{18, 10, 2}}};
+  EXPECT_TRUE(where_material({along}, material, 2).empty());
+  EXPECT_EQ(where_material({across}, material, 2).size(), 2U);
+}
+
+}  // namespace
+}  // namespace fieldfab::cam
