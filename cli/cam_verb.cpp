@@ -13,7 +13,8 @@ class CamVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("cam", "plan toolpaths and write a machine's program");
-    verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")->required();
+    verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")
+        ->required();
     verb_->add_option("-o,--output", output_, "the program to write");
     verb_->add_option("--picture", pictures_, "also draw the tool's ways: a .png or an .svg; may be given several times");
     verb_->add_option("--colour", colour_, "of the picture: by order or by depth")->check(CLI::IsMember({"order", "depth"}));
@@ -29,7 +30,8 @@ class CamVerb final : public Verb {
     job.run(progress);
     job.write(output_, progress);
     for (const std::string& picture : pictures_)
-      cam::write_picture(job.program(), picture, {colour_ == "depth" ? cam::Colouring::depth : cam::Colouring::order, 1024, oblique_, true});
+      cam::write_picture(job.program(), picture,
+                         {colour_ == "depth" ? cam::Colouring::depth : cam::Colouring::order, 1024, oblique_, true});
     if (!sheet_.empty()) cam::write_setup_sheet(job, sheet_);
     return report(job);
   }
@@ -50,11 +52,12 @@ class CamVerb final : public Verb {
                             {"seconds", r.seconds}});
     }
     for (const std::string& note : job.notes()) fmt::print(stderr, "fieldfab: note: {}\n", note);
-    outcome.line = fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_, job.machine().name,
-                               job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000, rapid / 1000, static_cast<int>(seconds) / 60,
-                               static_cast<int>(seconds) % 60);
-    outcome.json = {{"output", output_}, {"machine", job.machine().name}, {"operations", operations}, {"seconds", seconds},
-                    {"cut", cut},        {"rapid", rapid},                {"notes", job.notes()}};
+    outcome.line = fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
+                               job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
+                               rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
+    outcome.json = {
+        {"output", output_}, {"machine", job.machine().name}, {"operations", operations}, {"seconds", seconds}, {"cut", cut},
+        {"rapid", rapid},    {"notes", job.notes()}};
     return outcome;
   }
 

@@ -26,7 +26,8 @@ py::list lists_of(const cam::Loops& loops) {
 cam::Loops loops_of(const std::vector<Rows>& given) {
   cam::Loops loops;
   for (const Rows& rows : given) {
-    if (rows.ndim() != 2 || rows.shape(1) != 2 || rows.shape(0) < 3) throw Error(ErrorKind::bad_input, "loops", "a loop is an (n, 2) array of at least three points");
+    if (rows.ndim() != 2 || rows.shape(1) != 2 || rows.shape(0) < 3)
+      throw Error(ErrorKind::bad_input, "loops", "a loop is an (n, 2) array of at least three points");
     cam::Loop loop;
     const auto in = rows.unchecked<2>();
     for (py::ssize_t i = 0; i < rows.shape(0); ++i) loop.points.emplace_back(in(i, 0), in(i, 1));
@@ -90,11 +91,14 @@ void bind_job(py::module_& module) {
 void bind_cam(py::module_& parent) {
   py::module_ module = parent.def_submodule("cam", "Toolpaths and machines.");
   bind_job(module);
-  module.def("machines", [] {
-    py::dict out;
-    for (const auto& [id, text] : cam::machine_files()) out[py::str(id)] = cam::load_machine(id).name;
-    return out;
-  }, "The machines that come with Fieldfab: id to name.");
+  module.def(
+      "machines",
+      [] {
+        py::dict out;
+        for (const auto& [id, text] : cam::machine_files()) out[py::str(id)] = cam::load_machine(id).name;
+        return out;
+      },
+      "The machines that come with Fieldfab: id to name.");
   module.def(
       "distance_transform",
       [](const py::array_t<bool, py::array::c_style | py::array::forcecast>& bitmap, double cell) {
@@ -114,9 +118,13 @@ void bind_cam(py::module_& parent) {
         }));
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cell") = 0.1, py::arg("z") = 0.0, py::arg("level") = 0.0,
-      py::arg("progress") = py::none(), "Closed curves where the solid is cut by a plane: (n, 2) arrays, the solid on their left.");
+      py::arg("progress") = py::none(),
+      "Closed curves where the solid is cut by a plane: (n, 2) arrays, the solid on their left.");
   module.def(
-      "offset", [](const std::vector<Rows>& loops, double distance, double cell) { return lists_of(cam::offset(loops_of(loops), distance, cell)); },
+      "offset",
+      [](const std::vector<Rows>& loops, double distance, double cell) {
+        return lists_of(cam::offset(loops_of(loops), distance, cell));
+      },
       py::arg("loops"), py::arg("distance"), py::arg("cell") = 0.1, "The loops moved outward by a distance, mm.");
 }
 

@@ -25,9 +25,9 @@ std::vector<double> solutions(double a, double b, double c) {
 
 }  // namespace
 
-// The part of the tool's direction that the rotations make: head axes turn the tool, table axes turn the work the other way. In the
-// work's coordinates the tool points along  T1' T2' H1 H2 z, where H are head rotations and T' inverse table rotations; which is a product
-// of at most two rotations, the outer one first.
+// The part of the tool's direction that the rotations make: head axes turn the tool, table axes turn the work the other way. In
+// the work's coordinates the tool points along  T1' T2' H1 H2 z, where H are head rotations and T' inverse table rotations; which
+// is a product of at most two rotations, the outer one first.
 
 Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
   if (k_.kind == "head-head") {
@@ -47,7 +47,9 @@ Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
 }
 
 std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) const {
-  if (k_.kind == "none") return (axis - Vec3::UnitZ()).norm() < 1e-9 ? std::vector<std::array<double, 2>>{{0, 0}} : std::vector<std::array<double, 2>>{};
+  if (k_.kind == "none")
+    return (axis - Vec3::UnitZ()).norm() < 1e-9 ? std::vector<std::array<double, 2>>{{0, 0}}
+                                                : std::vector<std::array<double, 2>>{};
   // axis = Outer(p) Inner(q) z with directions o and i, signs as the kind has them.
   const bool head_outer = k_.kind == "head-head";
   const bool single = k_.axes.size() == 1;
@@ -93,7 +95,8 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
     if (within && way < least - 1e-9) least = way, best = turned;
   }
   if (!best)
-    throw Error(ErrorKind::bad_input, "machine", fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(), -axis.z()));
+    throw Error(ErrorKind::bad_input, "machine",
+                fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(), -axis.z()));
   for (double& angle : *best)
     if (std::abs(angle) < 1e-12) angle = 0;
   AxisPose pose{tip, *best};

@@ -21,8 +21,8 @@ class PoseSolver {
   [[nodiscard]] bool tilts() const { return k_.kind != "none"; }
   [[nodiscard]] const std::vector<RotaryAxis>& axes() const { return k_.axes; }
 
-  /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge line; of
-  /// several, the one that turns least from `last`. Throws bad_input where the machine cannot point the tool that way.
+  /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge
+  /// line; of several, the one that turns least from `last`. Throws bad_input where the machine cannot point the tool that way.
   [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const;
   /// The other way round: tip and axis of a pose.
   [[nodiscard]] std::pair<Vec3, Vec3> pose(const AxisPose& axes, double length) const;

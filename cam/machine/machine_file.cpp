@@ -20,7 +20,8 @@ Kinematics read_kinematics(const TomlTable& table) {
   k.kind = table.text("kind").value_or("none");
   const std::vector<std::string> kinds{"none", "head-head", "table-table", "head-table"};
   if (std::find(kinds.begin(), kinds.end(), k.kind) == kinds.end())
-    throw Error(ErrorKind::bad_input, table.place("kind"), fmt::format("kind is '{}'; it must be one of {}{}", k.kind, fmt::join(kinds, ", "), suggestion(k.kind, kinds)));
+    throw Error(ErrorKind::bad_input, table.place("kind"),
+                fmt::format("kind is '{}'; it must be one of {}{}", k.kind, fmt::join(kinds, ", "), suggestion(k.kind, kinds)));
   for (const TomlTable& entry : table.tables("axis")) {
     entry.only({"letter", "direction", "limits"});
     RotaryAxis axis;
@@ -28,7 +29,8 @@ Kinematics read_kinematics(const TomlTable& table) {
     const auto direction = entry.list("direction").value_or(std::vector<double>{1, 0, 0});
     const auto limits = entry.list("limits");
     if (letter.size() != 1 || direction.size() != 3 || (limits && limits->size() != 2))
-      throw Error(ErrorKind::bad_input, entry.place(), "an axis has a letter, a direction [x, y, z] and limits [from, to] in degrees");
+      throw Error(ErrorKind::bad_input, entry.place(),
+                  "an axis has a letter, a direction [x, y, z] and limits [from, to] in degrees");
     axis.letter = letter[0];
     axis.direction = Vec3(direction[0], direction[1], direction[2]);
     if (!(axis.direction.norm() > 0)) throw Error(ErrorKind::bad_input, entry.place("direction"), "direction must not be zero");
@@ -66,8 +68,10 @@ Setting read_setting(const std::string& name, const TomlTable& table) {
 
 Machine read_machine(std::string_view toml, const std::string& file) {
   const TomlTable table = TomlTable::parse(toml, file);
-  table.only({"name", "description", "format", "extension", "takes", "units", "unit", "tick", "decimals", "arcs", "feed_unit", "max_feed", "max_spindle",
-              "travel", "negative", "rapid", "acceleration", "text", "setting", "material", "kinematics", "default_operation"});
+  table.only(
+      {"name",    "description", "format",     "extension",        "takes",  "units",    "unit",  "tick",         "decimals",
+       "arcs",    "feed_unit",   "max_feed",   "max_spindle",      "travel", "negative", "rapid", "acceleration", "text",
+       "setting", "material",    "kinematics", "default_operation"});
   Machine m;
   m.file = file;
   m.id = std::filesystem::path(file).stem().string();
@@ -83,7 +87,9 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   m.takes = table.text("takes").value_or("paths");
   const std::vector<std::string> takes{"paths", "flat paths", "height map", "mesh"};
   if (std::find(takes.begin(), takes.end(), m.takes) == takes.end())
-    throw Error(ErrorKind::bad_input, table.place("takes"), fmt::format("takes is '{}'; it must be one of {}{}", m.takes, fmt::join(takes, ", "), suggestion(m.takes, takes)));
+    throw Error(
+        ErrorKind::bad_input, table.place("takes"),
+        fmt::format("takes is '{}'; it must be one of {}{}", m.takes, fmt::join(takes, ", "), suggestion(m.takes, takes)));
   m.unit = table.number("unit").value_or(1);
   m.tick = table.number("tick").value_or(0);
   m.decimals = static_cast<int>(table.number("decimals").value_or(4));
@@ -102,7 +108,8 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   m.dynamics.acceleration = table.number("acceleration").value_or(m.dynamics.acceleration);
   m.default_operation = table.text("default_operation").value_or("");
   if (const auto text = table.table("text")) {
-    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw", "arc_ccw", "tilt", "coolant_mist", "coolant_flood", "coolant_off", "begin", "end", "setup"});
+    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw",
+                "arc_ccw", "tilt", "coolant_mist", "coolant_flood", "coolant_off", "begin", "end", "setup"});
     for (const std::string& key : text->keys()) m.text[key] = *text->text(key);
   }
   if (const auto settings = table.table("setting"))
@@ -123,7 +130,9 @@ Machine load_machine(const std::string& id_or_path) {
   if (found != files.end()) return read_machine(found->second, id_or_path + ".toml");
   std::vector<std::string> ids;
   for (const auto& [id, text] : files) ids.push_back(id);
-  throw Error(ErrorKind::bad_input, "machine", fmt::format("there is no machine '{}'{} Known are {}, or a .toml file", id_or_path, suggestion(id_or_path, ids), fmt::join(ids, ", ")));
+  throw Error(ErrorKind::bad_input, "machine",
+              fmt::format("there is no machine '{}'{} Known are {}, or a .toml file", id_or_path, suggestion(id_or_path, ids),
+                          fmt::join(ids, ", ")));
 }
 
 }  // namespace fieldfab::cam

@@ -13,8 +13,8 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Fills templates. {name} stands for a value; what is in [brackets] is left out while none of its values has changed since it was last
-/// written; {name*factor:i} is a whole number, :d4 one of four digits, :u8 and :u16 are bytes, the greater one first.
+/// Fills templates. {name} stands for a value; what is in [brackets] is left out while none of its values has changed since it
+/// was last written; {name*factor:i} is a whole number, :d4 one of four digits, :u8 and :u16 are bytes, the greater one first.
 class Templates {
  public:
   explicit Templates(const Machine& machine) : machine_(machine) {}
@@ -198,7 +198,9 @@ class TextWriter {
   }
 
   [[nodiscard]] bool flat() const { return machine_.takes == "flat paths"; }
-  [[nodiscard]] double coordinate_value(double mm) const { return machine_.tick > 0 ? std::round(mm / machine_.tick) : mm / machine_.unit; }
+  [[nodiscard]] double coordinate_value(double mm) const {
+    return machine_.tick > 0 ? std::round(mm / machine_.tick) : mm / machine_.unit;
+  }
   void coordinate(const std::string& name, double mm) {
     if (machine_.tick > 0)
       templates_.set_whole(name, coordinate_value(mm));
@@ -212,7 +214,8 @@ class TextWriter {
   }
 
   void add(const Move& move, const Section& section) {
-    if (flat() && at_known_ && (move.to - at_).head<2>().norm() < 1e-9 && move.bulge == 0) return;  // up and down mean nothing there
+    if (flat() && at_known_ && (move.to - at_).head<2>().norm() < 1e-9 && move.bulge == 0)
+      return;  // up and down mean nothing there
     if (move.bulge != 0 && !(machine_.arcs && at_known_ && !solver_.tilts())) return add_arc_as_lines(move, section);
     const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
     check(pose.position);
@@ -231,13 +234,15 @@ class TextWriter {
       if (!cutting_) out_ += templates_.fill("begin");
       cutting_ = true;
     }
-    coordinate("x", pose.position.x() + offset_.x()), coordinate("y", pose.position.y() + offset_.y()), coordinate("z", pose.position.z());
+    coordinate("x", pose.position.x() + offset_.x()), coordinate("y", pose.position.y() + offset_.y()),
+        coordinate("z", pose.position.z());
     if (turned && templates_.has("tilt") && (pose.position - last_->position).norm() < 1e-9) {
       out_ += templates_.fill("tilt");
     } else if (move.bulge != 0) {
       const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
       coordinate("i", arc.centre.x() - at_.x()), coordinate("j", arc.centre.y() - at_.y());
-      coordinate("cx", arc.centre.x() + offset_.x()), coordinate("cy", arc.centre.y() + offset_.y()), coordinate("radius", arc.radius);
+      coordinate("cx", arc.centre.x() + offset_.x()), coordinate("cy", arc.centre.y() + offset_.y()),
+          coordinate("radius", arc.radius);
       templates_.set("turn", -arc.turn * 180 / std::numbers::pi);
       out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
     } else {
@@ -262,7 +267,9 @@ class TextWriter {
   void check(const Vec3& p) {
     if (!machine_.negative && (p.head<2>() + offset_).minCoeff() < -1e-6)
       throw Error(ErrorKind::bad_input, "machine",
-                  fmt::format("{} knows no places below 0; this program goes to x {:.6g}, y {:.6g}: set zero = \"corner\" for the input, or xmin and ymin", machine_.name, p.x() + offset_.x(), p.y() + offset_.y()));
+                  fmt::format("{} knows no places below 0; this program goes to x {:.6g}, y {:.6g}: set zero = \"corner\" for "
+                              "the input, or xmin and ymin",
+                              machine_.name, p.x() + offset_.x(), p.y() + offset_.y()));
     range_.lower = started_ ? Vec3(range_.lower.cwiseMin(p)) : p;
     range_.upper = started_ ? Vec3(range_.upper.cwiseMax(p)) : p;
     started_ = true;
@@ -270,7 +277,8 @@ class TextWriter {
       const double travel = machine_.travel[static_cast<std::size_t>(axis)], used = range_.size()[axis];
       if (travel > 0 && used > travel + 1e-6)
         throw Error(ErrorKind::bad_input, "machine",
-                    fmt::format("{} can move {:.6g} mm along {}; this program needs {:.6g} mm or more", machine_.name, travel, "xyz"[axis], used));
+                    fmt::format("{} can move {:.6g} mm along {}; this program needs {:.6g} mm or more", machine_.name, travel,
+                                "xyz"[axis], used));
     }
   }
 
@@ -298,6 +306,8 @@ std::string number_text(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-std::string write_text(const Program& program, const Machine& machine, const Values& values) { return TextWriter(program, machine, values).write(); }
+std::string write_text(const Program& program, const Machine& machine, const Values& values) {
+  return TextWriter(program, machine, values).write();
+}
 
 }  // namespace fieldfab::cam

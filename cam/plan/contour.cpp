@@ -15,8 +15,8 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr int block = 16;   // squares a side that are sampled one by one
-constexpr int task = 512;   // regions up to this many squares a side are one thread's work
+constexpr int block = 16;  // squares a side that are sampled one by one
+constexpr int task = 512;  // regions up to this many squares a side are one thread's work
 
 /// Which lattice edge a contour crosses: the sample it begins at, and whether it goes along y.
 using Crossing = std::uint64_t;
@@ -36,7 +36,8 @@ struct Squares {
   [[nodiscard]] float x(int i) const { return static_cast<float>(origin.x() + cell * i); }
   [[nodiscard]] float y(int j) const { return static_cast<float>(origin.y() + cell * j); }
   [[nodiscard]] Crossing edge(int i, int j, int along_y) const {
-    return (static_cast<Crossing>(j) * static_cast<Crossing>(columns + 2) + static_cast<Crossing>(i)) * 2 + static_cast<Crossing>(along_y);
+    return (static_cast<Crossing>(j) * static_cast<Crossing>(columns + 2) + static_cast<Crossing>(i)) * 2 +
+           static_cast<Crossing>(along_y);
   }
 };
 
@@ -76,7 +77,8 @@ class Block {
     field_.values({x, y, z.data(), count}, out);
     const Rectangle& r = squares_.region;
     for (std::size_t k = 0; k < count; ++k) {
-      const double beyond = std::max(std::max(r.lower.x() - x[k], x[k] - r.upper.x()), std::max(r.lower.y() - y[k], y[k] - r.upper.y()));
+      const double beyond =
+          std::max(std::max(r.lower.x() - x[k], x[k] - r.upper.x()), std::max(r.lower.y() - y[k], y[k] - r.upper.y()));
       const float value = out[k] - level_;
       out[k] = value != value ? 1.0F : beyond > 0 ? std::max(value, static_cast<float>(beyond)) : value;
     }
@@ -123,7 +125,8 @@ class Block {
         const Ends& e = ends_[k];
         constexpr int patience = 5;
         const float share = step > patience ? 0.5F : std::clamp(e.value_inside / (e.value_inside - e.value_outside), 0.0F, 1.0F);
-        const float x = e.inside[0] + share * (e.outside[0] - e.inside[0]), y = e.inside[1] + share * (e.outside[1] - e.inside[1]);
+        const float x = e.inside[0] + share * (e.outside[0] - e.inside[0]),
+                    y = e.inside[1] + share * (e.outside[1] - e.inside[1]);
         if (step > 0) moved = std::max(moved, std::max(std::abs(x - x_[k]), std::abs(y - y_[k])));
         x_[k] = x, y_[k] = y;
       }
@@ -146,7 +149,8 @@ class Block {
 
   /// The pieces of one square (Keeter Fig. 6-8), each with the inside on its left.
   void connect(int i, int j, std::vector<Piece>& pieces) {
-    const std::size_t a = sample_index(i, j), b = sample_index(i + 1, j), c = sample_index(i, j + 1), d = sample_index(i + 1, j + 1);
+    const std::size_t a = sample_index(i, j), b = sample_index(i + 1, j), c = sample_index(i, j + 1),
+                      d = sample_index(i + 1, j + 1);
     const int state = (value_[a] < 0 ? 1 : 0) | (value_[b] < 0 ? 2 : 0) | (value_[c] < 0 ? 4 : 0) | (value_[d] < 0 ? 8 : 0);
     enum { bottom, right, top, left };
     const auto piece = [&](int from, int to) {
@@ -197,7 +201,9 @@ class Block {
 
   /// Whether another piece passes through the same square.
   [[nodiscard]] bool two_pieces(std::size_t k, std::size_t count) const {
-    const auto same = [&](std::size_t a, std::size_t b) { return end_slot_[a].i == end_slot_[b].i && end_slot_[a].j == end_slot_[b].j; };
+    const auto same = [&](std::size_t a, std::size_t b) {
+      return end_slot_[a].i == end_slot_[b].i && end_slot_[a].j == end_slot_[b].j;
+    };
     return (k > 0 && same(k, k - 1)) || (k + 1 < count && same(k, k + 1));
   }
   /// Whether all four corners of a square are on one side.
@@ -218,8 +224,11 @@ class Block {
     for (std::size_t k = 0; k < count_; ++k)  // along the region's border the contour is the border
       for (int axis = 0; axis < 2; ++axis) {
         const double at = axis == 0 ? x_[k] : y_[k], near = 2e-3 * squares_.cell;
-        const double side_of = std::abs(at - squares_.region.lower[axis]) < near ? -1 : std::abs(at - squares_.region.upper[axis]) < near ? 1 : 0;
-        if (side_of != 0) dx[k] = static_cast<float>(axis == 0 ? side_of : 0), dy[k] = static_cast<float>(axis == 0 ? 0 : side_of);
+        const double side_of = std::abs(at - squares_.region.lower[axis]) < near   ? -1
+                               : std::abs(at - squares_.region.upper[axis]) < near ? 1
+                                                                                   : 0;
+        if (side_of != 0)
+          dx[k] = static_cast<float>(axis == 0 ? side_of : 0), dy[k] = static_cast<float>(axis == 0 ? 0 : side_of);
       }
     std::array<float, most_crossings> corner_x, corner_y, corner_value, steepness;
     std::array<std::size_t, most_crossings> whose;
@@ -321,13 +330,15 @@ class Descent {
         const Part p{x[u], y[v], x[u + 1], y[v + 1]};
         if (p.left >= p.right || p.low >= p.high) continue;
         parts[count] = p;
-        boxes[count++] = {{squares_.x(p.left), squares_.y(p.low), squares_.z}, {squares_.x(p.right), squares_.y(p.high), squares_.z}};
+        boxes[count++] = {{squares_.x(p.left), squares_.y(p.low), squares_.z},
+                          {squares_.x(p.right), squares_.y(p.high), squares_.z}};
       }
     field.restrict_all({boxes.data(), count}, Purpose::value, {here.data(), count});
     std::vector<Child> children;
     for (std::size_t i = 0; i < count; ++i) {
       const Interval& range = here[i].range;
-      const bool at_border = parts[i].left == 0 || parts[i].low == 0 || parts[i].right == squares_.columns || parts[i].high == squares_.rows;
+      const bool at_border =
+          parts[i].left == 0 || parts[i].low == 0 || parts[i].right == squares_.columns || parts[i].high == squares_.rows;
       const bool inside = range.upper < level_ && !range.maybe_nan, outside = range.lower > level_ && !range.maybe_nan;
       if (!outside && (!inside || at_border)) children.push_back({here[i].field, parts[i]});
     }
@@ -335,7 +346,8 @@ class Descent {
   }
 
   void descend(const FieldPtr& field, const Part& part, std::vector<Piece>& found) const {
-    if (part.right - part.left <= block && part.high - part.low <= block) return Block(*field, squares_, level_, part).trace(found);
+    if (part.right - part.left <= block && part.high - part.low <= block)
+      return Block(*field, squares_, level_, part).trace(found);
     for (const Child& child : split(*field, part)) descend(child.field, child.part, found);
   }
 
@@ -380,9 +392,14 @@ Loops contours(const Field& field, const Rectangle& region, const ContourSetting
   if (!(settings.cell > 0) || !size.allFinite() || !(size.minCoeff() > 0))
     throw Error(ErrorKind::bad_input, "contour", "needs a region and a cell that are finite and have a size");
   const Vec2 count = (size / settings.cell).array().ceil() + 2;
-  if (count.maxCoeff() > 1e8) throw Error(ErrorKind::too_large, "contour", fmt::format("{:.3g} cells along a side", count.maxCoeff()));
-  const Squares squares{region.lower - 0.5 * (count * settings.cell - size), settings.cell, settings.z, static_cast<int>(count.x()),
-                        static_cast<int>(count.y()), region};
+  if (count.maxCoeff() > 1e8)
+    throw Error(ErrorKind::too_large, "contour", fmt::format("{:.3g} cells along a side", count.maxCoeff()));
+  const Squares squares{region.lower - 0.5 * (count * settings.cell - size),
+                        settings.cell,
+                        settings.z,
+                        static_cast<int>(count.x()),
+                        static_cast<int>(count.y()),
+                        region};
   Descent descent(squares, settings.level, progress);
   descent.run(field.shared_from_this(), {0, 0, squares.columns, squares.rows});
   return link(descent.take(), settings.cell);

@@ -12,7 +12,9 @@
 namespace fieldfab::cam {
 
 std::vector<double> Depths::passes() const {
-  if (!(bottom < top)) throw Error(ErrorKind::bad_input, "depth", fmt::format("the bottom of the cut ({:.6g}) must be below its top ({:.6g})", bottom, top));
+  if (!(bottom < top))
+    throw Error(ErrorKind::bad_input, "depth",
+                fmt::format("the bottom of the cut ({:.6g}) must be below its top ({:.6g})", bottom, top));
   if (!(step > 0)) throw Error(ErrorKind::bad_input, "stepdown", "must be above 0");
   const double depth = top - bottom;
   const int count = std::max(1, static_cast<int>(std::ceil(depth / step - 1e-9)));
@@ -58,7 +60,8 @@ Path part_of(const Path& path, double from, double to) {
         if (straight) return Vec3(a.at + share * (b.at - a.at));
         const Vec2 out_from = a.at.head<2>() - arc.centre;
         const double c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
-        return Vec3(arc.centre.x() + c * out_from.x() - s * out_from.y(), arc.centre.y() + s * out_from.x() + c * out_from.y(), a.at.z() + share * (b.at.z() - a.at.z()));
+        return Vec3(arc.centre.x() + c * out_from.x() - s * out_from.y(), arc.centre.y() + s * out_from.x() + c * out_from.y(),
+                    a.at.z() + share * (b.at.z() - a.at.z()));
       };
       PathPoint start = a;
       start.at = at(first);
@@ -105,7 +108,8 @@ Path with_tabs(const Path& path, const Tabs& tabs, double tab_top, double tool_r
 std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs, Progress& progress) {
   const double off = side == Side::on ? 0 : cut.radius + cut.allowance;
   const double level = side == Side::inside ? -off : off;
-  const Loops loops = contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
+  const Loops loops =
+      contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
   std::vector<Path> paths;
   const std::vector<double> passes = cut.depths.passes();
   for (std::size_t pass = 0; pass < passes.size(); ++pass)
@@ -125,7 +129,8 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
   for (int ring = 0; count < 0 || ring < count; ++ring) {
     const double level = cut.radius + cut.allowance + ring * stepover;
     // Until the offsets have left the bounds, where only their outermost frame is left.
-    const Loops loops = contours(*part.distance, count < 0 ? part.bounds : part.bounds.grown(level + 2 * part.cell), {part.cell, 0, level}, progress);
+    const Loops loops = contours(*part.distance, count < 0 ? part.bounds : part.bounds.grown(level + 2 * part.cell),
+                                 {part.cell, 0, level}, progress);
     const bool filled = loops.size() == 1 && loops[0].area() >= (1 - 1e-9) * part.bounds.size().prod();
     if (loops.empty() || (count < 0 && filled)) break;
     for (std::size_t pass = 0; pass < passes.size(); ++pass)
@@ -137,8 +142,8 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
   return paths;
 }
 
-std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z, const CutSettings& cut,
-                        Progress& progress) {
+std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z,
+                        const CutSettings& cut, Progress& progress) {
   if (!(stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
   std::vector<Path> paths;
   for (int ring = 0;; ++ring) {
@@ -149,7 +154,8 @@ std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell,
   return paths;
 }
 
-std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left, Progress& progress) {
+std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left,
+                         Progress& progress) {
   const FieldPtr reachable = offset(area.distance, -(cut.radius + cut.allowance));
   const std::vector<Path> once = rings(*reachable, area.bounds, area.cell, stepover, 0, cut, progress);
   if (left != nullptr) {
@@ -157,7 +163,8 @@ std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings
     Loops part = contours(*area.distance, area.bounds, {area.cell}, progress);
     for (std::size_t i = 0; i < part.size(); ++i) {
       if (part[i].area() < 0) continue;
-      const bool cut_into = std::any_of(once.begin(), once.end(), [&](const Path& p) { return part[i].encloses(p.points[0].at.head<2>()); });
+      const bool cut_into =
+          std::any_of(once.begin(), once.end(), [&](const Path& p) { return part[i].encloses(p.points[0].at.head<2>()); });
       if (!cut_into) left->push_back(0.5 * (part[i].bounds().lower + part[i].bounds().upper));
     }
   }
@@ -180,10 +187,12 @@ std::vector<Hole> holes(const Loops& loops, double tolerance) {
     double sum = 0;
     for (const Vec2& p : loop.points) sum += (p - centre).norm();
     const double radius = sum / static_cast<double>(loop.points.size());
-    const bool round = loop.points.size() >= 8 && std::all_of(loop.points.begin(), loop.points.end(),
-                                                               [&](const Vec2& p) { return std::abs((p - centre).norm() - radius) <= tolerance; });
+    const bool round = loop.points.size() >= 8 && std::all_of(loop.points.begin(), loop.points.end(), [&](const Vec2& p) {
+                         return std::abs((p - centre).norm() - radius) <= tolerance;
+                       });
     // A square's corners can lie on a circle, too: its area tells.
-    if (round && std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <= 2 * std::numbers::pi * radius * 2 * tolerance)
+    if (round &&
+        std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <= 2 * std::numbers::pi * radius * 2 * tolerance)
       found.push_back({centre, radius});
   }
   return found;

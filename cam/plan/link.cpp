@@ -107,7 +107,8 @@ Vec3 direction(const Vec3& from, const Move& m, double share) {
   Vec3 chord = m.to - from;
   if (m.bulge != 0) {
     const double turn = 2 * std::atan(m.bulge) * (share > 0 ? 1 : -1);
-    chord = Vec3(std::cos(turn) * chord.x() - std::sin(turn) * chord.y(), std::sin(turn) * chord.x() + std::cos(turn) * chord.y(), chord.z());
+    chord = Vec3(std::cos(turn) * chord.x() - std::sin(turn) * chord.y(), std::sin(turn) * chord.x() + std::cos(turn) * chord.y(),
+                 chord.z());
   }
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::Zero();
@@ -131,13 +132,16 @@ double duration(const std::vector<Move>& moves, const Dynamics& d) {
     speed[i] = (moves[i].rapid() ? d.rapid : std::min(moves[i].feed, d.rapid)) / 60;
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    const double cosine = std::clamp(direction(moves[i - 1].to, moves[i], 1).dot(direction(moves[i].to, moves[i + 1], 0)), -1.0, 1.0);
+    const double cosine =
+        std::clamp(direction(moves[i - 1].to, moves[i], 1).dot(direction(moves[i].to, moves[i + 1], 0)), -1.0, 1.0);
     // A circle that cuts the corner by d.corner, at the acceleration there is.
     const double half = std::sqrt((1 + cosine) / 2), radius = half < 1 - 1e-12 ? d.corner * half / (1 - half) : 1e12;
     limit[i] = std::min({speed[i], speed[i + 1], std::sqrt(d.acceleration * radius)});
   }
-  for (std::size_t i = n - 1; i-- > 1;) limit[i] = std::min(limit[i], std::sqrt(limit[i + 1] * limit[i + 1] + 2 * d.acceleration * length[i + 1]));
-  for (std::size_t i = 1; i < n; ++i) limit[i] = std::min(limit[i], std::sqrt(limit[i - 1] * limit[i - 1] + 2 * d.acceleration * length[i]));
+  for (std::size_t i = n - 1; i-- > 1;)
+    limit[i] = std::min(limit[i], std::sqrt(limit[i + 1] * limit[i + 1] + 2 * d.acceleration * length[i + 1]));
+  for (std::size_t i = 1; i < n; ++i)
+    limit[i] = std::min(limit[i], std::sqrt(limit[i - 1] * limit[i - 1] + 2 * d.acceleration * length[i]));
   double seconds = 0;
   for (std::size_t i = 1; i < n; ++i) {
     if (length[i] <= 0) continue;

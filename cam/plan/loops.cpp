@@ -91,13 +91,15 @@ class Strips {
 
 std::vector<int> nesting(const Loops& loops) {
   const auto leftmost = [&](std::size_t i) {
-    return *std::min_element(loops[i].points.begin(), loops[i].points.end(), [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
+    return *std::min_element(loops[i].points.begin(), loops[i].points.end(),
+                             [](const Vec2& a, const Vec2& b) { return a.x() < b.x(); });
   };
   std::vector<Vec2> start;
   std::vector<bool> anticlockwise;
   for (std::size_t i = 0; i < loops.size(); ++i) start.push_back(leftmost(i)), anticlockwise.push_back(loops[i].area() > 0);
 
-  // From left to right: the loop met first on the way to the left either encloses this one, or is a sibling that is placed already.
+  // From left to right: the loop met first on the way to the left either encloses this one, or is a sibling that is placed
+  // already.
   std::vector<std::size_t> order(loops.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return start[a].x() < start[b].x(); });

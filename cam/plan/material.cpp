@@ -7,7 +7,8 @@ namespace fieldfab::cam {
 
 Material::Material(const Rectangle& block, double top, double cell) {
   const Vec2 size = block.size();
-  const int wide = std::max(1, static_cast<int>(std::ceil(size.x() / cell))), high = std::max(1, static_cast<int>(std::ceil(size.y() / cell)));
+  const int wide = std::max(1, static_cast<int>(std::ceil(size.x() / cell))),
+            high = std::max(1, static_cast<int>(std::ceil(size.y() / cell)));
   heights_ = HeightMap(wide, high, cell, block.lower + 0.5 * (size - Vec2(wide - 1, high - 1) * cell), static_cast<float>(top));
 }
 
@@ -22,7 +23,8 @@ void Material::cut(const std::vector<Move>& moves, const Profile& profile) {
       shape.push_back(away <= radius ? static_cast<float>(profile.height(away)) : 1e30F);
     }
   const auto stamp = [&](const Vec3& tip) {
-    const int column = static_cast<int>(std::lround((tip.x() - heights_.origin.x()) / cell)), row = static_cast<int>(std::lround((tip.y() - heights_.origin.y()) / cell));
+    const int column = static_cast<int>(std::lround((tip.x() - heights_.origin.x()) / cell)),
+              row = static_cast<int>(std::lround((tip.y() - heights_.origin.y()) / cell));
     std::size_t i = 0;
     for (int v = row - reach; v <= row + reach; ++v)
       for (int u = column - reach; u <= column + reach; ++u, ++i) {
@@ -45,14 +47,18 @@ void Material::cut(const std::vector<Move>& moves, const Profile& profile) {
 }
 
 double Material::highest(const Vec2& p, double radius) const {
-  const Vec2 low = (p - heights_.origin - Vec2::Constant(radius)) / heights_.cell, high = (p - heights_.origin + Vec2::Constant(radius)) / heights_.cell;
-  const int left = std::max(0, static_cast<int>(std::floor(low.x()))), right = std::min(heights_.width - 1, static_cast<int>(std::ceil(high.x())));
-  const int bottom = std::max(0, static_cast<int>(std::floor(low.y()))), top = std::min(heights_.height - 1, static_cast<int>(std::ceil(high.y())));
+  const Vec2 low = (p - heights_.origin - Vec2::Constant(radius)) / heights_.cell,
+             high = (p - heights_.origin + Vec2::Constant(radius)) / heights_.cell;
+  const int left = std::max(0, static_cast<int>(std::floor(low.x()))),
+            right = std::min(heights_.width - 1, static_cast<int>(std::ceil(high.x())));
+  const int bottom = std::max(0, static_cast<int>(std::floor(low.y()))),
+            top = std::min(heights_.height - 1, static_cast<int>(std::ceil(high.y())));
   double found = -std::numeric_limits<double>::infinity();
   const double reach = (radius + heights_.cell) * (radius + heights_.cell);
   for (int row = bottom; row <= top; ++row)
     for (int column = left; column <= right; ++column)
-      if (heights_.at(column, row) > found && (heights_.place(column, row) - p).squaredNorm() <= reach) found = heights_.at(column, row);
+      if (heights_.at(column, row) > found && (heights_.place(column, row) - p).squaredNorm() <= reach)
+        found = heights_.at(column, row);
   return found;
 }
 
@@ -70,7 +76,8 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
       points.push_back(p);
     }
     std::vector<bool> meets(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) meets[i] = material.highest(points[i].at.head<2>(), radius) > points[i].at.z() + least;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      meets[i] = material.highest(points[i].at.head<2>(), radius) > points[i].at.z() + least;
     if (std::none_of(meets.begin(), meets.end(), [](bool b) { return b; })) continue;
     if (std::all_of(meets.begin(), meets.end(), [](bool b) { return b; })) {
       out.push_back(path);

@@ -57,7 +57,8 @@ class Starts {
     }
     if (all.empty()) return;
     const Vec2 size = box.size();
-    cell_ = std::max(1e-6, std::sqrt(std::max(size.x() * size.y(), 1e-3 * size.squaredNorm()) / static_cast<double>(all.size())) * 1.5);
+    cell_ = std::max(1e-6,
+                     std::sqrt(std::max(size.x() * size.y(), 1e-3 * size.squaredNorm()) / static_cast<double>(all.size())) * 1.5);
     origin_ = box.lower;
     wide_ = static_cast<int>(size.x() / cell_) + 1, high_ = static_cast<int>(size.y() / cell_) + 1;
     squares_.resize(static_cast<std::size_t>(wide_) * static_cast<std::size_t>(high_));
@@ -90,7 +91,8 @@ class Starts {
 
  private:
   [[nodiscard]] std::size_t square_of(const Vec2& p) const {
-    const int i = std::min(wide_ - 1, static_cast<int>((p.x() - origin_.x()) / cell_)), j = std::min(high_ - 1, static_cast<int>((p.y() - origin_.y()) / cell_));
+    const int i = std::min(wide_ - 1, static_cast<int>((p.x() - origin_.x()) / cell_)),
+              j = std::min(high_ - 1, static_cast<int>((p.y() - origin_.y()) / cell_));
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i);
   }
   double cell_ = 1;
@@ -157,12 +159,17 @@ class Level {
   }
 
   static void begin_nearest(Path& path, const Vec2& at) {
-    const auto nearer = [&](const PathPoint& a, const PathPoint& b) { return (flat(a) - at).squaredNorm() < (flat(b) - at).squaredNorm(); };
-    begin_at(path, static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) - path.points.begin()));
+    const auto nearer = [&](const PathPoint& a, const PathPoint& b) {
+      return (flat(a) - at).squaredNorm() < (flat(b) - at).squaredNorm();
+    };
+    begin_at(path,
+             static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) - path.points.begin()));
   }
 
   /// By numbers from a walk through the tree: what is inside is numbered between a path's first and its last.
-  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const { return first_[outer] < first_[inner] && first_[inner] <= last_[outer]; }
+  [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const {
+    return first_[outer] < first_[inner] && first_[inner] <= last_[outer];
+  }
   void number_tree() {
     const std::size_t n = paths_.size();
     first_.assign(n, 0), last_.assign(n, 0);
@@ -184,7 +191,9 @@ class Level {
     }
   }
   /// Whether one of them must come before the other.
-  [[nodiscard]] bool related(std::size_t a, std::size_t b) const { return !alone_[a] && !alone_[b] && (encloses(a, b) || encloses(b, a)); }
+  [[nodiscard]] bool related(std::size_t a, std::size_t b) const {
+    return !alone_[a] && !alone_[b] && (encloses(a, b) || encloses(b, a));
+  }
 
   [[nodiscard]] const Vec2& start_at(std::size_t place) const { return start_[sequence_[place]]; }
   [[nodiscard]] const Vec2& end_at(std::size_t place) const { return end_[sequence_[place]]; }
@@ -313,7 +322,7 @@ class Level {
   Progress& progress_;
   std::vector<int> parent_;
   std::vector<std::size_t> sequence_;
-  std::vector<Vec2> start_, end_;   // of each path
+  std::vector<Vec2> start_, end_;  // of each path
   std::vector<std::size_t> first_, last_;
   std::vector<bool> alone_, look_;  // nothing encloses it or lies in it; whether moving it may help
 };

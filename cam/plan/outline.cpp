@@ -44,7 +44,8 @@ class OutlineField final : public Field {
       const Vec2 away = p - nearest.place;
       const double length = away.norm();
       // On the curve itself the direction is the edge's.
-      const Vec2 slope = length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance)) : normal_of(nearest.edge);
+      const Vec2 slope =
+          length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance)) : normal_of(nearest.edge);
       slopes.dx[i] = static_cast<float>(slope.x()), slopes.dy[i] = static_cast<float>(slope.y()), slopes.dz[i] = 0;
     }
   }
@@ -57,11 +58,13 @@ class OutlineField final : public Field {
 
  private:
   struct Edge {
-    Vec2 from, to, normal_from, normal, normal_to;  // the normals point away from the solid; those of the ends have no unit length
+    Vec2 from, to, normal_from, normal,
+        normal_to;  // the normals point away from the solid; those of the ends have no unit length
   };
   struct Node {
     Rectangle box;
-    std::uint32_t first, count;  // edges; count is 0 for a branch, whose second child is at `first`, the first one right behind it
+    std::uint32_t first,
+        count;  // edges; count is 0 for a branch, whose second child is at `first`, the first one right behind it
   };
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
@@ -77,7 +80,8 @@ class OutlineField final : public Field {
     constexpr std::size_t leaf = 6;
     if (last - first <= leaf) {
       nodes_.push_back({box, static_cast<std::uint32_t>(edges_.size()), static_cast<std::uint32_t>(last - first)});
-      edges_.insert(edges_.end(), edges.begin() + static_cast<std::ptrdiff_t>(first), edges.begin() + static_cast<std::ptrdiff_t>(last));
+      edges_.insert(edges_.end(), edges.begin() + static_cast<std::ptrdiff_t>(first),
+                    edges.begin() + static_cast<std::ptrdiff_t>(last));
       return;
     }
     nodes_.push_back({box, 0, 0});
@@ -120,7 +124,8 @@ class OutlineField final : public Field {
       if (w.squared >= best) continue;
       const Node& node = nodes_[w.node];
       if (node.count == 0) {
-        Waiting a{w.node + 1, squared_distance(nodes_[w.node + 1].box, p)}, b{node.first, squared_distance(nodes_[node.first].box, p)};
+        Waiting a{w.node + 1, squared_distance(nodes_[w.node + 1].box, p)},
+            b{node.first, squared_distance(nodes_[node.first].box, p)};
         if (a.squared < b.squared) std::swap(a, b);
         if (a.squared < best) waiting[count++] = a;
         if (b.squared < best) waiting[count++] = b;

@@ -77,7 +77,8 @@ std::vector<PathPoint> points_along(const Path& path, double step) {
     for (int i = 1; i < count; ++i) {
       const double share = static_cast<double>(i) / count, c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
       PathPoint p = a;
-      p.at << arc.centre.x() + c * out.x() - s * out.y(), arc.centre.y() + s * out.x() + c * out.y(), a.at.z() + share * (b.at.z() - a.at.z());
+      p.at << arc.centre.x() + c * out.x() - s * out.y(), arc.centre.y() + s * out.x() + c * out.y(),
+          a.at.z() + share * (b.at.z() - a.at.z());
       p.axis = ((1 - share) * a.axis + share * b.axis).normalized();
       points.push_back(p);
     }
@@ -107,13 +108,15 @@ std::optional<Fit> fit_line(std::span<const Vec2> run, double tolerance) {
   return Fit{};
 }
 
-/// The arc from the first vertex to the last that passes the others on the average; nothing where one is off by more than the tolerance.
+/// The arc from the first vertex to the last that passes the others on the average; nothing where one is off by more than the
+/// tolerance.
 std::optional<Fit> fit_arc(std::span<const Vec2> run, double tolerance) {
   const Vec2 &a = run.front(), &b = run.back();
   const Vec2 chord = b - a;
   const double length = chord.norm();
   if (run.size() < 4 || length < 1e-9) return std::nullopt;
-  // In coordinates along and across the chord each vertex (u, v) asks for a centre at height h with 2 h v = u^2 + v^2 - (length/2)^2.
+  // In coordinates along and across the chord each vertex (u, v) asks for a centre at height h with 2 h v = u^2 + v^2 -
+  // (length/2)^2.
   const Vec2 along = chord / length, across(-along.y(), along.x()), middle = 0.5 * (a + b);
   double top = 0, bottom = 0;
   for (std::size_t i = 1; i + 1 < run.size(); ++i) {
@@ -140,7 +143,8 @@ std::optional<Fit> fit_arc(std::span<const Vec2> run, double tolerance) {
 
 /// The longest run from `first` on that `fit` accepts, found by doubling and halving; its last index.
 std::size_t longest(std::span<const Vec2> points, std::size_t first, double tolerance,
-                    const std::function<std::optional<Fit>(std::span<const Vec2>, double)>& fit, std::size_t shortest, Fit& found) {
+                    const std::function<std::optional<Fit>(std::span<const Vec2>, double)>& fit, std::size_t shortest,
+                    Fit& found) {
   const auto accepts = [&](std::size_t last) {
     const auto result = fit(points.subspan(first, last - first + 1), tolerance);
     if (result) found = *result;
@@ -167,7 +171,8 @@ std::size_t sharpest(std::span<const Vec2> points) {
   std::size_t best = 0;
   double least = 2;
   for (std::size_t i = 0, n = points.size(); i < n; ++i) {
-    const Vec2 before = (points[i] - points[(i + n - 1) % n]).normalized(), after = (points[(i + 1) % n] - points[i]).normalized();
+    const Vec2 before = (points[i] - points[(i + n - 1) % n]).normalized(),
+               after = (points[(i + 1) % n] - points[i]).normalized();
     if (const double cosine = before.dot(after); cosine < least - 1e-3) least = cosine, best = i;
   }
   return best;
@@ -186,7 +191,8 @@ Path fit_arcs(std::span<const Vec2> points, bool closed, double z, double tolera
   }
   for (std::size_t i = 0; i + 1 < run.size();) {
     Fit line, arc;
-    const std::size_t line_end = longest(run, i, tolerance, fit_line, 1, line), arc_end = longest(run, i, tolerance, fit_arc, 3, arc);
+    const std::size_t line_end = longest(run, i, tolerance, fit_line, 1, line),
+                      arc_end = longest(run, i, tolerance, fit_arc, 3, arc);
     const bool bent = arc_end > line_end + 1;
     path.points.push_back({{run[i].x(), run[i].y(), z}, bent ? arc.bulge : 0.0});
     i = bent ? arc_end : line_end;
@@ -204,7 +210,8 @@ std::vector<Vec3> simplified(std::span<const Vec3> points, double tolerance) {
     const double length = along.squaredNorm();
     for (std::size_t i = first + 1; i < last; ++i) {
       const Vec3 d = points[i] - points[first];
-      if ((d - (length > 0 ? std::clamp(d.dot(along) / length, 0.0, 1.0) : 0.0) * along).squaredNorm() > tolerance * tolerance) return false;
+      if ((d - (length > 0 ? std::clamp(d.dot(along) / length, 0.0, 1.0) : 0.0) * along).squaredNorm() > tolerance * tolerance)
+        return false;
     }
     return true;
   };

@@ -30,7 +30,8 @@ Plane plane_named(const std::string& name) {
   if (name == "back") return plane_along({0, 1, 0}, name);
   if (name == "left") return plane_along({-1, 0, 0}, name);
   if (name == "right") return plane_along({1, 0, 0}, name);
-  throw Error(ErrorKind::bad_input, "plane", fmt::format("there is no plane '{}'; known are top, bottom, front, back, left, right", name));
+  throw Error(ErrorKind::bad_input, "plane",
+              fmt::format("there is no plane '{}'; known are top, bottom, front, back, left, right", name));
 }
 
 Plane plane_from_view(double alpha, double beta) {
@@ -74,8 +75,8 @@ bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) c
   return tips_->tip(tip_at) <= tip + tolerance;
 }
 
-std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part, const std::vector<Reached>& earlier,
-                              double tolerance) {
+std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part,
+                              const std::vector<Reached>& earlier, double tolerance) {
   if (earlier.empty() && !plane.to_the_middle) return paths;
   const double cell = tips.surface().samples().cell;
   std::vector<std::vector<Path>> kept(paths.size());
@@ -101,14 +102,17 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
       const Vec3 place = plane.out_of(Vec3(touched.place.x(), touched.place.y(), height));
       const Vec3 slope = part.gradient(place);
       const Vec3 normal = slope.norm() > 0 ? Vec3(slope.normalized()) : Vec3(plane.axes.col(2));
-      wanted[k] = std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
+      wanted[k] =
+          std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
     }
     // A little more on both ends, so that nothing stays between.
     const auto overlap = static_cast<std::ptrdiff_t>(3);
     std::vector<bool> cut(points.size(), false);
     for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(points.size()); ++k)
       if (wanted[static_cast<std::size_t>(k)])
-        for (std::ptrdiff_t o = std::max<std::ptrdiff_t>(0, k - overlap); o <= std::min(k + overlap, static_cast<std::ptrdiff_t>(points.size()) - 1); ++o) cut[static_cast<std::size_t>(o)] = true;
+        for (std::ptrdiff_t o = std::max<std::ptrdiff_t>(0, k - overlap);
+             o <= std::min(k + overlap, static_cast<std::ptrdiff_t>(points.size()) - 1); ++o)
+          cut[static_cast<std::size_t>(o)] = true;
     Path run;
     const auto finish = [&] {
       if (run.points.size() > 1) {
@@ -156,7 +160,10 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
   std::vector<Move> moves;
   const auto rapid = [&](const Vec3& at, const Vec3& axis) { moves.push_back({at, 0, 0, axis}); };
   if (arm > 0) {
-    if (to.axis.z() < -1e-9) throw Error(ErrorKind::bad_input, "plane", "overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards (Keeter, Algorithm 6.1)");
+    if (to.axis.z() < -1e-9)
+      throw Error(
+          ErrorKind::bad_input, "plane",
+          "overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards (Keeter, Algorithm 6.1)");
     const double high = stock.upper.z() + clearance;
     // Up, until the tip is high enough after the head has turned straight down.
     const auto lifted = [&](const Move& m) {

@@ -44,7 +44,8 @@ class SurfaceSampler {
   void sample() {
     const double cell = settings_.cell;
     const Vec2 size = Rectangle::of(bounds_).size();
-    const int wide = static_cast<int>(std::ceil(size.x() / cell - 1e-6)) + 3, high = static_cast<int>(std::ceil(size.y() / cell - 1e-6)) + 3;
+    const int wide = static_cast<int>(std::ceil(size.x() / cell - 1e-6)) + 3,
+              high = static_cast<int>(std::ceil(size.y() / cell - 1e-6)) + 3;
     const Vec2 first = bounds_.lower.head<2>() - Vec2::Constant(cell) - 0.5 * (Vec2(wide - 3, high - 3) * cell - size);
     surface_->floor_ = bounds_.lower.z();
     surface_->heights_ = HeightMap(wide, high, cell, first, 0);
@@ -54,20 +55,22 @@ class SurfaceSampler {
   /// Heights at `wide` x `high` places from corner to corner of a rectangle.
   [[nodiscard]] std::vector<float> heights_of(const Rectangle& area, int wide, int high, double low) const {
     const Vec2 half(0.5 * area.size().x() / (wide - 1), 0.5 * area.size().y() / (high - 1));
-    const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low}, {area.upper.x() + half.x(), area.upper.y() + half.y(), bounds_.upper.z()}};
+    const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low},
+                     {area.upper.x() + half.x(), area.upper.y() + half.y(), bounds_.upper.z()}};
     std::vector<float> found = heights(field_, region, wide, high, progress_);
     const Rectangle inside = Rectangle::of(bounds_).grown(1e-9);
     std::size_t i = 0;
     for (int row = 0; row < high; ++row)
       for (int column = 0; column < wide; ++column, ++i) {
         const Vec2 p = area.lower + 2 * Vec2(half.x() * column, half.y() * row);
-        found[i] = inside.contains(p) ? std::max(found[i], static_cast<float>(bounds_.lower.z())) : static_cast<float>(bounds_.lower.z());
+        found[i] = inside.contains(p) ? std::max(found[i], static_cast<float>(bounds_.lower.z()))
+                                      : static_cast<float>(bounds_.lower.z());
       }
     return found;
   }
 
-  /// Squares whose samples and neighbours do not lie on one smooth surface: bilinear interpolation is off by about an eighth of the
-  /// second difference.
+  /// Squares whose samples and neighbours do not lie on one smooth surface: bilinear interpolation is off by about an eighth of
+  /// the second difference.
   void find_rough_squares() {
     const HeightMap& h = surface_->heights_;
     rough_.assign(h.values.size(), 0);
@@ -115,7 +118,8 @@ class SurfaceSampler {
       if (right - left == 1 && high - low == 1) return rough_[h.index(left, low)] = 1, void();
     }
     const int u = (left + right + 1) / 2, v = (low + high + 1) / 2;
-    find_ribs(field, left, low, u, v), find_ribs(field, u, low, right, v), find_ribs(field, left, v, u, high), find_ribs(field, u, v, right, high);
+    find_ribs(field, left, low, u, v), find_ribs(field, u, low, right, v), find_ribs(field, left, v, u, high),
+        find_ribs(field, u, v, right, high);
   }
 
   void refine() {
@@ -136,8 +140,10 @@ class SurfaceSampler {
       const int column = static_cast<int>(squares[k] % static_cast<std::size_t>(s.heights_.width));
       const int row = static_cast<int>(squares[k] / static_cast<std::size_t>(s.heights_.width));
       s.fine_index_[squares[k]] = static_cast<std::int32_t>(k);
-      s.fine_[k] = heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1, parts + 1, s.floor_);
-      if (const std::size_t n = ++done; n % 1024 == 0) progress_.report(static_cast<double>(n) / static_cast<double>(squares.size()), "refining edges");
+      s.fine_[k] =
+          heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1, parts + 1, s.floor_);
+      if (const std::size_t n = ++done; n % 1024 == 0)
+        progress_.report(static_cast<double>(n) / static_cast<double>(squares.size()), "refining edges");
     });
     s.top_ = s.floor_;
     for (const float z : s.heights_.values) s.top_ = std::max<double>(s.top_, z);
@@ -153,7 +159,8 @@ class SurfaceSampler {
   std::vector<std::uint8_t> rough_;
 };
 
-std::shared_ptr<const Surface> Surface::of(const Field& field, const Box& bounds, const SurfaceSettings& settings, Progress& progress) {
+std::shared_ptr<const Surface> Surface::of(const Field& field, const Box& bounds, const SurfaceSettings& settings,
+                                           Progress& progress) {
   return SurfaceSampler(field, bounds, settings, progress).make();
 }
 
@@ -169,15 +176,18 @@ std::shared_ptr<const Surface> Surface::of(HeightMap heights, double floor) {
 double Surface::height(const Vec2& p) const {
   const Vec2 at = (p - heights_.origin) / heights_.cell;
   if (!(at.x() >= 0 && at.y() >= 0 && at.x() <= heights_.width - 1 && at.y() <= heights_.height - 1)) return floor_;
-  const int i = std::min(static_cast<int>(at.x()), heights_.width - 2), j = std::min(static_cast<int>(at.y()), heights_.height - 2);
+  const int i = std::min(static_cast<int>(at.x()), heights_.width - 2),
+            j = std::min(static_cast<int>(at.y()), heights_.height - 2);
   const auto blend = [](float a, float b, float c, float d, double u, double v) {
     return (1 - v) * (a + u * (b - a)) + v * (c + u * (d - c));
   };
   const float* const block = fine(i, j);
   if (block == nullptr)
-    return blend(heights_.at(i, j), heights_.at(i + 1, j), heights_.at(i, j + 1), heights_.at(i + 1, j + 1), at.x() - i, at.y() - j);
+    return blend(heights_.at(i, j), heights_.at(i + 1, j), heights_.at(i, j + 1), heights_.at(i + 1, j + 1), at.x() - i,
+                 at.y() - j);
   const Vec2 within = (at - Vec2(i, j)) * (fine_side_ - 1);
-  const int u = std::min(static_cast<int>(within.x()), fine_side_ - 2), v = std::min(static_cast<int>(within.y()), fine_side_ - 2);
+  const int u = std::min(static_cast<int>(within.x()), fine_side_ - 2),
+            v = std::min(static_cast<int>(within.y()), fine_side_ - 2);
   const float* const corner = block + v * fine_side_ + u;
   return blend(corner[0], corner[1], corner[fine_side_], corner[fine_side_ + 1], within.x() - u, within.y() - v);
 }

@@ -15,7 +15,8 @@ namespace fieldfab::cam {
 
 double stepover_for_scallop(double corner_radius, double scallop) {
   if (!(scallop > 0) || !(scallop < corner_radius))
-    throw Error(ErrorKind::bad_input, "scallop", fmt::format("must be above 0 and below the tool's corner radius of {:.6g} mm", corner_radius));
+    throw Error(ErrorKind::bad_input, "scallop",
+                fmt::format("must be above 0 and below the tool's corner radius of {:.6g} mm", corner_radius));
   return 2 * std::sqrt(scallop * (2 * corner_radius - scallop));
 }
 
@@ -146,8 +147,8 @@ std::vector<Path> spiral(const TipSurface& tips, const FinishSettings& settings,
   return paths;
 }
 
-std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell, const CutSettings& cut,
-                            Progress& progress) {
+std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell,
+                            const CutSettings& cut, Progress& progress) {
   const FieldPtr field = TipSurface::field(tips);
   const std::vector<double> passes = cut.depths.passes();
   std::vector<Path> paths;
@@ -180,7 +181,8 @@ std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const Rou
     const Vec2 a = reach.lower, b = reach.upper;
     FieldPtr free = outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}});
     if (!walls.empty()) free = intersect(free, complement(outline_field(walls)));
-    for (Path& path : rings(*free, reach.grown(settings.cell), settings.cell, settings.stepover, passes[pass], settings.cut, progress)) {
+    for (Path& path :
+         rings(*free, reach.grown(settings.cell), settings.cell, settings.stepover, passes[pass], settings.cut, progress)) {
       path.level = static_cast<int>(pass);
       paths.push_back(std::move(path));
     }

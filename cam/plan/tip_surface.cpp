@@ -16,28 +16,36 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 }  // namespace
 
 TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& profile, double allowance)
-    : surface_(std::move(surface)), profile_(profile.grown(allowance)), allowance_(allowance), closed_form_(profile_.closed_form()) {
+    : surface_(std::move(surface)),
+      profile_(profile.grown(allowance)),
+      allowance_(allowance),
+      closed_form_(profile_.closed_form()) {
   const double reach = profile_.radius() * profile_.radius() * (1 + 1e-6);
   per_square_ = table_size / reach;
   for (int i = 0; i <= table_size + 1; ++i) {
     // The least over a step of the table: profiles may go down again outwards.
     const double from = std::sqrt(std::min(reach, i / per_square_)), to = std::sqrt(std::min(reach, (i + 1) / per_square_));
-    least_heights_.push_back(std::min(profile_.height(std::min(from, profile_.radius())), profile_.height(std::min(to, profile_.radius()))));
+    least_heights_.push_back(
+        std::min(profile_.height(std::min(from, profile_.radius())), profile_.height(std::min(to, profile_.radius()))));
   }
-  for (std::size_t i = least_heights_.size() - 1; i-- > 0;) least_heights_[i] = std::min(least_heights_[i], least_heights_[i + 1]);
+  for (std::size_t i = least_heights_.size() - 1; i-- > 0;)
+    least_heights_[i] = std::min(least_heights_[i], least_heights_[i + 1]);
   const HeightMap& h = surface_->samples();
   // The finest level: each sample, and the fine samples of the square that begins there.
   HeightMap tops = h;
   const auto samples = static_cast<std::size_t>(surface_->fine_side()) * static_cast<std::size_t>(surface_->fine_side());
   for (int row = 0; row < h.height; ++row)
     for (int column = 0; column < h.width; ++column)
-      if (const float* const block = surface_->fine(column, row)) tops.at(column, row) = std::max(tops.at(column, row), *std::max_element(block, block + samples));
+      if (const float* const block = surface_->fine(column, row))
+        tops.at(column, row) = std::max(tops.at(column, row), *std::max_element(block, block + samples));
   tops_.push_back(std::move(tops));
   while (tops_.back().width > 1 || tops_.back().height > 1 || tops_.size() <= block_level) {
     const HeightMap& below = tops_.back();
-    HeightMap above((below.width + 1) / 2, (below.height + 1) / 2, 2 * below.cell, below.origin, -std::numeric_limits<float>::infinity());
+    HeightMap above((below.width + 1) / 2, (below.height + 1) / 2, 2 * below.cell, below.origin,
+                    -std::numeric_limits<float>::infinity());
     for (int row = 0; row < below.height; ++row)
-      for (int column = 0; column < below.width; ++column) above.at(column / 2, row / 2) = std::max(above.at(column / 2, row / 2), below.at(column, row));
+      for (int column = 0; column < below.width; ++column)
+        above.at(column / 2, row / 2) = std::max(above.at(column / 2, row / 2), below.at(column, row));
     tops_.push_back(std::move(above));
   }
   lay_out_blocks();
@@ -47,12 +55,14 @@ void TipSurface::lay_out_blocks() {
   const HeightMap& h = surface_->samples();
   blocks_wide_ = (h.width + block_side - 1) / block_side;
   const int high = (h.height + block_side - 1) / block_side;
-  blocks_.assign(static_cast<std::size_t>(blocks_wide_ * high) * block_side * block_side, -std::numeric_limits<float>::infinity());
+  blocks_.assign(static_cast<std::size_t>(blocks_wide_ * high) * block_side * block_side,
+                 -std::numeric_limits<float>::infinity());
   has_fine_.assign(static_cast<std::size_t>(blocks_wide_ * high), 0);
   for (int row = 0; row < h.height; ++row)
     for (int column = 0; column < h.width; ++column) {
       const std::size_t b = block_index(column / block_side, row / block_side);
-      blocks_[b * block_side * block_side + static_cast<std::size_t>(row % block_side * block_side + column % block_side)] = h.at(column, row);
+      blocks_[b * block_side * block_side + static_cast<std::size_t>(row % block_side * block_side + column % block_side)] =
+          h.at(column, row);
       if (surface_->fine(column, row) != nullptr) has_fine_[b] = 1;
     }
 }
@@ -63,12 +73,13 @@ struct BlockTip {
   int column;
 };
 
-/// The highest tip for a block of side x side samples, the first of them at (x0, y0) from the axis. A plain loop, which the compiler
-/// turns into vectors.
+/// The highest tip for a block of side x side samples, the first of them at (x0, y0) from the axis. A plain loop, which the
+/// compiler turns into vectors.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx2", "default")))
 #endif
-BlockTip highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
+BlockTip
+highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
   const float flat = c.flat, corner = c.corner, widest = c.widest, cone = c.cone, slope = c.slope;
   std::array<float, longest_side> highest;
   std::fill_n(highest.begin(), side, -1e30F);
@@ -76,10 +87,13 @@ BlockTip highest_tip(const float* heights, int side, float x0, float y0, float c
     const float y = y0 + cell * static_cast<float>(row), y_squared = y * y;
     for (int k = 0; k < side; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const float x = x0 + cell * static_cast<float>(k), squared = x * x + y_squared, away = std::sqrt(squared), beyond = away - flat;
+      const float x = x0 + cell * static_cast<float>(k), squared = x * x + y_squared, away = std::sqrt(squared),
+                  beyond = away - flat;
       const float positive = beyond > 0 ? beyond : 0, out = positive < widest ? positive : widest;
-      const float inside = corner * corner - out * out, round = corner - std::sqrt(inside > 0 ? inside : 0), straight = cone + slope * away;
-      const float there = heights[row * side + k] - (round > straight ? round : straight), tip = squared <= reach ? there : -1e30F;
+      const float inside = corner * corner - out * out, round = corner - std::sqrt(inside > 0 ? inside : 0),
+                  straight = cone + slope * away;
+      const float there = heights[row * side + k] - (round > straight ? round : straight),
+                  tip = squared <= reach ? there : -1e30F;
       highest[i] = tip > highest[i] ? tip : highest[i];
     }
   }
@@ -128,7 +142,8 @@ struct TipSurface::Search {
           for (; at > 0 && children[at - 1].bound < b; --at) children[at] = children[at - 1];
           children[at] = {b, u, v};
         }
-    for (std::size_t i = 0; i < count && children[i].bound > best.tip; ++i) descend(level - 1, children[i].column, children[i].row);
+    for (std::size_t i = 0; i < count && children[i].bound > best.tip; ++i)
+      descend(level - 1, children[i].column, children[i].row);
   }
 
   /// Side x side samples, `step` apart, the first of them at `first`.
@@ -139,8 +154,9 @@ struct TipSurface::Search {
         if (heights[k] > best.tip) try_sample(k);
       return;
     }
-    const BlockTip found = highest_tip(heights, side, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()),
-                                       static_cast<float>(step), static_cast<float>(reach), tips.closed_form_);
+    const BlockTip found =
+        highest_tip(heights, side, static_cast<float>(first.x() - p.x()), static_cast<float>(first.y() - p.y()),
+                    static_cast<float>(step), static_cast<float>(reach), tips.closed_form_);
     if (found.tip > best.tip - margin)
       for (int row = 0; row < side; ++row) try_sample(row * side + found.column);
   }
@@ -154,7 +170,8 @@ struct TipSurface::Search {
     const int side = surface.fine_side();
     for (int v = row * block_side; v < std::min(h.height, (row + 1) * block_side); ++v)
       for (int u = column * block_side; u < std::min(h.width, (column + 1) * block_side); ++u)
-        if (const float* const fine = surface.fine(u, v); fine != nullptr && bound(0, u, v) > best.tip) try_samples(fine, side, h.place(u, v), h.cell / (side - 1));
+        if (const float* const fine = surface.fine(u, v); fine != nullptr && bound(0, u, v) > best.tip)
+          try_samples(fine, side, h.place(u, v), h.cell / (side - 1));
   }
 
   static constexpr double margin = 1e-4;  // of single precision: the best is computed again in double
@@ -175,8 +192,7 @@ TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const 
   double around = nothing;  // the highest within reach
   if (high.minCoeff() >= 0 && low.x() <= l.width && low.y() <= l.height)
     for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
-      for (int column = clamp(low.x(), l.width); column <= clamp(high.x(), l.width); ++column)
-      {
+      for (int column = clamp(low.x(), l.width); column <= clamp(high.x(), l.width); ++column) {
         if (search.bound(level, column, row) > search.best.tip) search.descend(level, column, row);
         around = std::max<double>(around, l.at(column, row));
       }
@@ -222,7 +238,8 @@ Interval TipSurface::range(const Rectangle& area) const {
   while (level + 1 < tops_.size() && tops_[level].cell < 0.25 * std::min(radius, area.size().minCoeff())) ++level;
   const HeightMap& l = tops_[level];
   const auto clamp = [](double at, int count) { return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0)); };
-  const Vec2 low = (area.lower - l.origin - Vec2::Constant(radius)) / l.cell - Vec2::Ones(), high = (area.upper - l.origin + Vec2::Constant(radius)) / l.cell + Vec2::Ones();
+  const Vec2 low = (area.lower - l.origin - Vec2::Constant(radius)) / l.cell - Vec2::Ones(),
+             high = (area.upper - l.origin + Vec2::Constant(radius)) / l.cell + Vec2::Ones();
   for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
     for (int column = clamp(low.x(), l.width); column <= clamp(high.x(), l.width); ++column) {
       const double top = l.at(column, row);
@@ -230,7 +247,8 @@ Interval TipSurface::range(const Rectangle& area) const {
       const Vec2 from = l.place(column, row), to = from + Vec2::Constant(l.cell);
       const Vec2 gap = (from - area.upper).cwiseMax(area.lower - to).cwiseMax(0.0);
       // Between samples a square may be as high as its neighbour: one cell of grace.
-      if (const double away = std::max(0.0, gap.norm() - 1.5 * surface_->samples().cell); away <= radius) upper = std::max(upper, top - least_height(away * away));
+      if (const double away = std::max(0.0, gap.norm() - 1.5 * surface_->samples().cell); away <= radius)
+        upper = std::max(upper, top - least_height(away * away));
     }
   return {static_cast<float>(lower + allowance_ - 1e-4), static_cast<float>(upper + allowance_ + 1e-4), false};
 }

@@ -12,7 +12,8 @@ namespace fieldfab::cam {
 
 Profile::Profile(double flat, double corner, double taper, double radius)
     : flat_(flat), corner_(corner), taper_(taper), radius_(radius) {
-  if (!(radius > 0) || !(flat >= 0) || !(corner >= 0) || !(taper >= 0) || !(taper < std::numbers::pi / 2) || flat > radius * (1 + 1e-9))
+  if (!(radius > 0) || !(flat >= 0) || !(corner >= 0) || !(taper >= 0) || !(taper < std::numbers::pi / 2) ||
+      flat > radius * (1 + 1e-9))
     throw Error(ErrorKind::bad_input, "tool", "no cutter has this shape");
   bend_ = std::min(radius_, flat_ + corner_ * std::cos(taper_));
   bend_height_ = corner_ * (1 - std::sin(taper_));
@@ -73,7 +74,7 @@ double Profile::distance(double height) const {
 FlatCornerCone Profile::closed_form() const {
   const double slope = taper_ > 0 ? 1 / std::tan(taper_) : 0;
   const auto number = [](double d) { return static_cast<float>(d); };
-  return {number(flat_),  number(corner_), number(bend_ - flat_), taper_ > 0 ? number(bend_height_ - bend_ * slope) : -1e30F,
+  return {number(flat_), number(corner_), number(bend_ - flat_), taper_ > 0 ? number(bend_height_ - bend_ * slope) : -1e30F,
           number(slope), points_.empty()};
 }
 
@@ -91,7 +92,8 @@ Profile Profile::grown(double by) const {
     double lowest = std::numeric_limits<double>::infinity();
     for (int k = -steps; k <= steps; ++k) {
       const double from = at + by * k / steps, out = by * k / steps;
-      if (std::abs(from) <= radius_) lowest = std::min(lowest, height(std::abs(from)) - std::sqrt(std::max(0.0, by * by - out * out)));
+      if (std::abs(from) <= radius_)
+        lowest = std::min(lowest, height(std::abs(from)) - std::sqrt(std::max(0.0, by * by - out * out)));
     }
     outer.emplace_back(at, lowest + by);
   }
@@ -103,7 +105,8 @@ Profile Tool::profile() const {
   if (shape == "profile") return Profile(points);
   if (!(diameter > 0)) refuse("needs a diameter above 0");
   const auto half_angle = [&] {
-    if (!(angle > 0) || !(angle < std::numbers::pi)) refuse(fmt::format("a {} tool needs an angle between 0 and 180 degrees", shape));
+    if (!(angle > 0) || !(angle < std::numbers::pi))
+      refuse(fmt::format("a {} tool needs an angle between 0 and 180 degrees", shape));
     return angle / 2;
   };
   if (shape == "flat") return {radius(), 0, 0, radius()};

@@ -73,7 +73,8 @@ class MedialAxis {
  private:
   static IntPoint rounded(const Vec3& p) {
     const Vec3 steps = p * steps_per_mm;
-    if (!(steps.cwiseAbs().maxCoeff() < 2e9)) throw Error(ErrorKind::bad_input, "v_carve", "outlines must lie within 20 m of the origin");
+    if (!(steps.cwiseAbs().maxCoeff() < 2e9))
+      throw Error(ErrorKind::bad_input, "v_carve", "outlines must lie within 20 m of the origin");
     return {static_cast<int>(std::lround(steps.x())), static_cast<int>(std::lround(steps.y()))};
   }
   static Vec2 place(const IntPoint& p) { return Vec2(p.x(), p.y()) / steps_per_mm; }
@@ -116,14 +117,16 @@ class MedialAxis {
     add(a);
     if (edge.is_curved()) {
       const bool point_here = edge.cell()->contains_point();
-      const Diagram::cell_type &point_cell = point_here ? *edge.cell() : *edge.twin()->cell(), &line_cell = point_here ? *edge.twin()->cell() : *edge.cell();
+      const Diagram::cell_type &point_cell = point_here ? *edge.cell() : *edge.twin()->cell(),
+                               &line_cell = point_here ? *edge.twin()->cell() : *edge.cell();
       const Vec2 focus = foot(point_cell, a), start = place(segments_[line_cell.source_index()].low());
       const Vec2 along = (place(segments_[line_cell.source_index()].high()) - start).normalized();
       Vec2 across(-along.y(), along.x());
       double height = (focus - start).dot(across);
       if (height < 0) height = -height, across = -across;
       const double x0 = (focus - start).dot(along), from = (a - start).dot(along), to = (b - start).dot(along);
-      const int steps = std::clamp(static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))), 1, 1000);
+      const int steps = std::clamp(
+          static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))), 1, 1000);
       if (height > 1e-9)
         for (int i = 1; i < steps; ++i) {
           const double x = from + (to - from) * i / steps;
@@ -142,7 +145,8 @@ class MedialAxis {
 }  // namespace
 
 std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut, Progress& progress) {
-  if (!(half_angle > 0) || !(half_angle < std::numbers::pi / 2)) throw Error(ErrorKind::bad_input, "v_carve", "needs a V with an angle between 0 and 180 degrees");
+  if (!(half_angle > 0) || !(half_angle < std::numbers::pi / 2))
+    throw Error(ErrorKind::bad_input, "v_carve", "needs a V with an angle between 0 and 180 degrees");
   if (part.empty()) return {};
   const double slope = 1 / std::tan(half_angle), widest = (cut.depths.top - cut.depths.bottom) / slope;
   progress.report(0, "medial axis");
@@ -181,7 +185,8 @@ std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover,
       for (const Vec2& p : loop.points) bounds.add(p);
     const FieldPtr inner = offset(outline_field(part), -widest);
     const double cell = std::min(bounds.size().maxCoeff() / 200, widest / 4);
-    for (Path& path : rings(*inner, bounds.grown(cell), cell, stepover, cut.depths.bottom, cut, progress)) paths.push_back(std::move(path));
+    for (Path& path : rings(*inner, bounds.grown(cell), cell, stepover, cut.depths.bottom, cut, progress))
+      paths.push_back(std::move(path));
   }
   return paths;
 }

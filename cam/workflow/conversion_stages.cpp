@@ -13,14 +13,14 @@ namespace {
 /// Squares for a region where nothing was said: a thousandth of its longer side, but no finer than a fortieth of the tool.
 double cell_for(const Values& values, const Vec2& size, const Context& context) {
   if (is_set(values, "cell")) return values.number("cell");
-  const double fine = size.maxCoeff() / 2000, tool = context.tool.diameter > 0 ? context.tool.diameter / 40 : size.maxCoeff() / 1000;
+  const double fine = size.maxCoeff() / 2000,
+               tool = context.tool.diameter > 0 ? context.tool.diameter / 40 : size.maxCoeff() / 1000;
   return std::max(fine, std::min(tool, size.maxCoeff() / 200));
 }
 
 Setting cell_setting() {
   return above_zero(number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
 }
-
 
 Artifact outline_of_solid(const Artifact& in, const Values& values, Context& context) {
   const Solid& solid = std::get<Solid>(in);
@@ -36,14 +36,19 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
     const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
     loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)}, context.progress);
   }
-  if (loops.empty()) throw Error(ErrorKind::bad_input, "outline", fmt::format("there is nothing of the part at cells of {:.4g} mm", cell));
+  if (loops.empty())
+    throw Error(ErrorKind::bad_input, "outline", fmt::format("there is nothing of the part at cells of {:.4g} mm", cell));
   return Outline{outline_field(loops), bounds, cell};
 }
 
 Artifact surface_of_solid(const Artifact& in, const Values& values, Context& context) {
   const Solid& solid = std::get<Solid>(in);
-  if (solid.flat) throw Error(ErrorKind::bad_input, "surface", "the model is flat: it has no surface to finish; use profile, pocket, isolate or v_carve");
-  return Surface::of(*solid.field, solid.bounds, {cell_for(values, Rectangle::of(solid.bounds).size(), context), values.number("surface_tolerance")}, context.progress);
+  if (solid.flat)
+    throw Error(ErrorKind::bad_input, "surface",
+                "the model is flat: it has no surface to finish; use profile, pocket, isolate or v_carve");
+  return Surface::of(*solid.field, solid.bounds,
+                     {cell_for(values, Rectangle::of(solid.bounds).size(), context), values.number("surface_tolerance")},
+                     context.progress);
 }
 
 double pixel_of(const Image& image, const Values& values) {
@@ -55,9 +60,12 @@ double pixel_of(const Image& image, const Values& values) {
 /// Brightness of a pixel from 0 to 1; row 0 is the lowest one.
 double brightness(const Image& image, int column, int row) {
   const auto channels = static_cast<std::size_t>(image.channels);
-  const std::size_t i = (static_cast<std::size_t>(image.height - 1 - row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(column)) * channels;
+  const std::size_t i = (static_cast<std::size_t>(image.height - 1 - row) * static_cast<std::size_t>(image.width) +
+                         static_cast<std::size_t>(column)) *
+                        channels;
   double sum = 0;
-  for (std::size_t c = 0; c < channels; ++c) sum += image.depth == 16 ? image.pixels16[i + c] / 65535.0 : image.pixels8[i + c] / 255.0;
+  for (std::size_t c = 0; c < channels; ++c)
+    sum += image.depth == 16 ? image.pixels16[i + c] / 65535.0 : image.pixels8[i + c] / 255.0;
   return sum / static_cast<double>(channels);
 }
 
@@ -85,10 +93,12 @@ Artifact surface_of_image(const Artifact& in, const Values& values, Context&) {
   double low = values.number("black"), high = values.number("white");
   if (image.has_heights && low == unset) low = image.bounds.lower.z();
   if (image.has_heights && high == unset) high = image.bounds.upper.z();
-  if (low == unset || high == unset) throw Error(ErrorKind::bad_input, "image", "the picture has no heights; give black and white, mm");
+  if (low == unset || high == unset)
+    throw Error(ErrorKind::bad_input, "image", "the picture has no heights; give black and white, mm");
   HeightMap map(image.width, image.height, pixel, Vec2::Constant(0.5 * pixel), 0);
   for (int row = 0; row < image.height; ++row)
-    for (int column = 0; column < image.width; ++column) map.at(column, row) = static_cast<float>(low + (high - low) * brightness(image, column, row));
+    for (int column = 0; column < image.width; ++column)
+      map.at(column, row) = static_cast<float>(low + (high - low) * brightness(image, column, row));
   return Surface::of(std::move(map), std::min(low, high));
 }
 
@@ -97,17 +107,35 @@ Artifact surface_of_image(const Artifact& in, const Values& values, Context&) {
 std::vector<Stage> conversion_stages() {
   const Setting pixel = above_zero(number("pixel", "mm", unset, "size of a pixel; the default is what the picture says"));
   return {
-      {"outline", "the part's outline: a slice, or its shadow from above", Kind::solid, Kind::outline, false,
-       {cell_setting(), number("slice", "mm", unset, "cut the part at this height; the default is its shadow, or the drawing itself")},
+      {"outline",
+       "the part's outline: a slice, or its shadow from above",
+       Kind::solid,
+       Kind::outline,
+       false,
+       {cell_setting(),
+        number("slice", "mm", unset, "cut the part at this height; the default is its shadow, or the drawing itself")},
        outline_of_solid},
-      {"height map", "the part's upper surface", Kind::solid, Kind::surface, false,
+      {"height map",
+       "the part's upper surface",
+       Kind::solid,
+       Kind::surface,
+       false,
        {cell_setting(), above_zero(number("surface_tolerance", "mm", 0.01, "how far the surface kept may be from the part's"))},
        surface_of_solid},
-      {"threshold", "black and white", Kind::image, Kind::bitmap, false,
-       {pixel, between(0, 1, number("threshold", "", 0.5, "what is brighter is solid")), flag("invert", false, "what is darker is solid")},
+      {"threshold",
+       "black and white",
+       Kind::image,
+       Kind::bitmap,
+       false,
+       {pixel, between(0, 1, number("threshold", "", 0.5, "what is brighter is solid")),
+        flag("invert", false, "what is darker is solid")},
        bitmap_of_image},
       {"distance transform", "exact distances to the bitmap's edge", Kind::bitmap, Kind::outline, false, {}, outline_of_bitmap},
-      {"heights", "a height map as drawn", Kind::image, Kind::surface, false,
+      {"heights",
+       "a height map as drawn",
+       Kind::image,
+       Kind::surface,
+       false,
        {pixel, number("black", "mm", unset, "height of black; the default is what the picture says"),
         number("white", "mm", unset, "height of white; the default is what the picture says")},
        surface_of_image},

@@ -11,7 +11,6 @@
 namespace fieldfab::cam {
 namespace {
 
-
 Depths depths_of(const Values& values, const Context& context) {
   Depths d;
   d.top = is_set(values, "top") ? values.number("top") : context.stock.upper.z();
@@ -28,7 +27,8 @@ Settings depth_settings(double standard_depth = unset) {
 }
 
 Settings cut_settings() {
-  return {at_least(0, number("allowance", "mm", 0, "left on the part")), flag("climb", true, "climb milling; conventional where false"),
+  return {at_least(0, number("allowance", "mm", 0, "left on the part")),
+          flag("climb", true, "climb milling; conventional where false"),
           above_zero(number("tolerance", "mm", 0.005, "of fitting lines and arcs"))};
 }
 
@@ -62,7 +62,10 @@ Artifact profile_stage(const Artifact& in, const Values& values, Context& contex
   const std::string& side = values.text("side");
   const Tabs tabs{static_cast<int>(values.number("tabs")), values.number("tab_width"), values.number("tab_height")};
   Cuts cuts;
-  cuts.paths = profile(std::get<Outline>(in), side == "outside" ? Side::outside : side == "inside" ? Side::inside : Side::on,
+  cuts.paths = profile(std::get<Outline>(in),
+                       side == "outside"  ? Side::outside
+                       : side == "inside" ? Side::inside
+                                          : Side::on,
                        cut_of(values, context, depths_of(values, context)), tabs, context.progress);
   return cuts;
 }
@@ -105,9 +108,13 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   Cuts cuts;
   cuts.paths = pocket(area, stepover, cut, &left, context.progress);
   for (const Vec2& place : left)
-    context.notes.push_back(fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left", 2 * cut.radius, place.x(), place.y()));
+    context.notes.push_back(fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left",
+                                        2 * cut.radius, place.x(), place.y()));
   if (cuts.paths.empty())
-    throw Error(ErrorKind::bad_input, "pocket", left.empty() ? "there is nothing to clear" : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}", 2 * cut.radius, left[0].x(), left[0].y()));
+    throw Error(ErrorKind::bad_input, "pocket",
+                left.empty() ? "there is nothing to clear"
+                             : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}",
+                                           2 * cut.radius, left[0].x(), left[0].y()));
   cuts.may_stay_down = within(area.distance, cut.radius + cut.allowance, 2.5 * stepover);
   return cuts;
 }
@@ -119,7 +126,8 @@ Artifact drill_stage(const Artifact& in, const Values& values, Context& context)
   std::erase_if(loops, [](const Loop& loop) { return loop.area() > 0; });
   std::vector<Hole> found = holes(loops, 2 * outline.cell * 0.1 + 0.02);
   std::erase_if(found, [&](const Hole& h) { return 2 * h.radius > most; });
-  if (found.empty()) throw Error(ErrorKind::bad_input, "drill", fmt::format("the part has no round holes of at most {:.4g} mm", most));
+  if (found.empty())
+    throw Error(ErrorKind::bad_input, "drill", fmt::format("the part has no round holes of at most {:.4g} mm", most));
   Cuts cuts;
   cuts.paths = drill(found, is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context));
   return cuts;
@@ -133,7 +141,8 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   // No deeper than the V is wide.
   depths.bottom = std::max(depths.bottom, depths.top - 0.5 * context.tool.diameter / std::tan(context.tool.angle / 2));
   Cuts cuts;
-  cuts.paths = v_carve(loops, context.tool.angle / 2, values.number("stepover"), cut_of(values, context, depths), context.progress);
+  cuts.paths =
+      v_carve(loops, context.tool.angle / 2, values.number("stepover"), cut_of(values, context, depths), context.progress);
   cuts.inside_first = false;
   cuts.may_reverse = true;
   return cuts;
@@ -145,21 +154,29 @@ std::vector<Stage> flat_stages() {
   const Settings cut = cut_settings();
   return {
       {"profile", "along the part's outline: cuts it out", Kind::outline, Kind::paths, true,
-       Settings{choice("side", {"outside", "inside", "on"}, "of the outline"), at_least(0, number("tabs", "", 0, "bridges on each outline that hold the part")),
-                above_zero(number("tab_width", "mm", 4, "width of a bridge")), above_zero(number("tab_height", "mm", 1, "height of a bridge"))} +
+       Settings{choice("side", {"outside", "inside", "on"}, "of the outline"),
+                at_least(0, number("tabs", "", 0, "bridges on each outline that hold the part")),
+                above_zero(number("tab_width", "mm", 4, "width of a bridge")),
+                above_zero(number("tab_height", "mm", 1, "height of a bridge"))} +
            depth_settings() + cut,
        profile_stage},
       {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths, true,
-       Settings{at_least(-1, number("offsets", "", 4, "how many; -1 clears everything")), stepover_setting(0.5, "from one offset to the next")} + depth_settings(0.1) + cut,
+       Settings{at_least(-1, number("offsets", "", 4, "how many; -1 clears everything")),
+                stepover_setting(0.5, "from one offset to the next")} +
+           depth_settings(0.1) + cut,
        isolate_stage},
       {"pocket", "clears the inside of the part's outline, or the stock around it", Kind::outline, Kind::paths, true,
-       Settings{choice("side", {"inside", "outside"}, "what is cleared"), stepover_setting(0.4, "from ring to ring")} + depth_settings() + cut, pocket_stage},
+       Settings{choice("side", {"inside", "outside"}, "what is cleared"), stepover_setting(0.4, "from ring to ring")} +
+           depth_settings() + cut,
+       pocket_stage},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is none")), above_zero(number("largest", "mm", unset, "diameter; the default is the tool's"))} +
+       Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is none")),
+                above_zero(number("largest", "mm", unset, "diameter; the default is the tool's"))} +
            depth_settings(),
        drill_stage},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("stepover", "mm", 0.2, "between passes on a flat floor"))} + depth_settings() + cut, v_carve_stage},
+       Settings{above_zero(number("stepover", "mm", 0.2, "between passes on a flat floor"))} + depth_settings() + cut,
+       v_carve_stage},
   };
 }
 

@@ -32,7 +32,8 @@ const Stage& operation(const std::string& name, const std::string& place) {
     if (stage.name == name) return stage;
     names.push_back(stage.name);
   }
-  throw Error(ErrorKind::bad_input, place, fmt::format("there is no operation '{}'{} Known are {}", name, suggestion(name, names), fmt::join(names, ", ")));
+  throw Error(ErrorKind::bad_input, place,
+              fmt::format("there is no operation '{}'{} Known are {}", name, suggestion(name, names), fmt::join(names, ", ")));
 }
 
 std::vector<const Stage*> chain(Kind from, const Stage& operation) {
@@ -44,10 +45,12 @@ std::vector<const Stage*> chain(Kind from, const Stage& operation) {
     const Kind here = waiting.front();
     waiting.pop_front();
     for (const Stage& stage : stages())
-      if (!stage.operation && stage.takes == here && !came_by.contains(stage.makes)) came_by[stage.makes] = &stage, waiting.push_back(stage.makes);
+      if (!stage.operation && stage.takes == here && !came_by.contains(stage.makes))
+        came_by[stage.makes] = &stage, waiting.push_back(stage.makes);
   }
   if (!came_by.contains(operation.takes))
-    throw Error(ErrorKind::bad_input, operation.name, fmt::format("works on: {}; no stage leads there from: {}", name_of(operation.takes), name_of(from)));
+    throw Error(ErrorKind::bad_input, operation.name,
+                fmt::format("works on: {}; no stage leads there from: {}", name_of(operation.takes), name_of(from)));
   std::vector<const Stage*> found{&operation};
   for (Kind kind = operation.takes; came_by[kind] != nullptr; kind = came_by[kind]->takes) found.push_back(came_by[kind]);
   std::reverse(found.begin(), found.end());

@@ -18,12 +18,14 @@ namespace {
 
 std::string text_of(const Value& value) {
   if (const bool* const flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const double* const number = std::get_if<double>(&value)) return *number == unset ? "by itself" : fmt::format("{:.6g}", *number);
+  if (const double* const number = std::get_if<double>(&value))
+    return *number == unset ? "by itself" : fmt::format("{:.6g}", *number);
   if (const auto* const text = std::get_if<std::string>(&value)) return *text;
   return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
 }
 
-LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material, double radius) {
+LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material,
+                           double radius) {
   LinkSettings s;
   const Values& v = op.values;
   s.clearance = stock.upper.z() + v.number("clearance");
@@ -42,9 +44,12 @@ void check_depth(const PlannedOperation& op, const Section& section, const Box& 
   for (const Move& move : section.moves) deepest = std::min(deepest, move.to.z());
   const double depth = stock.upper.z() - deepest;
   if (op.tool.flute > 0 && depth > op.tool.flute + 1e-6)
-    throw Error(ErrorKind::bad_input, op.name, fmt::format("cuts {:.4g} mm deep; tool {} has flutes of {:.4g} mm", depth, op.tool.number, op.tool.flute));
+    throw Error(ErrorKind::bad_input, op.name,
+                fmt::format("cuts {:.4g} mm deep; tool {} has flutes of {:.4g} mm", depth, op.tool.number, op.tool.flute));
   if (op.tool.length > 0 && depth > op.tool.length + 1e-6)
-    throw Error(ErrorKind::bad_input, op.name, fmt::format("goes {:.4g} mm deep; tool {} reaches {:.4g} mm out of its holder", depth, op.tool.number, op.tool.length));
+    throw Error(
+        ErrorKind::bad_input, op.name,
+        fmt::format("goes {:.4g} mm deep; tool {} reaches {:.4g} mm out of its holder", depth, op.tool.number, op.tool.length));
 }
 
 }  // namespace
@@ -55,10 +60,12 @@ std::string Job::plan() const {
     out += fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>((op.own_input ? *op.own_input : input_).index())));
     for (const Stage* stage : op.stages) out += fmt::format(" -> [{}] -> {}", stage->name, name_of(stage->makes));
     out += fmt::format(" -> [order] -> [link] -> [{}]\n", machine_.name);
-    for (const auto& [name, given] : op.values.given) out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), fmt::format("{} {}", given.from, given.place));
+    for (const auto& [name, given] : op.values.given)
+      out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), fmt::format("{} {}", given.from, given.place));
   }
   if (!machine_values_.given.empty()) out += fmt::format("\n{}\n", machine_.name);
-  for (const auto& [name, given] : machine_values_.given) out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), given.from);
+  for (const auto& [name, given] : machine_values_.given)
+    out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), given.from);
   return out;
 }
 
@@ -119,7 +126,8 @@ class JobRunner {
   void add(const PlannedOperation& op) {
     const Box stock = op.plane.into(job_.stock_);
     const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
-    Context context{op.tool, stock, op.plane, solid != nullptr ? solid->field : nullptr, material_of(op, stock), earlier_, progress_, job_.notes_};
+    Context context{op.tool,  stock,     op.plane,   solid != nullptr ? solid->field : nullptr, material_of(op, stock),
+                    earlier_, progress_, job_.notes_};
     Cuts cuts = std::get<Cuts>(through_stages(op, context));
     OperationReport report;
     report.name = op.name;
@@ -143,8 +151,10 @@ class JobRunner {
     }
     check_depth(op, section, stock);
     if (op.plane.setup && op.plane.name != setup_)
-      section.setup = fmt::format("turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its top", op.plane.name, -stock.lower.x(),
-                                  -stock.lower.y(), stock.upper.z());
+      section.setup = fmt::format(
+          "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "
+          "top",
+          op.plane.name, -stock.lower.x(), -stock.lower.y(), stock.upper.z());
     setup_ = op.plane.setup ? op.plane.name : "";
     if (op.tool.diameter > 0) material.cut(section.moves, op.tool.profile());
     section.moves = placed(section.moves, op.plane, 0.005);
@@ -208,7 +218,9 @@ void Job::run(Progress& progress) {
 void Job::write(const std::filesystem::path& path, Progress& progress) const {
   if (machine_.takes == "mesh" || machine_.takes == "height map") {
     const Solid* const part = solid();
-    if (part == nullptr || part->flat) throw Error(ErrorKind::bad_input, file_, fmt::format("{} takes a {}: the input must be a solid", machine_.name, machine_.takes));
+    if (part == nullptr || part->flat)
+      throw Error(ErrorKind::bad_input, file_,
+                  fmt::format("{} takes a {}: the input must be a solid", machine_.name, machine_.takes));
     if (machine_.takes == "height map") {
       RenderSettings settings;
       settings.mode = RenderMode::height;
@@ -216,7 +228,8 @@ void Job::write(const std::filesystem::path& path, Progress& progress) const {
       return write_png(render(*part->field, part->bounds, settings, progress), path);
     }
     const double longest = part->bounds.size().maxCoeff(), voxel = machine_values_.number("voxel");
-    return write_mesh(contour(*part->field, part->bounds.grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress), path, progress);
+    return write_mesh(contour(*part->field, part->bounds.grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
+                      path, progress);
   }
   write_file(path, write_program(program_, machine_, machine_values_));
 }

@@ -24,13 +24,18 @@ constexpr double degrees = std::numbers::pi / 180;
 
 /// Settings that every operation has: how its paths are joined to moves.
 Settings link_settings_table() {
-  Settings s{above_zero(number("feed", "mm/min", 600, "of cutting")), above_zero(number("plunge", "mm/min", 200, "into the material")),
-             at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")), choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
-             above_zero(number("clearance", "mm", 5, "of rapids above the stock")), choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
+  Settings s{above_zero(number("feed", "mm/min", 600, "of cutting")),
+             above_zero(number("plunge", "mm/min", 200, "into the material")),
+             at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")),
+             choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
+             above_zero(number("clearance", "mm", 5, "of rapids above the stock")),
+             choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
              between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
              choice("plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},
-                    "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot tilt stops for turning the part by hand"),
-             number("alpha", "degrees", 0, "of a view: the part's turn about z"), between(0, 180, number("beta", "degrees", 0, "of a view: then about x")),
+                    "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot "
+                    "tilt stops for turning the part by hand"),
+             number("alpha", "degrees", 0, "of a view: the part's turn about z"),
+             between(0, 180, number("beta", "degrees", 0, "of a view: then about x")),
              between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))};
   return s;
 }
@@ -41,25 +46,28 @@ Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from,
 }
 
 Tool read_tool(const TomlTable& table, int number) {
-  table.only({"number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute", "length", "shank", "holder_diameter",
-              "holder_length", "flutes", "feed", "plunge", "spindle"});
+  table.only({"number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute", "length",
+              "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
   Tool tool;
   const auto get = [&](const char* key, double& into) {
     if (const auto value = table.number(key)) {
-      if (!(*value >= 0) || !std::isfinite(*value)) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} must not be negative", key));
+      if (!(*value >= 0) || !std::isfinite(*value))
+        throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} must not be negative", key));
       into = *value;
     }
   };
   tool.number = static_cast<int>(table.number("number").value_or(number));
   tool.name = table.text("name").value_or("");
   tool.shape = table.text("shape").value_or("flat");
-  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("angle", tool.angle), get("tip_diameter", tool.tip_diameter);
+  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("angle", tool.angle),
+      get("tip_diameter", tool.tip_diameter);
   get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
   get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
   tool.angle *= degrees;
   tool.flutes = static_cast<int>(table.number("flutes").value_or(2));
   for (const auto& row : table.rows("profile")) {
-    if (row.size() != 2) throw Error(ErrorKind::bad_input, table.place("profile"), "a profile is [[distance from the axis, height], ...]");
+    if (row.size() != 2)
+      throw Error(ErrorKind::bad_input, table.place("profile"), "a profile is [[distance from the axis, height], ...]");
     tool.points.emplace_back(row[0], row[1]);
   }
   try {
@@ -114,8 +122,9 @@ class JobReader {
     if (!job_.material_.empty() && !machine.materials.contains(job_.material_)) {
       std::vector<std::string> known;
       for (const auto& [name, values] : machine.materials) known.push_back(name);
-      throw refuse(table_, "material", fmt::format("{} has no defaults for '{}'{}{}", machine.name, job_.material_, suggestion(job_.material_, known),
-                                                   known.empty() ? "; it has none at all" : fmt::format("; it knows {}", fmt::join(known, ", "))));
+      throw refuse(table_, "material",
+                   fmt::format("{} has no defaults for '{}'{}{}", machine.name, job_.material_, suggestion(job_.material_, known),
+                               known.empty() ? "; it has none at all" : fmt::format("; it knows {}", fmt::join(known, ", "))));
     }
     const auto own = table_.table("setting");
     if (own) {
@@ -126,8 +135,10 @@ class JobReader {
     for (const Setting& setting : machine.settings) {
       Given given{setting.standard, "machine", ""};
       const std::string material_place = fmt::format("{}: material {}", machine.file, job_.material_);
-      if (const auto* value = material_value(setting.name)) given = {checked(setting, *value, material_place), "material " + job_.material_, ""};
-      if (own && own->has(setting.name)) given = {checked(setting, *own->value(setting.name), own->place(setting.name)), "job", own->place(setting.name)};
+      if (const auto* value = material_value(setting.name))
+        given = {checked(setting, *value, material_place), "material " + job_.material_, ""};
+      if (own && own->has(setting.name))
+        given = {checked(setting, *own->value(setting.name), own->place(setting.name)), "job", own->place(setting.name)};
       job_.machine_values_.given[setting.name] = given;
     }
   }
@@ -142,7 +153,8 @@ class JobReader {
   void read_input() {
     const auto input = table_.table("input");
     if (!input) throw refuse(table_, "", "a job needs an [input] with a model or an image");
-    input->only({"model", "models", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
+    input->only(
+        {"model", "models", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
     if (const auto image = input->text("image")) {
       if (input->has("model")) throw refuse(*input, "image", "an input is a model or an image, not both");
       job_.input_ = read_png(beside(*image));
@@ -155,7 +167,8 @@ class JobReader {
     ScanOptions scan;
     if (const auto threshold = input.value("threshold")) {
       const double* const number = std::get_if<double>(&*threshold);
-      scan.threshold = number != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *number} : ThresholdRule::parse(*input.text("threshold"));
+      scan.threshold =
+          number != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *number} : ThresholdRule::parse(*input.text("threshold"));
     }
     Model model = load_model(beside(name), Scripts::refused, progress_, scan);
     Solid solid;
@@ -172,13 +185,15 @@ class JobReader {
       solid.bounds = {vector_of(input, "bounds", 0, *bounds), vector_of(input, "bounds", 3, *bounds)};
       if (!solid.bounds.valid()) throw refuse(input, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
       solid.flat = solid.bounds.size().z() == 0;
-    } else if (const SolidBounds found = solid_bounds(*solid.field, progress_); found.bounded[0] && found.bounded[1] && !found.bounded[2] && !found.empty) {
+    } else if (const SolidBounds found = solid_bounds(*solid.field, progress_);
+               found.bounded[0] && found.bounded[1] && !found.bounded[2] && !found.empty) {
       solid.flat = true;
       solid.bounds = found.box;
       solid.bounds.lower.z() = solid.bounds.upper.z() = 0;
     } else {
       if (found.empty) throw refuse(input, "model", fmt::format("{}: the solid is empty", name));
-      if (!found.is_bounded()) throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+      if (!found.is_bounded())
+        throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
       solid.bounds = found.box;
     }
     return solid;
@@ -188,7 +203,8 @@ class JobReader {
   Solid read_models(const TomlTable& input) {
     const auto name = input.text("model");
     std::vector<std::string> names = input.texts("models");
-    if (name.has_value() == !names.empty()) throw refuse(input, name ? "models" : "", "an input needs a model, or models, or an image");
+    if (name.has_value() == !names.empty())
+      throw refuse(input, name ? "models" : "", "an input needs a model, or models, or an image");
     if (name) names = {*name};
     std::vector<Solid> parts;
     for (const std::string& part : names) parts.push_back(read_model(input, part));
@@ -217,7 +233,9 @@ class JobReader {
     else if (zero == "centre")
       move -= Vec3(b.centre().x(), b.centre().y(), b.upper.z());
     else if (zero != "model")
-      throw refuse(input, "zero", fmt::format("zero is '{}'; it must be one of model, corner, centre{}", zero, suggestion(zero, {"model", "corner", "centre"})));
+      throw refuse(input, "zero",
+                   fmt::format("zero is '{}'; it must be one of model, corner, centre{}", zero,
+                               suggestion(zero, {"model", "corner", "centre"})));
     zero_ = zero;
     move_ = move;
     if (move != Vec3::Zero()) {
@@ -243,7 +261,8 @@ class JobReader {
     if (const auto table = table_.table("stock")) {
       table->only({"lower", "upper", "margin", "thickness", "top"});
       const double margin = table->number("margin").value_or(0);
-      stock = {{part.lower.x() - margin, part.lower.y() - margin, part.lower.z()}, {part.upper.x() + margin, part.upper.y() + margin, part.upper.z()}};
+      stock = {{part.lower.x() - margin, part.lower.y() - margin, part.lower.z()},
+               {part.upper.x() + margin, part.upper.y() + margin, part.upper.z()}};
       if (const auto top = table->number("top")) stock.upper.z() += *top;
       if (const auto thickness = table->number("thickness")) stock.lower.z() = stock.upper.z() - *thickness;
       if (const auto lower = table->list("lower")) stock.lower = vector_of(*table, "lower", 0, *lower);
@@ -269,7 +288,8 @@ class JobReader {
       Tool tool = read_tool(table, next);
       next = tool.number + 1;
       for (const Tool& other : tools_)
-        if (other.number == tool.number) throw refuse(table, "number", fmt::format("there are two tools with number {}", tool.number));
+        if (other.number == tool.number)
+          throw refuse(table, "number", fmt::format("there are two tools with number {}", tool.number));
       tools_.push_back(std::move(tool));
     }
   }
@@ -279,7 +299,8 @@ class JobReader {
     int index = 0;
     const std::string& takes = job_.machine_.takes;
     if (takes != "paths" && takes != "flat paths") {
-      if (!tables.empty()) throw refuse(tables[0], "", fmt::format("{} takes a {}: it has no operations", job_.machine_.name, takes));
+      if (!tables.empty())
+        throw refuse(tables[0], "", fmt::format("{} takes a {}: it has no operations", job_.machine_.name, takes));
       return;
     }
     if (tables.empty()) {
@@ -337,11 +358,16 @@ class JobReader {
     op.values.given["type"] = {*type, "job", table.place("type").empty() ? table.place() : table.place("type")};
     const double most = job_.machine_.max_feed;
     for (const char* name : {"feed", "plunge"})
-      if (Given& given = op.values.given[name]; most > 0 && given.from == "default") given.value = std::min(most, std::get<double>(given.value));
+      if (Given& given = op.values.given[name]; most > 0 && given.from == "default")
+        given.value = std::min(most, std::get<double>(given.value));
     const double feed = op.values.number("feed");
-    if (most > 0 && feed > most) throw refuse(table, "feed", fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
+    if (most > 0 && feed > most)
+      throw refuse(table, "feed",
+                   fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
     if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
-      throw refuse(table, "spindle", fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name, job_.machine_.max_spindle));
+      throw refuse(table, "spindle",
+                   fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name,
+                               job_.machine_.max_spindle));
     std::vector<Plane> planes = planes_of(op.values);
     const bool by_hand = job_.machine_.kinematics.kind == "none";
     if (by_hand)
@@ -349,11 +375,17 @@ class JobReader {
     if (std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); })) {
       const auto* const solid = std::get_if<Solid>(&job_.input_);
       if (solid == nullptr || solid->flat) throw refuse(table, "plane", "only a solid can be cut from other sides");
-      if (by_hand && !job_.machine_.text.contains("setup")) throw refuse(table, "plane", fmt::format("{} can neither tilt its tool nor stop for turning the part", job_.machine_.name));
+      if (by_hand && !job_.machine_.text.contains("setup"))
+        throw refuse(table, "plane",
+                     fmt::format("{} can neither tilt its tool nor stop for turning the part", job_.machine_.name));
       if (by_hand && (op.values.text("plane") == "view" || op.values.text("plane") == "stepped"))
-        throw refuse(table, "plane", fmt::format("{} cannot tilt its tool: only faces can be turned up by hand", job_.machine_.name));
-      if (!by_hand && job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) && !job_.machine_.kinematics.tip_mode)
-        throw refuse(table, "tool", fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away", op.tool.number, job_.machine_.name));
+        throw refuse(table, "plane",
+                     fmt::format("{} cannot tilt its tool: only faces can be turned up by hand", job_.machine_.name));
+      if (!by_hand && job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) &&
+          !job_.machine_.kinematics.tip_mode)
+        throw refuse(table, "tool",
+                     fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away",
+                                 op.tool.number, job_.machine_.name));
     }
     const std::string name = op.name;
     for (const Plane& plane : planes) {
@@ -386,11 +418,16 @@ class JobReader {
 
   /// The job's value, else the tool's, the material's, the default.
   [[nodiscard]] Given resolve(const Setting& setting, const TomlTable& table, const Tool& tool) const {
-    if (const auto value = table.value(setting.name)) return {checked(setting, *value, table.place(setting.name)), "job", table.place(setting.name)};
-    const double own = setting.name == "feed" ? tool.feed : setting.name == "plunge" ? tool.plunge : setting.name == "spindle" ? tool.spindle : 0;
+    if (const auto value = table.value(setting.name))
+      return {checked(setting, *value, table.place(setting.name)), "job", table.place(setting.name)};
+    const double own = setting.name == "feed"      ? tool.feed
+                       : setting.name == "plunge"  ? tool.plunge
+                       : setting.name == "spindle" ? tool.spindle
+                                                   : 0;
     if (own > 0) return {own, fmt::format("tool {}", tool.number), table.place()};
     if (const Value* const value = material_value(setting.name))
-      return {checked(setting, *value, fmt::format("{}: material {}", job_.machine_.file, job_.material_)), "material " + job_.material_, table.place()};
+      return {checked(setting, *value, fmt::format("{}: material {}", job_.machine_.file, job_.material_)),
+              "material " + job_.material_, table.place()};
     return {setting.standard, "default", table.place()};
   }
 

@@ -9,7 +9,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/render/image.h"
-#include "svg_picture.h"
+#include "html_picture.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -64,8 +64,11 @@ Drawing draw(const Program& program, const PictureSettings& settings) {
         const auto points = points_along(piece, std::max(0.05, (move.to - at).norm() / 16));
         for (std::size_t i = 1; i < points.size(); ++i) {
           const double height = high > low ? (points[i].at.z() - low) / (high - low) : 1;
-          const Colour colour = move.rapid() ? red : settings.colouring == Colouring::order ? blend(first, last, share) : blend(deep, top, height);
-          drawing.lines.push_back({seen(points[i - 1].at, settings.oblique), seen(points[i].at, settings.oblique), colour, move.rapid()});
+          const Colour colour = move.rapid()                             ? red
+                                : settings.colouring == Colouring::order ? blend(first, last, share)
+                                                                         : blend(deep, top, height);
+          drawing.lines.push_back(
+              {seen(points[i - 1].at, settings.oblique), seen(points[i].at, settings.oblique), colour, move.rapid()});
         }
       }
       at = move.to, known = true;
@@ -87,14 +90,17 @@ Image rasterised(const Drawing& drawing, int size) {
   const Vec2 extent = drawing.bounds.size();
   const double scale = size / extent.maxCoeff();
   Image image;
-  image.width = std::max(1, static_cast<int>(std::lround(extent.x() * scale))), image.height = std::max(1, static_cast<int>(std::lround(extent.y() * scale)));
+  image.width = std::max(1, static_cast<int>(std::lround(extent.x() * scale))),
+  image.height = std::max(1, static_cast<int>(std::lround(extent.y() * scale)));
   image.channels = 3;
   image.pixels_per_mm = scale;
   image.pixels8.assign(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3, 255);
   const auto blot = [&](int x, int y, double cover, const Colour& colour) {
     if (x < 0 || y < 0 || x >= image.width || y >= image.height || cover <= 0) return;
     const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3;
-    for (std::size_t k = 0; k < 3; ++k) image.pixels8[i + k] = static_cast<std::uint8_t>(std::lround(image.pixels8[i + k] + cover * (colour[k] - image.pixels8[i + k])));
+    for (std::size_t k = 0; k < 3; ++k)
+      image.pixels8[i + k] =
+          static_cast<std::uint8_t>(std::lround(image.pixels8[i + k] + cover * (colour[k] - image.pixels8[i + k])));
   };
   for (const Line& line : drawing.lines) {
     const Vec2 a = (line.from - drawing.bounds.lower) * scale, b = (line.to - drawing.bounds.lower) * scale;
@@ -106,7 +112,8 @@ Image rasterised(const Drawing& drawing, int size) {
       const double along = std::clamp(u + 0.5, low, high);
       const double t = std::abs(way[axis]) > 1e-12 ? (along - a[axis]) / way[axis] : 0, across = a[1 - axis] + t * way[1 - axis];
       for (int v = static_cast<int>(std::floor(across)) - 1; v <= static_cast<int>(std::floor(across)) + 1; ++v) {
-        const double off = std::abs(v + 0.5 - across) * (length > 0 ? std::abs(way[axis]) / length : 1), cover = std::clamp((line.rapid ? 0.85 : 1.15) - off, 0.0, 1.0) * (line.rapid ? 0.6 : 0.9);
+        const double off = std::abs(v + 0.5 - across) * (length > 0 ? std::abs(way[axis]) / length : 1),
+                     cover = std::clamp((line.rapid ? 0.85 : 1.15) - off, 0.0, 1.0) * (line.rapid ? 0.6 : 0.9);
         axis == 0 ? blot(u, image.height - 1 - v, cover, line.colour) : blot(v, image.height - 1 - u, cover, line.colour);
       }
     }
@@ -117,7 +124,10 @@ Image rasterised(const Drawing& drawing, int size) {
 std::string as_svg(const Drawing& drawing) {
   const Vec2 size = drawing.bounds.size();
   const double width = size.maxCoeff() / 1200;
-  std::string out = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" stroke-linecap=\"round\" fill=\"none\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n", size.x(), size.y());
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" stroke-linecap=\"round\" fill=\"none\">\n<rect "
+      "width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+      size.x(), size.y());
   const auto x = [&](const Vec2& p) { return p.x() - drawing.bounds.lower.x(); };
   const auto y = [&](const Vec2& p) { return drawing.bounds.upper.y() - p.y(); };
   // Lines that go on from one another in nearly the same colour are one path.
@@ -130,8 +140,9 @@ std::string as_svg(const Drawing& drawing) {
     if (line.from != end || change > 4) {
       if (open) out += "\"/>\n";
       colour = line.colour;
-      out += fmt::format("<path stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{:.4f}\" d=\"M{:.3f} {:.3f}", std::lround(colour[0]), std::lround(colour[1]), std::lround(colour[2]),
-                         line.rapid ? 0.6 * width : width, x(line.from), y(line.from));
+      out += fmt::format("<path stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{:.4f}\" d=\"M{:.3f} {:.3f}",
+                         std::lround(colour[0]), std::lround(colour[1]), std::lround(colour[2]), line.rapid ? 0.6 * width : width,
+                         x(line.from), y(line.from));
       open = true;
     }
     out += fmt::format("L{:.3f} {:.3f}", x(line.to), y(line.to));
@@ -142,11 +153,34 @@ std::string as_svg(const Drawing& drawing) {
 
 }  // namespace
 
-std::string svg_picture(const Program& program, const PictureSettings& settings) { return as_svg(draw(program, settings)); }
+namespace {
+
+std::string base64(const std::string& bytes) {
+  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
+    };
+    const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63U] : '=';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string html_picture(const Program& program, const PictureSettings& settings) {
+  const Drawing drawing = draw(program, settings);
+  constexpr std::size_t most_lines = 3000;
+  if (drawing.lines.size() <= most_lines) return as_svg(drawing);
+  return fmt::format("<img alt=\"\" src=\"data:image/png;base64,{}\">\n", base64(png_bytes(rasterised(drawing, settings.size))));
+}
 
 void write_picture(const Program& program, const std::filesystem::path& path, const PictureSettings& settings) {
-  if (settings.size < 16 || settings.size > 16384) throw Error(ErrorKind::bad_input, "size", fmt::format("{} pixels; from 16 to 16384 are possible", settings.size));
-  if (path.extension() == ".svg") return write_file(path, svg_picture(program, settings));
+  if (settings.size < 16 || settings.size > 16384)
+    throw Error(ErrorKind::bad_input, "size", fmt::format("{} pixels; from 16 to 16384 are possible", settings.size));
+  if (path.extension() == ".svg") return write_file(path, as_svg(draw(program, settings)));
   if (path.extension() == ".png") return write_png(rasterised(draw(program, settings), settings.size), path);
   throw Error(ErrorKind::bad_input, path.string(), "a picture of a program is a .png or an .svg");
 }

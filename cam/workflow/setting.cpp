@@ -56,19 +56,26 @@ Value checked(const Setting& setting, const Value& value, const std::string& pla
   const auto refuse = [&](const std::string& what) {
     throw Error(ErrorKind::bad_input, place, fmt::format("{} {}", setting.name, what));
   };
-  if (value.index() != setting.standard.index()) refuse(fmt::format("must be {}, not {}", type_name(setting.standard), type_name(value)));
+  if (value.index() != setting.standard.index())
+    refuse(fmt::format("must be {}, not {}", type_name(setting.standard), type_name(value)));
   const auto check_number = [&](double d) {
     const bool low = setting.lower_open ? !(d > setting.lower) : !(d >= setting.lower);
     if (!std::isfinite(d)) refuse("must be finite");
-    if (low) refuse(fmt::format("is {:.6g}; it must be {} {:.6g}{}", d, setting.lower_open ? "above" : "at least", setting.lower, setting.unit.empty() ? "" : " " + setting.unit));
-    if (!(d <= setting.upper)) refuse(fmt::format("is {:.6g}; it must be at most {:.6g}{}", d, setting.upper, setting.unit.empty() ? "" : " " + setting.unit));
+    if (low)
+      refuse(fmt::format("is {:.6g}; it must be {} {:.6g}{}", d, setting.lower_open ? "above" : "at least", setting.lower,
+                         setting.unit.empty() ? "" : " " + setting.unit));
+    if (!(d <= setting.upper))
+      refuse(fmt::format("is {:.6g}; it must be at most {:.6g}{}", d, setting.upper,
+                         setting.unit.empty() ? "" : " " + setting.unit));
   };
   if (const double* number = std::get_if<double>(&value)) check_number(*number);
   if (const auto* list = std::get_if<std::vector<double>>(&value))
     for (const double d : *list) check_number(d);
-  if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !setting.choices.empty() &&
-                                                           std::find(setting.choices.begin(), setting.choices.end(), *text) == setting.choices.end())
-    refuse(fmt::format("is '{}'; it must be one of {}{}", *text, fmt::join(setting.choices, ", "), suggestion(*text, setting.choices)));
+  if (const auto* text = std::get_if<std::string>(&value);
+      text != nullptr && !setting.choices.empty() &&
+      std::find(setting.choices.begin(), setting.choices.end(), *text) == setting.choices.end())
+    refuse(fmt::format("is '{}'; it must be one of {}{}", *text, fmt::join(setting.choices, ", "),
+                       suggestion(*text, setting.choices)));
   return value;
 }
 

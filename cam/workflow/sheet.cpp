@@ -34,7 +34,8 @@ Solid laid_flat(const Solid& part) {
 Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double gap) {
   std::vector<Solid> flat;
   for (const Solid& part : parts) flat.push_back(laid_flat(part));
-  std::stable_sort(flat.begin(), flat.end(), [](const Solid& a, const Solid& b) { return a.bounds.size().y() > b.bounds.size().y(); });
+  std::stable_sort(flat.begin(), flat.end(),
+                   [](const Solid& a, const Solid& b) { return a.bounds.size().y() > b.bounds.size().y(); });
   Solid all;
   all.flat = true;
   double x = 0, y = 0, row = 0;
@@ -42,9 +43,11 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
     const Vec3 size = part.bounds.size();
     if (x > 0 && x + size.x() > sheet.x()) x = 0, y += row + gap, row = 0;
     if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
-      throw Error(ErrorKind::bad_input, "sheet", fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
+      throw Error(ErrorKind::bad_input, "sheet",
+                  fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
     // Held within its own bounds: formulas may mean something elsewhere, too.
-    const FieldPtr placed = translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
+    const FieldPtr placed =
+        translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
     all.field = all.field ? unite(all.field, placed) : placed;
     x += size.x() + gap;
     row = std::max(row, size.y());

@@ -43,7 +43,9 @@ CutSettings cut_of(const Values& values, const Context& context) {
 double stepover_of(const Values& values, const Context& context) {
   if (values.has("scallop") && is_set(values, "scallop")) {
     const double corner = context.tool.shape == "ball" ? context.tool.radius() : context.tool.corner_radius;
-    if (!(corner > 0)) throw Error(ErrorKind::bad_input, values.place("scallop"), "a scallop needs a ball, bull-nose or tapered tool; give a stepover");
+    if (!(corner > 0))
+      throw Error(ErrorKind::bad_input, values.place("scallop"),
+                  "a scallop needs a ball, bull-nose or tapered tool; give a stepover");
     return stepover_for_scallop(corner, values.number("scallop"));
   }
   return values.number("stepover") * 2 * context.tool.profile().radius();
@@ -117,7 +119,8 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
   }
   if (context.part != nullptr) {
     const std::size_t before = cuts.paths.size();
-    cuts.paths = not_reached(cuts.paths, context.plane, *tips, *context.part, context.earlier, std::max(settings.tolerance, 0.05));
+    cuts.paths =
+        not_reached(cuts.paths, context.plane, *tips, *context.part, context.earlier, std::max(settings.tolerance, 0.05));
     cuts.ordered = cuts.paths.size() == before;
     cuts.may_reverse = settings.both_ways;
     cuts.inside_first = false;
@@ -133,7 +136,8 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   cut.depths = depths_of(values, context, *surface);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   Cuts cuts;
-  cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20), cut, context.progress);
+  cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
+                         cut, context.progress);
   return cuts;
 }
 
@@ -143,7 +147,8 @@ std::vector<Stage> surface_stages() {
   const Setting allowance = at_least(0, number("allowance", "mm", 0, "left on the part"));
   const Setting climb = flag("climb", true, "climb milling; conventional where false");
   const Setting tolerance = above_zero(number("tolerance", "mm", 0.01, "of the path against the surface"));
-  const Setting scallop = above_zero(number("scallop", "mm", unset, "height of the ridges between passes, instead of a stepover"));
+  const Setting scallop =
+      above_zero(number("scallop", "mm", unset, "height of the ridges between passes, instead of a stepover"));
   const auto stepover = [](double standard) {
     Setting s = number("stepover", "diameters", standard, "between passes");
     s.lower = 0, s.lower_open = true, s.upper = 1;
@@ -151,12 +156,21 @@ std::vector<Stage> surface_stages() {
   };
   return {
       {"rough", "clears in levels what lies above the part", Kind::surface, Kind::paths, true,
-       Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} + depth_settings(), rough_stage},
-      {"finish", "parallel passes over the part's surface", Kind::surface, Kind::paths, true,
-       {choice("pattern", {"raster", "cross", "spiral"}, "of the passes"), number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
-        flag("both_ways", true, "every other pass runs back"), number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
+       Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} +
+           depth_settings(),
+       rough_stage},
+      {"finish",
+       "parallel passes over the part's surface",
+       Kind::surface,
+       Kind::paths,
+       true,
+       {choice("pattern", {"raster", "cross", "spiral"}, "of the passes"),
+        number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
+        flag("both_ways", true, "every other pass runs back"),
+        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
        finish_stage},
-      {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true, Settings{allowance, climb, tolerance} + depth_settings(), waterline_stage},
+      {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true,
+       Settings{allowance, climb, tolerance} + depth_settings(), waterline_stage},
   };
 }
 

@@ -18,7 +18,9 @@ struct TomlTable::Node {
 
 namespace {
 
-std::string at(const std::string& file, const toml::source_region& region) { return fmt::format("{}:{}", file, region.begin.line); }
+std::string at(const std::string& file, const toml::source_region& region) {
+  return fmt::format("{}:{}", file, region.begin.line);
+}
 
 }  // namespace
 
@@ -95,7 +97,9 @@ std::vector<std::vector<double>> TomlTable::rows(const std::string& key) const {
   std::vector<std::vector<double>> rows;
   const toml::node* const node = node_->table->get(key);
   if (node == nullptr) return rows;
-  const auto refuse = [&] { throw Error(ErrorKind::bad_input, place(key), fmt::format("{} must be a list of lists of numbers", key)); };
+  const auto refuse = [&] {
+    throw Error(ErrorKind::bad_input, place(key), fmt::format("{} must be a list of lists of numbers", key));
+  };
   const toml::array* const outer = node->as_array();
   if (outer == nullptr) refuse();
   for (const toml::node& item : *outer) {

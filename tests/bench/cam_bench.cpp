@@ -27,18 +27,22 @@ const Rectangle board{{0, 0}, {0.805 * 25.4, 1.68 * 25.4}};
 Bitmap board_bitmap(int dpi) {
   const FieldPtr field = circuit_board();
   const double cell = 25.4 / dpi;
-  Bitmap bitmap(static_cast<int>(board.size().x() / cell) + 3, static_cast<int>(board.size().y() / cell) + 3, cell, board.lower - Vec2::Constant(cell), 0);
+  Bitmap bitmap(static_cast<int>(board.size().x() / cell) + 3, static_cast<int>(board.size().y() / cell) + 3, cell,
+                board.lower - Vec2::Constant(cell), 0);
   std::vector<float> x(static_cast<std::size_t>(bitmap.width)), y(x.size()), z(x.size(), 0.0F), value(x.size());
   for (int row = 0; row < bitmap.height; ++row) {
     for (int column = 0; column < bitmap.width; ++column)
-      x[static_cast<std::size_t>(column)] = static_cast<float>(bitmap.place(column, row).x()), y[static_cast<std::size_t>(column)] = static_cast<float>(bitmap.place(column, row).y());
+      x[static_cast<std::size_t>(column)] = static_cast<float>(bitmap.place(column, row).x()),
+      y[static_cast<std::size_t>(column)] = static_cast<float>(bitmap.place(column, row).y());
     field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
-    for (int column = 0; column < bitmap.width; ++column) bitmap.at(column, row) = value[static_cast<std::size_t>(column)] < 0 ? 1 : 0;
+    for (int column = 0; column < bitmap.width; ++column)
+      bitmap.at(column, row) = value[static_cast<std::size_t>(column)] < 0 ? 1 : 0;
   }
   return bitmap;
 }
 
-/// Distance transform and contour of fab_ISP: threads, dots an inch. Asked: 1000 dpi under 0.3 s, linear in pixels, 2 threads 1.6x.
+/// Distance transform and contour of fab_ISP: threads, dots an inch. Asked: 1000 dpi under 0.3 s, linear in pixels, 2
+/// threads 1.6x.
 void distance_and_contour(benchmark::State& state) {
   const ThreadLimit limit(static_cast<int>(state.range(0)));
   const Bitmap bitmap = board_bitmap(static_cast<int>(state.range(1)));
@@ -61,7 +65,8 @@ void distance_alone(benchmark::State& state) {
 }
 BENCHMARK(distance_alone)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The ShopBot's bed, 24,000 x 12,000 cells: 40 boards of fab_ISP's outline, three times as large, and their offsets. Asked: 10 s, 500 MB.
+/// The ShopBot's bed, 24,000 x 12,000 cells: 40 boards of fab_ISP's outline, three times as large, and their offsets. Asked: 10
+/// s, 500 MB.
 void shopbot_bed(benchmark::State& state) {
   FieldPtr sheet;
   for (int i = 0; i < 40; ++i) {
@@ -83,7 +88,8 @@ void shopbot_bed(benchmark::State& state) {
 }
 BENCHMARK(shopbot_bed)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// A million positions of a ball cutter, 0.1 mm apart, over a freeform of 100 x 100 mm, one thread; diameter in mm. Asked: 6 mm, 2 s.
+/// A million positions of a ball cutter, 0.1 mm apart, over a freeform of 100 x 100 mm, one thread; diameter in mm. Asked: 6 mm,
+/// 2 s.
 void cutter_positions(benchmark::State& state) {
   const ThreadLimit limit(1);
   const FieldPtr form = frep::make_field(frep::parse_infix("z - 10 - 3*sin(0.13*x)*cos(0.11*y) - sin(0.3*x+0.2*y)"));
@@ -115,7 +121,8 @@ void ordering(benchmark::State& state) {
     const Vec2 centre(any(random), any(random));
     const double radius = 0.2 + 0.003 * any(random);
     for (int k = 0; k < 12; ++k)
-      path.points.push_back({{centre.x() + radius * std::cos(k * std::numbers::pi / 6), centre.y() + radius * std::sin(k * std::numbers::pi / 6), 0}});
+      path.points.push_back({{centre.x() + radius * std::cos(k * std::numbers::pi / 6),
+                              centre.y() + radius * std::sin(k * std::numbers::pi / 6), 0}});
     paths.push_back(path);
   }
   AirTravel air;

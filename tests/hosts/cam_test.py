@@ -401,3 +401,22 @@ def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
                 x, y, z = before[:3] + t * (after[:3] - before[:3])
                 if abs(x) < 8.5 and abs(y) < 6.5:
                     assert z > -0.02
+
+
+def test_the_examples_run(tmp_path):
+    """All jobs of examples/cam but the head (two minutes of CT): each one command. Programs for LinuxCNC are read by it."""
+    from conftest import ROOT
+
+    jobs = sorted((ROOT / "examples" / "cam").glob("*.toml"))
+    assert len(jobs) >= 6
+    for path in jobs:
+        if path.stem == "cthead_shopbot5":
+            plan = run("cam", path, "--plan").stdout
+            assert plan.count("[height map]") == 10
+            continue
+        out = tmp_path / (path.stem + ".out")
+        run("cam", path, "-o", out)
+        assert out.stat().st_size > 10_000
+        if 'machine = "linuxcnc"' in path.read_text():
+            at, kinds, _ = rs274.moves(out, tools=((1, 0, 1), (2, 0, 1)))
+            assert len(at) > 1000

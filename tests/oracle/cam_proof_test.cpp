@@ -33,14 +33,25 @@ struct Part {
 };
 
 std::vector<Part> corpus() {
-  const auto scaled = [](const std::string& file, double by) { return scale(load_model(TEST_DATA + file).field, Vec3::Constant(by)); };
+  const auto scaled = [](const std::string& file, double by) {
+    return scale(load_model(TEST_DATA + file).field, Vec3::Constant(by));
+  };
   return {
       {"cube", box_field({{-5, -5, 0}, {5, 5, 6}}), {{-9, -9, 0}, {9, 9, 7}}},
       {"turned_cube", rotate(box_field({{-5, -5, 0}, {5, 5, 6}}), {0, 0, 1}, 0.4), {{-9, -9, 0}, {9, 9, 7}}},
-      {"knife_edges", formula("min(max((z - 4 + 3*abs(x+2))/sqrt(10), abs(y)-6), max((z - 3 + 8*abs(x-3))/sqrt(65), abs(y-1)-5))"), {{-9, -9, 0}, {9, 9, 4.5}}},
-      {"exact_levels", unite(box_field({{-6, -6, -1}, {6, 6, 1}}), unite(box_field({{-4, -4, -1}, {4, 4, 2}}), box_field({{-2, -2, -1}, {2, 2, 3}}))), {{-9, -9, 0}, {9, 9, 3}}},
-      {"gyroid_block", formula("max(max(abs(x)-7, max(abs(y)-7, abs(z-3)-3)), (sin(x)*cos(y)+sin(y)*cos(z)+sin(z)*cos(x)-0.4)/1.8)"), {{-9, -9, 0}, {9, 9, 6.5}}},
-      {"noise", formula("(z - 2 - 0.5*sin(3.1*x+sin(2*y)) - 0.4*cos(4.3*y+1.7*x) - 0.3*sin(7*x-5*y))/3"), {{-8, -8, 0}, {8, 8, 4}}},
+      {"knife_edges",
+       formula("min(max((z - 4 + 3*abs(x+2))/sqrt(10), abs(y)-6), max((z - 3 + 8*abs(x-3))/sqrt(65), abs(y-1)-5))"),
+       {{-9, -9, 0}, {9, 9, 4.5}}},
+      {"exact_levels",
+       unite(box_field({{-6, -6, -1}, {6, 6, 1}}),
+             unite(box_field({{-4, -4, -1}, {4, 4, 2}}), box_field({{-2, -2, -1}, {2, 2, 3}}))),
+       {{-9, -9, 0}, {9, 9, 3}}},
+      {"gyroid_block",
+       formula("max(max(abs(x)-7, max(abs(y)-7, abs(z-3)-3)), (sin(x)*cos(y)+sin(y)*cos(z)+sin(z)*cos(x)-0.4)/1.8)"),
+       {{-9, -9, 0}, {9, 9, 6.5}}},
+      {"noise",
+       formula("(z - 2 - 0.5*sin(3.1*x+sin(2*y)) - 0.4*cos(4.3*y+1.7*x) - 0.3*sin(7*x-5*y))/3"),
+       {{-8, -8, 0}, {8, 8, 4}}},
       {"mtm_az_03", scaled("/frep/mtm_az/mtm_az_03.math", 3), {{-13, -12, -1}, {13, -7, 25}}},
       {"mtm_az_16", scaled("/frep/mtm_az/mtm_az_16.math", 6), {{-14, -16, -1}, {-9, 16, 14.5}}},
       {"cthead", scale(load_model(TEST_DATA "/ct/cthead").field, Vec3::Constant(0.1)), {{4, 12, 8}, {18, 22, 19.8}}, 0.1},
@@ -49,7 +60,8 @@ std::vector<Part> corpus() {
 
 class Finishing : public testing::TestWithParam<Part> {};
 
-std::vector<Path> all_finishes(const std::shared_ptr<const TipSurface>& tips, const Box& bounds, double stepover, double tolerance, double waterlines) {
+std::vector<Path> all_finishes(const std::shared_ptr<const TipSurface>& tips, const Box& bounds, double stepover,
+                               double tolerance, double waterlines) {
   FinishSettings settings;
   settings.area = Rectangle::of(bounds);
   settings.stepover = stepover;
@@ -70,7 +82,8 @@ TEST_P(Finishing, NeverGouges) {
   const Part& part = GetParam();
   constexpr double tolerance = 0.01;
   const auto surface = Surface::of(*part.solid, part.bounds, {0.1, tolerance});
-  const std::vector<Tool> tools{tool("flat", 3), tool("ball", 3), tool("bull", 4, 0.8), tool("v", 4, 0, pi / 3), tool("tapered", 3, 0.4, pi / 8)};
+  const std::vector<Tool> tools{tool("flat", 3), tool("ball", 3), tool("bull", 4, 0.8), tool("v", 4, 0, pi / 3),
+                                tool("tapered", 3, 0.4, pi / 8)};
   constexpr std::size_t samples = 1'000'000;
   std::mt19937 random(7);
   std::uniform_real_distribution<> share(0, 1);
@@ -97,7 +110,8 @@ TEST_P(Finishing, NeverGouges) {
       const Vec3 tip = from + share(random) * (to - from);
       const double away = profile.radius() * std::sqrt(share(random)), angle = 2 * pi * share(random);
       const Vec3 p(tip.x() + away * std::cos(angle), tip.y() + away * std::sin(angle), tip.z() + profile.height(away) + 1e-4);
-      if (!part.bounds.contains(p) || !Rectangle::of(part.bounds).grown(-0.05).contains(Vec2(p.head<2>()))) continue;  // what is beyond the bounds is not to be machined
+      if (!part.bounds.contains(p) || !Rectangle::of(part.bounds).grown(-0.05).contains(Vec2(p.head<2>())))
+        continue;  // what is beyond the bounds is not to be machined
       x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
     }
     std::vector<float> value(x.size()), dx(x.size()), dy(x.size()), dz(x.size());
@@ -105,7 +119,8 @@ TEST_P(Finishing, NeverGouges) {
     double deepest = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double slope = std::sqrt(static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i]);
+      const double slope =
+          std::sqrt(static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i]);
       if (const double depth = value[i] / std::max(slope, 1e-3); depth < deepest) deepest = depth, worst = i;
     }
     RecordProperty(t.shape, std::to_string(deepest));
@@ -118,7 +133,8 @@ TEST_P(Finishing, NeverGouges) {
 HeightMap left_by(const std::vector<Vec3>& tips, const Profile& profile, HeightMap map) {
   const int reach = static_cast<int>(profile.radius() / map.cell);
   for (const Vec3& tip : tips) {
-    const int column = static_cast<int>(std::lround((tip.x() - map.origin.x()) / map.cell)), row = static_cast<int>(std::lround((tip.y() - map.origin.y()) / map.cell));
+    const int column = static_cast<int>(std::lround((tip.x() - map.origin.x()) / map.cell)),
+              row = static_cast<int>(std::lround((tip.y() - map.origin.y()) / map.cell));
     for (int v = std::max(0, row - reach); v <= std::min(map.height - 1, row + reach); ++v)
       for (int u = std::max(0, column - reach); u <= std::min(map.width - 1, column + reach); ++u)
         if (const double away = (map.place(u, v) - tip.head<2>()).norm(); away <= profile.radius())
@@ -135,8 +151,7 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
     constexpr double stepover = 0.3;
     const double scallop = stepover * stepover / 8 * ((t.shape == "ball" ? 1 / 1.5 : 0) + 1 / part.sharpest);
     std::vector<Vec3> cut, everywhere;
-    for (const Path& path : all_finishes(tips, part.bounds, stepover, 0.01, stepover))
-    {
+    for (const Path& path : all_finishes(tips, part.bounds, stepover, 0.01, stepover)) {
       const auto points = points_along(path, 0.05);
       for (std::size_t i = 1; i < points.size(); ++i) {
         const Vec3 way = points[i].at - points[i - 1].at;
@@ -150,13 +165,14 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
     for (double y = area.lower.y(); y <= area.upper.y(); y += cell)
       for (double x = area.lower.x(); x <= area.upper.x(); x += cell) everywhere.emplace_back(x, y, tips->tip({x, y}));
     const Vec2 size = area.size();
-    const HeightMap block(static_cast<int>(size.x() / cell), static_cast<int>(size.y() / cell), cell, area.lower, static_cast<float>(part.bounds.upper.z()));
+    const HeightMap block(static_cast<int>(size.x() / cell), static_cast<int>(size.y() / cell), cell, area.lower,
+                          static_cast<float>(part.bounds.upper.z()));
     const HeightMap left = left_by(cut, t.profile(), block), possible = left_by(everywhere, t.profile(), block);
     double most = 0;
     for (int row = 2; row < block.height - 2; ++row)
       for (int column = 2; column < block.width - 2; ++column) {
-        // Along the normal: what stands on a slope is measured across it. A column of the lattice may lie on either side of a wall: the
-        // highest of its neighbours counts there.
+        // Along the normal: what stands on a slope is measured across it. A column of the lattice may lie on either side of a
+        // wall: the highest of its neighbours counts there.
         double target = possible.at(column, row), slope = 0;
         for (int v = row - 2; v <= row + 2; ++v)
           for (int u = column - 2; u <= column + 2; ++u) {

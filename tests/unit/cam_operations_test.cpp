@@ -19,7 +19,8 @@ constexpr double pi = std::numbers::pi;
 Loop rectangle(double w, double h) { return {{{0, 0}, {w, 0}, {w, h}, {0, h}}}; }
 Loop ring(const Vec2& centre, double radius, bool hole, int n = 256) {
   Loop loop;
-  for (int i = 0; i < n; ++i) loop.points.push_back(centre + radius * Vec2(std::cos((hole ? -2 : 2) * pi * i / n), std::sin((hole ? -2 : 2) * pi * i / n)));
+  for (int i = 0; i < n; ++i)
+    loop.points.push_back(centre + radius * Vec2(std::cos((hole ? -2 : 2) * pi * i / n), std::sin((hole ? -2 : 2) * pi * i / n)));
   return loop;
 }
 Outline outline(const Loops& loops, const Rectangle& bounds) { return {outline_field(loops), bounds, 0.1}; }
@@ -41,7 +42,8 @@ TEST(Depths, AreEvenAndEndAtTheBottom) {
 
 TEST(Profile2d, RunsAroundAtTheToolsRadius) {
   const Outline part = outline({rectangle(20, 10)}, {{0, 0}, {20, 10}});
-  const auto outside = profile(part, Side::outside, cut_of(2, 3)), inside = profile(part, Side::inside, cut_of(2, 3)), on = profile(part, Side::on, cut_of(2, 3));
+  const auto outside = profile(part, Side::outside, cut_of(2, 3)), inside = profile(part, Side::inside, cut_of(2, 3)),
+             on = profile(part, Side::on, cut_of(2, 3));
   ASSERT_EQ(outside.size(), 1U);
   EXPECT_NEAR(outside[0].length(), 60 + 4 * pi, 0.02);
   EXPECT_NEAR(inside[0].length(), 60 - 16, 0.02);
@@ -108,7 +110,8 @@ TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
 }
 
 TEST(Drill, FindsRoundHolesOnly) {
-  const std::vector<Hole> found = holes({rectangle(40, 40), ring({10, 10}, 2, true), {{{20, 20}, {20, 24}, {24, 24}, {24, 20}}}}, 0.02);
+  const std::vector<Hole> found =
+      holes({rectangle(40, 40), ring({10, 10}, 2, true), {{{20, 20}, {20, 24}, {24, 24}, {24, 20}}}}, 0.02);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].radius, 2, 1e-3);
   EXPECT_NEAR((found[0].centre - Vec2(10, 10)).norm(), 0, 1e-3);
@@ -177,7 +180,9 @@ TEST(Link, EntersByRampsAndStaysAboveTheMaterial) {
   double steepest = 0;
   for (std::size_t i = 1; i < moves.size(); ++i) {
     const Vec3 way = moves[i].to - moves[i - 1].to;
-    if (moves[i].rapid()) { EXPECT_GE(moves[i].to.z(), 0.99); }
+    if (moves[i].rapid()) {
+      EXPECT_GE(moves[i].to.z(), 0.99);
+    }
     if (!moves[i].rapid() && way.z() < 0) steepest = std::max(steepest, std::atan2(-way.z(), way.head<2>().norm()));
   }
   EXPECT_LE(steepest, settings.ramp_angle + 1e-9);

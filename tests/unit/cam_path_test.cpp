@@ -18,7 +18,8 @@ Path circle(const Vec2& centre, double radius, int level = 0) {
   path.closed = true;
   path.level = level;
   for (int i = 0; i < 4; ++i)
-    path.points.push_back({{centre.x() + radius * std::cos(i * pi / 2), centre.y() + radius * std::sin(i * pi / 2), 0}, std::tan(pi / 8)});
+    path.points.push_back(
+        {{centre.x() + radius * std::cos(i * pi / 2), centre.y() + radius * std::sin(i * pi / 2), 0}, std::tan(pi / 8)});
   return path;
 }
 
@@ -84,12 +85,15 @@ TEST(FitArcs, StaysWithinTheToleranceOfAnything) {
 }
 
 TEST(Order, CutsWhatIsInsideFirstAndLevelsInTurn) {
-  std::vector<Path> paths{circle({0, 0}, 10), circle({0, 0}, 3), circle({30, 0}, 2), circle({0, 0}, 6), circle({0, 0}, 10, 1), circle({3, 3}, 0.5)};
+  std::vector<Path> paths{circle({0, 0}, 10), circle({0, 0}, 3),     circle({30, 0}, 2),
+                          circle({0, 0}, 6),  circle({0, 0}, 10, 1), circle({3, 3}, 0.5)};
   const AirTravel air = order(paths, {{40, 0}});
   EXPECT_LE(air.after, air.before);
   std::vector<double> radius;
   for (const Path& p : paths) radius.push_back(p.bounds().size().x() / 2);
-  const auto place = [&](double r) { return std::find_if(radius.begin(), radius.end(), [&](double x) { return std::abs(x - r) < 1e-6; }) - radius.begin(); };
+  const auto place = [&](double r) {
+    return std::find_if(radius.begin(), radius.end(), [&](double x) { return std::abs(x - r) < 1e-6; }) - radius.begin();
+  };
   EXPECT_LT(place(3), place(6));
   EXPECT_LT(place(0.5), place(6));
   EXPECT_LT(place(6), place(10));
@@ -102,7 +106,8 @@ TEST(Order, IsNeverWorseThanGreedyAndKeepsTheRule) {
   std::uniform_real_distribution<> any(0, 100);
   for (int round = 0; round < 10; ++round) {
     std::vector<Path> paths;
-    for (int i = 0; i < 120; ++i) paths.push_back(circle({any(random), any(random)}, 0.2 + 0.01 * any(random) * (i % 10 == 0 ? 20 : 1)));
+    for (int i = 0; i < 120; ++i)
+      paths.push_back(circle({any(random), any(random)}, 0.2 + 0.01 * any(random) * (i % 10 == 0 ? 20 : 1)));
     std::vector<Path> ordered = paths;
     const AirTravel air = order(ordered, {});
     ASSERT_EQ(ordered.size(), paths.size());
@@ -120,7 +125,9 @@ TEST(Order, IsNeverWorseThanGreedyAndKeepsTheRule) {
           const double rc = c.size().x() / 2, d = (cc - cb).norm(), e = (cc - ca).norm();
           crossing |= (d < rb + rc && d > std::abs(rb - rc)) || (e < ra + rc && e > std::abs(ra - rc));
         }
-        if (!crossing) { EXPECT_FALSE((ca - cb).norm() + rb < ra) << i << " is cut before " << k << ", which lies inside"; }
+        if (!crossing) {
+          EXPECT_FALSE((ca - cb).norm() + rb < ra) << i << " is cut before " << k << ", which lies inside";
+        }
       }
   }
 }

@@ -52,7 +52,10 @@ TEST(Distance, IsTheSameForAnyNumberOfThreads) {
   std::mt19937 random(2);
   Bitmap bitmap(700, 500, 1, {0, 0}, 0);
   for (std::uint8_t& s : bitmap.values) s = random() % 1000 == 0 ? 1 : 0;
-  const auto one = [&] { const ThreadLimit limit(1); return signed_distance(bitmap).values; }();
+  const auto one = [&] {
+    const ThreadLimit limit(1);
+    return signed_distance(bitmap).values;
+  }();
   EXPECT_EQ(one, signed_distance(bitmap).values);
 }
 
@@ -155,8 +158,8 @@ TEST(Nesting, FindsTheSmallestThatEncloses) {
     }
     return loop;
   };
-  const Loops loops{ring({0, 0}, 1, false), ring({0, 0}, 10, false), ring({0, 0}, 5, true), ring({20, 0}, 3, false), ring({7, 0}, 1, true),
-                    ring({3, 0}, 1, false)};
+  const Loops loops{ring({0, 0}, 1, false),  ring({0, 0}, 10, false), ring({0, 0}, 5, true),
+                    ring({20, 0}, 3, false), ring({7, 0}, 1, true),   ring({3, 0}, 1, false)};
   EXPECT_EQ(nesting(loops), (std::vector<int>{2, -1, 1, -1, 1, 2}));
 }
 
@@ -186,7 +189,9 @@ TEST(LatticeField, IsBilinearAndBounded) {
     const Box box{{x, y, 0}, {x + static_cast<double>(random() % 40), y + static_cast<double>(random() % 30), 0}};
     const Interval range = field->interval(box);
     for (int k = 0; k < 20; ++k) {
-      const Vec3 p = box.lower + (box.upper - box.lower).cwiseProduct(Vec3(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random), 0));
+      const Vec3 p = box.lower + (box.upper - box.lower)
+                                     .cwiseProduct(Vec3(std::uniform_real_distribution<>()(random),
+                                                        std::uniform_real_distribution<>()(random), 0));
       const float value = field->value(p);
       EXPECT_LE(range.lower, value + 1e-6F);
       EXPECT_GE(range.upper, value - 1e-6F);

@@ -41,7 +41,8 @@ TEST(Profile, HeightsAreThoseOfTheShapes) {
 }
 
 TEST(Profile, GrownIsTheMinkowskiSumWithABall) {
-  for (const Tool& t : {tool("flat", 6), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
+  for (const Tool& t :
+       {tool("flat", 6), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
     const Profile p = t.profile(), grown = p.grown(0.4);
     std::vector<Vec2> points;
     for (int i = 0; i <= 200; ++i) points.emplace_back(3.0 * i / 200, p.height(3.0 * i / 200));
@@ -69,7 +70,9 @@ TEST(Surface, KeepsWallsToTheTolerance) {
   for (int i = 0; i < 20000; ++i) {
     const Vec2 p(any(random), any(random));
     const double wall = box->value({p.x(), p.y(), 3});
-    if (std::abs(wall) > 0.03) { EXPECT_NEAR(surface->height(p), wall < 0 ? 6 : -1, 1e-3) << p.transpose(); }
+    if (std::abs(wall) > 0.03) {
+      EXPECT_NEAR(surface->height(p), wall < 0 ? 6 : -1, 1e-3) << p.transpose();
+    }
   }
 }
 
@@ -102,7 +105,8 @@ TEST(TipSurface, IsThatOfBruteForce) {
   HeightMap map(60, 50, 0.5, {1, 2}, 0);
   for (float& z : map.values) z = std::uniform_real_distribution<float>(0, 3)(random);
   const auto surface = Surface::of(map, 0);
-  for (const Tool& t : {tool("flat", 4), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 5, 0.5, pi / 4)}) {
+  for (const Tool& t :
+       {tool("flat", 4), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 5, 0.5, pi / 4)}) {
     const Profile profile = t.profile();
     const TipSurface tips(surface, profile);
     std::uniform_real_distribution<> x(-2, 34), y(-2, 30);
@@ -111,7 +115,8 @@ TEST(TipSurface, IsThatOfBruteForce) {
       double samples = 0, dense = 0;
       for (int v = 0; v < map.height; ++v)
         for (int u = 0; u < map.width; ++u)
-          if (const double away = (map.place(u, v) - p).norm(); away <= profile.radius()) samples = std::max(samples, map.at(u, v) - profile.height(away));
+          if (const double away = (map.place(u, v) - p).norm(); away <= profile.radius())
+            samples = std::max(samples, map.at(u, v) - profile.height(away));
       for (int v = -80; v <= 80; ++v)
         for (int u = -80; u <= 80; ++u)
           if (const double away = profile.radius() * std::hypot(u, v) / 80; away <= profile.radius())
@@ -123,7 +128,9 @@ TEST(TipSurface, IsThatOfBruteForce) {
       const Vec2 low(x(random), y(random)), high = low + Vec2(1.3, 0.7) * static_cast<double>(i % 7);
       const Interval range = tips.range({low, high});
       for (int k = 0; k < 20; ++k) {
-        const Vec2 p = low + (high - low).cwiseProduct(Vec2(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random)));
+        const Vec2 p =
+            low + (high - low)
+                      .cwiseProduct(Vec2(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random)));
         EXPECT_TRUE(range.contains(static_cast<float>(tips.tip(p)))) << t.shape;
       }
     }
@@ -144,7 +151,8 @@ TEST(TipSurface, NeverCutsTheSolid) {
   std::mt19937 random(3);
   for (const Case& c : cases) {
     const auto surface = Surface::of(*c.solid, c.bounds, {0.1, 0.01});
-    for (const Tool& t : {tool("flat", 3), tool("ball", 4), tool("bull", 4, 0.7), tool("v", 4, 0, pi / 3), tool("tapered", 4, 0.5, pi / 6)}) {
+    for (const Tool& t :
+         {tool("flat", 3), tool("ball", 4), tool("bull", 4, 0.7), tool("v", 4, 0, pi / 3), tool("tapered", 4, 0.5, pi / 6)}) {
       const Profile profile = t.profile();
       const TipSurface tips(surface, profile);
       std::uniform_real_distribution<> x(c.bounds.lower.x() + 2, c.bounds.upper.x() - 2), share(0, 1);

@@ -51,14 +51,14 @@ struct Writer {
 
 }  // namespace
 
-void write_png(const Image& image, const std::filesystem::path& path) {
-  if (image.width <= 0 || image.height <= 0) throw Error(ErrorKind::bad_input, path.string(), "an image must have pixels");
-  PendingFile file(path);
-  Writer writer(path);
+std::string png_bytes(const Image& image, const std::string& name) {
+  if (image.width <= 0 || image.height <= 0) throw Error(ErrorKind::bad_input, name, "an image must have pixels");
+  std::string bytes;
+  Writer writer(name);
   png_set_write_fn(
-      writer.png, &file,
+      writer.png, &bytes,
       [](png_structp png, png_bytep data, std::size_t size) {
-        static_cast<PendingFile*>(png_get_io_ptr(png))->write(data, size);
+        static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
       },
       [](png_structp) {});
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
@@ -88,8 +88,10 @@ void write_png(const Image& image, const std::filesystem::path& path) {
     png_write_row(writer.png, image.depth == 16 ? row.data() : image.pixels8.data() + first);
   }
   png_write_end(writer.png, writer.info);
-  file.commit();
+  return bytes;
 }
+
+void write_png(const Image& image, const std::filesystem::path& path) { write_file(path, png_bytes(image, path.string())); }
 
 Image read_png(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);

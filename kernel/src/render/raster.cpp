@@ -352,7 +352,8 @@ std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, 
 std::vector<float> heights(const Field& field, const Box& region, int width, int height, Progress& progress) {
   std::vector<float> found = rasterise_heights(field, {width, height, region}, nullptr, progress);
   for (int low = 0, high = height - 1; low < high; ++low, --high)
-    std::swap_ranges(found.begin() + static_cast<std::ptrdiff_t>(low) * width, found.begin() + static_cast<std::ptrdiff_t>(low + 1) * width,
+    std::swap_ranges(found.begin() + static_cast<std::ptrdiff_t>(low) * width,
+                     found.begin() + static_cast<std::ptrdiff_t>(low + 1) * width,
                      found.begin() + static_cast<std::ptrdiff_t>(high) * width);
   return found;
 }

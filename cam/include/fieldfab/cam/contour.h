@@ -18,14 +18,15 @@ struct ContourSettings {
 /// memory grow with the length of the contour, not with the area. Points lie on the contour to a thousandth of a cell; corners
 /// are met where two tangents do. What reaches beyond `region` is closed along its border. Same result for any number of threads.
 /// Throws bad_input for a cell or region that is not positive and finite, too_large, cancelled.
-Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, Progress& progress = Progress::none());
+Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings,
+               Progress& progress = Progress::none());
 
 /// Signed distance to closed curves as a Field of x and y, exact: negative where the loops have their left side. Its contours are
 /// offsets of the loops: outward for levels above 0. A value costs O(log segments).
 FieldPtr outline_field(const Loops& loops);
 
-/// The loops moved outward by `distance` (inward where negative): the boundary of the Minkowski sum with a disc, and of what a disc
-/// cannot reach. The squares are at most `cell` wide.
+/// The loops moved outward by `distance` (inward where negative): the boundary of the Minkowski sum with a disc, and of what a
+/// disc cannot reach. The squares are at most `cell` wide.
 Loops offset(const Loops& loops, double distance, double cell, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

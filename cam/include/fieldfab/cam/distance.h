@@ -7,8 +7,8 @@
 
 namespace fieldfab::cam {
 
-/// From each sample to the nearest solid one, mm: 0 where it is solid itself, infinity where there is none at all. Two passes over
-/// the lattice, columns and rows in parallel; O(samples).
+/// From each sample to the nearest solid one, mm: 0 where it is solid itself, infinity where there is none at all. Two passes
+/// over the lattice, columns and rows in parallel; O(samples).
 Lattice<float> distance_transform(const Bitmap& bitmap, Progress& progress = Progress::none());
 
 /// Signed distance to the line halfway between solid samples and others: negative in the solid. Exact but for what half a cell

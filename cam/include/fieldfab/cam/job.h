@@ -16,8 +16,8 @@ namespace fieldfab::cam {
 
 /// One operation as it will be done.
 struct PlannedOperation {
-  std::string name;                    ///< "1 pocket" or as the job calls it
-  std::vector<const Stage*> stages;    ///< from the input on, the operation last
+  std::string name;                  ///< "1 pocket" or as the job calls it
+  std::vector<const Stage*> stages;  ///< from the input on, the operation last
   Values values;
   Tool tool;
   Plane plane;

@@ -22,8 +22,8 @@ struct RotaryAxis {
 
 /// How tool and work turn against each other.
 struct Kinematics {
-  /// "none", "head-head", "table-table" or "head-table" (of its two axes, the first one carries the second one in a head, and the table's
-  /// first axis is the one nearest to the machine's bed).
+  /// "none", "head-head", "table-table" or "head-table" (of its two axes, the first one carries the second one in a head, and the
+  /// table's first axis is the one nearest to the machine's bed).
   std::string kind = "none";
   std::vector<RotaryAxis> axes;
   Vec3 centre = Vec3::Zero();  ///< of a table's axes in the part's coordinates, mm
@@ -34,23 +34,23 @@ struct Kinematics {
 /// A machine as its data file describes it.
 struct Machine {
   std::string id, name, format, extension, description;
-  std::string takes;                     ///< what it is fed with: "paths", "flat paths", "height map", "outlines", "mesh"
-  double unit = 1;                       ///< mm in one unit of its files
-  double tick = 0;                       ///< mm of its smallest step where files hold whole ticks
+  std::string takes;  ///< what it is fed with: "paths", "flat paths", "height map", "outlines", "mesh"
+  double unit = 1;    ///< mm in one unit of its files
+  double tick = 0;    ///< mm of its smallest step where files hold whole ticks
   int decimals = 4;
   bool arcs = false;
-  double feed_unit = 1;                  ///< mm/min in one unit of its feeds
-  double max_feed = 0;                   ///< mm/min; 0: no limit known
+  double feed_unit = 1;  ///< mm/min in one unit of its feeds
+  double max_feed = 0;   ///< mm/min; 0: no limit known
   double max_spindle = 0;
-  std::array<double, 3> travel{0, 0, 0}; ///< mm; 0: no limit known
-  bool negative = true;                  ///< whether its x and y may be below 0
+  std::array<double, 3> travel{0, 0, 0};  ///< mm; 0: no limit known
+  bool negative = true;                   ///< whether its x and y may be below 0
   Dynamics dynamics;
   Kinematics kinematics;
-  std::map<std::string, std::string> text;  ///< header, footer, rapid, line, ... : templates
-  Settings settings;                        ///< of its own: power, speed, ...
+  std::map<std::string, std::string> text;                        ///< header, footer, rapid, line, ... : templates
+  Settings settings;                                              ///< of its own: power, speed, ...
   std::map<std::string, std::map<std::string, Value>> materials;  ///< defaults by material
-  std::string default_operation;            ///< what is done where a job names nothing
-  std::string file;                         ///< the data file, for messages
+  std::string default_operation;                                  ///< what is done where a job names nothing
+  std::string file;                                               ///< the data file, for messages
 };
 
 /// The machines that come with Fieldfab, by id.

@@ -7,8 +7,8 @@
 
 namespace fieldfab::cam {
 
-/// Heights on a lattice, never below the true ones but for half a cell's slope along a cut's edge. Good for planning entries and leaving out air; the
-/// simulation (stock/) is what proves programs.
+/// Heights on a lattice, never below the true ones but for half a cell's slope along a cut's edge. Good for planning entries and
+/// leaving out air; the simulation (stock/) is what proves programs.
 class Material {
  public:
   /// A block up to `top`; cells of that size, mm.
@@ -24,7 +24,8 @@ class Material {
   HeightMap heights_;
 };
 
-/// The parts of paths where a tool of that radius meets material, with a little more on both ends; closed paths that meet it everywhere stay closed.
+/// The parts of paths where a tool of that radius meets material, with a little more on both ends; closed paths that meet it
+/// everywhere stay closed.
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius);
 
 }  // namespace fieldfab::cam

@@ -27,8 +27,8 @@ struct Depths {
 
 /// What all operations on outlines share.
 struct CutSettings {
-  double radius = 0;         ///< of the tool, or half of the beam's width, mm
-  double allowance = 0;      ///< left on the part, mm
+  double radius = 0;     ///< of the tool, or half of the beam's width, mm
+  double allowance = 0;  ///< left on the part, mm
   Depths depths;
   bool climb = true;         ///< the wall on the right of the tool (for a spindle that turns clockwise)
   double tolerance = 0.005;  ///< for fitting lines and arcs, mm
@@ -39,29 +39,32 @@ enum class Side { outside, inside, on };
 
 /// Bridges that hold a part while it is cut out.
 struct Tabs {
-  int count = 0;          ///< on each loop, evenly along it
-  double width = 4;       ///< that stays, mm
-  double height = 1;      ///< above the bottom of the cut, mm
+  int count = 0;      ///< on each loop, evenly along it
+  double width = 4;   ///< that stays, mm
+  double height = 1;  ///< above the bottom of the cut, mm
 };
 
 /// Along the outline, `side` of it.
-std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs = {}, Progress& progress = Progress::none());
+std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs = {},
+                          Progress& progress = Progress::none());
 
 /// Offsets outward from the outline, as for isolating the traces of a circuit board: `count` of them (-1: until all is cut), each
 /// `stepover` mm from the one before.
-std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut, Progress& progress = Progress::none());
+std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut,
+                          Progress& progress = Progress::none());
 
 /// Clears the inside of the outline; what the tool is too large for is left, and told in `left`: one point in each such place.
 std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left = nullptr,
                          Progress& progress = Progress::none());
 
 /// Rings inside an area that the tool's middle may be in (negative), `stepover` apart, the outermost along its border.
-std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z, const CutSettings& cut,
-                        Progress& progress = Progress::none());
+std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z,
+                        const CutSettings& cut, Progress& progress = Progress::none());
 
-/// Carves the inside of the outline with a V of half angle `half_angle`, so that its flanks end at the outline: along the medial axis,
-/// as deep as the V is wide there, but no deeper than the depths' bottom; wider places get a flat floor.
-std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut, Progress& progress = Progress::none());
+/// Carves the inside of the outline with a V of half angle `half_angle`, so that its flanks end at the outline: along the medial
+/// axis, as deep as the V is wide there, but no deeper than the depths' bottom; wider places get a flat floor.
+std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut,
+                          Progress& progress = Progress::none());
 
 /// A round hole.
 struct Hole {
@@ -75,13 +78,14 @@ std::vector<Path> drill(const std::vector<Hole>& where, double peck, const Depth
 
 /// Clears what lies above a surface in levels: at each of them what the tip can reach and where stock is left.
 struct RoughSettings {
-  Rectangle stock;       ///< of the material, mm
+  Rectangle stock;  ///< of the material, mm
   Depths depths;
   double stepover = 1;
   CutSettings cut;
-  double cell = 0.2;     ///< squares of contours, mm
+  double cell = 0.2;  ///< squares of contours, mm
 };
-std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings, Progress& progress = Progress::none());
+std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings,
+                        Progress& progress = Progress::none());
 
 /// How a surface is finished.
 struct FinishSettings {
@@ -97,8 +101,8 @@ std::vector<Path> raster(const TipSurface& tips, const FinishSettings& settings,
 /// One spiral from the middle outwards, in passes `stepover` apart.
 std::vector<Path> spiral(const TipSurface& tips, const FinishSettings& settings, Progress& progress = Progress::none());
 /// Level contours of the tip's surface at the depths' passes.
-std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell, const CutSettings& cut,
-                            Progress& progress = Progress::none());
+std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell,
+                            const CutSettings& cut, Progress& progress = Progress::none());
 
 /// The stepover at which a ball (or bull) of that corner radius leaves ridges of a height on a flat.
 double stepover_for_scallop(double corner_radius, double scallop);

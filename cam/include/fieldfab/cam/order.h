@@ -15,14 +15,16 @@ struct AirTravel {
 };
 
 struct OrderSettings {
-  Vec2 start = Vec2::Zero();    ///< where the tool comes from
-  bool inside_first = true;     ///< what lies inside a closed path is cut before it, so that nothing is cut loose that is still to be cut
-  bool free_starts = true;      ///< closed paths may begin at any vertex
-  bool may_reverse = false;     ///< open paths may be cut from either end
+  Vec2 start = Vec2::Zero();  ///< where the tool comes from
+  bool inside_first =
+      true;  ///< what lies inside a closed path is cut before it, so that nothing is cut loose that is still to be cut
+  bool free_starts = true;   ///< closed paths may begin at any vertex
+  bool may_reverse = false;  ///< open paths may be cut from either end
 };
 
-/// Puts paths in order: levels ascending (Path::level); within a level what is inside before what is outside; within that the nearest
-/// next, then improved by moving and turning runs of paths (Or-opt, 2-opt) under the same rules. O(n log n) for n paths spread evenly.
+/// Puts paths in order: levels ascending (Path::level); within a level what is inside before what is outside; within that the
+/// nearest next, then improved by moving and turning runs of paths (Or-opt, 2-opt) under the same rules. O(n log n) for n paths
+/// spread evenly.
 AirTravel order(std::vector<Path>& paths, const OrderSettings& settings = {}, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

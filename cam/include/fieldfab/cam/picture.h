@@ -13,8 +13,8 @@ enum class Colouring { order, depth };
 
 struct PictureSettings {
   Colouring colouring = Colouring::order;
-  int size = 1024;        ///< pixels of a PNG's longer side
-  bool oblique = false;   ///< seen from the front, above; else from straight above
+  int size = 1024;       ///< pixels of a PNG's longer side
+  bool oblique = false;  ///< seen from the front, above; else from straight above
   bool rapids = true;
 };
 

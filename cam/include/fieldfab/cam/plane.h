@@ -39,7 +39,11 @@ struct Lattice {
 
   Lattice() = default;
   Lattice(int columns, int rows, double step, const Vec2& first, Sample fill)
-      : width(columns), height(rows), cell(step), origin(first), values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill) {}
+      : width(columns),
+        height(rows),
+        cell(step),
+        origin(first),
+        values(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), fill) {}
 
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);

@@ -39,8 +39,10 @@ std::vector<Plane> stepped_planes(int count);
 class Reached {
  public:
   /// `steepest`: the least cosine between the surface's normal and the tool's axis at which its passes were close enough.
-  Reached(Plane plane, std::shared_ptr<const TipSurface> tips, double steepest) : plane_(std::move(plane)), tips_(std::move(tips)), steepest_(steepest) {}
-  /// Whether its tool could touch a point of the part's surface with that normal (both in the part's coordinates) to within `tolerance`, mm.
+  Reached(Plane plane, std::shared_ptr<const TipSurface> tips, double steepest)
+      : plane_(std::move(plane)), tips_(std::move(tips)), steepest_(steepest) {}
+  /// Whether its tool could touch a point of the part's surface with that normal (both in the part's coordinates) to within
+  /// `tolerance`, mm.
   [[nodiscard]] bool touches(const Vec3& point, const Vec3& normal, double tolerance) const;
 
  private:
@@ -50,14 +52,15 @@ class Reached {
 };
 
 /// The parts of finishing paths (in a plane's coordinates) where the tool touches what no earlier operation has reached.
-std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part, const std::vector<Reached>& earlier, double tolerance);
+std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part,
+                              const std::vector<Reached>& earlier, double tolerance);
 
 /// Moves from a plane's coordinates into the part's; arcs become lines off by at most `tolerance` unless the plane is the top.
 std::vector<Move> placed(const std::vector<Move>& moves, const Plane& plane, double tolerance);
 
-/// Algorithm 6.1: rapids from where one operation ended to where the next one starts. `arm` is the distance from the tip to the point that a
-/// head turns about; 0 for machines that turn the work, where the tip goes round outside of a ball about the stock instead.
-/// Throws bad_input for an axis that points below the horizon where a head turns.
+/// Algorithm 6.1: rapids from where one operation ended to where the next one starts. `arm` is the distance from the tip to the
+/// point that a head turns about; 0 for machines that turn the work, where the tip goes round outside of a ball about the stock
+/// instead. Throws bad_input for an axis that points below the horizon where a head turns.
 std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, double clearance, double arm);
 
 }  // namespace fieldfab::cam

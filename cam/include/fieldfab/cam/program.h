@@ -21,12 +21,12 @@ struct Move {
 
 /// The moves of one operation. The first one starts where the machine then is: it is a rapid to a safe place.
 struct Section {
-  std::string name;           ///< of the operation, for comments and set-up sheets
+  std::string name;  ///< of the operation, for comments and set-up sheets
   Tool tool;
-  double spindle = 0;         ///< revolutions per minute; 0: none
-  std::string coolant;        ///< "", "mist" or "flood"
-  std::string setup;          ///< what to do by hand before it; empty where the work stays as it is
-  double clearance = 0;       ///< z at which nothing is in the way, mm
+  double spindle = 0;    ///< revolutions per minute; 0: none
+  std::string coolant;   ///< "", "mist" or "flood"
+  std::string setup;     ///< what to do by hand before it; empty where the work stays as it is
+  double clearance = 0;  ///< z at which nothing is in the way, mm
   std::vector<Move> moves;
   [[nodiscard]] bool tilted() const;
 };
@@ -34,18 +34,18 @@ struct Section {
 struct Program {
   std::string name;
   std::vector<Section> sections;
-  Box stock;                  ///< the material, mm; empty where not known
+  Box stock;  ///< the material, mm; empty where not known
 };
 
 /// How the tool gets into the material.
 enum class Entry { plunge, ramp, helix };
 
 struct LinkSettings {
-  double clearance = 5;       ///< z of rapids between paths, mm
+  double clearance = 5;             ///< z of rapids between paths, mm
   double feed = 600, plunge = 200;  ///< mm/min
   Entry entry = Entry::plunge;
   double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< against the plane, radians
-  double above = 1;           ///< how far above the material the tool slows down, mm
+  double above = 1;                                      ///< how far above the material the tool slows down, mm
   /// z of the material's surface where a path begins; no higher than it is known to be. Tools enter from there.
   std::function<double(const Path&)> material = nullptr;
   /// Whether the tool may go straight from one place to another while it cuts, instead of up, over and down.
@@ -55,8 +55,8 @@ struct LinkSettings {
 /// Joins paths to moves: rapids at the clearance, entries, cuts.
 std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& settings);
 
-/// Time that moves take, seconds: with the machine's acceleration (mm/s^2) and rapid speed (mm/min), stopping at corners as far as
-/// the machine must.
+/// Time that moves take, seconds: with the machine's acceleration (mm/s^2) and rapid speed (mm/min), stopping at corners as far
+/// as the machine must.
 struct Dynamics {
   double rapid = 3000, acceleration = 200, corner = 0.02;  ///< corner: mm by which a corner may be cut while not stopping
 };

@@ -1,4 +1,5 @@
-/// Settings that jobs, machines, materials and tools give: declared once with type, unit, default and limits, checked, and looked up by name.
+/// Settings that jobs, machines, materials and tools give: declared once with type, unit, default and limits, checked, and looked
+/// up by name.
 #pragma once
 
 #include <limits>
@@ -15,11 +16,11 @@ using Value = std::variant<bool, double, std::string, std::vector<double>>;
 /// A setting: its meaning and what it may be.
 struct Setting {
   std::string name, help, unit;
-  Value standard;                      ///< the default, whose type is the setting's
+  Value standard;  ///< the default, whose type is the setting's
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-  bool lower_open = false;             ///< must be above `lower`, not equal
-  bool required = false;               ///< has no default
-  std::vector<std::string> choices;    ///< where not empty, the texts allowed
+  bool lower_open = false;           ///< must be above `lower`, not equal
+  bool required = false;             ///< has no default
+  std::vector<std::string> choices;  ///< where not empty, the texts allowed
 };
 using Settings = std::vector<Setting>;
 
@@ -42,7 +43,8 @@ class Values {
   [[nodiscard]] const std::string& place(const std::string& name) const;
 };
 
-/// Checks a value against its setting and returns it with the setting's type (a whole number is a number). Throws bad_input at `place`.
+/// Checks a value against its setting and returns it with the setting's type (a whole number is a number). Throws bad_input at
+/// `place`.
 Value checked(const Setting& setting, const Value& value, const std::string& place);
 
 /// The names nearest to a mistyped one, as ", did you mean 'x'?", or nothing.

@@ -1,5 +1,5 @@
-/// The workflow as a graph (Keeter 6.1): stages turn one kind of thing into another, and the system finds the chain that leads from what
-/// there is to what a machine takes.
+/// The workflow as a graph (Keeter 6.1): stages turn one kind of thing into another, and the system finds the chain that leads
+/// from what there is to what a machine takes.
 #pragma once
 
 #include <functional>
@@ -28,7 +28,7 @@ struct Solid {
 /// Paths, and how they want to be joined.
 struct Cuts {
   std::vector<Path> paths;
-  bool ordered = false;             ///< their order and start points matter: leave them
+  bool ordered = false;  ///< their order and start points matter: leave them
   bool inside_first = true, may_reverse = false;
   std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
   std::shared_ptr<const TipSurface> finished = nullptr;  ///< where a finishing tool could go, so that later planes leave that out
@@ -42,20 +42,20 @@ const char* name_of(Kind kind);
 /// What stages may ask about the job besides their own settings.
 struct Context {
   Tool tool;
-  Box stock;                         ///< the material, mm, in the plane's coordinates
-  Plane plane;                       ///< that is cut from
-  FieldPtr part;                     ///< in its own coordinates; nullptr for images
-  const Material& material;          ///< what earlier operations on this plane have left
+  Box stock;                            ///< the material, mm, in the plane's coordinates
+  Plane plane;                          ///< that is cut from
+  FieldPtr part;                        ///< in its own coordinates; nullptr for images
+  const Material& material;             ///< what earlier operations on this plane have left
   const std::vector<Reached>& earlier;  ///< what other planes have finished
   Progress& progress;
-  std::vector<std::string>& notes;   ///< what the user should know
+  std::vector<std::string>& notes;  ///< what the user should know
 };
 
 /// A step of a workflow.
 struct Stage {
   std::string name, help;
   Kind takes, makes;
-  bool operation = false;            ///< asked for by name in a job; others are put in where they lead on
+  bool operation = false;  ///< asked for by name in a job; others are put in where they lead on
   Settings settings;
   std::function<Artifact(const Artifact&, const Values&, Context&)> run;
 };

@@ -16,13 +16,14 @@ struct SurfaceSettings {
   double tolerance = 0.01;  ///< how far the surface kept may be from the true one, mm
 };
 
-/// The upper surface of a solid over a rectangle: heights on a lattice, bilinear between samples; squares where that would be off by
-/// more than the tolerance (walls, edges, thin ribs) hold a finer lattice, whose samples are at most about the tolerance apart.
-/// Where there is nothing, the surface is the floor. (Keeter's height map of 6.2, made good to a tolerance.)
+/// The upper surface of a solid over a rectangle: heights on a lattice, bilinear between samples; squares where that would be off
+/// by more than the tolerance (walls, edges, thin ribs) hold a finer lattice, whose samples are at most about the tolerance
+/// apart. Where there is nothing, the surface is the floor. (Keeter's height map of 6.2, made good to a tolerance.)
 class Surface {
  public:
-  /// Samples the solid inside `bounds`, whose lower z is the floor. What is thinner than a square and does not rise more than three
-  /// squares above its neighbourhood, or is thinner than a fine sample, may be missed. Throws bad_input, too_large, cancelled.
+  /// Samples the solid inside `bounds`, whose lower z is the floor. What is thinner than a square and does not rise more than
+  /// three squares above its neighbourhood, or is thinner than a fine sample, may be missed. Throws bad_input, too_large,
+  /// cancelled.
   static std::shared_ptr<const Surface> of(const Field& field, const Box& bounds, const SurfaceSettings& settings,
                                            Progress& progress = Progress::none());
   /// A height map as it is.
@@ -48,7 +49,7 @@ class Surface {
   HeightMap heights_;
   double floor_ = 0, top_ = 0;
   int fine_side_ = 0;
-  std::vector<std::int32_t> fine_index_;   // by square; -1: none
+  std::vector<std::int32_t> fine_index_;  // by square; -1: none
   std::vector<std::vector<float>> fine_;
 };
 
@@ -60,8 +61,8 @@ class TipSurface {
   TipSurface(std::shared_ptr<const Surface> surface, const Profile& profile, double allowance = 0);
 
   struct Contact {
-    double tip;    ///< z of the tip, mm; the floor (less nothing) where nothing is in the way
-    Vec2 place;    ///< where the cutter touches, mm
+    double tip;  ///< z of the tip, mm; the floor (less nothing) where nothing is in the way
+    Vec2 place;  ///< where the cutter touches, mm
   };
   /// Exact for the surface as it is kept. O(radius in squares) at worst, and far less as a rule.
   [[nodiscard]] Contact contact(const Vec2& p) const { return contact(p, p); }
@@ -78,18 +79,20 @@ class TipSurface {
   /// Samples a side of the blocks that are looked at together.
   static constexpr int block_side = 8;
 
-  /// -tip as a Field of x and y: its contours at level -z are the places where the tip is at z (a waterline), the loops' left side
-  /// where it cannot be as low. Keeps what it needs alive.
+  /// -tip as a Field of x and y: its contours at level -z are the places where the tip is at z (a waterline), the loops' left
+  /// side where it cannot be as low. Keeps what it needs alive.
   static FieldPtr field(std::shared_ptr<const TipSurface> tips);
 
  private:
   struct Search;
   /// No more than the profile's height at any distance from the axis whose square is at least `squared`.
-  [[nodiscard]] double least_height(double squared) const { return least_heights_[static_cast<std::size_t>(squared * per_square_)]; }
+  [[nodiscard]] double least_height(double squared) const {
+    return least_heights_[static_cast<std::size_t>(squared * per_square_)];
+  }
   void edge_contacts(const Vec2& p, double around, Contact& best) const;
 
   std::shared_ptr<const Surface> surface_;
-  Profile profile_;    // grown by the allowance
+  Profile profile_;  // grown by the allowance
   double allowance_;
   FlatCornerCone closed_form_;
   std::vector<double> least_heights_;  // by the square of the distance from the axis
@@ -98,7 +101,9 @@ class TipSurface {
   [[nodiscard]] std::size_t block_index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks_wide_) + static_cast<std::size_t>(column);
   }
-  [[nodiscard]] const float* block(int column, int row) const { return blocks_.data() + block_index(column, row) * block_side * block_side; }
+  [[nodiscard]] const float* block(int column, int row) const {
+    return blocks_.data() + block_index(column, row) * block_side * block_side;
+  }
   [[nodiscard]] bool has_fine(int column, int row) const { return has_fine_[block_index(column, row)] != 0; }
   void lay_out_blocks();
   int blocks_wide_ = 0;

@@ -8,16 +8,17 @@
 
 namespace fieldfab::cam {
 
-/// A profile's numbers for loops without branches: at a distance d from the axis, with w = min(max(d - flat, 0), widest), its height is the
-/// greater of corner - sqrt(corner^2 - w^2) and cone + slope * d. Not valid for a free profile.
+/// A profile's numbers for loops without branches: at a distance d from the axis, with w = min(max(d - flat, 0), widest), its
+/// height is the greater of corner - sqrt(corner^2 - w^2) and cone + slope * d. Not valid for a free profile.
 struct FlatCornerCone {
   float flat = 0, corner = 0, widest = 0, cone = 0, slope = 0;
   bool valid = false;
 };
 
-/// The lower side of a cutter: how far its surface lies above the tip, by the distance from its axis. A flat disc of radius `flat`,
-/// a corner of radius `corner`, then a cone that leans `taper` from the axis (0: a cylinder), out to `radius`; flat, ball, bull-nose, V
-/// and tapered ball cutters are all of this family, and so is each of them grown by a distance. A free profile is a polyline instead.
+/// The lower side of a cutter: how far its surface lies above the tip, by the distance from its axis. A flat disc of radius
+/// `flat`, a corner of radius `corner`, then a cone that leans `taper` from the axis (0: a cylinder), out to `radius`; flat,
+/// ball, bull-nose, V and tapered ball cutters are all of this family, and so is each of them grown by a distance. A free profile
+/// is a polyline instead.
 class Profile {
  public:
   /// Throws bad_input for what is no cutter.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "fieldfab/core/geometry.h"
@@ -21,6 +22,8 @@ struct Image {
 
 /// PNG with pHYs, and for height maps tEXt chunks `zmin` and `zmax` in mm. Throws io. Whole or not at all.
 void write_png(const Image& image, const std::filesystem::path& path);
+/// The same in memory; `name` is for messages.
+std::string png_bytes(const Image& image, const std::string& name = "image");
 /// Reads grey, RGB or palette PNGs of any depth. Throws io, bad_input.
 Image read_png(const std::filesystem::path& path);
 
