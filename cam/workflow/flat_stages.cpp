@@ -32,11 +32,6 @@ Settings cut_settings() {
           above_zero(number("tolerance", "mm", 0.005, "of fitting lines and arcs"))};
 }
 
-Settings operator+(Settings a, const Settings& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 CutSettings cut_of(const Values& values, const Context& context, const Depths& depths) {
   CutSettings cut;
   cut.radius = context.tool.diameter / 2;

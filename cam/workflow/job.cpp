@@ -44,12 +44,13 @@ void check_depth(const PlannedOperation& op, const Section& section, const Box& 
   for (const Move& move : section.moves) deepest = std::min(deepest, move.to.z());
   const double depth = stock.upper.z() - deepest;
   if (op.tool.flute > 0 && depth > op.tool.flute + 1e-6)
-    throw Error(ErrorKind::bad_input, op.name,
-                fmt::format("cuts {:.4g} mm deep; tool {} has flutes of {:.4g} mm", depth, op.tool.number, op.tool.flute));
-  if (op.tool.length > 0 && depth > op.tool.length + 1e-6)
     throw Error(
-        ErrorKind::bad_input, op.name,
-        fmt::format("goes {:.4g} mm deep; tool {} reaches {:.4g} mm out of its holder", depth, op.tool.number, op.tool.length));
+        ErrorKind::bad_input, op.values.place("type"),
+        fmt::format("{} cuts {:.4g} mm deep; tool {} has flutes of {:.4g} mm", op.name, depth, op.tool.number, op.tool.flute));
+  if (op.tool.length > 0 && depth > op.tool.length + 1e-6)
+    throw Error(ErrorKind::bad_input, op.values.place("type"),
+                fmt::format("{} goes {:.4g} mm deep; tool {} reaches {:.4g} mm out of its holder", op.name, depth, op.tool.number,
+                            op.tool.length));
 }
 
 }  // namespace
@@ -231,7 +232,15 @@ void Job::write(const std::filesystem::path& path, Progress& progress) const {
     return write_mesh(contour(*part->field, part->bounds.grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
                       path, progress);
   }
-  write_file(path, write_program(program_, machine_, machine_values_));
+  std::string text;
+  try {
+    text = write_program(program_, machine_, machine_values_);
+  } catch (const Error& error) {
+    // What the machine cannot do is said at the line that chooses it.
+    if (error.place() != "machine") throw;
+    throw Error(error.kind(), machine_place_, error.what());
+  }
+  write_file(path, text);
 }
 
 }  // namespace fieldfab::cam

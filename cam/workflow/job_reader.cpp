@@ -117,6 +117,7 @@ class JobReader {
       if (error.place() != "machine") throw;
       throw refuse(table_, "machine", error.what());
     }
+    job_.machine_place_ = table_.place("machine");
     const Machine& machine = job_.machine_;
     job_.material_ = table_.text("material").value_or("");
     if (!job_.material_.empty() && !machine.materials.contains(job_.material_)) {
@@ -273,7 +274,17 @@ class JobReader {
     if (job_.machine_.takes == "flat paths" && stock.size().z() == 0) stock.lower.z() -= 1;
     job_.stock_ = stock;
     if (auto* const solid = std::get_if<Solid>(&job_.input_); solid != nullptr && !solid->flat) {
-      // What is machined from above stands on the stock's floor and may not stick out of its top.
+      // The part must lie in the stock, but for how loosely its bounds were found. What is machined from above stands on the
+      // stock's floor.
+      const double loose = 0.02 * solid->bounds.size().maxCoeff();
+      const Box& held = stock;
+      if ((solid->bounds.upper - held.upper).maxCoeff() > loose ||
+          (held.lower - solid->bounds.lower).head<2>().maxCoeff() > loose)
+        throw refuse(table_, "stock",
+                     fmt::format("the part (to x {:.6g}, y {:.6g}, z {:.6g}) sticks out of the stock (to {:.6g}, {:.6g}, {:.6g})",
+                                 solid->bounds.upper.x(), solid->bounds.upper.y(), solid->bounds.upper.z(), held.upper.x(),
+                                 held.upper.y(), held.upper.z()));
+      job_.stock_.upper = job_.stock_.upper.cwiseMax(solid->bounds.upper);
       solid->bounds.lower.z() = std::min(solid->bounds.lower.z(), stock.lower.z());
       for (int axis = 0; axis < 2; ++axis) {
         solid->bounds.lower[axis] = std::min(solid->bounds.lower[axis], stock.lower[axis]);

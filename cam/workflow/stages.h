@@ -16,6 +16,10 @@ inline Setting number(std::string name, std::string unit, double standard, std::
   s.name = std::move(name), s.unit = std::move(unit), s.standard = standard, s.help = std::move(help);
   return s;
 }
+inline Settings operator+(Settings a, const Settings& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
 inline Setting above_zero(Setting s) { return s.lower = 0, s.lower_open = true, s; }
 inline Setting at_least(double lower, Setting s) { return s.lower = lower, s; }
 inline Setting between(double lower, double upper, Setting s) { return s.lower = lower, s.upper = upper, s; }

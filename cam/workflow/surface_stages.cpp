@@ -13,11 +13,6 @@ namespace {
 constexpr double degrees = std::numbers::pi / 180;
 using SurfacePtr = std::shared_ptr<const Surface>;
 
-Settings operator+(Settings a, const Settings& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 Depths depths_of(const Values& values, const Context& context, const Surface& surface) {
   Depths d;
   d.top = is_set(values, "top") ? values.number("top") : std::max(context.stock.upper.z(), surface.top());

@@ -136,7 +136,9 @@ def test_solid_programs_are_what_linuxcnc_reads(tmp_path, operation):
         (FLAT + '[[operation]]\ntype = "pocket"\ntool = 7', 11, "no [[tool]] with number 7"),
         (FLAT + '[[operation]]\ntype = "pocket"\nstepover = "wide"', 11, "must be a number"),
         (FLAT.replace("diameter = 3", "diameter = 60") + '[[operation]]\ntype = "pocket"', 10, "fits into no pocket"),
-        (FLAT.replace("diameter = 3", "diameter = 3\nflute = 2") + '[[operation]]\ntype = "profile"', None, "flutes of 2 mm"),
+        (FLAT.replace("diameter = 3", "diameter = 3\nflute = 2") + '[[operation]]\ntype = "profile"', 11, "flutes of 2 mm"),
+        (FLAT.replace("linuxcnc", "modela") + '[[operation]]\ntype = "profile"', 2, "knows no places below 0"),
+        (FLAT.replace("linuxcnc", "othermill").replace('"part.frep"', '"part.frep"\nscale = 4') + '[[operation]]\ntype = "profile"', 2, "can move 140 mm along x"),
         (FLAT.replace("diameter = 3", "diameter = -3") + '[[operation]]\ntype = "profile"', 8, "diameter"),
         (FLAT + '[[operation]]\ntype = "finish"', 10, "flat"),
         (FLAT + '[[operation]]\ntype = "v_carve"', 10, "shape v"),
@@ -420,3 +422,9 @@ def test_the_examples_run(tmp_path):
         if 'machine = "linuxcnc"' in path.read_text():
             at, kinds, _ = rs274.moves(out, tools=((1, 0, 1), (2, 0, 1)))
             assert len(at) > 1000
+
+
+def test_a_part_must_lie_in_its_stock(tmp_path):
+    path = job(tmp_path, SOLID.replace("margin = 2", "upper = [12, 10, 3]") + '[[operation]]\ntype = "finish"\ntool = 1', part_frep=DOME)
+    done = run("cam", path, "-o", tmp_path / "o", check=False)
+    assert done.returncode == 2 and "sticks out of the stock" in done.stderr and "job.toml:5" in done.stderr

@@ -5,24 +5,15 @@
 #include <numbers>
 #include <random>
 
+#include "../cam_tools.h"
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/frep/frep_field.h"
-#include "fieldfab/frep/text.h"
 #include "fieldfab/model/model.h"
 
 namespace fieldfab::cam {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-FieldPtr formula(const std::string& text) { return frep::make_field(frep::parse_infix(text)); }
-
-Tool tool(const std::string& shape, double diameter, double corner = 0, double angle = 0) {
-  Tool t;
-  t.shape = shape, t.diameter = diameter, t.corner_radius = corner, t.angle = angle;
-  return t;
-}
 
 struct Part {
   std::string name;

@@ -5,25 +5,16 @@
 #include <numbers>
 #include <random>
 
+#include "../cam_tools.h"
 #include "fieldfab/cam/contour.h"
 #include "fieldfab/cam/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/frep/frep_field.h"
-#include "fieldfab/frep/text.h"
 
 namespace fieldfab::cam {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-FieldPtr formula(const std::string& text) { return frep::make_field(frep::parse_infix(text)); }
-
-Tool tool(const std::string& shape, double diameter, double corner = 0, double angle = 0) {
-  Tool t;
-  t.shape = shape, t.diameter = diameter, t.corner_radius = corner, t.angle = angle;
-  return t;
-}
 
 TEST(Profile, HeightsAreThoseOfTheShapes) {
   EXPECT_EQ(tool("flat", 6).profile().height(2.9), 0);

@@ -62,7 +62,7 @@ class Job {
   Machine machine_;
   Values machine_values_;
   std::string material_;
-  std::string file_;
+  std::string file_, machine_place_;
   Artifact input_;
   Box stock_;
   std::vector<PlannedOperation> operations_;
