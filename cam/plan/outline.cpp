@@ -11,21 +11,27 @@ namespace {
 class OutlineField final : public Field {
  public:
   explicit OutlineField(const Loops& loops) {
-    std::vector<Edge> edges;
+    std::size_t count = 0;
+    for (const Loop& loop : loops) count += loop.points.size();
+    edges_.reserve(count);
+    for (const Loop& loop : loops)
+      for (std::size_t k = 0, n = loop.points.size(); k < n; ++k)
+        edges_.push_back({loop.points[k], loop.points[(k + 1) % n], static_cast<std::uint32_t>(edges_.size()), 0});
+    if (edges_.empty()) return;
+    grow(0, count);
+
+    // Growing has changed the edges' places; until now `before` has told which one each of them is.
+    std::vector<std::uint32_t> place(count);
+    for (std::uint32_t i = 0; i < count; ++i) place[edges_[i].before] = i;
+    std::size_t first = 0;
     for (const Loop& loop : loops) {
       const std::size_t n = loop.points.size();
-      const auto normal = [&](std::size_t k) {  // of the edge from k to k + 1, to the right: away from the solid
-        const Vec2 along = (loop.points[(k + 1) % n] - loop.points[k % n]).normalized();
-        return Vec2(along.y(), -along.x());
-      };
       for (std::size_t k = 0; k < n; ++k) {
-        const Vec2 before = normal(k + n - 1), here = normal(k), after = normal(k + 1);
-        edges.push_back({loop.points[k], loop.points[(k + 1) % n], before + here, here, here + after});
-        bounds_.add(loop.points[k]);
+        Edge& e = edges_[place[first + k]];
+        e.before = place[first + (k + n - 1) % n], e.after = place[first + (k + 1) % n];
       }
+      first += n;
     }
-    edges_.reserve(edges.size());
-    if (!edges.empty()) grow(edges, 0, edges.size());
   }
 
   void values(const Points& points, float* out) const noexcept override {
@@ -58,8 +64,13 @@ class OutlineField final : public Field {
 
  private:
   struct Edge {
-    Vec2 from, to, normal_from, normal,
-        normal_to;  // the normals point away from the solid; those of the ends have no unit length
+    Vec2 from, to;
+    std::uint32_t before, after;  // its neighbours along the loop
+    /// To the right, away from the solid.
+    [[nodiscard]] Vec2 normal() const {
+      const Vec2 along = (to - from).normalized();
+      return {along.y(), -along.x()};
+    }
   };
   struct Node {
     Rectangle box;
@@ -72,27 +83,23 @@ class OutlineField final : public Field {
     Vec2 place = Vec2::Zero();
   };
 
-  /// Appends the node of edges [first, last), and those below it.
-  void grow(std::vector<Edge>& edges, std::size_t first, std::size_t last) {
+  /// Appends the node of edges [first, last), which it puts in order, and those below it.
+  void grow(std::size_t first, std::size_t last) {
     const std::size_t here = nodes_.size();
     Rectangle box = Rectangle::nothing();
-    for (std::size_t i = first; i < last; ++i) box.add(edges[i].from), box.add(edges[i].to);
+    for (std::size_t i = first; i < last; ++i) box.add(edges_[i].from), box.add(edges_[i].to);
     constexpr std::size_t leaf = 6;
-    if (last - first <= leaf) {
-      nodes_.push_back({box, static_cast<std::uint32_t>(edges_.size()), static_cast<std::uint32_t>(last - first)});
-      edges_.insert(edges_.end(), edges.begin() + static_cast<std::ptrdiff_t>(first),
-                    edges.begin() + static_cast<std::ptrdiff_t>(last));
-      return;
-    }
-    nodes_.push_back({box, 0, 0});
+    const bool small = last - first <= leaf;
+    nodes_.push_back({box, static_cast<std::uint32_t>(first), small ? static_cast<std::uint32_t>(last - first) : 0});
+    if (small) return;
     const int axis = box.size().x() > box.size().y() ? 0 : 1;
     const std::size_t middle = (first + last) / 2;
-    std::nth_element(edges.begin() + static_cast<std::ptrdiff_t>(first), edges.begin() + static_cast<std::ptrdiff_t>(middle),
-                     edges.begin() + static_cast<std::ptrdiff_t>(last),
+    const auto at = [&](std::size_t i) { return edges_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(first), at(middle), at(last),
                      [axis](const Edge& a, const Edge& b) { return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis]; });
-    grow(edges, first, middle);
+    grow(first, middle);
     nodes_[here].first = static_cast<std::uint32_t>(nodes_.size());
-    grow(edges, middle, last);
+    grow(middle, last);
   }
 
   static Vec2 closest_on(const Edge& e, const Vec2& p) {
@@ -103,7 +110,7 @@ class OutlineField final : public Field {
   static double squared_distance(const Rectangle& box, const Vec2& p) {
     return (p - p.cwiseMax(box.lower).cwiseMin(box.upper)).squaredNorm();
   }
-  [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const { return edges_.empty() ? Vec2::Zero() : edges_[edge].normal; }
+  [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const { return edges_.empty() ? Vec2::Zero() : edges_[edge].normal(); }
 
   /// The nearest place on the curves; `guess` is an edge that may be near.
   [[nodiscard]] Nearest find(const Vec2& p, std::uint32_t guess) const noexcept {
@@ -139,14 +146,15 @@ class OutlineField final : public Field {
     }
     const Edge& e = edges_[nearest.edge];
     // At an end two edges are equally near: the sum of their normals tells the side.
-    const Vec2& normal = nearest.place == e.from ? e.normal_from : nearest.place == e.to ? e.normal_to : e.normal;
+    Vec2 normal = e.normal();
+    if (nearest.place == e.from) normal += edges_[e.before].normal();
+    if (nearest.place == e.to) normal += edges_[e.after].normal();
     nearest.distance = std::copysign(std::sqrt(best), normal.dot(p - nearest.place));
     return nearest;
   }
 
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;
-  Rectangle bounds_ = Rectangle::nothing();
 };
 
 }  // namespace

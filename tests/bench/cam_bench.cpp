@@ -69,7 +69,7 @@ BENCHMARK(distance_alone)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRea
 /// s, 500 MB.
 void shopbot_bed(benchmark::State& state) {
   FieldPtr sheet;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < state.range(0); ++i) {
     FieldPtr part = translate(scale(circuit_board(), {10, 10, 10}), {20.0 + 235 * (i % 10), 5.0 + 290 * (i / 10), 0});
     sheet = sheet ? unite(sheet, part) : part;
   }
@@ -86,7 +86,7 @@ void shopbot_bed(benchmark::State& state) {
   state.counters["points"] = static_cast<double>(points);
   state.counters["outline_m"] = length / 1000;
 }
-BENCHMARK(shopbot_bed)->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(shopbot_bed)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond)->Iterations(1);
 
 /// A million positions of a ball cutter, 0.1 mm apart, over a freeform of 100 x 100 mm, one thread; diameter in mm. Asked: 6 mm,
 /// 2 s.
