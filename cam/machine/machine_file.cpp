@@ -50,7 +50,7 @@ Kinematics read_kinematics(const TomlTable& table) {
 }
 
 Setting read_setting(const std::string& name, const TomlTable& table) {
-  table.only({"default", "unit", "help", "min", "max", "above", "choices"});
+  table.only({"default", "unit", "help", "min", "max", "above"});
   Setting setting;
   setting.name = name;
   const auto standard = table.value("default");
@@ -68,10 +68,9 @@ Setting read_setting(const std::string& name, const TomlTable& table) {
 
 Machine read_machine(std::string_view toml, const std::string& file) {
   const TomlTable table = TomlTable::parse(toml, file);
-  table.only(
-      {"name",    "description", "format",     "extension",        "takes",  "units",    "unit",  "tick",         "decimals",
-       "arcs",    "feed_unit",   "max_feed",   "max_spindle",      "travel", "negative", "rapid", "acceleration", "text",
-       "setting", "material",    "kinematics", "default_operation"});
+  table.only({"name",     "description",  "format",    "extension", "takes",       "unit",       "tick",
+              "decimals", "arcs",         "feed_unit", "max_feed",  "max_spindle", "travel",     "negative",
+              "rapid",    "acceleration", "text",      "setting",   "material",    "kinematics", "default_operation"});
   Machine m;
   m.file = file;
   m.id = std::filesystem::path(file).stem().string();

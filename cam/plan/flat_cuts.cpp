@@ -42,6 +42,18 @@ Path path_of(const Loop& loop, double z, const CutSettings& cut, bool wall_on_le
   return path;
 }
 
+/// Paths at each pass's height, one level a pass.
+std::vector<Path> at_passes(const std::vector<Path>& once, const std::vector<double>& passes) {
+  std::vector<Path> paths;
+  for (std::size_t pass = 0; pass < passes.size(); ++pass)
+    for (Path path : once) {
+      for (PathPoint& p : path.points) p.at.z() = passes[pass];
+      path.level = static_cast<int>(pass);
+      paths.push_back(std::move(path));
+    }
+  return paths;
+}
+
 /// The part of a path from one distance along it to another; a closed one goes on from its end.
 Path part_of(const Path& path, double from, double to) {
   Path out;
@@ -50,22 +62,13 @@ Path part_of(const Path& path, double from, double to) {
   for (std::size_t i = 0; done < to; ++i) {
     if (!path.closed && i + 1 >= n) break;
     const PathPoint &a = path.points[i % n], &b = path.points[(i + 1) % n];
-    const bool straight = a.bulge == 0;
-    const Arc arc = straight ? Arc{} : arc_between(a.at.head<2>(), b.at.head<2>(), a.bulge);
-    const double length = straight ? (b.at - a.at).norm() : std::hypot(arc.radius * arc.turn, b.at.z() - a.at.z());
+    const double length = length_between(a.at, b.at, a.bulge);
     const double first = std::max(0.0, from - done), last = std::min(length, to - done);
     if (length > 0 && last > first) {
-      const auto at = [&](double along) {
-        const double share = along / length;
-        if (straight) return Vec3(a.at + share * (b.at - a.at));
-        const Vec2 out_from = a.at.head<2>() - arc.centre;
-        const double c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
-        return Vec3(arc.centre.x() + c * out_from.x() - s * out_from.y(), arc.centre.y() + s * out_from.x() + c * out_from.y(),
-                    a.at.z() + share * (b.at.z() - a.at.z()));
-      };
+      const auto at = [&](double along) { return place_between(a.at, b.at, a.bulge, along / length); };
       PathPoint start = a;
       start.at = at(first);
-      start.bulge = straight ? 0 : std::tan(arc.turn * (last - first) / length / 4);
+      start.bulge = std::tan(std::atan(a.bulge) * (last - first) / length);
       if (out.points.empty())
         out.points.push_back(start);
       else
@@ -110,22 +113,19 @@ std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut
   const double level = side == Side::inside ? -off : off;
   const Loops loops =
       contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
-  std::vector<Path> paths;
-  const std::vector<double> passes = cut.depths.passes();
-  for (std::size_t pass = 0; pass < passes.size(); ++pass)
-    for (const Loop& loop : loops) {
-      Path path = path_of(loop, passes[pass], cut, side != Side::inside);
-      const double tab_top = cut.depths.bottom + tabs.height;
-      path.level = static_cast<int>(pass);
-      paths.push_back(tabs.count > 0 && passes[pass] < tab_top - 1e-9 ? with_tabs(path, tabs, tab_top, cut.radius) : path);
-    }
+  std::vector<Path> once;
+  for (const Loop& loop : loops) once.push_back(path_of(loop, 0, cut, side != Side::inside));
+  std::vector<Path> paths = at_passes(once, cut.depths.passes());
+  const double tab_top = cut.depths.bottom + tabs.height;
+  for (Path& path : paths)
+    if (tabs.count > 0 && !path.points.empty() && path.points.front().at.z() < tab_top - 1e-9)
+      path = with_tabs(path, tabs, tab_top, cut.radius);
   return paths;
 }
 
 std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut, Progress& progress) {
   if (count != 1 && !(stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
-  std::vector<Path> paths;
-  const std::vector<double> passes = cut.depths.passes();
+  std::vector<Path> once;
   for (int ring = 0; count < 0 || ring < count; ++ring) {
     const double level = cut.radius + cut.allowance + ring * stepover;
     // Until the offsets have left the bounds, where only their outermost frame is left.
@@ -133,13 +133,9 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
                                  {part.cell, 0, level}, progress);
     const bool filled = loops.size() == 1 && loops[0].area() >= (1 - 1e-9) * part.bounds.size().prod();
     if (loops.empty() || (count < 0 && filled)) break;
-    for (std::size_t pass = 0; pass < passes.size(); ++pass)
-      for (const Loop& loop : loops) {
-        paths.push_back(path_of(loop, passes[pass], cut, true));
-        paths.back().level = static_cast<int>(pass);
-      }
+    for (const Loop& loop : loops) once.push_back(path_of(loop, 0, cut, true));
   }
-  return paths;
+  return at_passes(once, cut.depths.passes());
 }
 
 std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z,
@@ -168,15 +164,7 @@ std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings
       if (!cut_into) left->push_back(0.5 * (part[i].bounds().lower + part[i].bounds().upper));
     }
   }
-  std::vector<Path> paths;
-  const std::vector<double> passes = cut.depths.passes();
-  for (std::size_t pass = 0; pass < passes.size(); ++pass)
-    for (Path path : once) {
-      for (PathPoint& p : path.points) p.at.z() = passes[pass];
-      path.level = static_cast<int>(pass);
-      paths.push_back(std::move(path));
-    }
-  return paths;
+  return at_passes(once, cut.depths.passes());
 }
 
 std::vector<Hole> holes(const Loops& loops, double tolerance) {

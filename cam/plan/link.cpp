@@ -50,11 +50,47 @@ class Linker {
     const double material = s_.material ? std::min(s_.material(path), s_.clearance) : s_.clearance;
     const double from = std::clamp(material + s_.above, start.z(), s_.clearance);
     if (from < s_.clearance) rapid({start.x(), start.y(), from});
+    if (from > start.z() && s_.entry == Entry::helix && wind_down(start, from)) return;
     if (from > start.z() && s_.entry != Entry::plunge && path.closed && path.length() > 1e-3) return descend(path, from);
     cut(start, s_.plunge);
   }
 
-  /// Down along the path itself, round and round; a ramp on the way for any length, a helix where the path is a circle.
+  /// Down a helix beside `start`, where there is room for its circle and straight from there to the start; false where there is
+  /// none.
+  bool wind_down(const Vec3& start, double from) {
+    const double radius = s_.helix_radius;
+    if (!(radius > 0) || !s_.may_stay_down) return false;
+    constexpr int sides = 8, chords = 16;
+    for (const double distance : {1.0, 1.5, 2.2})  // of the circle's middle, in radii: a corner has room farther off only
+      for (int side = 0; side < sides; ++side) {
+        const double towards = 2 * std::numbers::pi * side / sides;
+        const Vec3 out(std::cos(towards), std::sin(towards), 0), centre = start + distance * radius * out,
+                                                                 near = centre - radius * out;
+        const auto on_circle = [&](int k) {
+          const double angle = towards + std::numbers::pi + 2 * std::numbers::pi * k / chords;
+          return Vec3(centre + radius * Vec3(std::cos(angle), std::sin(angle), 0));
+        };
+        bool room = s_.may_stay_down(near, start);
+        for (int k = 0; k < chords && room; ++k) room = s_.may_stay_down(on_circle(k), on_circle(k + 1));
+        if (!room) continue;
+        wind_down(near, 2 * centre - near, from, radius);
+        cut(start, s_.feed);
+        return true;
+      }
+    return false;
+  }
+  /// Half circles between two places across from each other, each as much lower as the slope allows, down to the first one.
+  void wind_down(const Vec3& near, const Vec3& across, double from, double radius) {
+    const double round = std::tan(s_.ramp_angle) * 2 * std::numbers::pi * radius;
+    const int halves = 2 * std::max(1, static_cast<int>(std::ceil((from - near.z()) / round)));
+    cut({near.x(), near.y(), from}, s_.plunge);
+    for (int k = 1; k <= halves; ++k) {
+      const Vec3& at = k % 2 == 0 ? near : across;
+      cut({at.x(), at.y(), from + (near.z() - from) * k / halves}, s_.plunge, 1);
+    }
+  }
+
+  /// Down along the path itself, round and round.
   void descend(const Path& path, double from) {
     const double slope = std::tan(s_.ramp_angle), bottom = path.points.front().at.z(), length = path.length();
     // Whole rounds, so that the cut begins where the path does.
@@ -64,9 +100,7 @@ class Linker {
     for (int round = 0; round < rounds; ++round)
       for (std::size_t i = 0; i < n; ++i) {
         const PathPoint &a = path.points[i], &b = path.points[(i + 1) % n];
-        Path piece;
-        piece.points = {a, b};
-        done += piece.length();
+        done += length_between(a.at, b.at, a.bulge);
         const double share = std::min(1.0, done / (rounds * length));
         cut({b.at.x(), b.at.y(), share > 1 - 1e-9 ? bottom : from + share * (bottom - from)}, s_.plunge, a.bulge);
       }
@@ -96,12 +130,6 @@ std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& setti
 
 namespace {
 
-double length_of(const Vec3& from, const Move& m) {
-  if (m.bulge == 0) return (m.to - from).norm();
-  const Arc arc = arc_between(from.head<2>(), m.to.head<2>(), m.bulge);
-  return std::hypot(arc.radius * arc.turn, m.to.z() - from.z());
-}
-
 /// Direction at the start (share 0) or the end (share 1) of a move.
 Vec3 direction(const Vec3& from, const Move& m, double share) {
   Vec3 chord = m.to - from;
@@ -118,7 +146,8 @@ Vec3 direction(const Vec3& from, const Move& m, double share) {
 
 Lengths lengths(const std::vector<Move>& moves) {
   Lengths sum;
-  for (std::size_t i = 1; i < moves.size(); ++i) (moves[i].rapid() ? sum.rapid : sum.cut) += length_of(moves[i - 1].to, moves[i]);
+  for (std::size_t i = 1; i < moves.size(); ++i)
+    (moves[i].rapid() ? sum.rapid : sum.cut) += length_between(moves[i - 1].to, moves[i].to, moves[i].bulge);
   return sum;
 }
 
@@ -128,7 +157,7 @@ double duration(const std::vector<Move>& moves, const Dynamics& d) {
   // The speed at each joint: what the corner allows, then what can be braked to (backwards) and reached (forwards).
   std::vector<double> limit(n, 0.0), length(n, 0.0), speed(n, 0.0);
   for (std::size_t i = 1; i < n; ++i) {
-    length[i] = length_of(moves[i - 1].to, moves[i]);
+    length[i] = length_between(moves[i - 1].to, moves[i].to, moves[i].bulge);
     speed[i] = (moves[i].rapid() ? d.rapid : std::min(moves[i].feed, d.rapid)) / 60;
   }
   for (std::size_t i = 1; i + 1 < n; ++i) {

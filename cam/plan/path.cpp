@@ -46,13 +46,24 @@ Rectangle Path::bounds() const {
   return box;
 }
 
+double length_between(const Vec3& from, const Vec3& to, double bulge) {
+  if (bulge == 0) return (to - from).norm();
+  const Arc arc = arc_between(from.head<2>(), to.head<2>(), bulge);
+  return std::hypot(arc.radius * arc.turn, to.z() - from.z());
+}
+
+Vec3 place_between(const Vec3& from, const Vec3& to, double bulge, double share) {
+  if (bulge == 0) return from + share * (to - from);
+  const Arc arc = arc_between(from.head<2>(), to.head<2>(), bulge);
+  const Vec2 out = from.head<2>() - arc.centre;
+  const double c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
+  return {arc.centre.x() + c * out.x() - s * out.y(), arc.centre.y() + s * out.x() + c * out.y(),
+          from.z() + share * (to.z() - from.z())};
+}
+
 double Path::length() const {
   double sum = 0;
-  for_pieces(*this, [&](const PathPoint& a, const PathPoint& b) {
-    if (a.bulge == 0) return sum += (b.at - a.at).norm(), void();
-    const Arc arc = arc_between(a.at.head<2>(), b.at.head<2>(), a.bulge);
-    sum += std::hypot(arc.radius * arc.turn, b.at.z() - a.at.z());
-  });
+  for_pieces(*this, [&](const PathPoint& a, const PathPoint& b) { sum += length_between(a.at, b.at, a.bulge); });
   return sum;
 }
 
@@ -73,12 +84,10 @@ std::vector<PathPoint> points_along(const Path& path, double step) {
     if (a.bulge == 0) return;
     const Arc arc = arc_between(a.at.head<2>(), b.at.head<2>(), a.bulge);
     const int count = std::max(1, static_cast<int>(std::ceil(arc.radius * std::abs(arc.turn) / step)));
-    const Vec2 out = a.at.head<2>() - arc.centre;
     for (int i = 1; i < count; ++i) {
-      const double share = static_cast<double>(i) / count, c = std::cos(share * arc.turn), s = std::sin(share * arc.turn);
+      const double share = static_cast<double>(i) / count;
       PathPoint p = a;
-      p.at << arc.centre.x() + c * out.x() - s * out.y(), arc.centre.y() + s * out.x() + c * out.y(),
-          a.at.z() + share * (b.at.z() - a.at.z());
+      p.at = place_between(a.at, b.at, a.bulge, share);
       p.axis = ((1 - share) * a.axis + share * b.axis).normalized();
       points.push_back(p);
     }

@@ -24,11 +24,16 @@ std::string text_of(const Value& value) {
   return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
 }
 
-LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material,
-                           double radius) {
+LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material) {
   LinkSettings s;
   const Values& v = op.values;
-  s.clearance = stock.upper.z() + v.number("clearance");
+  const double radius = op.tool.diameter / 2;
+  // Above the stock, and above what a height map may have higher than it.
+  double top = stock.upper.z();
+  for (const Path& path : cuts.paths)
+    for (const PathPoint& p : path.points) top = std::max(top, p.at.z());
+  s.clearance = top + v.number("clearance");
+  s.helix_radius = 0.8 * radius;
   s.feed = v.number("feed"), s.plunge = v.number("plunge");
   const std::string& entry = v.text("entry");
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
@@ -108,7 +113,11 @@ class JobRunner {
     for (const Stage* stage : op.stages) {
       progress_.report(0, stage->name);
       key += fmt::format("/{}/{:.17g}", stage->name, stage->operation ? 0.0 : op.tool.diameter);
-      for (const Setting& setting : stage->settings) key += fmt::format("/{}", text_of(op.values.given.at(setting.name).value));
+      for (const Setting& setting : stage->settings) {
+        const Value& value = op.values.given.at(setting.name).value;
+        const double* const exact = std::get_if<double>(&value);
+        key += exact != nullptr ? fmt::format("/{:.17g}", *exact) : fmt::format("/{}", text_of(value));
+      }
       if (const auto known = made_.find(key); known != made_.end()) {
         artifact = known->second;
         continue;
@@ -143,9 +152,10 @@ class JobRunner {
     section.tool = op.tool;
     section.spindle = op.values.number("spindle");
     section.coolant = op.values.text("coolant") == "none" ? "" : op.values.text("coolant");
-    section.clearance = stock.upper.z() + op.values.number("clearance");
     Material& material = material_of(op, stock);
-    section.moves = link(cuts.paths, link_settings(op, cuts, stock, material, op.tool.diameter / 2));
+    const LinkSettings linking = link_settings(op, cuts, stock, material);
+    section.clearance = linking.clearance;
+    section.moves = link(cuts.paths, linking);
     if (section.moves.empty()) {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;

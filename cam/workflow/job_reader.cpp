@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "fieldfab/cam/job.h"
 #include "fieldfab/core/error.h"
@@ -384,7 +383,7 @@ class JobReader {
     if (by_hand)
       for (Plane& plane : planes) turn_by_hand(plane);
     if (std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); })) {
-      const auto* const solid = std::get_if<Solid>(&job_.input_);
+      const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
       if (solid == nullptr || solid->flat) throw refuse(table, "plane", "only a solid can be cut from other sides");
       if (by_hand && !job_.machine_.text.contains("setup"))
         throw refuse(table, "plane",

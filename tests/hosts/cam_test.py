@@ -428,3 +428,17 @@ def test_a_part_must_lie_in_its_stock(tmp_path):
     path = job(tmp_path, SOLID.replace("margin = 2", "upper = [12, 10, 3]") + '[[operation]]\ntype = "finish"\ntool = 1', part_frep=DOME)
     done = run("cam", path, "-o", tmp_path / "o", check=False)
     assert done.returncode == 2 and "sticks out of the stock" in done.stderr and "job.toml:5" in done.stderr
+
+
+def test_rapids_clear_a_height_map_that_is_higher_than_the_stock(tmp_path):
+    (tmp_path / "part.frep").write_text(DOME)
+    run("render", tmp_path / "part.frep", "--mode", "height", "--size", "64", "-o", tmp_path / "map.png")
+    path = tmp_path / "job.toml"
+    path.write_text('machine = "linuxcnc"\n[input]\nimage = "map.png"\n[[tool]]\nshape = "ball"\ndiameter = 3\n'
+                    '[[operation]]\ntype = "finish"\nblack = 0\nwhite = 40\nstepover = 0.5\n')
+    planned = ff.cam.Job(path)
+    planned.run()
+    moves = planned.moves[0]
+    highest = moves[moves[:, 3] > 0][:, 2].max()  # of what is cut; the stock's top is the picture's own, at 2 or so
+    assert highest > 30
+    assert moves[0, 2] == pytest.approx(highest + 5)

@@ -189,6 +189,35 @@ TEST(Link, EntersByRampsAndStaysAboveTheMaterial) {
   EXPECT_GT(lengths(moves).cut, 80);  // the ramp, and once round at the bottom
 }
 
+TEST(Link, WindsDownWhereThereIsRoom) {
+  Path path;
+  path.closed = true;
+  path.points = {{{0, 0, -2}}, {{10, 0, -2}}, {{10, 10, -2}}, {{0, 10, -2}}};
+  LinkSettings settings;
+  settings.entry = Entry::helix;
+  settings.helix_radius = 1.2;
+  settings.material = [](const Path&) { return 0.0; };
+  settings.may_stay_down = [](const Vec3& a, const Vec3& b) {  // inside of the square only
+    const auto in = [](const Vec3& p) { return p.x() >= -1e-9 && p.y() >= -1e-9 && p.x() <= 10 && p.y() <= 10; };
+    return in(a) && in(b) && (b - a).norm() < 3;
+  };
+  const auto moves = link({path}, settings);
+  std::size_t arcs = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    if (moves[i].bulge == 0) continue;
+    ++arcs;
+    Path piece;
+    piece.points = {{moves[i - 1].to, moves[i].bulge}, {moves[i].to}};
+    for (const PathPoint& p : points_along(piece, 0.1)) EXPECT_TRUE(p.at.x() >= -1e-6 && p.at.y() >= -1e-6) << p.at.transpose();
+    const double way = length_between(moves[i - 1].to, moves[i].to, moves[i].bulge), down = moves[i - 1].to.z() - moves[i].to.z();
+    EXPECT_LE(std::asin(down / way), settings.ramp_angle + 1e-9);
+  }
+  EXPECT_GE(arcs, 4U);
+  // Where there is no room it goes along the path.
+  settings.may_stay_down = [](const Vec3&, const Vec3&) { return false; };
+  for (const Move& m : link({path}, settings)) EXPECT_EQ(m.bulge, 0);
+}
+
 TEST(Duration, IsThatOfClosedForms) {
   const Dynamics d{6000, 100, 0.01};
   // 100 mm at 50 mm/s, half a second to get there and to stop: 25/2 mm each.

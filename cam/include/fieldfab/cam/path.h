@@ -36,6 +36,10 @@ struct Arc {
   double radius, turn;  ///< turn: the angle, radians, positive anticlockwise
 };
 Arc arc_between(const Vec2& from, const Vec2& to, double bulge);
+/// Length of the way from one place to another, straight or bent, mm.
+double length_between(const Vec3& from, const Vec3& to, double bulge);
+/// The place at a share of it, from 0 to 1.
+Vec3 place_between(const Vec3& from, const Vec3& to, double bulge, double share);
 
 /// The points of a path at distances of at most `step` along arcs, and its vertices; a closed one ends where it begins.
 std::vector<PathPoint> points_along(const Path& path, double step);

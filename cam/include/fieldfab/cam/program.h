@@ -37,7 +37,8 @@ struct Program {
   Box stock;  ///< the material, mm; empty where not known
 };
 
-/// How the tool gets into the material.
+/// How the tool gets into the material: straight down; along the path itself; or by a helix beside its start where there is room
+/// for one (along the path where there is not).
 enum class Entry { plunge, ramp, helix };
 
 struct LinkSettings {
@@ -45,6 +46,7 @@ struct LinkSettings {
   double feed = 600, plunge = 200;  ///< mm/min
   Entry entry = Entry::plunge;
   double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< against the plane, radians
+  double helix_radius = 0;                               ///< of a helix that the tool's middle follows, mm
   double above = 1;                                      ///< how far above the material the tool slows down, mm
   /// z of the material's surface where a path begins; no higher than it is known to be. Tools enter from there.
   std::function<double(const Path&)> material = nullptr;
