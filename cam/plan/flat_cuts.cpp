@@ -8,6 +8,7 @@
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
+#include "loop_path.h"
 
 namespace fieldfab::cam {
 
@@ -23,10 +24,7 @@ std::vector<double> Depths::passes() const {
   return z;
 }
 
-namespace {
-
-/// A loop as a path at z: its left side is what stays, so that it runs conventionally; turned round for climb.
-Path path_of(const Loop& loop, double z, const CutSettings& cut, bool wall_on_left) {
+Path loop_path(const Loop& loop, double z, const CutSettings& cut, bool wall_on_left) {
   Path path;
   if (cut.arcs) {
     path = fit_arcs(loop.points, true, z, cut.tolerance);
@@ -41,6 +39,8 @@ Path path_of(const Loop& loop, double z, const CutSettings& cut, bool wall_on_le
   if (wall_on_left == cut.climb) reverse(path);
   return path;
 }
+
+namespace {
 
 /// Paths at each pass's height, one level a pass.
 std::vector<Path> at_passes(const std::vector<Path>& once, const std::vector<double>& passes) {
@@ -114,7 +114,7 @@ std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut
   const Loops loops =
       contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
   std::vector<Path> once;
-  for (const Loop& loop : loops) once.push_back(path_of(loop, 0, cut, side != Side::inside));
+  for (const Loop& loop : loops) once.push_back(loop_path(loop, 0, cut, side != Side::inside));
   std::vector<Path> paths = at_passes(once, cut.depths.passes());
   const double tab_top = cut.depths.bottom + tabs.height;
   for (Path& path : paths)
@@ -133,7 +133,7 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
                                  {part.cell, 0, level}, progress);
     const bool filled = loops.size() == 1 && loops[0].area() >= (1 - 1e-9) * part.bounds.size().prod();
     if (loops.empty() || (count < 0 && filled)) break;
-    for (const Loop& loop : loops) once.push_back(path_of(loop, 0, cut, true));
+    for (const Loop& loop : loops) once.push_back(loop_path(loop, 0, cut, true));
   }
   return at_passes(once, cut.depths.passes());
 }
@@ -145,26 +145,26 @@ std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell,
   for (int ring = 0;; ++ring) {
     const Loops loops = contours(area, bounds, {cell, 0, -ring * stepover}, progress);
     if (loops.empty()) break;
-    for (const Loop& loop : loops) paths.push_back(path_of(loop, z, cut, false));
+    for (const Loop& loop : loops) paths.push_back(loop_path(loop, z, cut, false));
   }
   return paths;
 }
 
-std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left,
-                         Progress& progress) {
+std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, const CutSettings& cut, Progress& progress) {
   const FieldPtr reachable = offset(area.distance, -(cut.radius + cut.allowance));
-  const std::vector<Path> once = rings(*reachable, area.bounds, area.cell, stepover, 0, cut, progress);
-  if (left != nullptr) {
-    // Parts of the area without a path in them.
-    Loops part = contours(*area.distance, area.bounds, {area.cell}, progress);
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      if (part[i].area() < 0) continue;
-      const bool cut_into =
-          std::any_of(once.begin(), once.end(), [&](const Path& p) { return part[i].encloses(p.points[0].at.head<2>()); });
-      if (!cut_into) left->push_back(0.5 * (part[i].bounds().lower + part[i].bounds().upper));
-    }
-  }
-  return at_passes(once, cut.depths.passes());
+  if (settings.adaptive) return adaptive(*reachable, area.bounds, area.cell, settings, cut, progress);
+  return at_passes(rings(*reachable, area.bounds, area.cell, settings.stepover, 0, cut, progress), cut.depths.passes());
+}
+
+std::vector<Vec2> too_narrow(const Outline& area, double radius, Progress& progress) {
+  // What the tool reaches is all within its radius of where its middle may be.
+  const Loops middles = contours(*area.distance, area.bounds, {area.cell, 0, -radius}, progress);
+  const FieldPtr left =
+      middles.empty() ? area.distance : intersect(area.distance, complement(offset(outline_field(middles), radius)));
+  std::vector<Vec2> places;
+  for (const Loop& loop : contours(*left, area.bounds, {area.cell, 0, -0.02 * radius}, progress))
+    if (loop.area() > 0.5 * radius * radius) places.push_back(0.5 * (loop.bounds().lower + loop.bounds().upper));
+  return places;
 }
 
 std::vector<Hole> holes(const Loops& loops, double tolerance) {

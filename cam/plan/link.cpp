@@ -113,7 +113,7 @@ class Linker {
   void step(const PathPoint& a, const PathPoint& b) {
     const Vec3 way = b.at - a.at;
     const bool down = a.bulge == 0 && -way.z() > 2 * way.head<2>().norm();
-    cut(b.at, down ? s_.plunge : s_.feed, a.bulge);
+    cut(b.at, down || a.pace == Pace::enter ? s_.plunge : a.pace == Pace::link ? s_.link_feed : s_.feed, a.bulge);
   }
 
   const LinkSettings& s_;

@@ -170,8 +170,8 @@ std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const
 
 std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings, Progress& progress) {
   const FieldPtr blocked = TipSurface::field(tips);
-  // The tool's middle may leave the stock by its radius, and does so that nothing stays at the border.
-  const Rectangle reach = settings.stock.grown(settings.cut.radius);
+  // The tool's middle may leave the stock by its radius, and does so that nothing stays at the border; by more to begin there.
+  const Rectangle reach = settings.stock.grown((settings.clear.adaptive ? 1.5 : 1) * settings.cut.radius);
   const std::vector<double> passes = settings.depths.passes();
   std::vector<Path> paths;
   for (std::size_t pass = 0; pass < passes.size(); ++pass) {
@@ -181,8 +181,13 @@ std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const Rou
     const Vec2 a = reach.lower, b = reach.upper;
     FieldPtr free = outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}});
     if (!walls.empty()) free = intersect(free, complement(outline_field(walls)));
-    for (Path& path :
-         rings(*free, reach.grown(settings.cell), settings.cell, settings.stepover, passes[pass], settings.cut, progress)) {
+    CutSettings level = settings.cut;
+    level.depths = {pass == 0 ? settings.depths.top : passes[pass - 1], passes[pass]};
+    const Rectangle bounds = reach.grown(settings.cell);
+    std::vector<Path> cleared = settings.clear.adaptive ? adaptive(*free, bounds, settings.cell, settings.clear, level, progress)
+                                                        : rings(*free, bounds, settings.cell, settings.clear.stepover,
+                                                                passes[pass], settings.cut, progress);
+    for (Path& path : cleared) {
       path.level = static_cast<int>(pass);
       paths.push_back(std::move(path));
     }

@@ -98,10 +98,11 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
     area.distance = intersect(complement(area.distance), outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}}));
     area.bounds = stock;
   }
-  const double stepover = stepover_of(values, context);
-  std::vector<Vec2> left;
+  const ClearSettings clear = clear_of(values, stepover_of(values, context), context.tool);
+  const std::vector<Vec2> left = too_narrow(area, cut.radius + cut.allowance, context.progress);
   Cuts cuts;
-  cuts.paths = pocket(area, stepover, cut, &left, context.progress);
+  cuts.paths = pocket(area, clear, cut, context.progress);
+  cuts.ordered = clear.adaptive;
   for (const Vec2& place : left)
     context.notes.push_back(fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left",
                                         2 * cut.radius, place.x(), place.y()));
@@ -110,7 +111,7 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
                 left.empty() ? "there is nothing to clear"
                              : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}",
                                            2 * cut.radius, left[0].x(), left[0].y()));
-  cuts.may_stay_down = within(area.distance, cut.radius + cut.allowance, 2.5 * stepover);
+  if (!clear.adaptive) cuts.may_stay_down = within(area.distance, cut.radius + cut.allowance, 2.5 * clear.stepover);
   return cuts;
 }
 
@@ -162,7 +163,7 @@ std::vector<Stage> flat_stages() {
        isolate_stage},
       {"pocket", "clears the inside of the part's outline, or the stock around it", Kind::outline, Kind::paths, true,
        Settings{choice("side", {"inside", "outside"}, "what is cleared"), stepover_setting(0.4, "from ring to ring")} +
-           depth_settings() + cut,
+           clear_settings() + depth_settings() + cut,
        pocket_stage},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is none")),

@@ -33,8 +33,9 @@ LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const B
   for (const Path& path : cuts.paths)
     for (const PathPoint& p : path.points) top = std::max(top, p.at.z());
   s.clearance = top + v.number("clearance");
-  s.helix_radius = 0.8 * radius;
+  s.helix_radius = op.tool.helix_radius();
   s.feed = v.number("feed"), s.plunge = v.number("plunge");
+  s.link_feed = is_set(v, "link_feed") ? v.number("link_feed") : s.feed;
   const std::string& entry = v.text("entry");
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
   s.ramp_angle = v.number("ramp_angle") * 3.14159265358979323846 / 180;

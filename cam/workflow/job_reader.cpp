@@ -28,6 +28,7 @@ Settings link_settings_table() {
              at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")),
              choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
              above_zero(number("clearance", "mm", 5, "of rapids above the stock")),
+             above_zero(number("link_feed", "mm/min", unset, "through what is cut already; the default is the feed")),
              choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
              between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
              choice("plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},

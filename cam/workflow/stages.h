@@ -34,6 +34,17 @@ inline Setting choice(std::string name, std::vector<std::string> choices, std::s
   return s;
 }
 
-inline bool is_set(const Values& values, const std::string& name) { return values.number(name) != unset; }
-
+/// How an area is cleared, but for the stepover.
+inline Settings clear_settings() {
+  return {choice("pattern", {"rings", "adaptive"},
+                 "rings along the walls, or constant engagement: never more than a straight pass has")};
+}
+inline ClearSettings clear_of(const Values& values, double stepover, const Tool& tool) {
+  ClearSettings clear;
+  clear.stepover = stepover;
+  clear.adaptive = values.text("pattern") == "adaptive";
+  clear.helix_radius = tool.helix_radius();
+  clear.ramp_angle = values.number("ramp_angle") * 3.14159265358979323846 / 180;
+  return clear;
+}
 }  // namespace fieldfab::cam

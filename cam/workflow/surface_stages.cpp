@@ -53,12 +53,18 @@ Artifact rough_stage(const Artifact& in, const Values& values, Context& context)
   settings.depths = depths_of(values, context, *surface);
   settings.depths.bottom = std::max(settings.depths.bottom + values.number("allowance"), surface->floor());
   settings.cut = cut_of(values, context);
-  settings.stepover = stepover_of(values, context);
+  settings.clear = clear_of(values, stepover_of(values, context), context.tool);
+  settings.clear.material = &context.material;
   settings.cell = std::max(surface->samples().cell, settings.cut.radius / 20);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   Cuts cuts;
-  cuts.paths = where_material(rough(tips, settings, context.progress), context.material, settings.cut.radius);
-  const double longest = 2.5 * settings.stepover;
+  cuts.paths = rough(tips, settings, context.progress);
+  if (settings.clear.adaptive) {
+    cuts.ordered = true;
+    return cuts;
+  }
+  cuts.paths = where_material(cuts.paths, context.material, settings.cut.radius);
+  const double longest = 2.5 * settings.clear.stepover;
   cuts.may_stay_down = [tips, longest](const Vec3& from, const Vec3& to) {
     const double length = (to - from).norm();
     if (std::abs(from.z() - to.z()) > 1e-6 || length > longest) return false;
@@ -152,7 +158,7 @@ std::vector<Stage> surface_stages() {
   return {
       {"rough", "clears in levels what lies above the part", Kind::surface, Kind::paths, true,
        Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} +
-           depth_settings(),
+           clear_settings() + depth_settings(),
        rough_stage},
       {"finish",
        "parallel passes over the part's surface",

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 
 #include "fieldfab/cam/material.h"
 #include "fieldfab/cam/operations.h"
@@ -78,9 +80,8 @@ TEST(Profile2d, TabsStandAsWideAsAsked) {
 
 TEST(Pocket, ReachesEveryPlaceTheToolFits) {
   const Loops area{rectangle(30, 20), ring({15, 10}, 4, true)};
-  std::vector<Vec2> left;
-  const auto paths = pocket(outline(area, {{0, 0}, {30, 20}}), 1.2, cut_of(1.5, 1), &left);
-  EXPECT_TRUE(left.empty());
+  EXPECT_TRUE(too_narrow(outline(area, {{0, 0}, {30, 20}}), 1.5).empty());
+  const auto paths = pocket(outline(area, {{0, 0}, {30, 20}}), {1.2}, cut_of(1.5, 1));
   const FieldPtr distance = outline_field(area);
   std::vector<Vec2> tips;
   for (const Path& path : paths) {
@@ -102,11 +103,119 @@ TEST(Pocket, ReachesEveryPlaceTheToolFits) {
 }
 
 TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
-  std::vector<Vec2> left;
-  const auto paths = pocket(outline({rectangle(20, 10), ring({30, 5}, 1, false)}, {{0, 0}, {32, 10}}), 1, cut_of(1.5, 1), &left);
-  EXPECT_FALSE(paths.empty());
-  ASSERT_EQ(left.size(), 1U);
+  // A round pocket, and a neck between two wide ones.
+  const Loop dumbbell{
+      {{0, 20}, {10, 20}, {10, 24}, {20, 24}, {20, 20}, {30, 20}, {30, 30}, {20, 30}, {20, 26}, {10, 26}, {10, 30}, {0, 30}}};
+  const Outline area = outline({rectangle(20, 10), ring({30, 5}, 1, false), dumbbell}, {{0, 0}, {32, 30}});
+  EXPECT_FALSE(pocket(area, {1}, cut_of(1.5, 1)).empty());
+  std::vector<Vec2> left = too_narrow(area, 1.5);
+  std::sort(left.begin(), left.end(), [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+  ASSERT_EQ(left.size(), 2U);
   EXPECT_NEAR((left[0] - Vec2(30, 5)).norm(), 0, 0.1);
+  EXPECT_NEAR((left[1] - Vec2(15, 25)).norm(), 0, 0.1);
+}
+
+/// Cells of a pocket that are still to be cut: the slow, obvious twin of what adaptive() steers by.
+struct Chips {
+  Chips(const Field& area, const Rectangle& region, double edge)
+      : cells(static_cast<int>(region.size().x() / edge), static_cast<int>(region.size().y() / edge), edge,
+              region.lower + Vec2::Constant(edge / 2), 0) {
+    for (int row = 0; row < cells.height; ++row)
+      for (int c = 0; c < cells.width; ++c)
+        cells.at(c, row) = area.value({cells.place(c, row).x(), cells.place(c, row).y(), 0}) < 0 ? 1 : 0;
+  }
+  /// Area that a disc takes away.
+  double cut(const Vec2& at, double radius) {
+    int count = 0;
+    for (int row = 0; row < cells.height; ++row) {
+      if (std::abs(cells.place(0, row).y() - at.y()) > radius) continue;
+      for (int c = std::max(0, static_cast<int>((at.x() - radius - cells.origin.x()) / cells.cell));
+           c < cells.width && cells.place(c, row).x() < at.x() + radius; ++c)
+        if (cells.at(c, row) != 0 && (cells.place(c, row) - at).norm() < radius) cells.at(c, row) = 0, ++count;
+    }
+    return count * cells.cell * cells.cell;
+  }
+  Bitmap cells;
+};
+
+TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(12, 48), y(12, 33), size(2, 5), turn(0, 6);
+  for (int trial = 0; trial < 4; ++trial) {
+    Loops area{rectangle(60, 45)};
+    for (int island = 0; island < trial; ++island) {
+      // Far enough from each other that a tool of 4 mm has room to turn between them.
+      const Vec2 at(x(random), y(random));
+      const double radius = size(random), angle = turn(random);
+      const bool free = std::all_of(area.begin() + 1, area.end(), [&](const Loop& other) {
+        return (0.5 * (other.bounds().lower + other.bounds().upper) - at).norm() > radius + 14;
+      });
+      if (!free) continue;
+      Loop loop;
+      const int corners = 3 + island;
+      for (int k = 0; k < corners; ++k)
+        loop.points.push_back(at + radius * Vec2(std::cos(angle - 2 * pi * k / corners), std::sin(angle - 2 * pi * k / corners)));
+      area.push_back(loop);
+    }
+    for (const double stepover : {0.6, 1.6}) {
+      SCOPED_TRACE(testing::Message() << trial << " " << stepover);
+      CutSettings cut = cut_of(2, 1);
+      cut.climb = trial % 2 == 0;
+      const Outline pocket_area = outline(area, {{0, 0}, {60, 45}});
+      const auto paths = pocket(pocket_area, {stepover, true, 1.6}, cut);
+      const double edge = 0.05;
+      Chips chips(*pocket_area.distance, {{0, 0}, {60, 45}}, edge);
+      std::vector<double> widths;
+      double taken = 0, length = 0, in_links = 0;
+      for (const Path& path : paths)
+        for (std::size_t i = 0; i + 1 < path.points.size() + (path.closed ? 1 : 0); ++i) {
+          const PathPoint &a = path.points[i], &b = path.points[(i + 1) % path.points.size()];
+          const double way = length_between(a.at, b.at, a.bulge);
+          const int steps = std::max(1, static_cast<int>(std::ceil(way / 0.1)));
+          for (int k = 1; k <= steps; ++k) {
+            const Vec2 p = place_between(a.at, b.at, a.bulge, static_cast<double>(k) / steps).head<2>();
+            EXPECT_LE(pocket_area.distance->value({p.x(), p.y(), 0}), -2 + cut.tolerance + 1e-4);
+            const double area_cut = chips.cut(p, 2 + cut.tolerance);
+            if (a.pace == Pace::link) in_links += area_cut;
+            if (a.pace != Pace::cut) continue;
+            taken += area_cut, length += way / steps;
+            if (length >= 1) widths.push_back(taken / length), taken = length = 0;
+          }
+        }
+      std::sort(widths.begin(), widths.end());
+      const auto at = [&](double share) {
+        return widths[static_cast<std::size_t>(share * static_cast<double>(widths.size() - 1))];
+      };
+      EXPECT_LE(at(0.999), 1.15 * stepover);
+      EXPECT_LE(at(1), 1.6 * stepover);
+      EXPECT_GE(std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size()), 0.7 * stepover);
+      EXPECT_LE(in_links, 0.3);
+      // What is left lies where the tool cannot reach, but for hairs thinner than twice the tolerance.
+      const FieldPtr middles = outline_field(offset(area, -2, 0.05));
+      for (int row = 0; row < chips.cells.height; ++row)
+        for (int c = 0; c < chips.cells.width; ++c) {
+          const Vec2 p = chips.cells.place(c, row);
+          if (chips.cells.at(c, row) != 0) {
+            EXPECT_GT(middles->value({p.x(), p.y(), 0}), 2 - 2 * edge) << p.transpose();
+          }
+        }
+    }
+  }
+}
+
+TEST(Adaptive, CutsSlotsLast) {
+  // A wide pocket with a slot as wide as the tool: the slot takes all of the tool's width, and nothing else does.
+  const Loop area{{{0, 0}, {30, 0}, {30, 8}, {45, 8}, {45, 12.2}, {30, 12.2}, {30, 20}, {0, 20}}};
+  const auto paths = pocket(outline({area}, {{0, 0}, {45, 20}}), {1, true, 1.6}, cut_of(2, 1));
+  double farthest = 0;
+  for (const Path& path : paths)
+    for (const PathPoint& p : path.points) farthest = std::max(farthest, p.at.x());
+  EXPECT_NEAR(farthest, 43, 0.01);
+}
+
+TEST(Adaptive, RefusesMoreThanTheTool) {
+  EXPECT_THROW((void)pocket(outline({rectangle(30, 20)}, {{0, 0}, {30, 20}}), {0, true}, cut_of(2, 1)), Error);
+  EXPECT_THROW((void)pocket(outline({rectangle(30, 20)}, {{0, 0}, {30, 20}}), {4.1, true}, cut_of(2, 1)), Error);
 }
 
 TEST(Drill, FindsRoundHolesOnly) {

@@ -11,6 +11,8 @@
 
 namespace fieldfab::cam {
 
+class Material;
+
 /// A part seen from above as signed distance: negative in the part, exact at least near its outline.
 struct Outline {
   FieldPtr distance;
@@ -53,13 +55,31 @@ std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut
 std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut,
                           Progress& progress = Progress::none());
 
-/// Clears the inside of the outline; what the tool is too large for is left, and told in `left`: one point in each such place.
-std::vector<Path> pocket(const Outline& area, double stepover, const CutSettings& cut, std::vector<Vec2>* left = nullptr,
+/// How an area is cleared.
+struct ClearSettings {
+  double stepover = 1;      ///< between rings, mm; adaptive: the tool is engaged as in a straight pass of that stepover
+  bool adaptive = false;    ///< adaptive() instead of rings
+  double helix_radius = 1;  ///< adaptive: of the way into solid material; less where there is no room for it
+  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< of the helix against the plane, radians
+  const Material* material = nullptr;                    ///< what there is to cut; nullptr: everything
+};
+
+/// Clears the inside of the outline, as far as the tool gets there. With adaptive clearing the paths are in their order.
+std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, const CutSettings& cut,
                          Progress& progress = Progress::none());
+/// Pockets and necks that a tool of that radius does not get into: the middles of what it leaves, but for corners.
+std::vector<Vec2> too_narrow(const Outline& area, double radius, Progress& progress = Progress::none());
 
 /// Rings inside an area that the tool's middle may be in (negative), `stepover` apart, the outermost along its border.
 std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z,
                         const CutSettings& cut, Progress& progress = Progress::none());
+
+/// Clears an area with constant engagement: the tool's middle stays where `free` is negative, inside of the bounds, and is
+/// steered step by step so that each step cuts the same area, as far as walls allow. Ways through what is cut already are part of
+/// the paths (Pace::link), the way into solid material too. What can only be cut with more engagement (slots) comes last, and
+/// then a pass along the walls. Paths are in their order. `cell`: squares that contours are made with.
+std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double cell, const ClearSettings& settings,
+                           const CutSettings& cut, Progress& progress = Progress::none());
 
 /// Carves the inside of the outline with a V of half angle `half_angle`, so that its flanks end at the outline: along the medial
 /// axis, as deep as the V is wide there, but no deeper than the depths' bottom; wider places get a flat floor.
@@ -80,7 +100,7 @@ std::vector<Path> drill(const std::vector<Hole>& where, double peck, const Depth
 struct RoughSettings {
   Rectangle stock;  ///< of the material, mm
   Depths depths;
-  double stepover = 1;
+  ClearSettings clear;
   CutSettings cut;
   double cell = 0.2;  ///< squares of contours, mm
 };

@@ -8,6 +8,9 @@
 
 namespace fieldfab::cam {
 
+/// How the tool goes on from a vertex: cutting; getting into the material; or through what is cut already.
+enum class Pace { cut, enter, link };
+
 /// A vertex of a path and the way on from it.
 struct PathPoint {
   Vec3 at = Vec3::Zero();  ///< mm
@@ -15,6 +18,7 @@ struct PathPoint {
   /// anticlockwise seen from above, negative clockwise (DXF's bulge). z changes evenly along it.
   double bulge = 0;
   Vec3 axis = Vec3::UnitZ();  ///< from the tip towards the spindle, of length 1
+  Pace pace = Pace::cut;
 };
 
 /// A run of the tool without leaving the material.

@@ -44,6 +44,7 @@ enum class Entry { plunge, ramp, helix };
 struct LinkSettings {
   double clearance = 5;             ///< z of rapids between paths, mm
   double feed = 600, plunge = 200;  ///< mm/min
+  double link_feed = 600;           ///< through what is cut already, mm/min
   Entry entry = Entry::plunge;
   double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< against the plane, radians
   double helix_radius = 0;                               ///< of a helix that the tool's middle follows, mm

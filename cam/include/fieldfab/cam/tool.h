@@ -63,6 +63,8 @@ struct Tool {
   double spindle = 0;           ///< revolutions per minute; 0: alike
 
   [[nodiscard]] double radius() const { return diameter / 2; }
+  /// Of its middle on a helix into solid material: so that no core stays, mm.
+  [[nodiscard]] double helix_radius() const { return 0.4 * diameter; }
   /// Throws bad_input for a tool that is none.
   [[nodiscard]] Profile profile() const;
 };

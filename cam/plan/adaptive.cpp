@@ -1,0 +1,537 @@
+// Clearing with constant engagement: the tool is steered so that each step cuts away the same width of material.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/cam/distance.h"
+#include "fieldfab/cam/material.h"
+#include "fieldfab/cam/operations.h"
+#include "fieldfab/core/error.h"
+#include "loop_path.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Vec2 towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
+
+/// What is left to be cut, as shares of the cells of a lattice: those on the edge of a cut hold a part, so that areas come out much
+/// finer than the cells are.
+class Remains {
+ public:
+  Remains(const Rectangle& region, double cell, double radius)
+      : radius_(radius),
+        share_(static_cast<int>(std::ceil(region.size().x() / cell)) + 1, static_cast<int>(std::ceil(region.size().y() / cell)) + 1,
+               cell, region.lower, 0) {}
+
+  [[nodiscard]] Bitmap& cells() { return share_; }
+  [[nodiscard]] const Bitmap& cells() const { return share_; }
+
+  /// Area that the tool cuts when it comes to a place from one where it has cut all it covers, mm^2.
+  [[nodiscard]] double cut_area(const Vec2& from, const Vec2& to) const {
+    double sum = 0;
+    each_row(to, [&](int row, double left, double right) {
+      const double old = half_width(from, row), middle = column(from.x());
+      if (old <= 0) return void(sum += in_row(row, left, right));
+      // What is left in the cells of an edge lies beyond it.
+      if (left < middle - old) sum += in_row(row, left, std::min(right, std::floor(middle - old) + 1));
+      if (right > middle + old) sum += in_row(row, std::max(left, std::floor(middle + old)), right);
+    });
+    return sum * share_.cell * share_.cell / full;
+  }
+  [[nodiscard]] double covered_area(const Vec2& at) const {
+    double sum = 0;
+    each_row(at, [&](int row, double left, double right) { sum += in_row(row, left, right); });
+    return sum * share_.cell * share_.cell / full;
+  }
+
+  /// The tool is at a place: nothing is left there.
+  void cut(const Vec2& at) {
+    each_row(at, [&](int row, double left, double right) {
+      std::uint8_t* const cells = share_.row(row);
+      const int first = static_cast<int>(std::floor(left)), last = static_cast<int>(std::ceil(right)) - 1;
+      const auto keep = [&](int c, double part) {
+        if (c >= 0 && c < share_.width) cells[c] = std::min(cells[c], static_cast<std::uint8_t>(std::ceil(full * part)));
+      };
+      if (last <= first) return keep(first, (left - first) + (first + 1 - right));
+      keep(first, left - first), keep(last, last + 1 - right);
+      for (int c = std::max(0, first + 1); c < std::min(last, share_.width); ++c) cells[c] = 0;
+    });
+  }
+  /// Along a straight way, in steps so short that no ridge to speak of is left at the sides.
+  void cut(const Vec2& from, const Vec2& to) {
+    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.1 * radius_))));
+    for (int i = 1; i <= steps; ++i) cut(Vec2(from + (to - from) * i / steps));
+  }
+
+  [[nodiscard]] bool any(const Vec2& p) const {
+    const int c = static_cast<int>(std::floor(column(p.x()))),
+              r = static_cast<int>(std::lround((p.y() - share_.origin.y()) / share_.cell));
+    return c >= 0 && r >= 0 && c < share_.width && r < share_.height && share_.at(c, r) > full / 2;
+  }
+  [[nodiscard]] double area() const {
+    double sum = 0;
+    for (const std::uint8_t share : share_.values) sum += share;
+    return sum * share_.cell * share_.cell / full;
+  }
+
+  static constexpr int full = 255;
+
+ private:
+  /// x in cells: cell c reaches from c to c + 1.
+  [[nodiscard]] double column(double x) const { return (x - share_.origin.x()) / share_.cell + 0.5; }
+  /// Of the disc in a row, in cells.
+  [[nodiscard]] double half_width(const Vec2& at, int row) const {
+    const double up = share_.origin.y() + row * share_.cell - at.y(), squared = radius_ * radius_ - up * up;
+    return squared > 0 ? std::sqrt(squared) / share_.cell : 0;
+  }
+  template <class Visit>
+  void each_row(const Vec2& at, const Visit& visit) const {
+    const double middle = (at.y() - share_.origin.y()) / share_.cell, reach = radius_ / share_.cell;
+    const int first = std::max(0, static_cast<int>(std::ceil(middle - reach))),
+              last = std::min(share_.height - 1, static_cast<int>(std::floor(middle + reach)));
+    for (int row = first; row <= last; ++row) {
+      const double half = half_width(at, row), x = column(at.x());
+      if (half > 0) visit(row, x - half, x + half);
+    }
+  }
+  /// What a cut from one column to another takes; the same as cut() does to the cells.
+  [[nodiscard]] double in_row(int row, double left, double right) const {
+    const std::uint8_t* const cells = share_.row(row);
+    const int first = static_cast<int>(std::floor(left)), last = static_cast<int>(std::ceil(right)) - 1;
+    const auto taken = [&](int c, double kept) {
+      return c < 0 || c >= share_.width ? 0.0 : std::max(0.0, cells[c] - std::ceil(full * kept));
+    };
+    if (last <= first) return taken(first, (left - first) + (first + 1 - right));
+    double sum = taken(first, left - first) + taken(last, last + 1 - right);
+    for (int c = std::max(0, first + 1); c < std::min(last, share_.width); ++c) sum += cells[c];
+    return sum;
+  }
+
+  double radius_;
+  Bitmap share_;
+};
+
+/// Clears one connected area that the tool's middle may be in.
+class Area {
+ public:
+  Area(const Loops& walls, double top, double bottom, const ClearSettings& settings, const CutSettings& cut, Progress& progress)
+      : top_(top),
+        bottom_(bottom),
+        s_(settings),
+        cut_(cut),
+        progress_(progress),
+        side_(cut.climb ? 1 : -1),
+        step_(0.1 * cut.radius),
+        walls_(outline_field(walls)),
+        region_(walls[0].bounds()),
+        cell_(cell_for(region_, cut.radius)),
+        left_(region_.grown(cut.radius + 2 * cell_), cell_, cut.radius),
+        all_(left_) {
+    lay_out(walls);
+    all_ = left_;
+  }
+
+  std::vector<Path> run() {
+    std::vector<Path> paths;
+    Path path;
+    const double all = std::max(left_.area(), 1e-12);
+    if (starts_.empty()) {
+      if (left_.area() < 1e-9) return {};
+      enter(path);
+    } else {
+      at_ = starts_.front().at;
+    }
+    // First with the engagement that was asked for; then what can only be cut with more.
+    double uncut = all;
+    for (const double most : {1.1 * s_.stepover, 2 * s_.stepover, 4 * cut_.radius}) {
+      limit_ = most;
+      for (Start& start : starts_) start.tried = false;
+      for (Pass pass = next_pass(); !pass.points.empty(); pass = next_pass()) {
+        progress_.check();
+        uncut -= pass.area;
+        progress_.report(1 - uncut / all, "clearing");
+        add(pass, path, paths);
+      }
+    }
+    if (!path.points.empty()) paths.push_back(std::move(path));
+    sweep_up(paths);
+    return paths;
+  }
+
+ private:
+  /// A place where the tool has been, or can be without cutting.
+  struct Start {
+    Vec2 at;
+    int pass = -1;       // that it was a place of; its places follow one another
+    bool done = false;   // nothing is left beside it
+    bool tried = false;  // nothing can be cut from here with the present limit
+  };
+  struct Pass {
+    std::vector<Vec2> points;
+    double area = 0;
+    bool reached = false;    // there is a clear way to its start
+    std::vector<Vec2> over;  // places on that way
+  };
+
+  static double cell_for(const Rectangle& region, double radius) {
+    // Fine enough for areas of a step; large pockets make do with less.
+    const double cell = std::max(radius / 30, std::sqrt(region.size().prod() / 5e7));
+    if (cell > radius / 6) throw Error(ErrorKind::too_large, "adaptive", "the area is too large for so small a tool");
+    return cell;
+  }
+
+  /// What the tool can reach is material, unless there is none.
+  void lay_out(const Loops& walls) {
+    Bitmap& cells = left_.cells();
+    Bitmap free(cells.width, cells.height, cells.cell, cells.origin, 0);
+    // Even-odd, row by row.
+    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(cells.height));
+    for (const Loop& loop : walls)
+      for (std::size_t i = 0, n = loop.points.size(); i < n; ++i) {
+        Vec2 a = loop.points[i], b = loop.points[(i + 1) % n];
+        if (a.y() > b.y()) std::swap(a, b);
+        const auto row_above = [&](double y) { return static_cast<int>(std::ceil((y - cells.origin.y()) / cells.cell)); };
+        for (int row = std::max(0, row_above(a.y())); row < std::min(cells.height, row_above(b.y())); ++row) {
+          const double y = cells.origin.y() + row * cells.cell;
+          crossings[static_cast<std::size_t>(row)].push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
+        }
+      }
+    for (int row = 0; row < cells.height; ++row) {
+      auto& at = crossings[static_cast<std::size_t>(row)];
+      std::sort(at.begin(), at.end());
+      for (std::size_t i = 0; i + 1 < at.size(); i += 2)
+        for (int c = static_cast<int>(std::ceil((at[i] - cells.origin.x()) / cells.cell));
+             c < cells.width && cells.place(c, row).x() <= at[i + 1]; ++c)
+          free.at(c, row) = 1;
+    }
+    const Lattice<float> reach = distance_transform(free, progress_);
+    for (std::size_t i = 0; i < cells.values.size(); ++i)
+      if (reach.values[i] < cut_.radius - cell_) cells.values[i] = Remains::full;
+    Bitmap solid = free;
+    for (std::uint8_t& v : solid.values) v = v == 0 ? 1 : 0;
+    clear_ = distance_transform(solid, progress_);
+    if (s_.material == nullptr) return;
+    bool air = false;
+    for (int row = 0; row < cells.height; ++row)
+      for (int c = 0; c < cells.width; ++c)
+        if (std::uint8_t& here = cells.at(c, row); here != 0 && s_.material->highest(cells.place(c, row), 0) <= bottom_ + 1e-3)
+          here = 0, air = true;
+    if (!air) return;
+    // Places beside the material, where the tool can be without cutting.
+    Bitmap material = cells;
+    for (std::uint8_t& v : material.values) v = v != 0 ? 1 : 0;
+    const Lattice<float> away = distance_transform(material, progress_);
+    const int every = std::max(1, static_cast<int>(0.25 * cut_.radius / cell_));
+    for (int row = 0; row < cells.height; row += every)
+      for (int c = 0; c < cells.width; c += every)
+        if (free.at(c, row) != 0 && away.at(c, row) > cut_.radius + cell_ && away.at(c, row) < 1.5 * cut_.radius)
+          starts_.push_back({cells.place(c, row)});
+  }
+
+  /// Whether the tool's middle may be here.
+  [[nodiscard]] bool may_be(const Vec2& p) const {
+    const Bitmap& cells = left_.cells();
+    const Vec2 at = (p - cells.origin) / cell_;
+    const int c = static_cast<int>(std::lround(at.x())), r = static_cast<int>(std::lround(at.y()));
+    if (c < 0 || r < 0 || c >= cells.width || r >= cells.height) return false;
+    if (clear_.at(c, r) > 2 * cell_) return true;
+    return walls_->value({p.x(), p.y(), 0}) <= 0;
+  }
+
+  /// Into solid material: down a helix where there is most room.
+  void enter(Path& path) {
+    const Bitmap& cells = left_.cells();
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < clear_.values.size(); ++i)
+      if (clear_.values[i] > clear_.values[best]) best = i;
+    const auto wide = static_cast<std::size_t>(cells.width);
+    const Vec2 centre = cells.place(static_cast<double>(best % wide), static_cast<double>(best / wide));
+    const double radius = std::min(s_.helix_radius, static_cast<double>(clear_.values[best]) - 2 * cell_);
+    const auto add = [&](const Vec2& p, double z, double bulge, Pace pace) {
+      path.points.push_back({{p.x(), p.y(), z}, bulge, Vec3::UnitZ(), pace});
+    };
+    if (!(radius > 0.05 * cut_.radius)) {  // no room: straight down
+      add(centre, top_, 0, Pace::enter), add(centre, bottom_, 0, Pace::cut);
+      left_.cut(centre);
+      starts_.push_back({centre});
+      at_ = centre;
+      return;
+    }
+    const Vec2 near = centre + Vec2(radius, 0), across = centre - Vec2(radius, 0);
+    const double round = std::tan(s_.ramp_angle) * 2 * pi * radius;
+    const int halves = 2 * std::max(1, static_cast<int>(std::ceil((top_ - bottom_) / round)));
+    for (int k = 0; k < halves; ++k)
+      add(k % 2 == 0 ? near : across, top_ + (bottom_ - top_) * k / halves, side_, Pace::enter);
+    add(near, bottom_, side_, Pace::enter), add(across, bottom_, side_, Pace::enter), add(near, bottom_, 0, Pace::cut);
+    const int around = std::max(16, static_cast<int>(std::ceil(2 * pi * radius / step_)));
+    for (int k = 0; k < around; ++k) {
+      const Vec2 p = centre + radius * towards(2 * pi * k / around);
+      left_.cut(p);
+      if (k % 4 == 0) starts_.push_back({p});
+    }
+    at_ = near;
+  }
+
+  /// A turn to the side where the material is; angles are bearings.
+  [[nodiscard]] Vec2 ahead(const Vec2& from, double heading, double turn) const {
+    return from + step_ * towards(heading - side_ * turn);
+  }
+  /// Width that a step cuts, mm.
+  [[nodiscard]] double width(const Vec2& from, const Vec2& to) const { return left_.cut_area(from, to) / step_; }
+
+  /// The heading that has the material which begins beside a place on the tool's side; false where there is none.
+  bool heading_at(const Vec2& p, double& heading) const {
+    constexpr int around = 72;
+    const double ring = cut_.radius + 2.5 * cell_;
+    bool solid[around];
+    int first_free = -1;
+    for (int k = 0; k < around; ++k) {
+      solid[k] = left_.any(p + ring * towards(2 * pi * k / around));
+      if (!solid[k]) first_free = k;
+    }
+    if (first_free < 0) return heading = 0, true;
+    // The longest run; it is behind the tool's side, so that turning towards it cuts more and more.
+    int longest = 0, end = 0;
+    for (int k = 0, run = 0; k <= around; ++k) {
+      const int i = (first_free + k) % around;
+      if (solid[i] && k < around) {
+        ++run;
+        continue;
+      }
+      if (run > longest) longest = run, end = side_ > 0 ? k - 1 : k - run;
+      run = 0;
+    }
+    if (longest == 0) return false;
+    heading = 2 * pi * (first_free + end) / around + side_ * pi / 2;
+    return true;
+  }
+
+  /// The next step: turned so that it cuts the width asked for, and no farther than the tool's middle may go. False where there is
+  /// none.
+  bool steer(const Vec2& at, double heading, double& turn, double& cut) const {
+    constexpr double most_in = 0.5, most_out = 0.9;
+    double in = most_in, out = -most_out, width_in = -1, width_out = -1;
+    const auto cuts = [&](double t) { return width(at, ahead(at, heading, t)); };
+    double t = std::clamp(turn, out, in);
+    for (int i = 0; i < 12; ++i) {
+      cut = cuts(t);
+      if (std::abs(cut - s_.stepover) < 0.02 * s_.stepover || in - out < 1e-3) break;
+      (cut > s_.stepover ? in : out) = t;
+      (cut > s_.stepover ? width_in : width_out) = cut;
+      if (width_in < 0 && i > 1) {
+        t = in, cut = width_in = cuts(in);
+        if (cut < s_.stepover) break;
+      } else if (width_out < 0 && i > 1) {
+        t = out, cut = width_out = cuts(out);
+        if (cut > s_.stepover) break;
+      }
+      if (width_in >= 0 && width_out >= 0 && i < 6)
+        t = out + (in - out) * std::clamp((s_.stepover - width_out) / std::max(width_in - width_out, 1e-12), 0.1, 0.9);
+      else
+        t = 0.5 * (in + out);
+    }
+    if (!may_be(ahead(at, heading, t))) {
+      double blocked = t;
+      do t -= 0.15;
+      while (t > -pi && !may_be(ahead(at, heading, t)));
+      if (t <= -pi) return false;
+      blocked = std::min(blocked, t + 0.15);
+      for (int i = 0; i < 8; ++i) {
+        const double middle = 0.5 * (blocked + t);
+        (may_be(ahead(at, heading, middle)) ? t : blocked) = middle;
+      }
+      cut = cuts(t);
+    }
+    turn = t;
+    return cut <= limit_;
+  }
+
+  /// Cuts on from a place until there is nothing more to cut or the limit is met.
+  Pass pass_from(const Vec2& start, double heading) {
+    Pass pass;
+    pass.points.push_back(start);
+    Vec2 at = start;
+    double turn = 0;
+    int idle = 0;
+    std::size_t engaged = 0;  // points up to the last step that cut
+    while (idle < 6) {
+      double cut = 0;
+      if (!steer(at, heading, turn, cut)) break;
+      const Vec2 to = ahead(at, heading, turn);
+      heading -= side_ * turn;
+      if (cut > 0.03 * s_.stepover) {
+        idle = 0;
+        // The way here, while what the pass is going to cut is still there.
+        if (engaged == 0) pass.reached = way_to(start, pass.over);
+        left_.cut(to);
+        pass.area += cut * step_;
+        engaged = pass.points.size() + 1;
+      } else {
+        ++idle;
+      }
+      pass.points.push_back(to);
+      at = to;
+      if (pass.points.size() % 256 == 0) progress_.check();
+    }
+    pass.points.resize(engaged);
+    return pass;
+  }
+
+  /// From the nearest place where something can be cut; empty where there is none.
+  Pass next_pass() {
+    std::vector<std::pair<double, std::size_t>> nearest;
+    for (std::size_t i = 0; i < starts_.size(); ++i)
+      if (!starts_[i].done && !starts_[i].tried) nearest.emplace_back((starts_[i].at - at_).squaredNorm(), i);
+    const auto farther = std::greater<>();
+    std::make_heap(nearest.begin(), nearest.end(), farther);
+    while (!nearest.empty()) {
+      std::pop_heap(nearest.begin(), nearest.end(), farther);
+      std::size_t i = nearest.back().second;
+      nearest.pop_back();
+      double heading = 0, earlier = 0;
+      if (starts_[i].done || starts_[i].tried) continue;
+      if (!heading_at(starts_[i].at, heading)) {
+        starts_[i].done = true;
+        continue;
+      }
+      // Back along the front that the earlier pass has left, so that one pass takes all of it.
+      while (i > 0 && starts_[i].pass >= 0 && starts_[i - 1].pass == starts_[i].pass && !starts_[i - 1].tried &&
+             heading_at(starts_[i - 1].at, earlier))
+        --i, heading = earlier;
+      Pass pass = pass_from(starts_[i].at, heading);
+      if (pass.area > 0.05 * s_.stepover * cut_.radius) return pass;
+      starts_[i].tried = true;
+      if (!pass.points.empty()) return pass;
+    }
+    return {};
+  }
+
+  /// Whether the tool cuts nothing on the straight way.
+  [[nodiscard]] bool is_clear(const Vec2& from, const Vec2& to) const {
+    const double length = (to - from).norm();
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / (0.2 * cut_.radius))));
+    for (int i = 0; i <= steps; ++i) {
+      const Vec2 p = from + (to - from) * i / steps;
+      if (!may_be(p) || left_.covered_area(p) > 0.02 * s_.stepover * step_) return false;
+    }
+    return true;
+  }
+  /// Places on a clear way from the end of the last pass, over one on it or straight; false where there is none.
+  bool way_to(const Vec2& to, std::vector<Vec2>& over) const {
+    if (is_clear(at_, to)) return true;
+    double shortest = std::numeric_limits<double>::infinity();
+    const std::size_t n = last_.size(), every = std::max<std::size_t>(1, n / 12);
+    for (std::size_t i = 0; i < n; i += every) {
+      const double length = (last_[i] - at_).norm() + (to - last_[i]).norm();
+      if (length < shortest && is_clear(at_, last_[i]) && is_clear(last_[i], to)) shortest = length, over = {last_[i]};
+    }
+    return !over.empty();
+  }
+
+  void add(const Pass& pass, Path& path, std::vector<Path>& paths) {
+    if (!path.points.empty() && !pass.reached) {
+      paths.push_back(std::move(path));
+      path = {};
+    }
+    if (!path.points.empty()) {
+      path.points.back().pace = Pace::link;
+      for (const Vec2& p : pass.over) path.points.push_back({{p.x(), p.y(), bottom_}, 0, Vec3::UnitZ(), Pace::link});
+    }
+    const Path fitted = fit_arcs(pass.points, false, bottom_, cut_.tolerance);
+    for (const PathPoint& p : fitted.points)
+      if (path.points.empty() || (path.points.back().at - p.at).norm() > 1e-9)
+        path.points.push_back(p);
+      else
+        path.points.back() = p;
+    path.points.back().bulge = 0;
+    const std::size_t apart = 4;
+    for (std::size_t i = 0; i < pass.points.size(); ++i)
+      if (i % apart == 0 || i + 1 == pass.points.size()) starts_.push_back({pass.points[i], passes_});
+    ++passes_;
+    at_ = pass.points.back();
+    last_ = pass.points;
+    std::erase_if(starts_, [](const Start& s) { return s.done; });
+  }
+
+  double top_, bottom_;
+  /// Straight over the slivers that are left between fronts that met, and by the lines and arcs that were put in the place of
+  /// steps.
+  void sweep_up(std::vector<Path>& paths) {
+    left_ = all_;
+    for (const Path& path : paths) {
+      const std::vector<PathPoint> points = points_along(path, step_);
+      for (std::size_t i = 1; i < points.size(); ++i) left_.cut(points[i - 1].at.head<2>(), points[i].at.head<2>());
+    }
+    Path path;
+    const Bitmap& cells = left_.cells();
+    for (int row = 0; row < cells.height; ++row)
+      for (int c = 0; c < cells.width; ++c) {
+        if (cells.at(c, row) == 0) continue;
+        Vec2 over = cells.place(c, row);
+        for (int i = 0; i < 4 && !may_be(over); ++i) {  // to the nearest place where the tool's middle may be
+          const Vec3 p(over.x(), over.y(), 0), away = walls_->gradient(p);
+          over -= (walls_->value(p) + 0.1 * cell_) * away.head<2>();
+        }
+        if (!may_be(over)) continue;
+        Pass pass;
+        pass.points = {over};
+        left_.cut(over);
+        add(pass, path, paths);
+      }
+    if (!path.points.empty()) paths.push_back(std::move(path));
+  }
+
+  const ClearSettings& s_;
+  const CutSettings& cut_;
+  Progress& progress_;
+  double side_;  // where the material is: 1 on the right
+  double step_;
+  FieldPtr walls_;
+  Rectangle region_;
+  double cell_;
+  Remains left_, all_;  // to be cut: still, and at first
+  Lattice<float> clear_;  // distance to the walls
+  std::vector<Start> starts_;
+  double limit_ = 0;  // width that a step may cut
+  Vec2 at_ = Vec2::Zero();
+  int passes_ = 0;
+  std::vector<Vec2> last_;  // the last pass
+};
+
+}  // namespace
+
+std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double cell, const ClearSettings& settings,
+                           const CutSettings& cut, Progress& progress) {
+  if (!(settings.stepover > 0) || settings.stepover > 2 * cut.radius)
+    throw Error(ErrorKind::bad_input, "stepover", "must be above 0 and at most the tool's diameter");
+  // Chords of the passes and their arcs stay clear of the walls; a last pass along these takes what that leaves.
+  const double inset = 2 * cut.tolerance + 0.00125 * cut.radius;
+  const Loops walls = contours(free, bounds, {cell, 0, -inset}, progress), edges = contours(free, bounds, {cell}, progress);
+  const std::vector<int> parents = nesting(walls);
+  const std::vector<double> passes = cut.depths.passes();
+  std::vector<Path> paths;
+  for (std::size_t pass = 0; pass < passes.size(); ++pass) {
+    const double top = pass == 0 ? cut.depths.top : passes[pass - 1], bottom = passes[pass];
+    std::vector<Path> level;
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+      if (walls[i].area() < 0) continue;
+      Loops area{walls[i]};
+      for (std::size_t k = 0; k < walls.size(); ++k)
+        if (parents[k] == static_cast<int>(i)) area.push_back(walls[k]);
+      for (Path& path : Area(area, top, bottom, settings, cut, progress).run()) level.push_back(std::move(path));
+    }
+    std::vector<Path> along;
+    for (const Loop& loop : edges) along.push_back(loop_path(loop, bottom, cut, false));
+    if (settings.material != nullptr) along = where_material(along, *settings.material, cut.radius);
+    level.insert(level.end(), along.begin(), along.end());
+    for (Path& path : level) {
+      path.level = static_cast<int>(pass);
+      paths.push_back(std::move(path));
+    }
+  }
+  return paths;
+}
+
+}  // namespace fieldfab::cam
