@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -208,6 +209,13 @@ class TextWriter {
       templates_.set(name, coordinate_value(mm));
   }
 
+  [[nodiscard]] std::array<std::string, 3> as_written(const Vec3& p) const {
+    std::array<std::string, 3> words;
+    for (int axis = 0; axis < 3; ++axis)
+      words[static_cast<std::size_t>(axis)] = number_text(coordinate_value(p[axis]), machine_.decimals);
+    return words;
+  }
+
   void stop_cutting() {
     if (cutting_) out_ += templates_.fill("end");
     cutting_ = false;
@@ -220,6 +228,8 @@ class TextWriter {
     const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
     check(pose.position);
     const bool turned = last_ && pose.angles != last_->angles;
+    if (cutting_ && !move.rapid() && move.bulge == 0 && !turned && as_written(pose.position) == as_written(last_->position))
+      return;  // shorter than the last decimal
     for (std::size_t k = 0; k < solver_.axes().size(); ++k) {
       const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
       templates_.set(letter, pose.angles[k] * 180 / std::numbers::pi);

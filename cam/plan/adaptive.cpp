@@ -16,14 +16,14 @@ constexpr double pi = std::numbers::pi;
 
 Vec2 towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-/// What is left to be cut, as shares of the cells of a lattice: those on the edge of a cut hold a part, so that areas come out much
-/// finer than the cells are.
+/// What is left to be cut, as shares of the cells of a lattice: those on the edge of a cut hold a part, so that areas come out
+/// much finer than the cells are.
 class Remains {
  public:
   Remains(const Rectangle& region, double cell, double radius)
       : radius_(radius),
-        share_(static_cast<int>(std::ceil(region.size().x() / cell)) + 1, static_cast<int>(std::ceil(region.size().y() / cell)) + 1,
-               cell, region.lower, 0) {}
+        share_(static_cast<int>(std::ceil(region.size().x() / cell)) + 1,
+               static_cast<int>(std::ceil(region.size().y() / cell)) + 1, cell, region.lower, 0) {}
 
   [[nodiscard]] Bitmap& cells() { return share_; }
   [[nodiscard]] const Bitmap& cells() const { return share_; }
@@ -262,8 +262,7 @@ class Area {
     const Vec2 near = centre + Vec2(radius, 0), across = centre - Vec2(radius, 0);
     const double round = std::tan(s_.ramp_angle) * 2 * pi * radius;
     const int halves = 2 * std::max(1, static_cast<int>(std::ceil((top_ - bottom_) / round)));
-    for (int k = 0; k < halves; ++k)
-      add(k % 2 == 0 ? near : across, top_ + (bottom_ - top_) * k / halves, side_, Pace::enter);
+    for (int k = 0; k < halves; ++k) add(k % 2 == 0 ? near : across, top_ + (bottom_ - top_) * k / halves, side_, Pace::enter);
     add(near, bottom_, side_, Pace::enter), add(across, bottom_, side_, Pace::enter), add(near, bottom_, 0, Pace::cut);
     const int around = std::max(16, static_cast<int>(std::ceil(2 * pi * radius / step_)));
     for (int k = 0; k < around; ++k) {
@@ -308,8 +307,8 @@ class Area {
     return true;
   }
 
-  /// The next step: turned so that it cuts the width asked for, and no farther than the tool's middle may go. False where there is
-  /// none.
+  /// The next step: turned so that it cuts the width asked for, and no farther than the tool's middle may go. False where there
+  /// is none.
   bool steer(const Vec2& at, double heading, double& turn, double& cut) const {
     constexpr double most_in = 0.5, most_out = 0.9;
     double in = most_in, out = -most_out, width_in = -1, width_out = -1;
@@ -491,7 +490,7 @@ class Area {
   FieldPtr walls_;
   Rectangle region_;
   double cell_;
-  Remains left_, all_;  // to be cut: still, and at first
+  Remains left_, all_;    // to be cut: still, and at first
   Lattice<float> clear_;  // distance to the walls
   std::vector<Start> starts_;
   double limit_ = 0;  // width that a step may cut
