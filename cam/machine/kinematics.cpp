@@ -99,22 +99,21 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
                 fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(), -axis.z()));
   for (double& angle : *best)
     if (std::abs(angle) < 1e-12) angle = 0;
-  AxisPose pose{tip, *best};
-  if (k_.tip_mode || !tilts()) return pose;
-  if (k_.kind == "head-head") {
-    // x, y and z move the pivot; they count from where the tip is when the tool points down.
-    const double arm = k_.pivot + length;
-    pose.position = tip + arm * (axis - Vec3::UnitZ());
-  } else if (k_.kind == "table-table") {
-    Eigen::Matrix3d work = turn(k_.axes[0], pose.angles[0]);
-    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], pose.angles[1]);
-    pose.position = k_.centre + work * (tip - k_.centre);
-  } else {
-    Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], pose.angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-    const Vec3 in_bed = work * axis;
-    pose.position = k_.centre + work * (tip - k_.centre) + (k_.pivot + length) * (in_bed - Vec3::UnitZ());
+  return {position(tip, *best, length), *best};
+}
+
+Vec3 PoseSolver::position(const Vec3& tip, const std::array<double, 2>& angles, double length) const {
+  if (k_.tip_mode || !tilts()) return tip;
+  // A head: x, y and z move the pivot; they count from where the tip is when the tool points down.
+  if (k_.kind == "head-head") return tip + (k_.pivot + length) * (tool_axis(angles) - Vec3::UnitZ());
+  if (k_.kind == "table-table") {
+    Eigen::Matrix3d work = turn(k_.axes[0], angles[0]);
+    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], angles[1]);
+    return k_.centre + work * (tip - k_.centre);
   }
-  return pose;
+  Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  const Vec3 in_bed = work * tool_axis(angles);
+  return k_.centre + work * (tip - k_.centre) + (k_.pivot + length) * (in_bed - Vec3::UnitZ());
 }
 
 std::pair<Vec3, Vec3> PoseSolver::pose(const AxisPose& axes, double length) const {

@@ -24,6 +24,8 @@ class PoseSolver {
   /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge
   /// line; of several, the one that turns least from `last`. Throws bad_input where the machine cannot point the tool that way.
   [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const;
+  /// x, y and z for a tip while the rotary axes stand at these angles.
+  [[nodiscard]] Vec3 position(const Vec3& tip, const std::array<double, 2>& angles, double length) const;
   /// The other way round: tip and axis of a pose.
   [[nodiscard]] std::pair<Vec3, Vec3> pose(const AxisPose& axes, double length) const;
 

@@ -226,6 +226,16 @@ class TextWriter {
       return;  // up and down mean nothing there
     if (move.bulge != 0 && !(machine_.arcs && at_known_ && !solver_.tilts())) return add_arc_as_lines(move, section);
     const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
+    if (!move.rapid() && last_ && pose.angles != last_->angles && !machine_.kinematics.tip_mode) {
+      if (strays(move, pose, section)) {
+        const bool short_way = (move.to - at_).norm() + (move.axis - axis_).norm() < 1e-4;
+        return short_way ? turn_on_the_spot(move, pose, section) : add_halves(move, section);
+      }
+    }
+    write(move, pose);
+  }
+
+  void write(const Move& move, const AxisPose& pose) {
     check(pose.position);
     const bool turned = last_ && pose.angles != last_->angles;
     if (cutting_ && !move.rapid() && move.bulge == 0 && !turned && as_written(pose.position) == as_written(last_->position))
@@ -238,8 +248,10 @@ class TextWriter {
       stop_cutting();
       if (templates_.has("feed")) templates_.set_text("f", "");  // said again after a rapid
     } else {
-      const bool first = templates_.text("f") != number_text(move.feed / machine_.feed_unit, machine_.decimals);
-      templates_.set("f", move.feed / machine_.feed_unit);
+      double feed = move.feed / machine_.feed_unit;
+      if (turned) feed *= feed_factor(move, pose);
+      const bool first = templates_.text("f") != number_text(feed, machine_.decimals);
+      templates_.set("f", feed);
       if (first) out_ += templates_.fill("feed");
       if (!cutting_) out_ += templates_.fill("begin");
       cutting_ = true;
@@ -259,8 +271,50 @@ class TextWriter {
       out_ += templates_.fill(move.rapid() ? "rapid" : "line");
     }
     at_ = move.to;
+    axis_ = move.axis;
     at_known_ = true;
     last_ = pose;
+  }
+
+  /// Whether the tip leaves the straight way while all axes go evenly from where they are to a pose.
+  [[nodiscard]] bool strays(const Move& move, const AxisPose& pose, const Section& section) const {
+    for (const double share : {0.25, 0.5, 0.75}) {
+      AxisPose between{last_->position + share * (pose.position - last_->position), last_->angles};
+      for (std::size_t k = 0; k < 2; ++k) between.angles[k] += share * (pose.angles[k] - last_->angles[k]);
+      const Vec3 straight = at_ + share * (move.to - at_);
+      if ((solver_.pose(between, section.tool.length).first - straight).norm() > 0.005) return true;
+    }
+    return false;
+  }
+  void add_halves(const Move& move, const Section& section) {
+    Move half = move;
+    half.to = 0.5 * (at_ + move.to);
+    half.axis = (axis_ + move.axis).normalized();
+    add(half, section);
+    add(move, section);
+  }
+  /// Where a small turn of the tool is a large one of the axes (straight above a table, say): they turn while the tip stays.
+  void turn_on_the_spot(const Move& move, const AxisPose& pose, const Section& section) {
+    const AxisPose from = *last_;
+    const double most = std::max(std::abs(pose.angles[0] - from.angles[0]), std::abs(pose.angles[1] - from.angles[1]));
+    const double reach = std::max((pose.position - from.position).norm(), 1.0);
+    // As fine as chords of circles about the axes have to be.
+    const int steps =
+        std::max(1, static_cast<int>(
+                        std::ceil(most / std::sqrt(8 * 0.002 / std::max(reach, (move.to - machine_.kinematics.centre).norm())))));
+    for (int k = 1; k <= steps; ++k) {
+      AxisPose next = pose;
+      for (std::size_t i = 0; i < 2; ++i) next.angles[i] = from.angles[i] + (pose.angles[i] - from.angles[i]) * k / steps;
+      next.position = solver_.position(move.to, next.angles, section.tool.length);
+      write(move, next);
+    }
+  }
+  /// Controls count the feed along x, y and z of the machine; it is meant along the tip's way.
+  [[nodiscard]] double feed_factor(const Move& move, const AxisPose& pose) const {
+    const double tip = (move.to - at_).norm(), machine = (pose.position - last_->position).norm();
+    if (machine_.kinematics.tip_mode || tip < 1e-6 || machine < 1e-6) return 1;
+    const double most = machine_.max_feed > 0 ? machine_.max_feed / move.feed : 1e300;
+    return std::min({machine / tip, most, 20.0});
   }
 
   void add_arc_as_lines(const Move& move, const Section& section) {
@@ -298,7 +352,7 @@ class TextWriter {
   Templates templates_;
   PoseSolver solver_;
   std::string out_;
-  Vec3 at_ = Vec3::Zero();
+  Vec3 at_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
   Vec2 offset_ = Vec2::Zero();  // where the machine's settings want the program's zero
   bool at_known_ = false, started_ = false, cutting_ = false;
   Box range_;

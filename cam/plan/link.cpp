@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "fieldfab/cam/program.h"
 
@@ -19,13 +20,15 @@ class Linker {
 
   void add(const Path& path) {
     if (path.points.empty()) return;
-    const Vec3 start = path.points.front().at;
-    if (moves_.empty() || !(s_.may_stay_down && s_.may_stay_down(moves_.back().to, start))) {
+    const PathPoint& first = path.points.front();
+    axis_ = first.axis;
+    const bool same_way = !moves_.empty() && moves_.back().axis == Vec3::UnitZ() && axis_ == Vec3::UnitZ();
+    if (!same_way || !(s_.may_stay_down && s_.may_stay_down(moves_.back().to, first.at))) {
       retract();
-      rapid({start.x(), start.y(), s_.clearance});
+      rapid(up_from(first.at));
       enter(path);
     } else {
-      cut(start, s_.feed);
+      cut(first.at, s_.feed);
     }
     follow(path);
   }
@@ -36,20 +39,28 @@ class Linker {
   }
 
  private:
-  void rapid(const Vec3& to) { moves_.push_back({to}); }
+  void rapid(const Vec3& to) { moves_.push_back({to, 0, 0, axis_}); }
   void cut(const Vec3& to, double feed, double bulge = 0) {
-    if (bulge == 0 && (moves_.back().to - to).norm() < 1e-9) return;
-    moves_.push_back({to, feed, bulge});
+    if (bulge == 0 && moves_.back().axis == axis_ && (moves_.back().to - to).norm() < 1e-9) return;
+    moves_.push_back({to, feed, bulge, axis_});
   }
+  /// Along the tool's axis to the clearance.
+  [[nodiscard]] Vec3 up_from(const Vec3& p, double z) const {
+    return axis_ == Vec3::UnitZ() ? Vec3(p.x(), p.y(), z) : Vec3(p + axis_ * (z - p.z()) / axis_.z());
+  }
+  [[nodiscard]] Vec3 up_from(const Vec3& p) const { return up_from(p, s_.clearance); }
   void retract() {
-    if (!moves_.empty() && moves_.back().to.z() < s_.clearance) rapid({moves_.back().to.x(), moves_.back().to.y(), s_.clearance});
+    if (moves_.empty() || moves_.back().to.z() >= s_.clearance) return;
+    const Vec3 next = std::exchange(axis_, moves_.back().axis);
+    rapid(up_from(moves_.back().to));
+    axis_ = next;
   }
 
   void enter(const Path& path) {
     const Vec3 start = path.points.front().at;
     const double material = s_.material ? std::min(s_.material(path), s_.clearance) : s_.clearance;
     const double from = std::clamp(material + s_.above, start.z(), s_.clearance);
-    if (from < s_.clearance) rapid({start.x(), start.y(), from});
+    if (from < s_.clearance) rapid(up_from(start, from));
     if (from > start.z() && s_.entry == Entry::helix && wind_down(start, from)) return;
     if (from > start.z() && s_.entry != Entry::plunge && path.closed && path.length() > 1e-3) return descend(path, from);
     cut(start, s_.plunge);
@@ -112,12 +123,14 @@ class Linker {
   }
   void step(const PathPoint& a, const PathPoint& b) {
     const Vec3 way = b.at - a.at;
+    axis_ = b.axis;
     const bool down = a.bulge == 0 && -way.z() > 2 * way.head<2>().norm();
     cut(b.at, down || a.pace == Pace::enter ? s_.plunge : a.pace == Pace::link ? s_.link_feed : s_.feed, a.bulge);
   }
 
   const LinkSettings& s_;
   std::vector<Move> moves_;
+  Vec3 axis_ = Vec3::UnitZ();  // of the tool where it goes next
 };
 
 }  // namespace

@@ -139,8 +139,8 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
 std::vector<Move> placed(const std::vector<Move>& moves, const Plane& plane, double tolerance) {
   if (plane.is_top() || plane.setup) return moves;
   std::vector<Move> out;
-  const Vec3 axis = plane.axes.col(2);
   for (std::size_t i = 0; i < moves.size(); ++i) {
+    const Vec3 axis = moves[i].axis == Vec3::UnitZ() ? Vec3(plane.axes.col(2)) : Vec3(plane.axes * moves[i].axis);
     const auto add = [&](const Vec3& to) { out.push_back({plane.out_of(to), moves[i].feed, 0, axis}); };
     if (moves[i].bulge != 0 && i > 0) {
       Path piece;

@@ -32,7 +32,9 @@ LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const B
   double top = stock.upper.z();
   for (const Path& path : cuts.paths)
     for (const PathPoint& p : path.points) top = std::max(top, p.at.z());
-  s.clearance = top + v.number("clearance");
+  // A leaning tool's holder hangs lower than its tip.
+  const double wide = std::max({op.tool.holder_diameter, op.tool.shank, op.tool.diameter}) / 2;
+  s.clearance = top + v.number("clearance") + wide * std::sin(cuts.leans);
   s.helix_radius = op.tool.helix_radius();
   s.feed = v.number("feed"), s.plunge = v.number("plunge");
   s.link_feed = is_set(v, "link_feed") ? v.number("link_feed") : s.feed;
@@ -137,8 +139,15 @@ class JobRunner {
   void add(const PlannedOperation& op) {
     const Box stock = op.plane.into(job_.stock_);
     const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
-    Context context{op.tool,  stock,     op.plane,   solid != nullptr ? solid->field : nullptr, material_of(op, stock),
-                    earlier_, progress_, job_.notes_};
+    Context context{op.tool,
+                    stock,
+                    op.plane,
+                    solid != nullptr ? solid->field : nullptr,
+                    [&]() -> const FreeSpace& { return space_about(*solid); },
+                    material_of(op, stock),
+                    earlier_,
+                    progress_,
+                    job_.notes_};
     Cuts cuts = std::get<Cuts>(through_stages(op, context));
     OperationReport report;
     report.name = op.name;
@@ -161,14 +170,14 @@ class JobRunner {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;
     }
-    check_depth(op, section, stock);
+    if (cuts.leans == 0) check_depth(op, section, stock);
     if (op.plane.setup && op.plane.name != setup_)
       section.setup = fmt::format(
           "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "
           "top",
           op.plane.name, -stock.lower.x(), -stock.lower.y(), stock.upper.z());
     setup_ = op.plane.setup ? op.plane.name : "";
-    if (op.tool.diameter > 0) material.cut(section.moves, op.tool.profile());
+    if (op.tool.diameter > 0) material.cut(cuts.leans > 0 ? upright(section.moves, op.tool) : section.moves, op.tool.profile());
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
@@ -177,6 +186,19 @@ class JobRunner {
     job_.program_.sections.push_back(std::move(section));
     clearances_.push_back(op.values.number("clearance"));
     if (cuts.finished) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
+  }
+
+  /// Moves of a ball that leans, as if it pointed straight down: the ball cuts the same.
+  static std::vector<Move> upright(std::vector<Move> moves, const Tool& tool) {
+    const double ball = tool.shape == "ball" ? tool.radius() : tool.corner_radius;
+    for (Move& move : moves) move.to += ball * (move.axis - Vec3::UnitZ()), move.axis = Vec3::UnitZ();
+    return moves;
+  }
+
+  const FreeSpace& space_about(const Solid& solid) {
+    auto& space = spaces_[solid.field.get()];
+    if (!space) space = std::make_unique<FreeSpace>(solid.field, solid.bounds.grown(1e-3), progress_);
+    return *space;
   }
 
   /// What is left as the operation's plane sees it.
@@ -215,7 +237,8 @@ class JobRunner {
   Job& job_;
   Progress& progress_;
   std::map<std::string, Artifact> made_;
-  std::map<std::string, Material> materials_;  // by plane
+  std::map<std::string, Material> materials_;                  // by plane
+  std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
   std::string setup_;               // how the work lies

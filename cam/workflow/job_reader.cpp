@@ -381,6 +381,8 @@ class JobReader {
                                job_.machine_.max_spindle));
     std::vector<Plane> planes = planes_of(op.values);
     const bool by_hand = job_.machine_.kinematics.kind == "none";
+    const bool leans = op.values.has("lean") && op.values.flag("lean");
+    if (by_hand && leans) throw refuse(table, "lean", fmt::format("{} cannot tilt its tool", job_.machine_.name));
     if (by_hand)
       for (Plane& plane : planes) turn_by_hand(plane);
     if (std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); })) {
@@ -392,12 +394,13 @@ class JobReader {
       if (by_hand && (op.values.text("plane") == "view" || op.values.text("plane") == "stepped"))
         throw refuse(table, "plane",
                      fmt::format("{} cannot tilt its tool: only faces can be turned up by hand", job_.machine_.name));
-      if (!by_hand && job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) &&
-          !job_.machine_.kinematics.tip_mode)
-        throw refuse(table, "tool",
-                     fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away",
-                                 op.tool.number, job_.machine_.name));
     }
+    const bool tilts = leans || std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); });
+    if (tilts && !by_hand && job_.machine_.kinematics.kind != "table-table" && !(op.tool.length > 0) &&
+        !job_.machine_.kinematics.tip_mode)
+      throw refuse(table, "tool",
+                   fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away",
+                               op.tool.number, job_.machine_.name));
     const std::string name = op.name;
     for (const Plane& plane : planes) {
       if (job_.machine_.kinematics.kind == "head-head" && plane.axes.col(2).z() < -1e-9)

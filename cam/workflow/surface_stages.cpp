@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/cam/tilt.h"
 #include "fieldfab/core/error.h"
 #include "stages.h"
 
@@ -85,6 +86,53 @@ FinishSettings finish_of(const Values& values, const Context& context, const Sur
   return settings;
 }
 
+/// Joins paths where the tool may go straight on from one to the next.
+std::vector<Path> joined(const std::vector<Path>& paths, const std::function<bool(const Vec3&, const Vec3&)>& may_go_on) {
+  std::vector<Path> out;
+  for (const Path& path : paths) {
+    if (path.points.empty()) continue;
+    Path open = path;
+    if (path.closed) open.points.push_back(path.points.front()), open.closed = false;
+    if (!out.empty() && may_go_on(out.back().points.back().at, open.points.front().at))
+      out.back().points.insert(out.back().points.end(), open.points.begin(), open.points.end());
+    else
+      out.push_back(std::move(open));
+  }
+  return out;
+}
+
+/// The tool leans along with the surface, where that is asked for.
+void lean(Cuts& cuts, const Values& values, const TipSurface& tips, Context& context) {
+  if (!values.flag("lean")) return;
+  const Tool& tool = context.tool;
+  if (tool.shape != "ball" && tool.shape != "tapered")
+    throw Error(ErrorKind::bad_input, values.place("lean"), "only a ball or a tapered ball can lean while it cuts");
+  if (context.part == nullptr) throw Error(ErrorKind::bad_input, values.place("lean"), "needs a solid");
+  TiltSettings settings;
+  settings.lead = values.number("lead") * degrees;
+  settings.most = values.number("most_lean") * degrees;
+  settings.clearance = values.number("body_clearance");
+  settings.tolerance = values.number("tolerance");
+  TiltReport report;
+  cuts.paths = tilted(joined(cuts.paths, cuts.may_stay_down), tips, tool, context.plane, context.space(), settings, report,
+                      context.progress);
+  cuts.leans = settings.most;
+  cuts.may_stay_down = nullptr;
+  if (report.otherwise > 1)
+    context.notes.push_back(fmt::format(
+        "the tool leans less than asked for, or elsewhere, along {:.0f} mm: it would touch the part", report.otherwise));
+  if (report.left_out > 1)
+    context.notes.push_back(fmt::format(
+        "{:.0f} mm of the paths are left out: shank or holder would touch the part however the tool leans", report.left_out));
+}
+
+Settings lean_settings() {
+  return {flag("lean", false, "the tool leans along with the surface: five axes at once"),
+          between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal")),
+          between(1, 85, number("most_lean", "degrees", 60, "against the plane's z")),
+          above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part"))};
+}
+
 /// Whether the tool may go straight on over the surface to the next pass.
 std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest, double tolerance) {
   return [tips = std::move(tips), longest, tolerance](const Vec3& from, const Vec3& to) {
@@ -128,6 +176,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
     cuts.finished = tips;
   }
   cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
+  lean(cuts, values, *tips, context);
   return cuts;
 }
 
@@ -139,6 +188,8 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   Cuts cuts;
   cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
                          cut, context.progress);
+  cuts.may_stay_down = over(tips, cut.radius, cut.tolerance);
+  lean(cuts, values, *tips, context);
   return cuts;
 }
 
@@ -160,18 +211,16 @@ std::vector<Stage> surface_stages() {
        Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} +
            clear_settings() + depth_settings(),
        rough_stage},
-      {"finish",
-       "parallel passes over the part's surface",
-       Kind::surface,
-       Kind::paths,
-       true,
-       {choice("pattern", {"raster", "cross", "spiral"}, "of the passes"),
-        number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
-        flag("both_ways", true, "every other pass runs back"),
-        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
+      {"finish", "parallel passes over the part's surface", Kind::surface, Kind::paths, true,
+       Settings{choice("pattern", {"raster", "cross", "spiral"}, "of the passes"),
+                number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
+                flag("both_ways", true, "every other pass runs back"),
+                number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
+                tolerance} +
+           lean_settings(),
        finish_stage},
       {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true,
-       Settings{allowance, climb, tolerance} + depth_settings(), waterline_stage},
+       Settings{allowance, climb, tolerance} + depth_settings() + lean_settings(), waterline_stage},
   };
 }
 

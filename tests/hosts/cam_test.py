@@ -338,6 +338,42 @@ def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, 
     assert len({tuple(np.round(a, 3)) for a in ours[:, 5:8]}) >= 5
 
 
+@pytest.mark.parametrize("machine", ["five_axis_ac", "five_axis_bc", "five_axis_tcp", "five_axis_head", "five_axis_mixed"])
+def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
+    """All axes go evenly from line to line: the tip that follows from that is on the planned way."""
+    text = FIVE.replace("MACHINE", machine).replace('plane = "PLANE"', "lean = true\nfeed = 500")
+    path = job(tmp_path, text.replace("stepover = 0.5", "stepover = 0.4"), part_frep=DOME)
+    run("cam", path, "-o", tmp_path / "out.ngc")
+    program = "".join(line for line in open(tmp_path / "out.ngc") if not line.startswith("M42"))
+    (tmp_path / "out.ngc").write_text(program)
+    planned = ff.cam.Job(path)
+    planned.run()
+    ours = np.vstack(planned.moves)
+    theirs, kinds, _ = rs274.moves(tmp_path / "out.ngc", tools=((1, 0, 4),))
+    poses = [tip_and_axis(machine, *row, length=40) for row in theirs]
+    at, leaning = 0, 0
+    for i, (tip, axis) in enumerate(poses):
+        # The planned move that this one is a part of.
+        while at + 1 < len(ours) and np.abs(ours[at, :3] - tip).max() + np.abs(ours[at, 5:8] - axis).max() > 2e-3:
+            a, b = ours[at - 1, :3], ours[at, :3]
+            share = np.clip((tip - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
+            if at > 0 and np.linalg.norm(a + share * (b - a) - tip) < 8e-3 and ours[at, 3] > 0:
+                break
+            at += 1
+        assert at + 1 < len(ours) or np.abs(ours[at, :3] - tip).max() < 2e-3
+        if i == 0 or kinds[i] == "STRAIGHT_TRAVERSE":
+            continue
+        leaning += axis[2] < 0.98
+        if machine == "five_axis_tcp":
+            continue  # the control keeps the tip on its way
+        a, b = poses[i - 1][0], tip
+        for share in (0.2, 0.4, 0.6, 0.8):
+            between, _ = tip_and_axis(machine, *(theirs[i - 1] + share * (theirs[i] - theirs[i - 1])), length=40)
+            along = np.clip((between - a) @ (b - a) / max((b - a) @ (b - a), 1e-12), 0, 1)
+            assert np.linalg.norm(a + along * (b - a) - between) < 7e-3
+    assert leaning > 500
+
+
 def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
     """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis, B tilts, A turns by the smaller of two angles."""
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "five"), part_frep=BLOCK)

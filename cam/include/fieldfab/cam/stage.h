@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "fieldfab/cam/free_space.h"
 #include "fieldfab/cam/material.h"
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/cam/order.h"
@@ -31,6 +32,7 @@ struct Cuts {
   bool ordered = false;  ///< their order and start points matter: leave them
   bool inside_first = true, may_reverse = false;
   std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
+  double leans = 0;                                      ///< how far the tool leans from the plane's z at most, radians
   std::shared_ptr<const TipSurface> finished = nullptr;  ///< where a finishing tool could go, so that later planes leave that out
 };
 
@@ -42,11 +44,12 @@ const char* name_of(Kind kind);
 /// What stages may ask about the job besides their own settings.
 struct Context {
   Tool tool;
-  Box stock;                            ///< the material, mm, in the plane's coordinates
-  Plane plane;                          ///< that is cut from
-  FieldPtr part;                        ///< in its own coordinates; nullptr for images
-  const Material& material;             ///< what earlier operations on this plane have left
-  const std::vector<Reached>& earlier;  ///< what other planes have finished
+  Box stock;                                ///< the material, mm, in the plane's coordinates
+  Plane plane;                              ///< that is cut from
+  FieldPtr part;                            ///< in its own coordinates; nullptr for images
+  std::function<const FreeSpace&()> space;  ///< around it
+  const Material& material;                 ///< what earlier operations on this plane have left
+  const std::vector<Reached>& earlier;      ///< what other planes have finished
   Progress& progress;
   std::vector<std::string>& notes;  ///< what the user should know
 };
