@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
+#include "follower.h"
 
 namespace fieldfab::cam {
 
@@ -21,56 +21,6 @@ double stepover_for_scallop(double corner_radius, double scallop) {
 }
 
 namespace {
-
-/// The tip's way over the surface along a line in the plane, as a polyline that is nowhere below it by more than the tolerance.
-class Follower {
- public:
-  Follower(const TipSurface& tips, double bottom, double tolerance) : tips_(tips), bottom_(bottom), tolerance_(tolerance) {}
-
-  /// Goes straight from the last point to `to`.
-  void go(const Vec2& to) {
-    const Vec3 next = at(to);
-    if (points_.empty())
-      points_.push_back(next);
-    else
-      refine(points_.back(), next, 0);
-  }
-  /// The way so far; a new one begins.
-  std::vector<Vec3> take() { return simplified(std::exchange(points_, {}), 0.25 * tolerance_); }
-
- private:
-  Vec3 at(const Vec2& p) {
-    const TipSurface::Contact touched = tips_.contact(p, guess_);
-    guess_ = touched.place;
-    return {p.x(), p.y(), std::max(bottom_, touched.tip)};
-  }
-
-  /// Halves the way until its middle lies on it, or, at a wall, until it is as short as the tolerance.
-  void refine(const Vec3& from, const Vec3& to, int depth) {
-    const double across = (to - from).head<2>().norm();
-    if (depth < 24 && across > 0.5 * tolerance_) {
-      const Vec3 middle = at(0.5 * (from + to).head<2>());
-      const bool bent = std::abs(middle.z() - 0.5 * (from.z() + to.z())) > 0.5 * tolerance_;
-      const bool steep = std::abs(to.z() - from.z()) > 2 * across;  // perhaps a wall on one side of the middle
-      if (bent || (steep && across > tolerance_)) {
-        refine(from, middle, depth + 1);
-        refine(middle, to, depth + 1);
-        return;
-      }
-    }
-    // At a wall the tool goes up before it goes on, and on before it goes down.
-    if (std::abs(to.z() - from.z()) > 2 * across && across > 0) {
-      const double high = std::max(from.z(), to.z());
-      points_.emplace_back(to.z() > from.z() ? from.x() : to.x(), to.z() > from.z() ? from.y() : to.y(), high);
-    }
-    points_.push_back(to);
-  }
-
-  const TipSurface& tips_;
-  double bottom_, tolerance_;
-  Vec2 guess_ = Vec2::Zero();
-  std::vector<Vec3> points_;
-};
 
 Path path_through(const std::vector<Vec3>& points) {
   Path path;

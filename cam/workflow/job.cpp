@@ -139,12 +139,15 @@ class JobRunner {
   void add(const PlannedOperation& op) {
     const Box stock = op.plane.into(job_.stock_);
     const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
+    Material& material = material_of(op, stock);
+    for (const auto& [name, other] : materials_)
+      if (name != op.plane.name) take_away(material, op.plane, stock.lower.z(), other.material, other.plane);
     Context context{op.tool,
                     stock,
                     op.plane,
                     solid != nullptr ? solid->field : nullptr,
                     [&]() -> const FreeSpace& { return space_about(*solid); },
-                    material_of(op, stock),
+                    material,
                     earlier_,
                     progress_,
                     job_.notes_};
@@ -162,7 +165,6 @@ class JobRunner {
     section.tool = op.tool;
     section.spindle = op.values.number("spindle");
     section.coolant = op.values.text("coolant") == "none" ? "" : op.values.text("coolant");
-    Material& material = material_of(op, stock);
     const LinkSettings linking = link_settings(op, cuts, stock, material);
     section.clearance = linking.clearance;
     section.moves = link(cuts.paths, linking);
@@ -204,13 +206,14 @@ class JobRunner {
   /// What is left as the operation's plane sees it.
   Material& material_of(const PlannedOperation& op, const Box& stock) {
     const auto found = materials_.find(op.plane.name);
-    if (found != materials_.end()) return found->second;
+    if (found != materials_.end()) return found->second.material;
     // As fine as the smallest tool needs, as far as memory is not wasted on it.
     double smallest = stock.size().head<2>().maxCoeff() / 100;
     for (const PlannedOperation& other : job_.operations_)
       if (other.tool.diameter > 0) smallest = std::min(smallest, other.tool.diameter / 8);
     const double cell = std::max(smallest, stock.size().head<2>().maxCoeff() / 2000);
-    return materials_.emplace(op.plane.name, Material(Rectangle::of(stock), stock.upper.z(), std::max(cell, 1e-3))).first->second;
+    const Material block(Rectangle::of(stock), stock.upper.z(), std::max(cell, 1e-3));
+    return materials_.emplace(op.plane.name, Seen{op.plane, block}).first->second.material;
   }
 
   /// Algorithm 6.1 wherever the tool's direction changes; and upright at the end.
@@ -237,7 +240,12 @@ class JobRunner {
   Job& job_;
   Progress& progress_;
   std::map<std::string, Artifact> made_;
-  std::map<std::string, Material> materials_;                  // by plane
+  /// What is left as a plane sees it.
+  struct Seen {
+    Plane plane;
+    Material material;
+  };
+  std::map<std::string, Seen> materials_;  // by plane
   std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section

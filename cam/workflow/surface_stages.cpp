@@ -147,6 +147,31 @@ std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurf
   };
 }
 
+/// Leaves out what earlier operations have finished: on other planes; and on this one, where only the rest is asked for.
+void leave_out_reached(Cuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips, const Context& context) {
+  const bool rest = values.flag("rest");
+  if (context.part == nullptr) {
+    if (rest) throw Error(ErrorKind::bad_input, values.place("rest"), "needs a solid");
+    return;
+  }
+  std::vector<Reached> earlier;
+  for (const Reached& reached : context.earlier)
+    if (rest || reached.plane().name != context.plane.name) earlier.push_back(reached);
+  if (rest && earlier.empty())
+    throw Error(ErrorKind::bad_input, values.place("rest"), "no operation before this one finishes the part");
+  const std::size_t before = cuts.paths.size();
+  cuts.paths = not_reached(cuts.paths, context.plane, *tips, *context.part, earlier,
+                           std::max(values.number("tolerance"), values.number("rest_least")));
+  cuts.ordered = cuts.ordered && cuts.paths.size() == before && !rest;
+  cuts.inside_first = false;
+  if (tips->allowance() == 0) cuts.finished = tips;
+}
+
+Settings rest_settings() {
+  return {flag("rest", false, "only where the operations before it have left something, as with a smaller tool"),
+          above_zero(number("rest_least", "mm", 0.05, "how much that is"))};
+}
+
 Artifact finish_stage(const Artifact& in, const Values& values, Context& context) {
   const SurfacePtr& surface = std::get<SurfacePtr>(in);
   FinishSettings settings = finish_of(values, context, *surface);
@@ -166,15 +191,8 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
       add(raster(*tips, settings, context.progress));
     }
   }
-  if (context.part != nullptr) {
-    const std::size_t before = cuts.paths.size();
-    cuts.paths =
-        not_reached(cuts.paths, context.plane, *tips, *context.part, context.earlier, std::max(settings.tolerance, 0.05));
-    cuts.ordered = cuts.paths.size() == before;
-    cuts.may_reverse = settings.both_ways;
-    cuts.inside_first = false;
-    cuts.finished = tips;
-  }
+  leave_out_reached(cuts, values, tips, context);
+  cuts.may_reverse = settings.both_ways;
   cuts.may_stay_down = over(tips, 1.5 * settings.stepover, settings.tolerance);
   lean(cuts, values, *tips, context);
   return cuts;
@@ -189,7 +207,25 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
                          cut, context.progress);
   cuts.may_stay_down = over(tips, cut.radius, cut.tolerance);
+  if (values.flag("rest")) leave_out_reached(cuts, values, tips, context), cuts.finished = nullptr;
   lean(cuts, values, *tips, context);
+  return cuts;
+}
+
+Artifact pencil_stage(const Artifact& in, const Values& values, Context& context) {
+  const SurfacePtr& surface = std::get<SurfacePtr>(in);
+  FinishSettings settings;
+  settings.area = Rectangle::of(context.stock);
+  settings.tolerance = values.number("tolerance");
+  settings.bottom = is_set(values, "bottom") ? values.number("bottom") : surface->floor();
+  const TipSurface tips(surface, context.tool.profile(), values.number("allowance"));
+  Cuts cuts;
+  const double radius = context.tool.profile().radius();
+  cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10), values.number("least_angle") * degrees,
+                      context.progress);
+  if (cuts.paths.empty()) throw Error(ErrorKind::bad_input, "pencil", "there are no valleys that this tool touches on both sides");
+  cuts.inside_first = false;
+  cuts.may_reverse = true;
   return cuts;
 }
 
@@ -217,10 +253,18 @@ std::vector<Stage> surface_stages() {
                 flag("both_ways", true, "every other pass runs back"),
                 number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
                 tolerance} +
-           lean_settings(),
+           rest_settings() + lean_settings(),
        finish_stage},
       {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true,
-       Settings{allowance, climb, tolerance} + depth_settings() + lean_settings(), waterline_stage},
+       Settings{allowance, climb, tolerance} + depth_settings() + rest_settings() + lean_settings(), waterline_stage},
+      {"pencil",
+       "along the valleys of the part's surface, where a round tool touches both sides",
+       Kind::surface,
+       Kind::paths,
+       true,
+       {between(5, 120, number("least_angle", "degrees", 20, "between the two sides")),
+        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
+       pencil_stage},
   };
 }
 

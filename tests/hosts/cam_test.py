@@ -108,6 +108,7 @@ def test_flat_programs_are_what_linuxcnc_reads(tmp_path, operation):
         'type = "finish"\ntool = 1\npattern = "spiral"\nstepover = 0.3',
         'type = "finish"\ntool = 1\npattern = "cross"\nangle = 30\nscallop = 0.1',
         'type = "waterline"\ntool = 1\nstepdown = 1',
+        'type = "pencil"\ntool = 1',
     ],
 )
 def test_solid_programs_are_what_linuxcnc_reads(tmp_path, operation):
@@ -400,6 +401,46 @@ def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
         assert f"({plane})" in text or f" {plane} " in text
     # between planes the head is upright
     assert text.count("M5,,,,0,0") >= 4
+
+
+def test_a_smaller_tool_finishes_the_rest(tmp_path):
+    """Round the foot of the dome, where the larger ball does not get; and rest needs something that it is the rest of."""
+    dome = "min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-15, max(abs(y)-12, abs(z+1)-1)))"
+    rest = '[[operation]]\ntype = "finish"\ntool = 2\nrest = true\n'
+    text = SOLID.replace("diameter = 4", "diameter = 6").replace("number = 2\ndiameter = 6", 'number = 2\nshape = "ball"\ndiameter = 2')
+    path = job(tmp_path, text + '[[operation]]\ntype = "finish"\ntool = 1\n' + rest, part_frep=dome)
+    planned = ff.cam.Job(path)
+    planned.run()
+    whole, moves = planned.moves
+    cut = moves[moves[:, 3] > 0]
+    # Not on the dome's top, nor far out on the plate.
+    away = np.hypot(cut[:, 0], cut[:, 1])
+    inside = (np.abs(cut[:, 0]) < 14) & (np.abs(cut[:, 1]) < 11)
+    assert ((away[inside] > 7.5) & (away[inside] < 12.5)).mean() > 0.99
+    assert len(cut) > 300
+    path = job(tmp_path, text + rest, part_frep=dome)
+    failed = run("cam", path, "-o", tmp_path / "o", check=False)
+    assert failed.returncode == 2 and "no operation before" in failed.stderr
+
+
+def test_a_second_finish_is_not_a_rest(tmp_path):
+    """Without rest = true a finish cuts all, whatever came before on the same plane."""
+    finish = '[[operation]]\ntype = "finish"\ntool = 1\nstepover = 0.3\n'
+    path = job(tmp_path, SOLID + finish + "allowance = 0.3\n" + finish, part_frep=DOME)
+    planned = ff.cam.Job(path)
+    planned.run()
+    lengths = [np.linalg.norm(np.diff(m[:, :3], axis=0), axis=1)[m[1:, 3] > 0].sum() for m in planned.moves]
+    assert lengths[1] > 0.9 * lengths[0]
+
+
+def test_leaning_is_refused_where_it_cannot_be(tmp_path):
+    text = FIVE.replace('plane = "PLANE"', "lean = true")
+    path = job(tmp_path, text.replace("MACHINE", "linuxcnc"), part_frep=BLOCK)
+    failed = run("cam", path, "-o", tmp_path / "o", check=False)
+    assert failed.returncode == 2 and "job.toml:14: " in failed.stderr and "cannot tilt" in failed.stderr
+    path = job(tmp_path, text.replace("MACHINE", "five_axis_ac").replace("ball", "flat"), part_frep=BLOCK)
+    failed = run("cam", path, "-o", tmp_path / "o", check=False)
+    assert failed.returncode == 2 and "only a ball" in failed.stderr
 
 
 def test_planes_are_refused_where_a_machine_cannot(tmp_path):

@@ -7,8 +7,10 @@
 #include <numeric>
 #include <random>
 
+#include "../cam_tools.h"
 #include "fieldfab/cam/material.h"
 #include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/planes.h"
 #include "fieldfab/cam/program.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
@@ -352,6 +354,95 @@ TEST(Material, IsWhatTheToolLeaves) {
   across.points = {{{2, 10, 2}}, {{18, 10, 2}}};
   EXPECT_TRUE(where_material({along}, material, 2).empty());
   EXPECT_EQ(where_material({across}, material, 2).size(), 2U);
+}
+
+/// A ball of radius 10 whose middle is 4 mm below a plate's top.
+FieldPtr knob() { return formula("min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-16, max(abs(y)-16, abs(z+1)-1)))"); }
+const Box knob_bounds{{-16, -16, -2}, {16, 16, 6}};
+
+TEST(Rough, ClearsWhatTheTipReachesAndNothingElse) {
+  const auto tips = std::make_shared<TipSurface>(Surface::of(*knob(), knob_bounds, {0.1, 0.01}), tool("ball", 5).profile(), 0.3);
+  for (const bool adaptive : {false, true}) {
+    SCOPED_TRACE(adaptive);
+    RoughSettings settings;
+    settings.stock = {{-17, -17}, {17, 17}};
+    settings.depths = {7, -1, 2};
+    settings.cut.radius = 2.5;
+    settings.cell = 0.15;
+    const Material full(settings.stock, 7, 0.2);
+    settings.clear = {1.5, adaptive, 2, 0.05, &full};
+    const std::vector<Path> paths = rough(tips, settings);
+    for (const Path& path : paths)
+      for (std::size_t i = 0; i + 1 < path.points.size() + (path.closed ? 1 : 0); ++i) {
+        const PathPoint &a = path.points[i], &b = path.points[(i + 1) % path.points.size()];
+        for (int k = 0; k <= 10; ++k) {
+          const Vec3 p = place_between(a.at, b.at, a.bulge, k / 10.0);
+          EXPECT_GE(p.z(), tips->tip(p.head<2>()) - 0.02) << p.transpose();
+        }
+      }
+    Material left = full;
+    left.cut(link(paths, {}), tool("ball", 5).profile());
+    for (double x = -16.5; x < 17; x += 0.7)
+      for (double y = -16.5; y < 17; y += 0.7) {
+        // Levels lie 2 mm apart; between passes of a ball a ridge of 0.12 mm is left, and heights are kept by cells of 0.2 mm.
+        const double lowest = tips->tip({x, y}), level = 7 - 2 * std::floor((7 - std::max(lowest, -1.0)) / 2);
+        EXPECT_LE(left.highest({x, y}, 0), level + 0.4) << x << " " << y;
+      }
+  }
+}
+
+TEST(Pencil, RunsAlongValleys) {
+  // Where a ball lies on the plate and against the knob.
+  const double r = 1.5, away = std::sqrt((10 + r) * (10 + r) - (r + 4) * (r + 4));
+  const TipSurface tips(Surface::of(*knob(), knob_bounds, {0.1, 0.005}), tool("ball", 2 * r).profile());
+  FinishSettings settings;
+  settings.area = {{-14, -14}, {14, 14}};
+  settings.tolerance = 0.01;
+  const std::vector<Path> paths = pencil(tips, settings, 0.2, 0.35);
+  double length = 0;
+  for (const Path& path : paths) {
+    length += path.length();
+    for (const PathPoint& p : path.points) {
+      EXPECT_NEAR(p.at.head<2>().norm(), away, 0.02);
+      EXPECT_NEAR(p.at.z(), 0, 0.02);
+    }
+  }
+  EXPECT_NEAR(length, 2 * pi * away, 0.3);
+  EXPECT_EQ(paths.size(), 1U);
+  EXPECT_THROW((void)pencil(TipSurface(Surface::of(*knob(), knob_bounds, {0.2, 0.02}), tool("flat", 3).profile()), settings, 0.2, 0.35),
+               Error);
+}
+
+TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
+  // A slot through a block from the top, seen from the front; and from a plane that is tilted.
+  const Box block{{0, 0, 0}, {20, 16, 12}};
+  const Plane top = plane_named("top");
+  Material above(Rectangle::of(block), 12, 0.25);
+  above.cut({{{6, -9, 20}}, {{6, -9, 5}, 100}, {{6, 9, 5}, 100}, {{14, 9, 7}, 100}}, Profile(3, 0, 0, 3));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (const Plane& plane : {plane_named("front"), plane_along({0.3, -0.8, 0.5}, "tilted")}) {
+    const Box seen = plane.into(block);
+    Material material(Rectangle::of(seen), seen.upper.z(), 0.25);
+    take_away(material, plane, seen.lower.z(), above, top);
+    int lowered = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+      // Nothing that is left of the block stands above the heights.
+      const Vec3 p = (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array()).matrix();
+      const Vec3 q = plane.into(p);
+      const bool left = p.z() < above.highest(p.head<2>(), 0) - 0.5;
+      if (left) {
+        EXPECT_GE(material.highest(q.head<2>(), 0), q.z() - 0.3) << p.transpose();
+      }
+      lowered += material.highest(q.head<2>(), 0) < seen.upper.z() - 1;
+    }
+    EXPECT_GT(lowered, 100);
+  }
+  // Straight from the front the slot's floor is 5 mm up, and the material behind its end begins at y = 12 (9 and the radius).
+  Material front(Rectangle::of(plane_named("front").into(block)), 0, 0.25);
+  take_away(front, plane_named("front"), -16, above, top);
+  EXPECT_NEAR(front.highest({6, 9}, 0), -12, 0.8);
+  EXPECT_NEAR(front.highest({6, 2}, 0), 0, 0.01);
 }
 
 }  // namespace

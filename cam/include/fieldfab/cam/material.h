@@ -19,6 +19,7 @@ class Material {
   /// The greatest height within `radius` of a place; minus infinity outside of the block.
   [[nodiscard]] double highest(const Vec2& p, double radius) const;
   [[nodiscard]] const HeightMap& heights() const { return heights_; }
+  HeightMap& heights() { return heights_; }
 
  private:
   HeightMap heights_;

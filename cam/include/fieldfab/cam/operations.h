@@ -124,6 +124,11 @@ std::vector<Path> spiral(const TipSurface& tips, const FinishSettings& settings,
 std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell,
                             const CutSettings& cut, Progress& progress = Progress::none());
 
+/// Along the valleys of the surface: where a round tool touches both sides, whose normals there differ by at least `least_angle`
+/// (radians). Valleys are looked for on a lattice of `cell` mm. Throws bad_input for a tool without a round corner.
+std::vector<Path> pencil(const TipSurface& tips, const FinishSettings& settings, double cell, double least_angle,
+                         Progress& progress = Progress::none());
+
 /// The stepover at which a ball (or bull) of that corner radius leaves ridges of a height on a flat.
 double stepover_for_scallop(double corner_radius, double scallop);
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fieldfab/cam/material.h"
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/cam/program.h"
 
@@ -44,12 +45,17 @@ class Reached {
   /// Whether its tool could touch a point of the part's surface with that normal (both in the part's coordinates) to within
   /// `tolerance`, mm.
   [[nodiscard]] bool touches(const Vec3& point, const Vec3& normal, double tolerance) const;
+  [[nodiscard]] const Plane& plane() const { return plane_; }
 
  private:
   Plane plane_;
   std::shared_ptr<const TipSurface> tips_;
   double steepest_;
 };
+
+/// Lowers a plane's material where operations on another plane have cut: each height to the highest place in its column that the
+/// other one's material still holds. Heights stay above the true ones.
+void take_away(Material& material, const Plane& plane, double floor, const Material& other, const Plane& other_plane);
 
 /// The parts of finishing paths (in a plane's coordinates) where the tool touches what no earlier operation has reached.
 std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part,
