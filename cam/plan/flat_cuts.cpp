@@ -142,10 +142,21 @@ std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell,
                         const CutSettings& cut, Progress& progress) {
   if (!(stepover > 0)) throw Error(ErrorKind::bad_input, "stepover", "must be above 0");
   std::vector<Path> paths;
-  for (int ring = 0;; ++ring) {
-    const Loops loops = contours(area, bounds, {cell, 0, -ring * stepover}, progress);
-    if (loops.empty()) break;
+  const auto add = [&](const Loops& loops) {
     for (const Loop& loop : loops) paths.push_back(loop_path(loop, z, cut, false));
+  };
+  Loops ring = contours(area, bounds, {cell}, progress);
+  for (int count = 1; !ring.empty(); ++count) {
+    add(ring);
+    Loops next = contours(area, bounds, {cell, 0, -count * stepover}, progress);
+    if (stepover > cut.radius) {
+      // Rings that lie so far apart leave slivers between them, in corners and in the middle: what is deeper than the outer one
+      // cuts and outside of what the inner one cuts. The tool goes round each of them.
+      FieldPtr sliver = offset(area.shared_from_this(), -((count - 1) * stepover + cut.radius));
+      if (!next.empty()) sliver = intersect(sliver, complement(offset(outline_field(next), cut.radius)));
+      add(contours(*sliver, bounds, {cell, 0, 0.02 * cut.radius}, progress));
+    }
+    ring = std::move(next);
   }
   return paths;
 }

@@ -81,27 +81,30 @@ TEST(Profile2d, TabsStandAsWideAsAsked) {
 }
 
 TEST(Pocket, ReachesEveryPlaceTheToolFits) {
-  const Loops area{rectangle(30, 20), ring({15, 10}, 4, true)};
-  EXPECT_TRUE(too_narrow(outline(area, {{0, 0}, {30, 20}}), 1.5).empty());
-  const auto paths = pocket(outline(area, {{0, 0}, {30, 20}}), {1.2}, cut_of(1.5, 1));
-  const FieldPtr distance = outline_field(area);
-  std::vector<Vec2> tips;
-  for (const Path& path : paths) {
-    const auto points = points_along(path, 0.05);
-    for (std::size_t i = 1; i < points.size(); ++i)
-      for (int k = 0; k <= 200; ++k) {
-        tips.emplace_back((points[i - 1].at + (points[i].at - points[i - 1].at) * k / 200).head<2>());
-        EXPECT_LE(distance->value({tips.back().x(), tips.back().y(), 0}), -1.5 + 0.01);
+  const Loops with_island{rectangle(30, 20), ring({15, 10}, 4, true)}, wedge{{{{0, 0}, {30, 6}, {28, 20}, {3, 16}}}};
+  for (const auto& [area, stepover] : {std::pair{with_island, 1.2}, {with_island, 2.7}, {wedge, 2.9}, {wedge, 2.2}}) {
+    SCOPED_TRACE(stepover);
+    const Outline whole = outline(area, {{0, 0}, {30, 20}});
+    const FieldPtr distance = outline_field(area);
+    std::vector<Vec2> tips;
+    for (const Path& path : pocket(whole, {stepover}, cut_of(1.5, 1))) {
+      const auto points = points_along(path, 0.05);
+      for (std::size_t i = 1; i < points.size(); ++i)
+        for (int k = 0; k <= 100; ++k) {
+          tips.emplace_back((points[i - 1].at + (points[i].at - points[i - 1].at) * k / 100).head<2>());
+          EXPECT_LE(distance->value({tips.back().x(), tips.back().y(), 0}), -1.5 + 0.01);
+        }
+    }
+    // Every place that the tool covers from somewhere lies under it somewhere.
+    const FieldPtr middles = outline_field(offset(area, -1.5, 0.05));
+    for (double x = 0; x < 30; x += 0.17)
+      for (double y = 0; y < 20; y += 0.19) {
+        if (middles->value({x, y, 0}) > 1.5 - 0.03) continue;
+        double nearest = 1e9;
+        for (const Vec2& tip : tips) nearest = std::min(nearest, (tip - Vec2(x, y)).squaredNorm());
+        EXPECT_LE(std::sqrt(nearest), 1.5 + 0.05) << x << " " << y;
       }
   }
-  // Every place at least a tool's radius from the walls lies under the tool's edge somewhere.
-  for (double x = 1.5; x < 28.5; x += 0.37)
-    for (double y = 1.5; y < 18.5; y += 0.41) {
-      if (distance->value({x, y, 0}) > -1.5) continue;
-      double nearest = 1e9;
-      for (const Vec2& tip : tips) nearest = std::min(nearest, (tip - Vec2(x, y)).squaredNorm());
-      EXPECT_LE(std::sqrt(nearest), 1.5) << x << " " << y;
-    }
 }
 
 TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
