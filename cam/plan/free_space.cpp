@@ -40,7 +40,8 @@ FreeSpace::FreeSpace(FieldPtr part, const Box& bounds, Progress& progress)
 /// Marks the cells of a cube that may hold some of the part.
 void FreeSpace::fill(const Field& part, const Eigen::Vector3i& from, int size) {
   if ((from.array() >= count_.array()).any()) return;
-  const Box box{bounds_.lower + cell_ * from.cast<double>(), bounds_.lower + cell_ * (from.array() + size).matrix().cast<double>()};
+  const Box box{bounds_.lower + cell_ * from.cast<double>(),
+                bounds_.lower + cell_ * (from.array() + size).matrix().cast<double>()};
   const Restriction inside = part.restricted(box, Purpose::occupancy);
   if (inside.range.outside()) return;
   if (size == 1 || inside.range.inside()) {
@@ -81,7 +82,8 @@ bool FreeSpace::clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, d
     open.pop_back();
     const Vec3 size = block.upper - block.lower, middle = 0.5 * (block.lower + block.upper);
     // Beside the tool?
-    const Eigen::Vector2d nearest(std::max({block.lower.x(), -block.upper.x(), 0.0}), std::max({block.lower.y(), -block.upper.y(), 0.0}));
+    const Eigen::Vector2d nearest(std::max({block.lower.x(), -block.upper.x(), 0.0}),
+                                  std::max({block.lower.y(), -block.upper.y(), 0.0}));
     const auto radius = [&](double along) {
       const double length = piece.to - piece.from, share = length > 0 ? (along - piece.from) / length : 0;
       return piece.radius_from + share * (piece.radius_to - piece.radius_from);

@@ -18,8 +18,8 @@ class Valleys {
   Valleys(const TipSurface& tips, const Rectangle& area, double cell, double least_angle)
       : tips_(tips), form_(tips.profile().closed_form()), least_turn_(2 * std::sin(least_angle / 2)) {
     const Vec2 size = area.size() / cell;
-    lattice_ = Lattice<Vec3>(static_cast<int>(std::ceil(size.x())) + 1, static_cast<int>(std::ceil(size.y())) + 1, cell, area.lower,
-                             Vec3::UnitZ());
+    lattice_ = Lattice<Vec3>(static_cast<int>(std::ceil(size.x())) + 1, static_cast<int>(std::ceil(size.y())) + 1, cell,
+                             area.lower, Vec3::UnitZ());
   }
 
   std::vector<std::vector<Vec2>> find(Progress& progress) {

@@ -11,6 +11,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/render/heights.h"
+#include "mesh_heights.h"
 
 namespace fieldfab::cam {
 
@@ -49,6 +50,7 @@ class SurfaceSampler {
     const Vec2 first = bounds_.lower.head<2>() - Vec2::Constant(cell) - 0.5 * (Vec2(wide - 3, high - 3) * cell - size);
     surface_->floor_ = bounds_.lower.z();
     surface_->heights_ = HeightMap(wide, high, cell, first, 0);
+    mesh_ = MeshHeights::of(field_, {first, first + Vec2(wide - 1, high - 1) * cell});
     surface_->heights_.values = heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z());
   }
 
@@ -57,14 +59,15 @@ class SurfaceSampler {
     const Vec2 half(0.5 * area.size().x() / (wide - 1), 0.5 * area.size().y() / (high - 1));
     const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low},
                      {area.upper.x() + half.x(), area.upper.y() + half.y(), bounds_.upper.z()}};
-    std::vector<float> found = heights(field_, region, wide, high, progress_);
+    std::vector<float> found = mesh_ ? mesh_->heights(area, wide, high, low) : heights(field_, region, wide, high, progress_);
     const Rectangle inside = Rectangle::of(bounds_).grown(1e-9);
     std::size_t i = 0;
     for (int row = 0; row < high; ++row)
       for (int column = 0; column < wide; ++column, ++i) {
         const Vec2 p = area.lower + 2 * Vec2(half.x() * column, half.y() * row);
-        found[i] = inside.contains(p) ? std::max(found[i], static_cast<float>(bounds_.lower.z()))
-                                      : static_cast<float>(bounds_.lower.z());
+        found[i] = inside.contains(p)
+                       ? std::clamp(found[i], static_cast<float>(bounds_.lower.z()), static_cast<float>(bounds_.upper.z()))
+                       : static_cast<float>(bounds_.lower.z());
       }
     return found;
   }
@@ -91,9 +94,23 @@ class SurfaceSampler {
     });
   }
 
-  /// Squares above whose samples something stands that no sample has met: asked of the Field's intervals.
+  /// Squares above whose samples something stands that no sample has met: asked of the Field's intervals, or of the mesh.
   void find_ribs() {
     const HeightMap& h = surface_->heights_;
+    if (mesh_) {
+      parallel_for(static_cast<std::size_t>(h.height - 1), [&](std::size_t r) {
+        progress_.check();
+        const int row = static_cast<int>(r);
+        for (int column = 0; column + 1 < h.width; ++column) {
+          const double top =
+              std::max({h.at(column, row), h.at(column + 1, row), h.at(column, row + 1), h.at(column + 1, row + 1)});
+          if (top < bounds_.upper.z() &&
+              mesh_->rises({h.place(column, row), h.place(column + 1, row + 1)}, top + 4 * settings_.tolerance))
+            rough_[h.index(column, row)] = 1;
+        }
+      });
+      return;
+    }
     constexpr int tile = 32;
     const int wide = (h.width + tile - 2) / tile, high = (h.height + tile - 2) / tile;
     parallel_for(static_cast<std::size_t>(wide * high), [&](std::size_t t) {
@@ -157,6 +174,7 @@ class SurfaceSampler {
   Progress& progress_;
   std::shared_ptr<Surface> surface_;
   std::vector<std::uint8_t> rough_;
+  std::unique_ptr<MeshHeights> mesh_;  // where the solid is one: its triangles tell heights at once
 };
 
 std::shared_ptr<const Surface> Surface::of(const Field& field, const Box& bounds, const SurfaceSettings& settings,

@@ -34,7 +34,8 @@ class Leaning {
     for (const Frustum& piece : pieces_of(tool, settings.clearance, space.bounds().diagonal())) {
       (piece.cuts ? cutter_ : body_).push_back(piece);
       if (piece.cuts)  // which touches the part where it cuts
-        for (double* const radius : {&cutter_.back().radius_from, &cutter_.back().radius_to}) *radius = std::max(0.0, *radius - settings.tolerance);
+        for (double* const radius : {&cutter_.back().radius_from, &cutter_.back().radius_to})
+          *radius = std::max(0.0, *radius - settings.tolerance);
       reach_ = std::max(reach_, std::min(piece.to, tool.length + tool.holder_length));
     }
     // The tool's far end moves by no more than the clearance from pose to pose.
@@ -191,7 +192,8 @@ void simplify(Path& path, double tolerance) {
     bool even = to < path.points.size();
     for (std::size_t k = from + 1; even && k < to; ++k) {
       const PathPoint &a = path.points[from], &b = path.points[to], &p = path.points[k];
-      const double whole = (b.at - a.at).norm(), share = whole > 0 ? std::clamp((p.at - a.at).dot(b.at - a.at) / (whole * whole), 0.0, 1.0) : 0;
+      const double whole = (b.at - a.at).norm(),
+                   share = whole > 0 ? std::clamp((p.at - a.at).dot(b.at - a.at) / (whole * whole), 0.0, 1.0) : 0;
       even = (a.at + share * (b.at - a.at) - p.at).norm() < 0.25 * tolerance &&
              angle_between((a.axis + share * (b.axis - a.axis)).normalized(), p.axis) < 0.001 && to - from < 64;
     }
@@ -218,7 +220,9 @@ std::vector<Frustum> pieces_of(const Tool& tool, double clearance, double beyond
   const double holder = tool.length > 0 ? tool.length : at;
   const bool held = tool.holder_diameter > 0;
   pieces.push_back({at, held ? std::max(at, holder) : at + beyond, shank, shank, false});
-  if (held) pieces.push_back({holder - clearance, holder + beyond, tool.holder_diameter / 2 + clearance, tool.holder_diameter / 2 + clearance, false});
+  if (held)
+    pieces.push_back(
+        {holder - clearance, holder + beyond, tool.holder_diameter / 2 + clearance, tool.holder_diameter / 2 + clearance, false});
   return pieces;
 }
 

@@ -245,7 +245,7 @@ class JobRunner {
     Plane plane;
     Material material;
   };
-  std::map<std::string, Seen> materials_;  // by plane
+  std::map<std::string, Seen> materials_;                      // by plane
   std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section

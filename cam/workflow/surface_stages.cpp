@@ -223,7 +223,8 @@ Artifact pencil_stage(const Artifact& in, const Values& values, Context& context
   const double radius = context.tool.profile().radius();
   cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10), values.number("least_angle") * degrees,
                       context.progress);
-  if (cuts.paths.empty()) throw Error(ErrorKind::bad_input, "pencil", "there are no valleys that this tool touches on both sides");
+  if (cuts.paths.empty())
+    throw Error(ErrorKind::bad_input, "pencil", "there are no valleys that this tool touches on both sides");
   cuts.inside_first = false;
   cuts.may_reverse = true;
   return cuts;

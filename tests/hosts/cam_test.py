@@ -443,6 +443,14 @@ def test_leaning_is_refused_where_it_cannot_be(tmp_path):
     assert failed.returncode == 2 and "only a ball" in failed.stderr
 
 
+def test_letters_beyond_ascii_are_for_strings_and_comments(tmp_path):
+    good = 'name = "Büste 1/2"\n# für Wachs\n' + FLAT + '[[operation]]\ntype = "profile"\nname = """Rand\nö"""\n'
+    assert "profile" in run("cam", job(tmp_path, good, part_frep=PART), "--plan").stdout
+    for bad in ("\u0350 = 1", "größe = 1", "a = ﹿ"):
+        failed = run("cam", job(tmp_path, FLAT + bad + "\n", part_frep=PART), "--plan", check=False)
+        assert failed.returncode == 2 and "job.toml:9: has a letter" in failed.stderr, failed.stderr
+
+
 def test_planes_are_refused_where_a_machine_cannot(tmp_path):
     path = job(tmp_path, FIVE.replace("MACHINE", "linuxcnc").replace("PLANE", "stepped"), part_frep=BLOCK)
     assert "cannot tilt" in run("cam", path, "-o", tmp_path / "o", check=False).stderr

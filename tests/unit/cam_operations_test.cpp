@@ -412,8 +412,9 @@ TEST(Pencil, RunsAlongValleys) {
   }
   EXPECT_NEAR(length, 2 * pi * away, 0.3);
   EXPECT_EQ(paths.size(), 1U);
-  EXPECT_THROW((void)pencil(TipSurface(Surface::of(*knob(), knob_bounds, {0.2, 0.02}), tool("flat", 3).profile()), settings, 0.2, 0.35),
-               Error);
+  EXPECT_THROW(
+      (void)pencil(TipSurface(Surface::of(*knob(), knob_bounds, {0.2, 0.02}), tool("flat", 3).profile()), settings, 0.2, 0.35),
+      Error);
 }
 
 TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
@@ -431,7 +432,8 @@ TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
     int lowered = 0;
     for (int trial = 0; trial < 2000; ++trial) {
       // Nothing that is left of the block stands above the heights.
-      const Vec3 p = (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array()).matrix();
+      const Vec3 p =
+          (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array()).matrix();
       const Vec3 q = plane.into(p);
       const bool left = p.z() < above.highest(p.head<2>(), 0) - 0.5;
       if (left) {

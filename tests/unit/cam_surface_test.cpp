@@ -10,6 +10,8 @@
 #include "fieldfab/cam/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -72,6 +74,32 @@ TEST(Surface, FindsRibsThatNoSampleMeets) {
   const auto surface = Surface::of(*unite(rib, box_field({{-4, -4, -1}, {4, 4, 0}})), {{-4, -4, -1}, {4, 4, 5}}, {0.3, 0.02});
   EXPECT_NEAR(surface->top(), 5, 1e-3);
   EXPECT_NEAR(surface->height({0.125, 1.234}), 5, 1e-2);
+}
+
+TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
+  const FieldPtr knot =
+      formula("max(min(sqrt(x*x+y*y+z*z)-4, max(abs(x+3)-1, max(abs(y)-5, abs(z-1)-1))), 0-(sqrt((y-2)*(y-2)+z*z)-1))");
+  const TriangleMesh mesh = contour(*knot, {{-5, -6, -5}, {5, 6, 5}}, {0.35});
+  for (const FieldPtr& solid : {mesh_field(mesh), rotate(scale(mesh_field(mesh), Vec3::Constant(1.3)), {0.2, 0.9, 0.3}, 0.7)}) {
+    const Box bounds{{-7, -7, -3}, {7, 7, 7}};
+    const auto surface = Surface::of(*solid, bounds, {0.1, 0.01});
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> at(-6.9, 6.9);
+    int solid_places = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+      const Vec2 p(at(random), at(random));
+      const double h = surface->height(p);
+      for (double z = h + 0.02; z < 7; z += 0.9) EXPECT_GT(solid->value({p.x(), p.y(), z}), -0.01) << p.transpose() << " " << z;
+      if (h < bounds.lower.z() + 0.02) continue;
+      bool at_a_wall = false;  // there heights are those in between
+      for (const Vec2& q : {Vec2(0.02, 0), Vec2(-0.02, 0), Vec2(0, 0.02), Vec2(0, -0.02)})
+        at_a_wall |= std::abs(surface->height(p + q) - h) > 0.1;
+      if (at_a_wall) continue;
+      ++solid_places;
+      EXPECT_LT(solid->value({p.x(), p.y(), h - 0.01}), 0.03) << p.transpose();
+    }
+    EXPECT_GT(solid_places, 60);
+  }
 }
 
 TEST(TipSurface, FollowsClosedForms) {

@@ -46,7 +46,7 @@ struct Look {
 
 class MeshField final : public Field {
  public:
-  MeshField(const TriangleMesh& mesh, Progress& progress) : winding_(mesh), closed_(is_closed(mesh)) {
+  MeshField(const TriangleMesh& mesh, Progress& progress) : mesh_(mesh), winding_(mesh), closed_(is_closed(mesh)) {
     progress.report(0.3, "sorting triangles");
     Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
     for (const auto& t : mesh.triangles) {
@@ -69,6 +69,8 @@ class MeshField final : public Field {
     tree_.build();
     tree_.accelerate_distance_queries();
   }
+
+  [[nodiscard]] const TriangleMesh* closed_mesh() const { return closed_ ? &mesh_ : nullptr; }
 
   void values(const Points& points, float* out) const noexcept override {
     Look last;
@@ -131,6 +133,7 @@ class MeshField final : public Field {
     return std::abs(winding_.at(p + 10 * touching_ * outward)) > 0.5 ? Vec3(-outward) : outward;
   }
 
+  TriangleMesh mesh_;
   Triangles triangles_;
   Tree tree_;
   WindingNumber winding_;
@@ -140,6 +143,11 @@ class MeshField final : public Field {
 };
 
 }  // namespace
+
+const TriangleMesh* closed_mesh_of(const Field& field) {
+  const auto* const mesh = dynamic_cast<const MeshField*>(&field);
+  return mesh != nullptr ? mesh->closed_mesh() : nullptr;
+}
 
 FieldPtr mesh_field(const TriangleMesh& mesh, Progress& progress) {
   if (mesh.triangles.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangles");

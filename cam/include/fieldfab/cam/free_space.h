@@ -11,9 +11,9 @@ namespace fieldfab::cam {
 
 /// A piece of a tool about its axis: a cylinder or a cone, from one height above the tip to another, mm.
 struct Frustum {
-  double from, to;                    ///< heights along the axis
-  double radius_from, radius_to;      ///< there
-  bool cuts = false;                  ///< the cutting part: the part may be touched
+  double from, to;                ///< heights along the axis
+  double radius_from, radius_to;  ///< there
+  bool cuts = false;              ///< the cutting part: the part may be touched
 };
 
 /// The space outside of a solid. What it says is clear, is: by the Field's intervals, not by samples.

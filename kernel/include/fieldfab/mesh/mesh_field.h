@@ -13,4 +13,8 @@ namespace fieldfab {
 /// that is inside out is the same solid. Throws bad_input for a mesh without triangles, or with numbers that are not finite.
 FieldPtr mesh_field(const TriangleMesh& mesh, Progress& progress = Progress::none());
 
+/// The mesh that a Field of mesh_field() was made from, where it is closed; nullptr for any other Field. It lives as long as the
+/// Field does.
+const TriangleMesh* closed_mesh_of(const Field& field);
+
 }  // namespace fieldfab
