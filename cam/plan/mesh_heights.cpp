@@ -32,8 +32,8 @@ void MeshHeights::each_bin(const Rectangle& box, const Visit& visit) const {
 }
 
 std::unique_ptr<MeshHeights> MeshHeights::of(const Field& field, const Rectangle& area) {
-  const Framed framed = field.framed();
-  const TriangleMesh* const mesh = closed_mesh_of(framed.field ? *framed.field : field);
+  const Framed framed = field.framed(Purpose::occupancy);
+  const TriangleMesh* const mesh = closed_mesh_of(*framed.field);
   if (mesh == nullptr) return nullptr;
   auto made = std::make_unique<MeshHeights>();
   std::vector<Vec3> vertices;

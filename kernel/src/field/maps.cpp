@@ -103,8 +103,9 @@ class Affine final : public Moved<AffineMap> {
     const Eigen::Affine3d to_outer = map_.to_inner.inverse();
     return image_of(inner, to_outer.linear(), to_outer.translation());
   }
-  [[nodiscard]] Framed framed() const override {
-    Framed inner = a_->framed();
+  using Field::framed;
+  [[nodiscard]] Framed framed(Purpose purpose) const override {
+    Framed inner = a_->framed(purpose);
     const Eigen::Affine3d to_outer = map_.to_inner.inverse();
     return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
   }

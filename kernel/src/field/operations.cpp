@@ -191,9 +191,11 @@ class Linear final : public Field {
   [[nodiscard]] Box known_bounds() const noexcept override {
     return factor_ > 0 && shift_ >= 0 ? a_->known_bounds() : Box::everything();
   }
-  [[nodiscard]] Framed framed() const override {
-    Framed inner = a_->framed();
-    if (inner.field == a_) return Field::framed();
+  using Field::framed;
+  [[nodiscard]] Framed framed(Purpose purpose) const override {
+    if (purpose == Purpose::occupancy && shift_ == 0 && factor_ > 0) return a_->framed(purpose);
+    Framed inner = a_->framed(purpose);
+    if (inner.field == a_) return Field::framed(purpose);
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }

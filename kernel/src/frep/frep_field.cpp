@@ -105,9 +105,10 @@ class FrepField final : public Field {
     }
   }
 
-  [[nodiscard]] Framed framed() const override {
+  using Field::framed;
+  [[nodiscard]] Framed framed(Purpose purpose) const override {
     const std::optional<FramedExpression> own = expression_ ? in_own_frame(*expression_) : std::nullopt;
-    if (!own) return Field::framed();
+    if (!own) return Field::framed(purpose);
     return {std::make_shared<FrepField>(make_tape(own->expression), engine_), own->axes, Vec3::Zero()};
   }
 

@@ -79,7 +79,9 @@ class Field : public std::enable_shared_from_this<Field> {
 
   /// This Field in the coordinates in which its intervals are tightest, where it knows them: what was placed askew is straight
   /// there. By default it is itself, in x, y and z.
-  [[nodiscard]] virtual Framed framed() const;
+  /// For occupancy only the sign has to be the same.
+  [[nodiscard]] virtual Framed framed(Purpose purpose) const;
+  [[nodiscard]] Framed framed() const { return framed(Purpose::value); }
 
   /// Whether the function is known to be a + b x + c y + d z, but for rounding: then a few values tell all of them.
   [[nodiscard]] virtual bool affine() const noexcept { return false; }
