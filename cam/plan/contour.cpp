@@ -358,11 +358,38 @@ class Descent {
   std::vector<Piece> pieces_;
 };
 
+/// Where a Field is not sure of its sign to the last bit, neighbouring blocks may disagree about a crossing: then a piece ends
+/// where none begins. Such ends go on at the nearest such beginning.
+template <class Find>
+void mend(std::vector<Piece>& pieces, const Find& next_of, double cell) {
+  std::vector<bool> met(pieces.size(), false);
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const auto next = next_of(pieces[i].to);
+    if (next != pieces.end() && next->from == pieces[i].to)
+      met[static_cast<std::size_t>(next - pieces.begin())] = true;
+    else
+      ends.push_back(i);
+  }
+  if (ends.empty()) return;
+  const auto place = [&](std::size_t i) { return Vec2(pieces[i].start[0], pieces[i].start[1]); };
+  for (const std::size_t end : ends) {
+    std::size_t nearest = pieces.size();
+    double least = 4 * cell;  // a piece ends at most a cell's diagonal from its start
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (!met[i] && (place(i) - place(end)).norm() < least) nearest = i, least = (place(i) - place(end)).norm();
+    if (nearest == pieces.size()) throw Error(ErrorKind::internal, "contour", "is not closed");
+    met[nearest] = true;
+    pieces[end].to = pieces[nearest].from;
+  }
+}
+
 /// Follows pieces from crossing to crossing until each loop closes.
-Loops link(const std::vector<Piece>& pieces, double cell) {
+Loops link(std::vector<Piece> pieces, double cell) {
   const auto next_of = [&](Crossing key) {
     return std::lower_bound(pieces.begin(), pieces.end(), key, [](const Piece& piece, Crossing k) { return piece.from < k; });
   };
+  mend(pieces, next_of, cell);
   std::vector<bool> used(pieces.size(), false);
   Loops loops;
   const double same = 1e-6 * cell;

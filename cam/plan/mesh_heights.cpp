@@ -25,9 +25,10 @@ void MeshHeights::each_bin(const Rectangle& box, const Visit& visit) const {
   const auto bin = [&](double at, double origin, int count) {
     return static_cast<int>(std::clamp(std::floor((at - origin) / bins_.cell), 0.0, count - 1.0));
   };
-  for (int row = bin(box.lower.y(), bins_.origin.y(), bins_.height); row <= bin(box.upper.y(), bins_.origin.y(), bins_.height); ++row)
-    for (int column = bin(box.lower.x(), bins_.origin.x(), bins_.width); column <= bin(box.upper.x(), bins_.origin.x(), bins_.width);
-         ++column)
+  for (int row = bin(box.lower.y(), bins_.origin.y(), bins_.height); row <= bin(box.upper.y(), bins_.origin.y(), bins_.height);
+       ++row)
+    for (int column = bin(box.lower.x(), bins_.origin.x(), bins_.width);
+         column <= bin(box.upper.x(), bins_.origin.x(), bins_.width); ++column)
       visit(bins_.index(column, row));
 }
 

@@ -1,9 +1,11 @@
 // Signed distance to closed curves: a tree of boxes over their edges.
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 #include "fieldfab/cam/contour.h"
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -32,6 +34,7 @@ class OutlineField final : public Field {
       }
       first += n;
     }
+    crossing_ = any_crossing();
   }
 
   void values(const Points& points, float* out) const noexcept override {
@@ -128,21 +131,26 @@ class OutlineField final : public Field {
     waiting[count++] = {0, squared_distance(nodes_[0].box, p)};
     while (count > 0) {
       const Waiting w = waiting[--count];
-      if (w.squared >= best) continue;
+      if (w.squared > best) continue;
       const Node& node = nodes_[w.node];
       if (node.count == 0) {
         Waiting a{w.node + 1, squared_distance(nodes_[w.node + 1].box, p)},
             b{node.first, squared_distance(nodes_[node.first].box, p)};
         if (a.squared < b.squared) std::swap(a, b);
-        if (a.squared < best) waiting[count++] = a;
-        if (b.squared < best) waiting[count++] = b;
+        if (a.squared <= best) waiting[count++] = a;
+        if (b.squared <= best) waiting[count++] = b;
         continue;
       }
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Vec2 place = closest_on(edges_[i], p);
         const double squared = (p - place).squaredNorm();
-        if (squared < best) best = squared, nearest.edge = i, nearest.place = place;
+        // Of equally near ones always the same, whatever the guess: where curves cross, the sign depends on it.
+        if (squared < best || (squared == best && i < nearest.edge)) best = squared, nearest.edge = i, nearest.place = place;
       }
+    }
+    if (crossing_) {
+      nearest.distance = winding(p) > 0 ? -std::sqrt(best) : std::sqrt(best);
+      return nearest;
     }
     const Edge& e = edges_[nearest.edge];
     // At an end two edges are equally near: the sum of their normals tells the side.
@@ -153,8 +161,73 @@ class OutlineField final : public Field {
     return nearest;
   }
 
+  /// Calls visit(edge) for the edges in all leaves whose boxes are wanted, until it returns false.
+  template <class Wanted, class Visit>
+  void each_edge(const Wanted& wanted, const Visit& visit) const {
+    std::array<std::uint32_t, 64> waiting;
+    std::size_t count = 0;
+    waiting[count++] = 0;
+    while (count > 0) {
+      const std::uint32_t here = waiting[--count];
+      const Node& node = nodes_[here];
+      if (!wanted(node.box)) continue;
+      if (node.count == 0) {
+        waiting[count++] = here + 1, waiting[count++] = node.first;
+        continue;
+      }
+      for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+        if (!visit(i)) return;
+    }
+  }
+
+  /// Twice the area of a triangle, signed.
+  static double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  }
+
+  /// Whether two edges meet otherwise than at their loop's vertices. Where curves cross, the nearest edge does not tell the side.
+  [[nodiscard]] bool any_crossing() const {
+    std::atomic<bool> found{false};
+    constexpr std::size_t portion = 4096;
+    parallel_for((edges_.size() + portion - 1) / portion, [&](std::size_t k) {
+      for (std::size_t i = k * portion; i < std::min(edges_.size(), (k + 1) * portion) && !found; ++i) {
+        const Edge& e = edges_[i];
+        Rectangle box = Rectangle::nothing();
+        box.add(e.from), box.add(e.to);
+        const auto overlaps = [&](const Rectangle& other) {
+          return (other.lower.array() <= box.upper.array()).all() && (box.lower.array() <= other.upper.array()).all();
+        };
+        each_edge(overlaps, [&](std::uint32_t j) {
+          if (j <= i || j == e.before || j == e.after) return true;
+          const Edge& f = edges_[j];
+          const bool apart = turn(e.from, e.to, f.from) * turn(e.from, e.to, f.to) > 0 ||
+                             turn(f.from, f.to, e.from) * turn(f.from, f.to, e.to) > 0;
+          Rectangle other = Rectangle::nothing();
+          other.add(f.from), other.add(f.to);
+          if (!apart && overlaps(other)) found = true;
+          return !found;
+        });
+      }
+    });
+    return found;
+  }
+
+  /// How many times the curves go round a point, anticlockwise.
+  [[nodiscard]] int winding(const Vec2& p) const {
+    int rounds = 0;
+    each_edge([&](const Rectangle& box) { return box.lower.y() <= p.y() && p.y() <= box.upper.y() && p.x() <= box.upper.x(); },
+              [&](std::uint32_t i) {
+                const Edge& e = edges_[i];
+                if (e.from.y() <= p.y() && p.y() < e.to.y() && turn(e.from, e.to, p) > 0) ++rounds;
+                if (e.to.y() <= p.y() && p.y() < e.from.y() && turn(e.from, e.to, p) < 0) --rounds;
+                return true;
+              });
+    return rounds;
+  }
+
   std::vector<Edge> edges_;
   std::vector<Node> nodes_;
+  bool crossing_ = false;
 };
 
 }  // namespace

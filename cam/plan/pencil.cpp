@@ -16,7 +16,7 @@ namespace {
 class Valleys {
  public:
   Valleys(const TipSurface& tips, const Rectangle& area, double cell, double least_angle)
-      : tips_(tips), form_(tips.profile().closed_form()), least_turn_(2 * std::sin(least_angle / 2)) {
+      : tips_(tips), least_turn_(2 * std::sin(least_angle / 2)) {
     const Vec2 size = area.size() / cell;
     lattice_ = Lattice<Vec3>(static_cast<int>(std::ceil(size.x())) + 1, static_cast<int>(std::ceil(size.y())) + 1, cell,
                              area.lower, Vec3::UnitZ());
@@ -50,12 +50,7 @@ class Valleys {
   };
 
   /// Of the surface where the tool touches it.
-  [[nodiscard]] Vec3 normal(const Vec2& p) const {
-    const Vec2 out = tips_.contact(p).place - p;
-    const double away = out.norm(), level = std::min(1.0, std::max(0.0, away - form_.flat) / form_.corner);
-    if (level < 1e-9) return Vec3::UnitZ();
-    return {-level * out.x() / away, -level * out.y() / away, std::sqrt(1 - level * level)};
-  }
+  [[nodiscard]] Vec3 normal(const Vec2& p) const { return tips_.corner_normal(p, tips_.contact(p)).value_or(Vec3::UnitZ()); }
 
   /// A leap on an edge is one that stays however near to it one looks.
   void look(int c, int r, int along_x, int along_y, std::vector<Edge>& found) const {
@@ -108,7 +103,6 @@ class Valleys {
   }
 
   const TipSurface& tips_;
-  FlatCornerCone form_;
   double least_turn_;
   Lattice<Vec3> lattice_;
   std::map<Key, Vec2> leaps_;

@@ -114,11 +114,17 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
     for (std::size_t k = 0; k < points.size(); ++k) {
       const TipSurface::Contact touched = tips.contact(points[k].at.head<2>(), guess);
       guess = touched.place;
+      if (points[k].at.z() > touched.tip + tolerance) continue;  // the tool touches nothing: it may go no deeper
       const double floor = tips.surface().floor(), height = tips.surface().height(touched.place);
       if (plane.to_the_middle && height <= floor + cell) continue;  // there is nothing of this half of the part here
       const Vec3 place = plane.out_of(Vec3(touched.place.x(), touched.place.y(), height));
-      const Vec3 slope = part.gradient(place);
-      const Vec3 normal = slope.norm() > 0 ? Vec3(slope.normalized()) : Vec3(plane.axes.col(2));
+      Vec3 normal;
+      if (const auto here = tips.corner_normal(points[k].at.head<2>(), touched)) {
+        normal = plane.axes * *here;
+      } else {
+        const Vec3 slope = part.gradient(place);
+        normal = slope.norm() > 0 ? Vec3(slope.normalized()) : Vec3(plane.axes.col(2));
+      }
       wanted[k] =
           std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
     }

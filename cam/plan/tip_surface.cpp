@@ -224,6 +224,16 @@ void TipSurface::edge_contacts(const Vec2& p, double around, Contact& best) cons
   }
 }
 
+std::optional<Vec3> TipSurface::corner_normal(const Vec2& p, const Contact& touched) const {
+  const Vec2 out = touched.place - p;
+  const double away = out.norm();
+  if (!closed_form_.valid || !(closed_form_.corner > 0) || away > closed_form_.flat + closed_form_.widest + 1e-6)
+    return std::nullopt;
+  const double level = std::max(0.0, away - closed_form_.flat) / closed_form_.corner;
+  if (level < 1e-9) return Vec3(Vec3::UnitZ());
+  return Vec3(-level * out.x() / away, -level * out.y() / away, std::sqrt(std::max(0.0, 1 - level * level)));
+}
+
 Interval TipSurface::range(const Rectangle& area) const {
   const Vec2 middle = 0.5 * (area.lower + area.upper);
   const Contact touched = contact(middle);

@@ -47,18 +47,26 @@ LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const B
   return s;
 }
 
-void check_depth(const PlannedOperation& op, const Section& section, const Box& stock) {
-  double deepest = stock.upper.z();
-  for (const Move& move : section.moves) deepest = std::min(deepest, move.to.z());
-  const double depth = stock.upper.z() - deepest;
-  if (op.tool.flute > 0 && depth > op.tool.flute + 1e-6)
-    throw Error(
-        ErrorKind::bad_input, op.values.place("type"),
-        fmt::format("{} cuts {:.4g} mm deep; tool {} has flutes of {:.4g} mm", op.name, depth, op.tool.number, op.tool.flute));
-  if (op.tool.length > 0 && depth > op.tool.length + 1e-6)
-    throw Error(ErrorKind::bad_input, op.values.place("type"),
-                fmt::format("{} goes {:.4g} mm deep; tool {} reaches {:.4g} mm out of its holder", op.name, depth, op.tool.number,
-                            op.tool.length));
+/// Neither shank nor holder may come down beside material that is higher; as it was before the operation.
+void check_depth(const PlannedOperation& op, const Section& section, const Material& material) {
+  const Tool& tool = op.tool;
+  const double cell = material.heights().cell, shank = 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter);
+  const auto check = [&](const Vec3& tip, double radius, double reach, const std::string& what) {
+    const double depth = material.highest(tip.head<2>(), std::max(0.0, radius - 2 * cell)) - tip.z();
+    if (reach > 0 && depth > reach + 1e-6)
+      throw Error(ErrorKind::bad_input, op.values.place("type"),
+                  fmt::format("{} goes {:.4g} mm deep at x {:.2f}, y {:.2f}; tool {} {}", op.name, depth, tip.x(), tip.y(),
+                              tool.number, what));
+  };
+  Vec3 last = Vec3::Constant(1e300);
+  for (const Move& move : section.moves) {
+    // Places that are close together see the same.
+    if (move.rapid() || ((move.to - last).head<2>().norm() < 0.25 * tool.diameter && move.to.z() >= last.z())) continue;
+    last = move.to;
+    check(move.to, shank, tool.flute, fmt::format("has flutes of {:.4g} mm", tool.flute));
+    check(move.to, std::max(shank, 0.5 * tool.holder_diameter), tool.length,
+          fmt::format("reaches {:.4g} mm out of its holder", tool.length));
+  }
 }
 
 }  // namespace
@@ -172,7 +180,7 @@ class JobRunner {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;
     }
-    if (cuts.leans == 0) check_depth(op, section, stock);
+    if (cuts.leans == 0) check_depth(op, section, material);
     if (op.plane.setup && op.plane.name != setup_)
       section.setup = fmt::format(
           "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "

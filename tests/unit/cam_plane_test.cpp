@@ -199,5 +199,27 @@ TEST(LatticeField, IsBilinearAndBounded) {
   }
 }
 
+TEST(OutlineField, KeepsItsSignWhereCurvesCross) {
+  // A corner that ties itself into a small bow, as noise makes them; seen from far off the bow must not matter.
+  const Loop bow{{{0, 0}, {10, 0}, {10, 6}, {9.9, 6.1}, {10.1, 6.12}, {9.95, 5.9}, {9.8, 6.2}, {10, 10}, {0, 10}}};
+  const FieldPtr field = outline_field({bow});
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> at(-10, 20);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Vec2 p(at(random), at(random));
+    if (std::abs(p.x() - 10) < 0.3 && std::abs(p.y() - 6) < 0.3) continue;
+    const bool inside = p.x() > 0 && p.x() < 9.99 && p.y() > 0 && p.y() < 10;
+    const bool near = std::abs(p.x() - 9.9) < 0.25 && p.y() > -0.1 && p.y() < 10.1;
+    if (near) continue;
+    EXPECT_EQ(field->value({p.x(), p.y(), 0}) < 0, inside) << p.transpose();
+  }
+  // So its offsets are whole, too.
+  for (const double distance : {2.0, -2.0}) {
+    const Loops moved = offset({bow}, distance, 0.1);
+    ASSERT_EQ(moved.size(), 1U);
+    EXPECT_NEAR(moved[0].area(), distance > 0 ? 100 + 80 + 4 * 3.1416 : 36, 1.5);
+  }
+}
+
 }  // namespace
 }  // namespace fieldfab::cam

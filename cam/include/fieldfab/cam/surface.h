@@ -68,6 +68,9 @@ class TipSurface {
   [[nodiscard]] Contact contact(const Vec2& p) const { return contact(p, p); }
   /// The same, with a place that is probably touched.
   [[nodiscard]] Contact contact(const Vec2& p, const Vec2& guess) const;
+  /// The normal that the surface has for a tool at `p` which touches it with its round corner; on a sharp edge it lies between
+  /// the normals of both sides. Nothing where the tool touches with something else.
+  [[nodiscard]] std::optional<Vec3> corner_normal(const Vec2& p, const Contact& touched) const;
   [[nodiscard]] double tip(const Vec2& p) const { return contact(p).tip; }
   /// Bounds of tip() over a rectangle.
   [[nodiscard]] Interval range(const Rectangle& area) const;
