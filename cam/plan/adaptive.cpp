@@ -454,7 +454,6 @@ class Area {
     std::erase_if(starts_, [](const Start& s) { return s.done; });
   }
 
-  double top_, bottom_;
   /// Straight over the slivers that are left between fronts that met, and by the lines and arcs that were put in the place of
   /// steps.
   void sweep_up(std::vector<Path>& paths) {
@@ -482,6 +481,7 @@ class Area {
     if (!path.points.empty()) paths.push_back(std::move(path));
   }
 
+  double top_, bottom_;
   const ClearSettings& s_;
   const CutSettings& cut_;
   Progress& progress_;
@@ -510,10 +510,18 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
   const Loops walls = contours(free, bounds, {cell, 0, -inset}, progress), edges = contours(free, bounds, {cell}, progress);
   const std::vector<int> parents = nesting(walls);
   const std::vector<double> passes = cut.depths.passes();
-  std::vector<Path> paths;
+  std::vector<Path> paths, level;
   for (std::size_t pass = 0; pass < passes.size(); ++pass) {
     const double top = pass == 0 ? cut.depths.top : passes[pass - 1], bottom = passes[pass];
-    std::vector<Path> level;
+    if (pass > 0 && settings.material == nullptr) {  // the same once more: passes are even
+      for (Path path : level) {
+        for (PathPoint& p : path.points) p.at.z() += bottom - passes[0];
+        path.level = static_cast<int>(pass);
+        paths.push_back(std::move(path));
+      }
+      continue;
+    }
+    level.clear();
     for (std::size_t i = 0; i < walls.size(); ++i) {
       if (walls[i].area() < 0) continue;
       Loops area{walls[i]};
@@ -525,10 +533,8 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
     for (const Loop& loop : edges) along.push_back(loop_path(loop, bottom, cut, false));
     if (settings.material != nullptr) along = where_material(along, *settings.material, cut.radius);
     level.insert(level.end(), along.begin(), along.end());
-    for (Path& path : level) {
-      path.level = static_cast<int>(pass);
-      paths.push_back(std::move(path));
-    }
+    for (Path& path : level) path.level = static_cast<int>(pass);
+    paths.insert(paths.end(), level.begin(), level.end());
   }
   return paths;
 }

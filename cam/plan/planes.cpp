@@ -100,7 +100,7 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
   parallel_for(paths.size(), [&](std::size_t i) {
     // Closely spaced, so that borders between planes are met to a cell.
     std::vector<PathPoint> points;
-    const auto& given = paths[i].points;
+    const std::vector<PathPoint> given = points_along(paths[i], 0.5 * cell);
     for (std::size_t k = 0; k < given.size(); ++k) {
       if (k > 0) {
         const Vec3 from = given[k - 1].at, way = given[k].at - from;

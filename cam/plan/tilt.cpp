@@ -82,7 +82,8 @@ class Leaning {
 
   [[nodiscard]] std::vector<Station> along(const Path& path) const {
     std::vector<Station> stations;
-    Vec2 guess = path.points.front().at.head<2>();
+    const std::vector<PathPoint> points = points_along(path, std::min(step_, 0.1));
+    Vec2 guess = points.front().at.head<2>();
     const auto add = [&](const Vec3& tip) {
       Station s;
       s.middle = tip + ball_ * Vec3::UnitZ();
@@ -93,13 +94,13 @@ class Leaning {
       s.normal = away.norm() > 1e-9 && touched.tip > tip.z() - ball_ ? Vec3(away.normalized()) : Vec3(Vec3::UnitZ());
       stations.push_back(s);
     };
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-      const Vec3& to = path.points[i].at;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3& to = points[i].at;
       if (i == 0) {
         add(to);
         continue;
       }
-      const Vec3 from = path.points[i - 1].at;
+      const Vec3 from = points[i - 1].at;
       const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step_)));
       for (int k = 1; k <= steps; ++k) add(from + (to - from) * k / steps);
     }

@@ -93,6 +93,7 @@ std::vector<Path> joined(const std::vector<Path>& paths, const std::function<boo
     if (path.points.empty()) continue;
     Path open = path;
     if (path.closed) open.points.push_back(path.points.front()), open.closed = false;
+    open.points.back().bulge = 0;
     if (!out.empty() && may_go_on(out.back().points.back().at, open.points.front().at))
       out.back().points.insert(out.back().points.end(), open.points.begin(), open.points.end());
     else
@@ -206,7 +207,6 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   Cuts cuts;
   cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
                          cut, context.progress);
-  cuts.may_stay_down = over(tips, cut.radius, cut.tolerance);
   if (values.flag("rest")) leave_out_reached(cuts, values, tips, context), cuts.finished = nullptr;
   lean(cuts, values, *tips, context);
   return cuts;

@@ -137,6 +137,30 @@ TEST(Tilted, TouchesThePartWithTheBallOnly) {
   }
 }
 
+TEST(Tilted, FollowsTheArcsOfLevelContours) {
+  // Round a dome of radius 10: closed paths of a few arcs each. The ball's middle stays 12 mm from the dome's.
+  const FieldPtr solid = formula("max(sqrt(x*x+y*y+z*z)-10, -z)");
+  const Box bounds{{-11, -11, 0}, {11, 11, 10}};
+  const Tool t = held_ball(4, 20, 30);
+  const auto tips = std::make_shared<TipSurface>(Surface::of(*solid, bounds, {0.1, 0.01}), t.profile());
+  CutSettings cut;
+  cut.radius = 2, cut.depths = {9, 3, 2};
+  const std::vector<Path> levels = waterline(tips, {{-14, -14}, {14, 14}}, 0.15, cut);
+  ASSERT_EQ(levels.size(), 3U);
+  EXPECT_LT(levels[0].points.size(), 20U);
+  double length = 0;
+  TiltReport report;
+  for (const Path& path : tilted(levels, *tips, t, Plane{}, FreeSpace(solid, bounds), {}, report))
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+      const PathPoint& p = path.points[i];
+      EXPECT_NEAR((p.at + 2 * p.axis).norm(), 12, 0.03);
+      if (i > 0) length += (p.at + 2 * p.axis - path.points[i - 1].at - 2 * path.points[i - 1].axis).norm();
+    }
+  double whole = 0;
+  for (const Path& path : levels) whole += path.length();
+  EXPECT_NEAR(length, whole - report.left_out, 0.01 * whole);
+}
+
 TEST(Tilted, LeavesOutWhereNothingFits) {
   // A slot 30 mm deep for a tool that is 12 mm out of its holder.
   const FieldPtr solid = formula("max(max(abs(x)-20, max(abs(y)-20, max(z, -31-z))), -max(abs(x)-4, -30-z))");
