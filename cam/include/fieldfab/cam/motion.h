@@ -1,0 +1,109 @@
+/// What a program makes a machine do: the stream of canonical motions that every reader in cam/gcode gives.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fieldfab/cam/plane.h"
+#include "fieldfab/core/progress.h"
+
+namespace fieldfab::cam {
+
+/// The axes of a machine, in the order in which AxisValues holds them.
+enum class Axis : std::uint8_t { x, y, z, a, b, c, u, v, w };
+
+/// Where a machine's axes stand: x y z u v w in mm, a b c in radians.
+struct AxisValues {
+  std::array<double, 9> at{};
+
+  double& operator[](Axis axis) { return at[static_cast<std::size_t>(axis)]; }
+  double operator[](Axis axis) const { return at[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] Vec3 xyz() const { return {at[0], at[1], at[2]}; }
+  bool operator==(const AxisValues&) const = default;
+};
+
+/// The plane of an arc: G17 (x, y; its axis is z), G18 (z, x; y), G19 (y, z; x).
+enum class ArcPlane : std::uint8_t { xy, zx, yz };
+
+/// Which kinematics the control uses while it moves (M428 to M430 of LinuxCNC's five-axis machines, Fanuc's G43.4).
+enum class ControlMode : std::uint8_t {
+  machine,  ///< as the machine's data file says
+  tip,      ///< x, y, z are the tool tip's, whatever the rotary axes do (M428, G43.4)
+  axes,     ///< x, y, z are the linear axes themselves (M429, G49 after G43.4)
+  user,     ///< the machine's own third kinematics (M430)
+};
+
+/// One thing the machine does.
+struct Motion {
+  enum class Kind : std::uint8_t {
+    rapid,        ///< to `end` at full speed
+    feed,         ///< to `end`, all axes evenly
+    arc,          ///< to `end` about `centre`, a helix where the third axis moves; other axes evenly
+    dwell,        ///< stands for `seconds`
+    tool_change,  ///< takes `tool` into the spindle
+    stop,         ///< M0, M1, M60: waits for the operator
+    end,          ///< M2, M30, %: nothing comes after it
+  };
+  Kind kind = Kind::rapid;
+  ArcPlane plane = ArcPlane::xy;
+  ControlMode mode = ControlMode::machine;
+  int line = 0;  ///< of the program's file, from 1; in a subroutine, the line that moves
+  /// Machine coordinates: work offsets, G92 and rotation are in, the tool's length is not (it is `tool_offset`), cutter
+  /// compensation is. The place the tool's tip goes to where the control's idea of its length is right.
+  AxisValues end;
+  Vec2 centre = Vec2::Zero();  ///< of an arc: along the plane's first and second axis, machine coordinates
+  int turns = 0;               ///< of an arc: 1 is up to a full turn anticlockwise seen from the plane's axis, -1 clockwise, 2 one turn more
+  double feed = 0;             ///< mm/min along x, y, z (radians/min where only rotary axes move); 0 for rapids
+  double seconds = 0;          ///< what the program itself says that it takes: a dwell's, or a move's under G93; else 0
+  int tool = 0;                ///< in the spindle
+  double spindle = 0;          ///< revolutions per minute; below 0 anticlockwise; 0: stands still
+  Vec3 tool_offset = Vec3::Zero();  ///< the length compensation in force (G43), mm
+};
+
+using MotionSink = std::function<void(const Motion&)>;
+
+/// What the control's tool table says.
+struct ToolEntry {
+  Vec3 offset = Vec3::Zero();  ///< length compensation: usually (0, 0, length), mm
+  double diameter = 0;         ///< for G41 and G42, mm
+};
+
+/// What the control knows before the program starts, and how long it may take.
+struct ReadingOptions {
+  std::map<int, ToolEntry> tools;               ///< by number
+  std::array<AxisValues, 9> work_offsets{};     ///< G54 to G59, G59.1 to G59.3, machine coordinates
+  AxisValues start;                             ///< where the axes stand, machine coordinates
+  std::array<AxisValues, 2> home{};             ///< G28's and G30's places, machine coordinates
+  bool block_delete = true;                     ///< lines that begin with / are left out
+  std::vector<std::filesystem::path> folders;   ///< where subroutine files are looked for, besides the program's own folder
+  std::uint64_t most_blocks = 100'000'000;      ///< blocks carried out before a loop is called endless
+};
+
+/// Something about a program that its reader of it should know and that did not stop the reading: an M-code without a meaning here, say.
+struct ReadingNote {
+  int line = 0;
+  std::string message;
+};
+
+/// Carries out a program and hands on each motion in order. Returns what was passed over. Memory does not grow with the program's
+/// length, but for its subroutines and parameters.
+/// Throws bad_input with FILE:LINE for whatever it does not understand and that might move an axis, cancelled.
+std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                    const MotionSink& sink, Progress& progress = Progress::none());
+/// ShopBot's part files (.sbp): moves, jogs, arcs, tool and unit commands. `unit`: mm in one of its units until it says otherwise.
+std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options, double unit,
+                                  const MotionSink& sink, Progress& progress = Progress::none());
+/// RML of Roland's mills (Modela, SRM-20): ticks of 1/40 mm or 1/100 mm. `tick` in mm.
+std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
+                                  const MotionSink& sink, Progress& progress = Progress::none());
+/// HPGL: PU and PD, ticks of 1/40 mm. The pen is up at z = `up` and down at z = `down`, mm.
+std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
+                                   double up, double down, const MotionSink& sink, Progress& progress = Progress::none());
+
+}  // namespace fieldfab::cam
