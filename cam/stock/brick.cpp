@@ -1,0 +1,499 @@
+#include "brick.h"
+
+#include <cmath>
+
+#include "good_bad.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr auto axis_u(int axis) { return (axis + 1) % 3; }
+constexpr auto axis_v(int axis) { return (axis + 2) % 3; }
+
+Index3 point_of(int axis, int u, int v, int k) {
+  Index3 p{};
+  p[static_cast<std::size_t>(axis)] = k;
+  p[static_cast<std::size_t>(axis_u(axis))] = u;
+  p[static_cast<std::size_t>(axis_v(axis))] = v;
+  return p;
+}
+
+/// The points from a coordinate on: the first one that is not below it, and the last one that is not above it.
+int from(const StockLattice& lattice, int axis, float coordinate) { return lattice.below(axis, coordinate) + 1; }
+int up_to(const StockLattice& lattice, int axis, float coordinate) { return lattice.above(axis, coordinate) - 1; }
+
+}  // namespace
+
+bool WindowSet::start(const Sweep& sweep, const Region& region) {
+  sweep_ = &sweep;
+  filled_.fill(false);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto a = static_cast<std::size_t>(axis);
+    const double spacing = lattice_->spacing()[axis];
+    const double low = std::clamp(sweep.bounds().lower[axis] / spacing, -1e6, 1e8), high = std::clamp(sweep.bounds().upper[axis] / spacing, -1e6, 1e8);
+    reach_.lower[a] = std::max({static_cast<int>(std::ceil(low - 1e-6)), region.lower[a] - 1, 0});
+    reach_.upper[a] = std::min({static_cast<int>(std::floor(high + 1e-6)), region.upper[a] + 1, lattice_->cells()[a]});
+    if (reach_.lower[a] > reach_.upper[a]) return false;
+  }
+  return true;
+}
+
+const Window& WindowSet::along(int axis) {
+  Window& window = windows_[static_cast<std::size_t>(axis)];
+  if (filled_[static_cast<std::size_t>(axis)]) return window;
+  filled_[static_cast<std::size_t>(axis)] = true;
+  window.axis = axis;
+  window.u0 = reach_.first(axis_u(axis)), window.u1 = reach_.last(axis_u(axis));
+  window.v0 = reach_.first(axis_v(axis)), window.v1 = reach_.last(axis_v(axis));
+  window.clear();
+  sweep_->fill(window, *lattice_);
+  return window;
+}
+
+Brick::Brick(const Region& region, bool solid) : region_(region) {
+  Cell cell;
+  cell.region = region;
+  cell.content = solid ? Cell::Content::solid : Cell::Content::empty;
+  nodes_.push_back(std::move(cell));
+}
+
+void Brick::cut(const Sweep& sweep, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result) {
+  if (empty() || !windows.start(sweep, region_)) return;
+  visit(0, stroke, stock, windows, result);
+  if (samples_.size() > 2 * tidied_ + 512) tidy(stock.lattice());
+}
+
+void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result) {
+  Cell& cell = nodes_[static_cast<std::size_t>(node)];
+  Region near = cell.region;
+  for (std::size_t a = 0; a < 3; ++a) --near.lower[a], ++near.upper[a];
+  if (cell.content == Cell::Content::empty || !near.meets(windows.reach())) return;
+  if (cell.content == Cell::Content::split) {
+    const int children = cell.children;
+    visit(children, stroke, stock, windows, result);
+    visit(children + 1, stroke, stock, windows, result);
+    return;
+  }
+  if (cell.content == Cell::Content::solid) {
+    // Nothing says yet along which axis its columns should be: the tool's own is the likeliest.
+    int axis = 2;
+    stroke.to.axis.cwiseAbs().maxCoeff(&axis);
+    cell.axis = static_cast<std::int8_t>(axis);
+    cell.facing = 0;
+  }
+  static thread_local std::vector<Change> changes;
+  changes.clear();
+  const StockLattice& lattice = stock.lattice();
+  const bool representable = plan_columns(cell, windows.along(cell.axis), stroke, lattice, changes, result);
+  if (!stroke.removes) return;
+  cut_edges(cell, stroke, lattice, windows);
+  bool fits = representable;
+  if (fits && !stock.settings().both_ends)
+    for (const Change& change : changes) {
+      const bool up = std::isfinite(change.upper.at) , down = change.lower.at != -beyond;
+      if (up && cell.facing >= 0 && !down) cell.facing = 1;
+      else if (down && cell.facing <= 0 && !up) cell.facing = -1;
+      else if (up || down) fits = false;
+    }
+  if (fits)
+    commit(cell, changes);
+  else
+    divide(node, stroke, stock, windows);
+}
+
+Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice) {
+  Points points{cell.region.first(cell.axis), cell.region.last(cell.axis)};
+  if (cell.content != Cell::Content::columns) return points;
+  const float upper = cell.upper[column].at;
+  if (upper != beyond) points.last = upper == -beyond ? points.first - 1 : std::min(points.last, lattice.below(cell.axis, upper));
+  if (!cell.lower.empty() && cell.lower[column].at != -beyond)
+    points.first = std::max(points.first, lattice.above(cell.axis, cell.lower[column].at));
+  return points;
+}
+
+/// What a stroke makes of the columns of a cell; false where a column would fall into two.
+bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& stroke, const StockLattice& lattice,
+                         std::vector<Change>& changes, StrokeResult& result) const {
+  const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
+  const Region& r = cell.region;
+  const int low = r.first(axis), high = r.last(axis), cells_u = lattice.cells()[static_cast<std::size_t>(ua)],
+            cells_v = lattice.cells()[static_cast<std::size_t>(va)], cells_a = lattice.cells()[static_cast<std::size_t>(axis)];
+  const double half = 0.5 * lattice.spacing()[axis];
+  // The part of the axis that the cell's points stand for.
+  const double from_mm = lattice.at(axis, low) - (low > 0 ? half : 0), to_mm = lattice.at(axis, high) + (high < cells_a ? half : 0);
+  bool representable = true;
+  const bool columns = cell.content == Cell::Content::columns;
+  for (int v = std::max(window.v0, r.first(va)); v <= std::min(window.v1, r.last(va)); ++v)
+    for (int u = std::max(window.u0, r.first(ua)); u <= std::min(window.u1, r.last(ua)); ++u) {
+      const std::size_t at = window.index(u, v);
+      const float a = window.entry[at], b = window.exit[at];
+      if (a > b) continue;
+      const std::size_t column = cell.column(u, v);
+      const Sample upper = columns ? cell.upper[column] : Sample{beyond, 0};
+      const Sample lower = columns && !cell.lower.empty() ? cell.lower[column] : Sample{-beyond, 0};
+      if (a >= upper.at || b <= lower.at) continue;
+      const int k0 = from(lattice, axis, a), k1 = up_to(lattice, axis, b);
+      if (k0 > k1 || k0 > high + 1 || k1 < low - 1) continue;
+      const Points points = columns ? solid_points(cell, column, lattice) : Points{low, high};
+      if (points.first > points.last) continue;
+      const bool below = points.first < k0, above = points.last > k1;
+      const double length = std::min({static_cast<double>(b), static_cast<double>(upper.at), to_mm}) -
+                            std::max({static_cast<double>(a), static_cast<double>(lower.at), from_mm});
+      if (length > 0) {
+        const double share = (u == 0 || u == cells_u ? 0.5 : 1) * (v == 0 || v == cells_v ? 0.5 : 1);
+        result.volume += share * length * lattice.spacing()[ua] * lattice.spacing()[va];
+      }
+      const int met = std::min(points.last, k1) - std::max(points.first, k0) + 1;
+      if (met > 0) {
+        result.points += static_cast<std::uint64_t>(met);
+        const Index3 p = point_of(axis, u, v, std::max(points.first, k0));
+        for (int d = 0; d < 3; ++d) result.place[d] = lattice.at(d, p[static_cast<std::size_t>(d)]);
+      }
+      if (below && above) {
+        representable = false;
+      } else if (below) {
+        changes.push_back({column, lower, {std::min(a, upper.at), stroke.cut}});
+      } else if (above) {
+        changes.push_back({column, {std::max(b, lower.at), stroke.cut}, upper});
+      } else {
+        changes.push_back({column, {-beyond, 0}, {-beyond, 0}});
+      }
+    }
+  return representable;
+}
+
+/// The samples across the columns: wherever a solid point beside a column is not covered, but the column is.
+void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows) {
+  const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
+  const Region& r = cell.region;
+  const Window& window = windows.along(axis);
+  const bool columns = cell.content == Cell::Content::columns;
+  const float cell_low = lattice.at(axis, r.first(axis)), cell_high = lattice.at(axis, r.last(axis));
+  for (int v = std::max(window.v0, r.first(va) - 1); v <= std::min(window.v1, r.last(va) + 1); ++v)
+    for (int u = std::max(window.u0, r.first(ua) - 1); u <= std::min(window.u1, r.last(ua) + 1); ++u) {
+      const std::size_t at = window.index(u, v);
+      const float a = window.entry[at], b = window.exit[at];
+      if (a > b || a > cell_high || b < cell_low) continue;
+      int k0 = 0, k1 = -1;
+      for (int side = 0; side < 4; ++side) {
+        const bool along_u = side < 2, after = side % 2;  // the neighbour comes after the column
+        const int pu = u + (along_u ? (after ? 1 : -1) : 0), pv = v + (along_u ? 0 : (after ? 1 : -1));
+        if (pu < r.first(ua) || pu > r.last(ua) || pv < r.first(va) || pv > r.last(va)) continue;
+        const std::size_t column = cell.column(pu, pv);
+        if (columns && (cell.upper[column].at <= a || (!cell.lower.empty() && cell.lower[column].at >= b))) continue;
+        float covered_from = beyond, covered_to = -beyond;
+        if (window.has(pu, pv)) {
+          const std::size_t other = window.index(pu, pv);
+          covered_from = window.entry[other], covered_to = window.exit[other];
+          if (covered_from <= a && covered_to >= b) continue;
+        }
+        if (k0 > k1) {
+          k0 = std::max(from(lattice, axis, a), r.first(axis)), k1 = std::min(up_to(lattice, axis, b), r.last(axis));
+          if (k0 > k1) break;
+        }
+        const Points points = solid_points(cell, column, lattice);
+        for (int k = std::max(k0, points.first); k <= std::min(k1, points.last); ++k) {
+          const float level = lattice.at(axis, k);
+          if (level >= covered_from && level <= covered_to) {
+            k = std::min(k1, up_to(lattice, axis, covered_to));  // skips what is covered
+            continue;
+          }
+          const int d = along_u ? ua : va;
+          const Window& across = windows.along(d);
+          const Index3 p = point_of(axis, pu, pv, k), q = point_of(axis, u, v, k);
+          const int wu = q[static_cast<std::size_t>(axis_u(d))], wv = q[static_cast<std::size_t>(axis_v(d))];
+          const int at_p = p[static_cast<std::size_t>(d)], at_q = q[static_cast<std::size_t>(d)];
+          float place = lattice.at(d, at_q);
+          if (across.has(wu, wv)) {
+            const std::size_t line = across.index(wu, wv);
+            if (across.entry[line] <= across.exit[line])
+              place = after ? std::clamp(across.exit[line], place, lattice.at(d, at_p))
+                            : std::clamp(across.entry[line], lattice.at(d, at_p), place);
+          }
+          if (after)
+            samples_.keep_upper(SampleMap::key(q, d, region_), {place, stroke.cut});
+          else
+            samples_.keep_lower(SampleMap::key(p, d, region_), {place, stroke.cut});
+        }
+      }
+    }
+}
+
+void Brick::commit(Cell& cell, const std::vector<Change>& changes) const {
+  if (changes.empty()) return;
+  const std::size_t count =
+      static_cast<std::size_t>(cell.region.count(axis_u(cell.axis))) * static_cast<std::size_t>(cell.region.count(axis_v(cell.axis)));
+  if (cell.content == Cell::Content::solid) {
+    cell.content = Cell::Content::columns;
+    cell.upper.assign(count, {beyond, 0});
+  }
+  for (const Change& change : changes) {
+    cell.upper[change.column] = change.upper;
+    if (change.lower.at != -beyond && cell.lower.empty()) cell.lower.assign(count, {-beyond, 0});
+    if (!cell.lower.empty()) cell.lower[change.column] = change.lower;
+  }
+}
+
+/// Sets the bits of a cell's solid points, as far as the shape reaches.
+void Brick::occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const {
+  if (cell.content == Cell::Content::empty || cell.content == Cell::Content::split) return;
+  const Region r = common(cell.region, shape.region());
+  if (r.count(0) <= 0 || r.count(1) <= 0 || r.count(2) <= 0) return;
+  if (cell.content == Cell::Content::solid) {
+    for (int z = r.lower[2]; z <= r.upper[2]; ++z)
+      for (int y = r.lower[1]; y <= r.upper[1]; ++y) shape.set_row(r.lower[0], r.upper[0], y, z);
+    return;
+  }
+  const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
+  for (int v = r.first(va); v <= r.last(va); ++v)
+    for (int u = r.first(ua); u <= r.last(ua); ++u) {
+      const Points points = solid_points(cell, cell.column(u, v), lattice);
+      const int first = std::max(points.first, r.first(axis)), last = std::min(points.last, r.last(axis));
+      if (axis == 0) {
+        if (first <= last) shape.set_row(first, last, u, v);
+        continue;
+      }
+      for (int k = first; k <= last; ++k) shape.set(point_of(axis, u, v, k));
+    }
+}
+
+void Brick::occupy(Occupancy& shape, const StockLattice& lattice) const {
+  for (const Cell& cell : nodes_) occupy(cell, shape, lattice);
+}
+
+/// A stroke that the cell's columns cannot represent (Hahn Fig. 3.1).
+void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows) {
+  const StockLattice& lattice = stock.lattice();
+  Cell cell = std::move(nodes_[static_cast<std::size_t>(node)]);
+  const Region r = cell.region;
+  const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
+  Occupancy solid(r), covered(r);
+  occupy(cell, solid, lattice);
+  const auto keep = [&](int u, int v, int k, bool upwards, Sample sample) {
+    if (upwards)
+      samples_.keep_lower(SampleMap::key(point_of(axis, u, v, k), axis, region_), sample);
+    else
+      samples_.keep_upper(SampleMap::key(point_of(axis, u, v, k - 1), axis, region_), sample);
+  };
+  const Window& window = windows.along(axis);
+  for (int v = r.first(va); v <= r.last(va); ++v)
+    for (int u = r.first(ua); u <= r.last(ua); ++u) {
+      const std::size_t column = cell.column(u, v);
+      const Points points = solid_points(cell, column, lattice);
+      if (points.first > points.last) continue;
+      // What the columns held becomes samples like all others.
+      if (cell.content == Cell::Content::columns) {
+        if (cell.upper[column].at != beyond) keep(u, v, points.last, true, cell.upper[column]);
+        if (!cell.lower.empty() && cell.lower[column].at != -beyond) keep(u, v, points.first, false, cell.lower[column]);
+      }
+      if (!window.has(u, v)) continue;
+      const std::size_t at = window.index(u, v);
+      const float a = window.entry[at], b = window.exit[at];
+      if (a > b) continue;
+      const int k0 = from(lattice, axis, a), k1 = up_to(lattice, axis, b);
+      if (k0 > k1) continue;
+      if (k0 - 1 >= points.first && k0 - 1 <= points.last) keep(u, v, k0 - 1, true, {a, stroke.cut});
+      if (k1 + 1 >= points.first && k1 + 1 <= points.last) keep(u, v, k1 + 1, false, {b, stroke.cut});
+      for (int k = std::max(k0, r.first(axis)); k <= std::min(k1, r.last(axis)); ++k) {
+        covered.set(point_of(axis, u, v, k));
+        solid.clear(point_of(axis, u, v, k));
+      }
+    }
+  Cell fresh;
+  fresh.region = r;
+  nodes_[static_cast<std::size_t>(node)] = std::move(fresh);
+  rebuild(node, solid, covered, axis, cell.facing, stroke, stock);
+}
+
+/// Cells for a region whose solid points are known and whose samples are all in the map.
+void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
+                    const Stock& stock) {
+  const Region r = solid.region();
+  Cell& cell = nodes_[static_cast<std::size_t>(node)];
+  if (solid.none() || solid.all()) {
+    cell.content = solid.none() ? Cell::Content::empty : Cell::Content::solid;
+    return;
+  }
+  // Its own direction if that will do, else the one nearest to the tool's.
+  const StockSettings& settings = stock.settings();
+  std::array<int, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
+  if (std::abs(stroke.to.axis[axes[2]]) > std::abs(stroke.to.axis[axes[1]])) std::swap(axes[1], axes[2]);
+  for (const int a : axes) {
+    std::int8_t faces = 0;
+    if (!functional(good_bad_map(solid, a), settings.both_ends, faces)) continue;
+    make_columns(cell, a, faces, solid, stock.lattice());
+    return;
+  }
+  const std::vector<SplitInterval> intervals = split_intervals(solid, covered, axis, facing, settings.both_ends);
+  SplitChoice choice;
+  if (intervals.empty()) {
+    int longest = 0;
+    for (int a = 1; a < 3; ++a)
+      if (r.count(a) > r.count(longest)) longest = a;
+    choice = {longest, r.first(longest) + r.count(longest) / 2, SplitInterval::Kind::direct};
+    ++tally_.halved;
+  } else {
+    double radius = 0;
+    if (stroke.piece)
+      for (const Zone& zone : stroke.piece->zones) radius = std::max({radius, zone.r0, zone.r1});
+    choice = choose_split(intervals, r, stock.lattice().spacing(), settings.rules, stroke.to.axis, radius, random_);
+    ++(choice.kind == SplitInterval::Kind::direct     ? tally_.direct
+       : choice.kind == SplitInterval::Kind::indirect ? tally_.indirect
+                                                      : tally_.conflict);
+  }
+  cell.content = Cell::Content::split;
+  cell.axis = static_cast<std::int8_t>(choice.axis);
+  cell.plane = choice.plane;
+  const int children = cell.children = static_cast<int>(nodes_.size());
+  std::array<Region, 2> parts{r, r};
+  parts[0].upper[static_cast<std::size_t>(choice.axis)] = choice.plane - 1;
+  parts[1].lower[static_cast<std::size_t>(choice.axis)] = choice.plane;
+  nodes_.resize(nodes_.size() + 2);  // `cell` is no more
+  for (int i = 0; i < 2; ++i) nodes_[static_cast<std::size_t>(children + i)].region = parts[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 2; ++i) {
+    const Region& part = parts[static_cast<std::size_t>(i)];
+    rebuild(children + i, solid.part(part), covered.part(part), axis, facing, stroke, stock);
+  }
+}
+
+void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid, const StockLattice& lattice) const {
+  const Region& r = cell.region;
+  const int ua = axis_u(axis), va = axis_v(axis);
+  cell.content = Cell::Content::columns;
+  cell.axis = static_cast<std::int8_t>(axis);
+  cell.facing = facing;
+  const std::size_t count = static_cast<std::size_t>(r.count(ua)) * static_cast<std::size_t>(r.count(va));
+  cell.upper.assign(count, {beyond, 0});
+  cell.lower.clear();
+  for (int v = r.first(va); v <= r.last(va); ++v)
+    for (int u = r.first(ua); u <= r.last(ua); ++u) {
+      int first = r.last(axis) + 1, last = r.first(axis) - 1;
+      for (int k = r.first(axis); k <= r.last(axis); ++k)
+        if (solid.at(point_of(axis, u, v, k))) first = std::min(first, k), last = k;
+      const std::size_t column = cell.column(u, v);
+      if (first > last) {
+        cell.upper[column] = {-beyond, 0};
+        continue;
+      }
+      if (last < r.last(axis)) {
+        const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, last), axis, region_));
+        cell.upper[column] = kept ? *kept : Sample{lattice.at(axis, last + 1), 0};
+        // The end must lie above its point, whatever was rounded.
+        if (cell.upper[column].at <= lattice.at(axis, last)) cell.upper[column].at = std::nextafter(lattice.at(axis, last), beyond);
+      }
+      if (first > r.first(axis)) {
+        if (cell.lower.empty()) cell.lower.assign(count, {-beyond, 0});
+        const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, first - 1), axis, region_));
+        cell.lower[column] = kept ? *kept : Sample{lattice.at(axis, first - 1), 0};
+        if (cell.lower[column].at >= lattice.at(axis, first)) cell.lower[column].at = std::nextafter(lattice.at(axis, first), -beyond);
+      }
+    }
+}
+
+/// Forgets samples that columns hold, and those of points that are no longer solid.
+void Brick::tidy(const StockLattice& lattice) {
+  samples_.sift([&](SampleMap::Key key) {
+    const int axis = static_cast<int>(key & 3);
+    Index3 p, q;
+    for (std::size_t a = 0; a < 3; ++a)
+      p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
+    ++q[static_cast<std::size_t>(axis)];
+    const bool p_here = region_.contains(p), q_here = region_.contains(q);
+    const bool p_solid = p_here && solid(p, lattice), q_solid = q_here && solid(q, lattice);
+    if (p_solid == q_solid) return false;
+    if (!p_here || !q_here) return true;
+    const Cell &one = leaf(p), &other = leaf(q);
+    return !(&one == &other && one.content == Cell::Content::columns && one.axis == axis);
+  });
+  tidied_ = samples_.size();
+}
+
+void Brick::assign(const Occupancy& solid, SampleMap samples, const Stock& stock) {
+  nodes_.assign(1, Cell{});
+  nodes_[0].region = region_;
+  samples_ = std::move(samples);
+  rebuild(0, solid, Occupancy(region_), 2, 0, Stroke{}, stock);
+  tally_ = {};
+  tidy(stock.lattice());
+}
+
+const Cell& Brick::leaf(const Index3& point) const {
+  const Cell* cell = &nodes_[0];
+  while (cell->content == Cell::Content::split)
+    cell = &nodes_[static_cast<std::size_t>(cell->children + (point[static_cast<std::size_t>(cell->axis)] >= cell->plane ? 1 : 0))];
+  return *cell;
+}
+
+bool Brick::solid(const Index3& point, const StockLattice& lattice) const {
+  const Cell& cell = leaf(point);
+  if (cell.content != Cell::Content::columns) return cell.content == Cell::Content::solid;
+  const std::size_t column =
+      cell.column(point[static_cast<std::size_t>(axis_u(cell.axis))], point[static_cast<std::size_t>(axis_v(cell.axis))]);
+  const float at = lattice.at(cell.axis, point[static_cast<std::size_t>(cell.axis)]);
+  return at < cell.upper[column].at && (cell.lower.empty() || at > cell.lower[column].at);
+}
+
+Sample Brick::sample(const Index3& point, int axis, bool upwards, const StockLattice& lattice) const {
+  const auto a = static_cast<std::size_t>(axis);
+  Index3 from = point;
+  if (!upwards) --from[a];
+  const float near = lattice.at(axis, point[a]), far = lattice.at(axis, point[a] + (upwards ? 1 : -1));
+  Sample found{far, 0};
+  const auto nearer = [&](const Sample& sample) {
+    if (upwards ? sample.at < found.at || (sample.at == found.at && !found.cut) : sample.at > found.at || (sample.at == found.at && !found.cut))
+      found = sample;
+  };
+  if (const Sample* kept = samples_.find(SampleMap::key(from, axis, region_))) nearer(*kept);
+  const Cell& cell = leaf(point);
+  if (cell.content == Cell::Content::columns && cell.axis == axis) {
+    const std::size_t column = cell.column(point[static_cast<std::size_t>(axis_u(axis))], point[static_cast<std::size_t>(axis_v(axis))]);
+    if (upwards) nearer(cell.upper[column]);
+    if (!upwards && !cell.lower.empty()) nearer(cell.lower[column]);
+  }
+  found.at = upwards ? std::max(found.at, near) : std::min(found.at, near);
+  return found;
+}
+
+double Brick::volume(const StockLattice& lattice) const {
+  double volume = 0;
+  for (const Cell& cell : nodes_) {
+    if (cell.content == Cell::Content::split || cell.content == Cell::Content::empty) continue;
+    const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
+    const Region& r = cell.region;
+    const double half = 0.5 * lattice.spacing()[axis];
+    const double low = lattice.at(axis, r.first(axis)) - (r.first(axis) > 0 ? half : 0);
+    const double high = lattice.at(axis, r.last(axis)) + (r.last(axis) < lattice.cells()[static_cast<std::size_t>(axis)] ? half : 0);
+    for (int v = r.first(va); v <= r.last(va); ++v)
+      for (int u = r.first(ua); u <= r.last(ua); ++u) {
+        double from = low, to = high;
+        if (cell.content == Cell::Content::columns) {
+          const std::size_t column = cell.column(u, v);
+          to = std::min(to, static_cast<double>(cell.upper[column].at));
+          if (!cell.lower.empty()) from = std::max(from, static_cast<double>(cell.lower[column].at));
+        }
+        const double share = (u == 0 || u == lattice.cells()[static_cast<std::size_t>(ua)] ? 0.5 : 1) *
+                             (v == 0 || v == lattice.cells()[static_cast<std::size_t>(va)] ? 0.5 : 1);
+        if (to > from) volume += share * (to - from) * lattice.spacing()[ua] * lattice.spacing()[va];
+      }
+  }
+  return volume;
+}
+
+void Brick::count(StockStatistics& statistics) const {
+  statistics.direct += tally_.direct, statistics.indirect += tally_.indirect;
+  statistics.conflict += tally_.conflict, statistics.halved += tally_.halved;
+  statistics.bytes += sizeof(Brick) + samples_.bytes() + nodes_.capacity() * sizeof(Cell);
+  statistics.embedded_samples += samples_.size();
+  for (const Cell& cell : nodes_) {
+    if (cell.content == Cell::Content::split)
+      ++statistics.splits;
+    else
+      ++statistics.cells;
+    statistics.bytes += (cell.upper.capacity() + cell.lower.capacity()) * sizeof(Sample);
+    for (const auto* ends : {&cell.upper, &cell.lower})
+      statistics.column_samples += static_cast<std::uint64_t>(
+          std::count_if(ends->begin(), ends->end(), [](const Sample& s) { return std::isfinite(s.at); }));
+  }
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,87 @@
+/// A cube of stock: a kD-tree of functional cells, and how tools cut it (Hahn Fig. 3.1).
+#pragma once
+
+#include <optional>
+#include <random>
+
+#include "cell.h"
+#include "fieldfab/cam/stock.h"
+#include "sweep.h"
+
+namespace fieldfab::cam {
+
+/// The intervals of one sweep on the lines through a region, along each axis, computed where asked for.
+class WindowSet {
+ public:
+  explicit WindowSet(const StockLattice& lattice) : lattice_(&lattice) {}
+  /// Begins with a sweep and the points of a region and next to it. False where the sweep holds none of them.
+  bool start(const Sweep& sweep, const Region& region);
+  const Window& along(int axis);
+  /// The points that the sweep's box holds.
+  [[nodiscard]] const Region& reach() const { return reach_; }
+
+ private:
+  const StockLattice* lattice_;
+  const Sweep* sweep_ = nullptr;
+  Region reach_;
+  std::array<Window, 3> windows_;
+  std::array<bool, 3> filled_{};
+};
+
+class Brick {
+ public:
+  struct Tally {
+    std::uint64_t direct = 0, indirect = 0, conflict = 0, halved = 0;
+  };
+
+  Brick(const Region& region, bool solid);
+
+  [[nodiscard]] const Region& region() const { return region_; }
+  /// All of one content, without samples.
+  [[nodiscard]] bool uniform() const { return nodes_.size() == 1 && nodes_[0].content < Cell::Content::columns && !samples_.size(); }
+  [[nodiscard]] bool empty() const { return nodes_.size() == 1 && nodes_[0].content == Cell::Content::empty; }
+  /// Takes a stroke's sweep out, or only says what it meets.
+  void cut(const Sweep& sweep, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result);
+  /// Makes it what a field says: solid points and the samples on their edges.
+  void assign(const Occupancy& solid, SampleMap samples, const Stock& stock);
+
+  [[nodiscard]] bool solid(const Index3& point, const StockLattice& lattice) const;
+  /// The sample that a solid point owns on its edge along an axis, upwards or downwards; where none was kept, the far end.
+  [[nodiscard]] Sample sample(const Index3& point, int axis, bool upwards, const StockLattice& lattice) const;
+  /// Sets the bits of all solid points.
+  void occupy(Occupancy& shape, const StockLattice& lattice) const;
+  void count(StockStatistics& statistics) const;
+  [[nodiscard]] double volume(const StockLattice& lattice) const;
+
+ private:
+  struct Change {
+    std::size_t column;
+    Sample lower, upper;
+  };
+  struct Points {
+    int first, last;
+  };
+
+  [[nodiscard]] const Cell& leaf(const Index3& point) const;
+  [[nodiscard]] static Points solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice);
+  void occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const;
+  void visit(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result);
+  bool plan_columns(const Cell& cell, const Window& window, const Stroke& stroke, const StockLattice& lattice,
+                    std::vector<Change>& changes, StrokeResult& result) const;
+  void cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows);
+  void commit(Cell& cell, const std::vector<Change>& changes) const;
+  void divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows);
+  void rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
+               const Stock& stock);
+  void make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid, const StockLattice& lattice) const;
+  void tidy(const StockLattice& lattice);
+
+  Region region_;
+  std::vector<Cell> nodes_;
+  SampleMap samples_;
+  std::size_t tidied_ = 0;  ///< samples after the last tidying
+  Tally tally_;
+  std::minstd_rand random_{12345};
+};
+
+}  // namespace fieldfab::cam

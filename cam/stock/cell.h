@@ -1,0 +1,211 @@
+/// The parts of a multidirectional heightmap (Hahn 3, 4.2, 5.1): lattice points in half-open ownership, cells, samples.
+///
+/// A lattice point is solid or air; a solid point owns the places where the surface crosses the edges from it to its air
+/// neighbours. Every point belongs to one cell of one brick, so that no two cells can disagree about one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "fieldfab/cam/stock_lattice.h"
+
+namespace fieldfab::cam {
+
+/// A box of lattice points, both ends included.
+struct Region {
+  Index3 lower{0, 0, 0}, upper{-1, -1, -1};
+
+  [[nodiscard]] int count(int axis) const { return upper[static_cast<std::size_t>(axis)] - lower[static_cast<std::size_t>(axis)] + 1; }
+  [[nodiscard]] int first(int axis) const { return lower[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] int last(int axis) const { return upper[static_cast<std::size_t>(axis)]; }
+  [[nodiscard]] bool contains(const Index3& p) const {
+    return p[0] >= lower[0] && p[0] <= upper[0] && p[1] >= lower[1] && p[1] <= upper[1] && p[2] >= lower[2] && p[2] <= upper[2];
+  }
+  [[nodiscard]] bool meets(const Region& other) const {
+    for (std::size_t a = 0; a < 3; ++a)
+      if (upper[a] < other.lower[a] || other.upper[a] < lower[a]) return false;
+    return true;
+  }
+};
+
+/// The points that two regions have in common; counts of 0 and below where there are none.
+inline Region common(const Region& a, const Region& b) {
+  Region r;
+  for (std::size_t i = 0; i < 3; ++i) r.lower[i] = std::max(a.lower[i], b.lower[i]), r.upper[i] = std::min(a.upper[i], b.upper[i]);
+  return r;
+}
+
+/// Where the surface crosses an edge of the lattice: mm from the lattice's corner along the edge, and the cut that made it (0: the
+/// stock's first surface).
+struct Sample {
+  float at = 0;
+  std::uint32_t cut = 0;
+};
+
+/// Samples by edge: of a brick's edges, those that are not ends of its cells' columns. An edge is its lower point and its axis.
+class SampleMap {
+ public:
+  using Key = std::uint32_t;
+  /// Of an edge whose lower point lies at most one step outside of a region of at most 1021 points along an axis.
+  static Key key(const Index3& from, int axis, const Region& region) {
+    const auto part = [&](std::size_t a) { return static_cast<Key>(from[a] - region.lower[a] + 1); };
+    return static_cast<Key>(axis) | part(0) << 2 | part(1) << 12 | part(2) << 22;
+  }
+  [[nodiscard]] const Sample* find(Key key) const {
+    if (slots_.empty()) return nullptr;
+    for (std::size_t i = slot(key);; i = (i + 1) & mask()) {
+      if (slots_[i].key == key) return &slots_[i].sample;
+      if (slots_[i].key == none) return nullptr;
+    }
+  }
+  /// Keeps the lower of the sample that is there and this one, or the upper one.
+  void keep_lower(Key key, Sample sample) {
+    Sample& kept = place(key, sample);
+    if (sample.at < kept.at) kept = sample;
+  }
+  void keep_upper(Key key, Sample sample) {
+    Sample& kept = place(key, sample);
+    if (sample.at > kept.at) kept = sample;
+  }
+  void put(Key key, Sample sample) { place(key, sample) = sample; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+  /// Leaves only those for whose key `wanted` says yes.
+  template <class Wanted>
+  void sift(const Wanted& wanted) {
+    std::vector<Slot> old;
+    old.swap(slots_);
+    std::size_t left = 0;
+    for (const Slot& slot : old) left += slot.key != none && wanted(slot.key);
+    count_ = 0;
+    if (!left) return;
+    std::size_t size = 16;
+    while (size * 3 < left * 4) size *= 2;
+    slots_.assign(size, Slot{});
+    for (const Slot& slot : old)
+      if (slot.key != none && wanted(slot.key)) place(slot.key, slot.sample);
+  }
+
+ private:
+  static constexpr Key none = std::numeric_limits<Key>::max();
+  struct Slot {
+    Key key = none;
+    Sample sample;
+  };
+  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
+  [[nodiscard]] std::size_t slot(Key key) const { return (key * 2654435769u >> 7) & mask(); }
+  Sample& place(Key key, Sample sample) {
+    if ((count_ + 1) * 4 > slots_.size() * 3) grow();
+    for (std::size_t i = slot(key);; i = (i + 1) & mask()) {
+      if (slots_[i].key == key) return slots_[i].sample;
+      if (slots_[i].key != none) continue;
+      ++count_;
+      slots_[i] = {key, sample};
+      return slots_[i].sample;
+    }
+  }
+  void grow() {
+    std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
+    old.swap(slots_);
+    count_ = 0;
+    for (const Slot& slot : old)
+      if (slot.key != none) place(slot.key, slot.sample);
+  }
+
+  std::vector<Slot> slots_;
+  std::size_t count_ = 0;
+};
+
+/// Which points of a region are solid: rows of bits along x.
+class Occupancy {
+ public:
+  using Word = std::uint64_t;
+
+  explicit Occupancy(const Region& region)
+      : region_(region),
+        words_(static_cast<std::size_t>((region.count(0) + 63) / 64)),
+        bits_(words_ * static_cast<std::size_t>(region.count(1)) * static_cast<std::size_t>(region.count(2))) {}
+
+  [[nodiscard]] const Region& region() const { return region_; }
+  [[nodiscard]] std::size_t words() const { return words_; }
+  Word* row(int y, int z) { return &bits_[offset(y, z)]; }
+  [[nodiscard]] const Word* row(int y, int z) const { return &bits_[offset(y, z)]; }
+  [[nodiscard]] bool at(const Index3& p) const {
+    const auto x = static_cast<std::size_t>(p[0] - region_.lower[0]);
+    return row(p[1], p[2])[x / 64] >> (x % 64) & 1;
+  }
+  void set(const Index3& p) {
+    const auto x = static_cast<std::size_t>(p[0] - region_.lower[0]);
+    row(p[1], p[2])[x / 64] |= Word{1} << (x % 64);
+  }
+  /// Sets the points of a row from x0 to x1, both included.
+  void set_row(int x0, int x1, int y, int z) {
+    Word* bits = row(y, z);
+    const auto from = static_cast<std::size_t>(x0 - region_.lower[0]), to = static_cast<std::size_t>(x1 - region_.lower[0]);
+    for (std::size_t w = from / 64; w <= to / 64; ++w) {
+      Word mask = ~Word{0};
+      if (w == from / 64) mask &= ~Word{0} << (from % 64);
+      if (w == to / 64) mask &= ~Word{0} >> (63 - to % 64);
+      bits[w] |= mask;
+    }
+  }
+  void clear(const Index3& p) {
+    const auto x = static_cast<std::size_t>(p[0] - region_.lower[0]);
+    row(p[1], p[2])[x / 64] &= ~(Word{1} << (x % 64));
+  }
+  /// The bits of a row's word that lie in the region.
+  [[nodiscard]] Word valid(std::size_t word) const {
+    const auto left = static_cast<std::size_t>(region_.count(0)) - word * 64;
+    return left >= 64 ? ~Word{0} : (Word{1} << left) - 1;
+  }
+  void fill() {
+    for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] = valid(i % words_);
+  }
+  [[nodiscard]] bool none() const {
+    return std::all_of(bits_.begin(), bits_.end(), [](Word w) { return w == 0; });
+  }
+  [[nodiscard]] bool all() const {
+    for (std::size_t i = 0; i < bits_.size(); ++i)
+      if (bits_[i] != valid(i % words_)) return false;
+    return true;
+  }
+  /// The same points of a smaller region.
+  [[nodiscard]] Occupancy part(const Region& region) const;
+
+ private:
+  [[nodiscard]] std::size_t offset(int y, int z) const {
+    return (static_cast<std::size_t>(z - region_.lower[2]) * static_cast<std::size_t>(region_.count(1)) +
+            static_cast<std::size_t>(y - region_.lower[1])) *
+           words_;
+  }
+  Region region_;
+  std::size_t words_;
+  std::vector<Word> bits_;
+};
+
+/// A box of points whose solid ones lie together on each line along its axis: a 3-way heightmap. Its columns hold where they begin
+/// and end; all other samples are in the brick's SampleMap.
+struct Cell {
+  enum class Content : std::uint8_t { solid, empty, columns, split };
+  Region region;
+  Content content = Content::solid;
+  std::int8_t axis = 2;      ///< of the columns; of the plane where it is split
+  std::int8_t facing = 0;    ///< 1: only upper ends vary, -1: only lower ones, 0: both may
+  int plane = 0;             ///< where it is split: the upper child's first point along the axis
+  int children = 0;          ///< index of the lower child; the upper one comes after it
+  std::vector<Sample> upper, lower;  ///< of each column, u fastest; `lower` is empty where all columns begin below the cell
+
+  [[nodiscard]] std::size_t column(int u, int v) const {
+    const int ua = (axis + 1) % 3, va = (axis + 2) % 3;
+    return static_cast<std::size_t>(v - region.first(va)) * static_cast<std::size_t>(region.count(ua)) +
+           static_cast<std::size_t>(u - region.first(ua));
+  }
+};
+
+/// A column that is solid beyond its cell's end, and one without anything solid.
+constexpr float beyond = std::numeric_limits<float>::infinity();
+
+}  // namespace fieldfab::cam

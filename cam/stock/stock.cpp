@@ -1,0 +1,241 @@
+#include "fieldfab/cam/stock.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <mutex>
+
+#include "brick.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+#include "sweep.h"
+
+namespace fieldfab::cam {
+namespace {
+
+/// Points of a lattice's lines through a region, as a batch for a Field.
+struct Batch {
+  std::vector<float> x, y, z, value;
+  void add(const Vec3& p) {
+    x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+  }
+  void evaluate(const Field& field) {
+    value.resize(x.size());
+    field.values({x.data(), y.data(), z.data(), x.size()}, value.data());
+  }
+};
+
+/// An edge of the lattice that a surface crosses, while its crossing is looked for.
+struct Crossing {
+  Index3 inside;
+  int axis;
+  int step;               ///< to the outer end, along the axis
+  double in, out;         ///< shares of the edge from its inner end
+  float at_in, at_out;    ///< values there
+};
+
+/// Makes a brick what a Field is there.
+std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const Stock& stock) {
+  const StockLattice& lattice = stock.lattice();
+  Region near = region;
+  for (std::size_t a = 0; a < 3; ++a)
+    near.lower[a] = std::max(0, near.lower[a] - 1), near.upper[a] = std::min(lattice.cells()[a], near.upper[a] + 1);
+  const auto place = [&](const Index3& p) -> Vec3 {
+    return lattice.box().lower + lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2]));
+  };
+  const Restriction here = field.restricted({place(near.lower), place(near.upper)});
+  if (here.range.lower > 0 || here.range.upper < 0) return std::make_shared<Brick>(region, here.range.upper < 0);
+  Batch points;
+  for (int z = near.lower[2]; z <= near.upper[2]; ++z)
+    for (int y = near.lower[1]; y <= near.upper[1]; ++y)
+      for (int x = near.lower[0]; x <= near.upper[0]; ++x) points.add(place({x, y, z}));
+  points.evaluate(*here.field);
+  const auto value = [&](const Index3& p) {
+    return points.value[(static_cast<std::size_t>(p[2] - near.lower[2]) * static_cast<std::size_t>(near.count(1)) +
+                         static_cast<std::size_t>(p[1] - near.lower[1])) *
+                            static_cast<std::size_t>(near.count(0)) +
+                        static_cast<std::size_t>(p[0] - near.lower[0])];
+  };
+  Occupancy solid(region);
+  std::vector<Crossing> crossings;
+  Index3 p;
+  for (p[2] = region.lower[2]; p[2] <= region.upper[2]; ++p[2])
+    for (p[1] = region.lower[1]; p[1] <= region.upper[1]; ++p[1])
+      for (p[0] = region.lower[0]; p[0] <= region.upper[0]; ++p[0]) {
+        if (!(value(p) < 0)) continue;
+        solid.set(p);
+        for (int axis = 0; axis < 3; ++axis)
+          for (const int step : {-1, 1}) {
+            Index3 q = p;
+            q[static_cast<std::size_t>(axis)] += step;
+            if (!near.contains(q) || value(q) < 0) continue;
+            crossings.push_back({p, axis, step, 0, 1, value(p), value(q)});
+          }
+      }
+  // Regula falsi, halved where it creeps.
+  const auto share = [](const Crossing& c, bool middle) {
+    const double t = std::isfinite(c.at_out) ? c.at_in / (static_cast<double>(c.at_in) - c.at_out) : 0.5;
+    return middle ? 0.5 * (c.in + c.out) : c.in + (c.out - c.in) * std::clamp(t, 0.001, 0.999);
+  };
+  for (int round = 0; round < 6 && !crossings.empty(); ++round) {
+    Batch batch;
+    for (const Crossing& c : crossings) {
+      Vec3 at = place(c.inside);
+      at[c.axis] += c.step * lattice.spacing()[c.axis] * share(c, round % 3 == 2);
+      batch.add(at);
+    }
+    batch.evaluate(*here.field);
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      Crossing& c = crossings[i];
+      const double t = share(c, round % 3 == 2);
+      if (batch.value[i] < 0)
+        c.in = t, c.at_in = batch.value[i];
+      else
+        c.out = t, c.at_out = batch.value[i];
+    }
+  }
+  SampleMap samples;
+  for (const Crossing& c : crossings) {
+    Index3 from = c.inside;
+    if (c.step < 0) --from[static_cast<std::size_t>(c.axis)];
+    const auto at = static_cast<float>(lattice.spacing()[c.axis] *
+                                       (c.inside[static_cast<std::size_t>(c.axis)] + c.step * share(c, false)));
+    samples.put(SampleMap::key(from, c.axis, region), {at, 0});
+  }
+  auto brick = std::make_shared<Brick>(region, false);
+  brick->assign(solid, std::move(samples), stock);
+  return brick;
+}
+
+}  // namespace
+
+Stock::Stock(const Box& box, const StockSettings& settings) : settings_(settings), lattice_(box, settings.cell) {
+  divide_into_bricks();
+  for (int z = 0; z < bricks_along_[2]; ++z)
+    for (int y = 0; y < bricks_along_[1]; ++y)
+      for (int x = 0; x < bricks_along_[0]; ++x) bricks_[brick_index(x, y, z)] = std::make_shared<Brick>(brick_region({x, y, z}), true);
+}
+
+Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, Progress& progress)
+    : settings_(settings), lattice_(box, settings.cell) {
+  divide_into_bricks();
+  parallel_for(bricks_.size(), [&](std::size_t i) {
+    progress.check();
+    const auto nx = static_cast<std::size_t>(bricks_along_[0]), ny = static_cast<std::size_t>(bricks_along_[1]);
+    bricks_[i] = brick_of(field, brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}), *this);
+  });
+}
+
+Stock::Stock(const Stock&) = default;
+Stock::Stock(Stock&&) noexcept = default;
+Stock& Stock::operator=(const Stock&) = default;
+Stock& Stock::operator=(Stock&&) noexcept = default;
+Stock::~Stock() = default;
+
+void Stock::divide_into_bricks() {
+  constexpr int most = 1020;  // what SampleMap's keys can tell apart
+  brick_ = settings_.brick > 0 ? std::min(settings_.brick, most) : most;
+  double bricks = 1;
+  for (std::size_t a = 0; a < 3; ++a) {
+    bricks_along_[a] = lattice_.cells()[a] / brick_ + 1;
+    bricks *= bricks_along_[a];
+  }
+  if (bricks > 50e6) throw Error(ErrorKind::too_large, "stock", fmt::format("{:.0f} million bricks; take larger cells", bricks / 1e6));
+  bricks_.resize(static_cast<std::size_t>(bricks));
+}
+
+Region Stock::brick_region(const Index3& brick) const {
+  Region region;
+  for (std::size_t a = 0; a < 3; ++a) {
+    region.lower[a] = brick[a] * brick_;
+    region.upper[a] = std::min(region.lower[a] + brick_ - 1, lattice_.cells()[a]);
+  }
+  return region;
+}
+
+std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& progress) {
+  std::vector<StrokeResult> results(strokes.size());
+  constexpr std::size_t most_at_once = 1024;
+  const double h = lattice_.spacing().minCoeff();
+  for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
+    progress.check();
+    const std::size_t count = std::min(most_at_once, strokes.size() - begin);
+    std::vector<std::unique_ptr<Sweep>> sweeps(count);
+    parallel_for((count + 31) / 32, [&](std::size_t group) {
+      for (std::size_t i = group * 32; i < std::min(count, group * 32 + 32); ++i) {
+        const Stroke& stroke = strokes[begin + i];
+        ToolPose from = stroke.from, to = stroke.to;
+        from.tip -= lattice_.box().lower, to.tip -= lattice_.box().lower;
+        sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to, tolerance());
+      }
+    });
+    // Which strokes come near which brick.
+    std::vector<std::vector<std::uint32_t>> near(bricks_.size());
+    std::vector<std::size_t> touched;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Box& box = sweeps[i]->bounds();
+      Index3 low, high;
+      bool outside = false;
+      for (std::size_t a = 0; a < 3; ++a) {
+        const auto axis = static_cast<Eigen::Index>(a);
+        const double first = std::floor((box.lower[axis] - h) / (lattice_.spacing()[axis] * brick_));
+        const double last = std::floor((box.upper[axis] + h) / (lattice_.spacing()[axis] * brick_));
+        outside |= !(last >= 0) || !(first < bricks_along_[a]);
+        low[a] = static_cast<int>(std::clamp(first, 0.0, bricks_along_[a] - 1.0));
+        high[a] = static_cast<int>(std::clamp(last, 0.0, bricks_along_[a] - 1.0));
+      }
+      if (outside) continue;
+      for (int z = low[2]; z <= high[2]; ++z)
+        for (int y = low[1]; y <= high[1]; ++y)
+          for (int x = low[0]; x <= high[0]; ++x) {
+            const std::size_t brick = brick_index(x, y, z);
+            if (bricks_[brick]->empty()) continue;
+            if (near[brick].empty()) touched.push_back(brick);
+            near[brick].push_back(static_cast<std::uint32_t>(i));
+          }
+    }
+    std::mutex adding;
+    parallel_for(touched.size(), [&](std::size_t t) {
+      std::shared_ptr<Brick>& brick = bricks_[touched[t]];
+      if (brick.use_count() > 1) brick = std::make_shared<Brick>(*brick);
+      thread_local std::unique_ptr<WindowSet> windows;
+      windows = std::make_unique<WindowSet>(lattice_);
+      std::vector<std::pair<std::size_t, StrokeResult>> found;
+      for (const std::uint32_t i : near[touched[t]]) {
+        if (progress.cancelled()) return;
+        StrokeResult result;
+        brick->cut(*sweeps[i], strokes[begin + i], *this, *windows, result);
+        if (result.volume > 0 || result.points) found.emplace_back(begin + i, result);
+      }
+      const std::lock_guard lock(adding);
+      for (const auto& [i, result] : found) {
+        results[i].volume += result.volume;
+        if (result.points) results[i].place = result.place + lattice_.box().lower;
+        results[i].points += result.points;
+      }
+    });
+    progress.check();
+  }
+  return results;
+}
+
+bool Stock::solid(const Index3& p) const {
+  for (std::size_t a = 0; a < 3; ++a)
+    if (p[a] < 0 || p[a] > lattice_.cells()[a]) return false;
+  return bricks_[brick_index(p[0] / brick_, p[1] / brick_, p[2] / brick_)]->solid(p, lattice_);
+}
+
+double Stock::volume() const {
+  double volume = 0;
+  for (const auto& brick : bricks_) volume += brick->volume(lattice_);
+  return volume;
+}
+
+StockStatistics Stock::statistics() const {
+  StockStatistics statistics;
+  statistics.bytes = bricks_.capacity() * sizeof(bricks_[0]);
+  for (const auto& brick : bricks_) brick->count(statistics);
+  return statistics;
+}
+
+}  // namespace fieldfab::cam

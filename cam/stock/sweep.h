@@ -1,0 +1,65 @@
+/// What a convex piece of a tool occupies while it moves: the interval that it takes out of each line of a lattice.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "fieldfab/cam/stock_lattice.h"
+#include "fieldfab/cam/tool_solid.h"
+
+namespace fieldfab::cam {
+
+/// Intervals along one axis for a rectangle of a lattice's lines (Hahn 5.2.2 stores them in such a buffer for each direction).
+/// Lines are counted along the two other axes, u and v, in cyclic order.
+struct Window {
+  int axis = 2;
+  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< lines, both ends included; empty where u1 < u0
+  std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit: the line is not met
+
+  [[nodiscard]] int width() const { return u1 - u0 + 1; }
+  [[nodiscard]] bool empty() const { return u1 < u0 || v1 < v0; }
+  [[nodiscard]] bool has(int u, int v) const { return u >= u0 && u <= u1 && v >= v0 && v <= v1; }
+  [[nodiscard]] std::size_t index(int u, int v) const {
+    return static_cast<std::size_t>(v - v0) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(u - u0);
+  }
+  void clear() {
+    const std::size_t count = empty() ? 0 : static_cast<std::size_t>(width()) * static_cast<std::size_t>(v1 - v0 + 1);
+    entry.assign(count, std::numeric_limits<float>::infinity());
+    exit.assign(count, -std::numeric_limits<float>::infinity());
+  }
+};
+
+/// The volume that a piece sweeps while its pose goes evenly from one to another. Its boundary lies on the piece at both ends
+/// (stamps), on the ways of its edges, and on the grazing curves (Hahn 2.2): the points of the piece where it moves along itself,
+/// of which a circle about the axis has at most two. Curves become strips of triangles, nowhere farther from them than `tolerance`;
+/// balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept volume is taken to be
+/// convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
+class Sweep {
+ public:
+  /// Poses in the lattice's frame, mm from its corner.
+  Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance);
+
+  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// Fills the intervals of a window whose rectangle and axis are set and that was cleared.
+  void fill(Window& window, const StockLattice& lattice) const;
+
+ private:
+  /// A cylinder, cone or ball in one place.
+  struct Stamp {
+    Zone zone;
+    ToolPose pose;
+  };
+  using Triangle = std::array<Vec3, 3>;
+
+  void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
+  void add_edge(double height, double radius, double tolerance);
+  void add_grazing(const std::vector<std::array<double, 4>>& section);
+
+  ToolPose from_, to_;
+  std::vector<Stamp> stamps_;
+  std::vector<Triangle> triangles_;
+  Box bounds_;
+};
+
+}  // namespace fieldfab::cam
