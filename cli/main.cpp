@@ -79,7 +79,8 @@ int run(int argc, char** argv) {
   app.fallthrough();
 
   std::vector<std::unique_ptr<Verb>> verbs;
-  for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb}) {
+  for (auto make :
+       {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb}) {
     verbs.push_back(make());
     verbs.back()->declare(app);
   }

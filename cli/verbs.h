@@ -75,5 +75,6 @@ std::unique_ptr<Verb> info_verb();
 std::unique_ptr<Verb> convert_verb();
 std::unique_ptr<Verb> edit_verb();
 std::unique_ptr<Verb> cam_verb();
+std::unique_ptr<Verb> simulate_verb();
 
 }  // namespace fieldfab::cli

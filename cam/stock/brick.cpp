@@ -30,7 +30,8 @@ bool WindowSet::start(const Sweep& sweep, const Region& region) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
     const double spacing = lattice_->spacing()[axis];
-    const double low = std::clamp(sweep.bounds().lower[axis] / spacing, -1e6, 1e8), high = std::clamp(sweep.bounds().upper[axis] / spacing, -1e6, 1e8);
+    const double low = std::clamp(sweep.bounds().lower[axis] / spacing, -1e6, 1e8),
+                 high = std::clamp(sweep.bounds().upper[axis] / spacing, -1e6, 1e8);
     reach_.lower[a] = std::max({static_cast<int>(std::ceil(low - 1e-6)), region.lower[a] - 1, 0});
     reach_.upper[a] = std::min({static_cast<int>(std::floor(high + 1e-6)), region.upper[a] + 1, lattice_->cells()[a]});
     if (reach_.lower[a] > reach_.upper[a]) return false;
@@ -90,10 +91,13 @@ void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet&
   bool fits = representable;
   if (fits && !stock.settings().both_ends)
     for (const Change& change : changes) {
-      const bool up = std::isfinite(change.upper.at) , down = change.lower.at != -beyond;
-      if (up && cell.facing >= 0 && !down) cell.facing = 1;
-      else if (down && cell.facing <= 0 && !up) cell.facing = -1;
-      else if (up || down) fits = false;
+      const bool up = std::isfinite(change.upper.at), down = change.lower.at != -beyond;
+      if (up && cell.facing >= 0 && !down)
+        cell.facing = 1;
+      else if (down && cell.facing <= 0 && !up)
+        cell.facing = -1;
+      else if (up || down)
+        fits = false;
     }
   if (fits)
     commit(cell, changes);
@@ -120,7 +124,8 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
             cells_v = lattice.cells()[static_cast<std::size_t>(va)], cells_a = lattice.cells()[static_cast<std::size_t>(axis)];
   const double half = 0.5 * lattice.spacing()[axis];
   // The part of the axis that the cell's points stand for.
-  const double from_mm = lattice.at(axis, low) - (low > 0 ? half : 0), to_mm = lattice.at(axis, high) + (high < cells_a ? half : 0);
+  const double from_mm = lattice.at(axis, low) - (low > 0 ? half : 0),
+               to_mm = lattice.at(axis, high) + (high < cells_a ? half : 0);
   bool representable = true;
   const bool columns = cell.content == Cell::Content::columns;
   for (int v = std::max(window.v0, r.first(va)); v <= std::min(window.v1, r.last(va)); ++v)
@@ -136,7 +141,7 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
       if (k0 > k1 || k0 > high + 1 || k1 < low - 1) continue;
       const Points points = columns ? solid_points(cell, column, lattice) : Points{low, high};
       if (points.first > points.last) continue;
-      const bool below = points.first < k0, above = points.last > k1;
+      const bool below = points.first<k0, above = points.last> k1;
       const double length = std::min({static_cast<double>(b), static_cast<double>(upper.at), to_mm}) -
                             std::max({static_cast<double>(a), static_cast<double>(lower.at), from_mm});
       if (length > 0) {
@@ -221,8 +226,8 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
 
 void Brick::commit(Cell& cell, const std::vector<Change>& changes) const {
   if (changes.empty()) return;
-  const std::size_t count =
-      static_cast<std::size_t>(cell.region.count(axis_u(cell.axis))) * static_cast<std::size_t>(cell.region.count(axis_v(cell.axis)));
+  const std::size_t count = static_cast<std::size_t>(cell.region.count(axis_u(cell.axis))) *
+                            static_cast<std::size_t>(cell.region.count(axis_v(cell.axis)));
   if (cell.content == Cell::Content::solid) {
     cell.content = Cell::Content::columns;
     cell.upper.assign(count, {beyond, 0});
@@ -306,8 +311,8 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
 }
 
 /// Cells for a region whose solid points are known and whose samples are all in the map.
-void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
-                    const Stock& stock) {
+void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
+                    const Stroke& stroke, const Stock& stock) {
   const Region r = solid.region();
   Cell& cell = nodes_[static_cast<std::size_t>(node)];
   if (solid.none() || solid.all()) {
@@ -379,13 +384,15 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
         const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, last), axis, region_));
         cell.upper[column] = kept ? *kept : Sample{lattice.at(axis, last + 1), 0};
         // The end must lie above its point, whatever was rounded.
-        if (cell.upper[column].at <= lattice.at(axis, last)) cell.upper[column].at = std::nextafter(lattice.at(axis, last), beyond);
+        if (cell.upper[column].at <= lattice.at(axis, last))
+          cell.upper[column].at = std::nextafter(lattice.at(axis, last), beyond);
       }
       if (first > r.first(axis)) {
         if (cell.lower.empty()) cell.lower.assign(count, {-beyond, 0});
         const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, first - 1), axis, region_));
         cell.lower[column] = kept ? *kept : Sample{lattice.at(axis, first - 1), 0};
-        if (cell.lower[column].at >= lattice.at(axis, first)) cell.lower[column].at = std::nextafter(lattice.at(axis, first), -beyond);
+        if (cell.lower[column].at >= lattice.at(axis, first))
+          cell.lower[column].at = std::nextafter(lattice.at(axis, first), -beyond);
       }
     }
 }
@@ -395,8 +402,7 @@ void Brick::tidy(const StockLattice& lattice) {
   samples_.sift([&](SampleMap::Key key) {
     const int axis = static_cast<int>(key & 3);
     Index3 p, q;
-    for (std::size_t a = 0; a < 3; ++a)
-      p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
+    for (std::size_t a = 0; a < 3; ++a) p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
     ++q[static_cast<std::size_t>(axis)];
     const bool p_here = region_.contains(p), q_here = region_.contains(q);
     const bool p_solid = p_here && solid(p, lattice), q_solid = q_here && solid(q, lattice);
@@ -420,7 +426,8 @@ void Brick::assign(const Occupancy& solid, SampleMap samples, const Stock& stock
 const Cell& Brick::leaf(const Index3& point) const {
   const Cell* cell = &nodes_[0];
   while (cell->content == Cell::Content::split)
-    cell = &nodes_[static_cast<std::size_t>(cell->children + (point[static_cast<std::size_t>(cell->axis)] >= cell->plane ? 1 : 0))];
+    cell =
+        &nodes_[static_cast<std::size_t>(cell->children + (point[static_cast<std::size_t>(cell->axis)] >= cell->plane ? 1 : 0))];
   return *cell;
 }
 
@@ -440,13 +447,15 @@ Sample Brick::sample(const Index3& point, int axis, bool upwards, const StockLat
   const float near = lattice.at(axis, point[a]), far = lattice.at(axis, point[a] + (upwards ? 1 : -1));
   Sample found{far, 0};
   const auto nearer = [&](const Sample& sample) {
-    if (upwards ? sample.at < found.at || (sample.at == found.at && !found.cut) : sample.at > found.at || (sample.at == found.at && !found.cut))
+    if (upwards ? sample.at < found.at || (sample.at == found.at && !found.cut)
+                : sample.at > found.at || (sample.at == found.at && !found.cut))
       found = sample;
   };
   if (const Sample* kept = samples_.find(SampleMap::key(from, axis, region_))) nearer(*kept);
   const Cell& cell = leaf(point);
   if (cell.content == Cell::Content::columns && cell.axis == axis) {
-    const std::size_t column = cell.column(point[static_cast<std::size_t>(axis_u(axis))], point[static_cast<std::size_t>(axis_v(axis))]);
+    const std::size_t column =
+        cell.column(point[static_cast<std::size_t>(axis_u(axis))], point[static_cast<std::size_t>(axis_v(axis))]);
     if (upwards) nearer(cell.upper[column]);
     if (!upwards && !cell.lower.empty()) nearer(cell.lower[column]);
   }
@@ -462,7 +471,8 @@ double Brick::volume(const StockLattice& lattice) const {
     const Region& r = cell.region;
     const double half = 0.5 * lattice.spacing()[axis];
     const double low = lattice.at(axis, r.first(axis)) - (r.first(axis) > 0 ? half : 0);
-    const double high = lattice.at(axis, r.last(axis)) + (r.last(axis) < lattice.cells()[static_cast<std::size_t>(axis)] ? half : 0);
+    const double high =
+        lattice.at(axis, r.last(axis)) + (r.last(axis) < lattice.cells()[static_cast<std::size_t>(axis)] ? half : 0);
     for (int v = r.first(va); v <= r.last(va); ++v)
       for (int u = r.first(ua); u <= r.last(ua); ++u) {
         double from = low, to = high;

@@ -38,7 +38,9 @@ class Brick {
 
   [[nodiscard]] const Region& region() const { return region_; }
   /// All of one content, without samples.
-  [[nodiscard]] bool uniform() const { return nodes_.size() == 1 && nodes_[0].content < Cell::Content::columns && !samples_.size(); }
+  [[nodiscard]] bool uniform() const {
+    return nodes_.size() == 1 && nodes_[0].content < Cell::Content::columns && !samples_.size();
+  }
   [[nodiscard]] bool empty() const { return nodes_.size() == 1 && nodes_[0].content == Cell::Content::empty; }
   /// Takes a stroke's sweep out, or only says what it meets.
   void cut(const Sweep& sweep, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result);

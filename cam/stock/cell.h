@@ -18,7 +18,9 @@ namespace fieldfab::cam {
 struct Region {
   Index3 lower{0, 0, 0}, upper{-1, -1, -1};
 
-  [[nodiscard]] int count(int axis) const { return upper[static_cast<std::size_t>(axis)] - lower[static_cast<std::size_t>(axis)] + 1; }
+  [[nodiscard]] int count(int axis) const {
+    return upper[static_cast<std::size_t>(axis)] - lower[static_cast<std::size_t>(axis)] + 1;
+  }
   [[nodiscard]] int first(int axis) const { return lower[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] int last(int axis) const { return upper[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] bool contains(const Index3& p) const {
@@ -34,12 +36,13 @@ struct Region {
 /// The points that two regions have in common; counts of 0 and below where there are none.
 inline Region common(const Region& a, const Region& b) {
   Region r;
-  for (std::size_t i = 0; i < 3; ++i) r.lower[i] = std::max(a.lower[i], b.lower[i]), r.upper[i] = std::min(a.upper[i], b.upper[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    r.lower[i] = std::max(a.lower[i], b.lower[i]), r.upper[i] = std::min(a.upper[i], b.upper[i]);
   return r;
 }
 
-/// Where the surface crosses an edge of the lattice: mm from the lattice's corner along the edge, and the cut that made it (0: the
-/// stock's first surface).
+/// Where the surface crosses an edge of the lattice: mm from the lattice's corner along the edge, and the cut that made it (0:
+/// the stock's first surface).
 struct Sample {
   float at = 0;
   std::uint32_t cut = 0;
@@ -186,16 +189,16 @@ class Occupancy {
   std::vector<Word> bits_;
 };
 
-/// A box of points whose solid ones lie together on each line along its axis: a 3-way heightmap. Its columns hold where they begin
-/// and end; all other samples are in the brick's SampleMap.
+/// A box of points whose solid ones lie together on each line along its axis: a 3-way heightmap. Its columns hold where they
+/// begin and end; all other samples are in the brick's SampleMap.
 struct Cell {
   enum class Content : std::uint8_t { solid, empty, columns, split };
   Region region;
   Content content = Content::solid;
-  std::int8_t axis = 2;      ///< of the columns; of the plane where it is split
-  std::int8_t facing = 0;    ///< 1: only upper ends vary, -1: only lower ones, 0: both may
-  int plane = 0;             ///< where it is split: the upper child's first point along the axis
-  int children = 0;          ///< index of the lower child; the upper one comes after it
+  std::int8_t axis = 2;              ///< of the columns; of the plane where it is split
+  std::int8_t facing = 0;            ///< 1: only upper ends vary, -1: only lower ones, 0: both may
+  int plane = 0;                     ///< where it is split: the upper child's first point along the axis
+  int children = 0;                  ///< index of the lower child; the upper one comes after it
   std::vector<Sample> upper, lower;  ///< of each column, u fastest; `lower` is empty where all columns begin below the cell
 
   [[nodiscard]] std::size_t column(int u, int v) const {

@@ -134,8 +134,8 @@ Occupancy unresolved_columns(const Occupancy& solid, const GoodBadMap& own, std:
   for (int v = 0; v < own.height; ++v)
     for (int u = 0; u < own.width; ++u) {
       const Pixel pixel = own.pixels[own.index(own.u0 + u, own.v0 + v)];
-      const bool fine = pixel == Pixel::none || (both_ends ? pixel != Pixel::bad
-                                                           : pixel == (facing < 0 ? Pixel::negative : Pixel::positive));
+      const bool fine =
+          pixel == Pixel::none || (both_ends ? pixel != Pixel::bad : pixel == (facing < 0 ? Pixel::negative : Pixel::positive));
       if (fine) continue;
       Index3 p;
       const auto a = static_cast<std::size_t>(own.axis);
@@ -219,7 +219,8 @@ void isolate(const GoodBadMap& map, const Rect& region, const std::vector<Rect>&
       if (left_end < low)
         intervals.push_back({kind, axis, left_end + 1, low, true, false});
       else if (left_end < high)
-        intervals.push_back({kind, axis, left_end + 1, left_end + 1, false, false}), intervals.push_back({kind, axis, low, low, false, false});
+        intervals.push_back({kind, axis, left_end + 1, left_end + 1, false, false}),
+            intervals.push_back({kind, axis, low, low, false, false});
       else
         intervals.push_back({kind, axis, low, low, false, false});
     }
@@ -320,7 +321,8 @@ void direct_splits(const Occupancy& solid, const Occupancy& covered, const Occup
 
 }  // namespace
 
-std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, bool both_ends) {
+std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
+                                           bool both_ends) {
   std::array<GoodBadMap, 3> maps;
   for (int a = 0; a < 3; ++a) maps[static_cast<std::size_t>(a)] = good_bad_map(solid, a);
   const Occupancy columns = unresolved_columns(solid, maps[static_cast<std::size_t>(axis)], facing, both_ends);
@@ -335,9 +337,8 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
     if (!has_bad) {
       // Only signs are in the way.
       for (const Pixel sign : {Pixel::positive, Pixel::negative}) {
-        const auto conflicts = regions_of(map, [&](std::size_t i) {
-          return map.pixels[i] == (sign == Pixel::positive ? Pixel::negative : Pixel::positive);
-        });
+        const auto conflicts = regions_of(
+            map, [&](std::size_t i) { return map.pixels[i] == (sign == Pixel::positive ? Pixel::negative : Pixel::positive); });
         for (const Rect& region : regions_of(map, [&](std::size_t i) { return map.pixels[i] == sign && map.unresolved[i]; }))
           isolate(map, region, conflicts, SplitInterval::Kind::conflict, intervals);
       }

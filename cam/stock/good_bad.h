@@ -46,7 +46,8 @@ struct SplitInterval {
 };
 
 /// The split planes for a cell that is `solid` now, `covered` by the tool, and had columns along `axis` with `facing`.
-std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, bool both_ends);
+std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
+                                           bool both_ends);
 
 /// Chooses by the rules in their order; the plane within an interval is the one nearest to the cell's middle.
 struct SplitChoice {
@@ -54,6 +55,7 @@ struct SplitChoice {
   SplitInterval::Kind kind = SplitInterval::Kind::direct;
 };
 SplitChoice choose_split(const std::vector<SplitInterval>& intervals, const Region& region, const Vec3& spacing,
-                         const std::vector<SplitRule>& rules, const Vec3& tool_axis, double tool_radius, std::minstd_rand& random);
+                         const std::vector<SplitRule>& rules, const Vec3& tool_axis, double tool_radius,
+                         std::minstd_rand& random);
 
 }  // namespace fieldfab::cam

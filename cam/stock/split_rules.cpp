@@ -30,25 +30,35 @@ std::vector<SplitRule> parse_split_rules(const std::string& text) {
   std::string word;
   const auto finish = [&] {
     if (word.empty()) return;
-    if (word == "CTD") rules.push_back(SplitRule::closest_toolcut_direction);
-    else if (word == "SPT") rules.push_back(SplitRule::split_plane_type);
-    else if (word == "FFS") rules.push_back(SplitRule::furthest_from_side);
-    else if (word == "FEFS") rules.push_back(SplitRule::far_enough_from_side);
-    else if (word == "FEFS-FFS") rules.push_back(SplitRule::far_enough_then_furthest);
-    else if (word == "RS") rules.push_back(SplitRule::random_selection);
-    else throw Error(ErrorKind::bad_input, "rules", fmt::format("\"{}\" is none of CTD, SPT, FFS, FEFS, FEFS-FFS, RS", word));
+    if (word == "CTD")
+      rules.push_back(SplitRule::closest_toolcut_direction);
+    else if (word == "SPT")
+      rules.push_back(SplitRule::split_plane_type);
+    else if (word == "FFS")
+      rules.push_back(SplitRule::furthest_from_side);
+    else if (word == "FEFS")
+      rules.push_back(SplitRule::far_enough_from_side);
+    else if (word == "FEFS-FFS")
+      rules.push_back(SplitRule::far_enough_then_furthest);
+    else if (word == "RS")
+      rules.push_back(SplitRule::random_selection);
+    else
+      throw Error(ErrorKind::bad_input, "rules", fmt::format("\"{}\" is none of CTD, SPT, FFS, FEFS, FEFS-FFS, RS", word));
     word.clear();
   };
   for (const char c : text) {
-    if (c == ',' || c == ' ' || c == '\t') finish();
-    else word.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
+    if (c == ',' || c == ' ' || c == '\t')
+      finish();
+    else
+      word.push_back(static_cast<char>(std::toupper(static_cast<unsigned char>(c))));
   }
   finish();
   return rules;
 }
 
 SplitChoice choose_split(const std::vector<SplitInterval>& intervals, const Region& region, const Vec3& spacing,
-                         const std::vector<SplitRule>& rules, const Vec3& tool_axis, double tool_radius, std::minstd_rand& random) {
+                         const std::vector<SplitRule>& rules, const Vec3& tool_axis, double tool_radius,
+                         std::minstd_rand& random) {
   std::vector<const SplitInterval*> left;
   for (const SplitInterval& interval : intervals) left.push_back(&interval);
   // Each rule leaves those that it likes best.
@@ -62,7 +72,9 @@ SplitChoice choose_split(const std::vector<SplitInterval>& intervals, const Regi
   for (const SplitRule rule : rules) {
     if (left.size() < 2) break;
     switch (rule) {
-      case SplitRule::closest_toolcut_direction: keep([&](const SplitInterval& i) { return -std::abs(tool_axis[i.axis]); }); break;
+      case SplitRule::closest_toolcut_direction:
+        keep([&](const SplitInterval& i) { return -std::abs(tool_axis[i.axis]); });
+        break;
       case SplitRule::split_plane_type: keep(rank_of_type); break;
       case SplitRule::furthest_from_side: keep(furthest); break;
       case SplitRule::far_enough_from_side: keep(far_enough); break;

@@ -29,9 +29,9 @@ struct Batch {
 struct Crossing {
   Index3 inside;
   int axis;
-  int step;               ///< to the outer end, along the axis
-  double in, out;         ///< shares of the edge from its inner end
-  float at_in, at_out;    ///< values there
+  int step;             ///< to the outer end, along the axis
+  double in, out;       ///< shares of the edge from its inner end
+  float at_in, at_out;  ///< values there
 };
 
 /// Makes a brick what a Field is there.
@@ -98,8 +98,8 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
   for (const Crossing& c : crossings) {
     Index3 from = c.inside;
     if (c.step < 0) --from[static_cast<std::size_t>(c.axis)];
-    const auto at = static_cast<float>(lattice.spacing()[c.axis] *
-                                       (c.inside[static_cast<std::size_t>(c.axis)] + c.step * share(c, false)));
+    const auto at =
+        static_cast<float>(lattice.spacing()[c.axis] * (c.inside[static_cast<std::size_t>(c.axis)] + c.step * share(c, false)));
     samples.put(SampleMap::key(from, c.axis, region), {at, 0});
   }
   auto brick = std::make_shared<Brick>(region, false);
@@ -113,7 +113,8 @@ Stock::Stock(const Box& box, const StockSettings& settings) : settings_(settings
   divide_into_bricks();
   for (int z = 0; z < bricks_along_[2]; ++z)
     for (int y = 0; y < bricks_along_[1]; ++y)
-      for (int x = 0; x < bricks_along_[0]; ++x) bricks_[brick_index(x, y, z)] = std::make_shared<Brick>(brick_region({x, y, z}), true);
+      for (int x = 0; x < bricks_along_[0]; ++x)
+        bricks_[brick_index(x, y, z)] = std::make_shared<Brick>(brick_region({x, y, z}), true);
 }
 
 Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, Progress& progress)
@@ -122,7 +123,8 @@ Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, 
   parallel_for(bricks_.size(), [&](std::size_t i) {
     progress.check();
     const auto nx = static_cast<std::size_t>(bricks_along_[0]), ny = static_cast<std::size_t>(bricks_along_[1]);
-    bricks_[i] = brick_of(field, brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}), *this);
+    bricks_[i] = brick_of(
+        field, brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}), *this);
   });
 }
 
@@ -140,7 +142,8 @@ void Stock::divide_into_bricks() {
     bricks_along_[a] = lattice_.cells()[a] / brick_ + 1;
     bricks *= bricks_along_[a];
   }
-  if (bricks > 50e6) throw Error(ErrorKind::too_large, "stock", fmt::format("{:.0f} million bricks; take larger cells", bricks / 1e6));
+  if (bricks > 50e6)
+    throw Error(ErrorKind::too_large, "stock", fmt::format("{:.0f} million bricks; take larger cells", bricks / 1e6));
   bricks_.resize(static_cast<std::size_t>(bricks));
 }
 

@@ -1,6 +1,6 @@
 // The surface of a stock as one closed mesh (Hahn 4.3). Cubes of the lattice are looked at brick by brick, whatever cells their
-// points belong to: since each point and each sample is owned once, there are no seams. Outside of the stock's box everything is air,
-// and an edge that leaves the box crosses the surface where it leaves it: that makes the exterior mesh.
+// points belong to: since each point and each sample is owned once, there are no seams. Outside of the stock's box everything is
+// air, and an edge that leaves the box crosses the surface where it leaves it: that makes the exterior mesh.
 #include <bit>
 #include <cmath>
 
@@ -135,8 +135,15 @@ class StockMesher {
     for (int dz = -1; dz <= 1; ++dz)
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
-          Index3 p{dx < 0 ? r.lower[0] - 1 : dx ? r.upper[0] + 1 : r.lower[0], dy < 0 ? r.lower[1] - 1 : dy ? r.upper[1] + 1 : r.lower[1],
-                   dz < 0 ? r.lower[2] - 1 : dz ? r.upper[2] + 1 : r.lower[2]};
+          Index3 p{dx < 0 ? r.lower[0] - 1
+                   : dx   ? r.upper[0] + 1
+                          : r.lower[0],
+                   dy < 0 ? r.lower[1] - 1
+                   : dy   ? r.upper[1] + 1
+                          : r.lower[1],
+                   dz < 0 ? r.lower[2] - 1
+                   : dz   ? r.upper[2] + 1
+                          : r.lower[2]};
           bool outside = false;
           for (std::size_t a = 0; a < 3; ++a) outside |= p[a] < 0 || p[a] > lattice_.cells()[a];
           if (outside) {
@@ -159,7 +166,8 @@ class StockMesher {
     const Occupancy shape = around(brick.region());
     const Region& near = shape.region();
     edges.words = static_cast<std::size_t>((edges.region.count(0) + 63) / 64);
-    const std::size_t words = edges.words * static_cast<std::size_t>(edges.region.count(1)) * static_cast<std::size_t>(edges.region.count(2));
+    const std::size_t words =
+        edges.words * static_cast<std::size_t>(edges.region.count(1)) * static_cast<std::size_t>(edges.region.count(2));
     for (std::size_t a = 0; a < 3; ++a) edges.bits[a].assign(words, 0), edges.before[a].assign(words, 0);
     // The shape begins one point before the brick; the edges begin there, too, or one point later.
     const auto shift = static_cast<std::size_t>(edges.region.lower[0] - near.lower[0]);
@@ -323,6 +331,8 @@ class StockMesher {
   std::vector<std::uint32_t> alias_;
 };
 
-TriangleMesh Stock::mesh(std::vector<std::uint32_t>* cuts, Progress& progress) const { return StockMesher(*this, progress).make(cuts); }
+TriangleMesh Stock::mesh(std::vector<std::uint32_t>* cuts, Progress& progress) const {
+  return StockMesher(*this, progress).make(cuts);
+}
 
 }  // namespace fieldfab::cam

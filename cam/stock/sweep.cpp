@@ -321,11 +321,20 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     const int v0 = std::max(window.v0, static_cast<int>(std::ceil(box.lower[va] / hv)));
     const int v1 = std::min(window.v1, static_cast<int>(std::floor(box.upper[va] / hv)));
     if (u0 > u1) continue;
-    const Vec3 centre = stamp.zone.shape == Zone::Shape::ball ? Vec3(stamp.pose.tip + stamp.zone.z0 * stamp.pose.axis) : stamp.pose.tip;
+    const Vec3 centre =
+        stamp.zone.shape == Zone::Shape::ball ? Vec3(stamp.pose.tip + stamp.zone.z0 * stamp.pose.axis) : stamp.pose.tip;
     for (int v = v0; v <= v1; ++v) {
       const std::size_t index = window.index(u0, v);
-      const Row row{u1 - u0 + 1, u0 * hu - centre[ua], hu, v * hv - centre[va], centre[d], stamp.pose.axis[ua], stamp.pose.axis[va],
-                    stamp.pose.axis[d], &window.entry[index], &window.exit[index]};
+      const Row row{u1 - u0 + 1,
+                    u0 * hu - centre[ua],
+                    hu,
+                    v * hv - centre[va],
+                    centre[d],
+                    stamp.pose.axis[ua],
+                    stamp.pose.axis[va],
+                    stamp.pose.axis[d],
+                    &window.entry[index],
+                    &window.exit[index]};
       switch (stamp.zone.shape) {
         case Zone::Shape::ball: ball_row(row, stamp.zone.r0); break;
         case Zone::Shape::ring: ring_row(row, stamp.zone); break;

@@ -32,9 +32,9 @@ struct Window {
 
 /// The volume that a piece sweeps while its pose goes evenly from one to another. Its boundary lies on the piece at both ends
 /// (stamps), on the ways of its edges, and on the grazing curves (Hahn 2.2): the points of the piece where it moves along itself,
-/// of which a circle about the axis has at most two. Curves become strips of triangles, nowhere farther from them than `tolerance`;
-/// balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept volume is taken to be
-/// convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
+/// of which a circle about the axis has at most two. Curves become strips of triangles, nowhere farther from them than
+/// `tolerance`; balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept volume is
+/// taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
 class Sweep {
  public:
   /// Poses in the lattice's frame, mm from its corner.

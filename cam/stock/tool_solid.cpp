@@ -147,10 +147,10 @@ ToolSolid tool_solid(const Tool& tool) {
     solid.pieces.push_back({ToolRole::shank, {frustum(length, shank, to_holder, shank)}});
   }
   if (tool.holder_diameter > 0)
-    solid.pieces.push_back({ToolRole::holder,
-                            {frustum(to_holder, tool.holder_diameter / 2,
-                                     to_holder + (tool.holder_length > 0 ? tool.holder_length : tool.holder_diameter),
-                                     tool.holder_diameter / 2)}});
+    solid.pieces.push_back(
+        {ToolRole::holder,
+         {frustum(to_holder, tool.holder_diameter / 2,
+                  to_holder + (tool.holder_length > 0 ? tool.holder_length : tool.holder_diameter), tool.holder_diameter / 2)}});
   return solid;
 }
 

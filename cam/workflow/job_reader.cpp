@@ -15,6 +15,7 @@
 #include "sheet.h"
 #include "stages.h"
 #include "toml_table.h"
+#include "tool_table.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -45,41 +46,6 @@ Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from,
   return {list[from], list[from + 1], list[from + 2]};
 }
 
-Tool read_tool(const TomlTable& table, int number) {
-  table.only({"number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute", "length",
-              "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
-  Tool tool;
-  const auto get = [&](const char* key, double& into) {
-    if (const auto value = table.number(key)) {
-      if (!(*value >= 0) || !std::isfinite(*value))
-        throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} must not be negative", key));
-      into = *value;
-    }
-  };
-  tool.number = static_cast<int>(table.number("number").value_or(number));
-  tool.name = table.text("name").value_or("");
-  tool.shape = table.text("shape").value_or("flat");
-  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("angle", tool.angle),
-      get("tip_diameter", tool.tip_diameter);
-  get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
-  get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
-  tool.angle *= degrees;
-  tool.flutes = static_cast<int>(table.number("flutes").value_or(2));
-  for (const auto& row : table.rows("profile")) {
-    if (row.size() != 2)
-      throw Error(ErrorKind::bad_input, table.place("profile"), "a profile is [[distance from the axis, height], ...]");
-    tool.points.emplace_back(row[0], row[1]);
-  }
-  try {
-    if (tool.shape == "profile" && tool.diameter == 0 && !tool.points.empty()) tool.diameter = 2 * tool.points.back().x();
-    if (tool.diameter > 0 || tool.shape == "profile") (void)tool.profile();
-  } catch (const Error& error) {
-    throw Error(ErrorKind::bad_input, table.place(), error.what());
-  }
-  if (tool.name.empty()) tool.name = fmt::format("{:.4g} mm {}", tool.diameter, tool.shape);
-  return tool;
-}
-
 }  // namespace
 
 class JobReader {
@@ -94,7 +60,7 @@ class JobReader {
     read_machine();
     read_input();
     read_stock();
-    read_tools();
+    tools_ = read_tools(table_);
     read_operations();
     return std::move(job_);
   }
@@ -290,18 +256,6 @@ class JobReader {
         solid->bounds.lower[axis] = std::min(solid->bounds.lower[axis], stock.lower[axis]);
         solid->bounds.upper[axis] = std::max(solid->bounds.upper[axis], stock.upper[axis]);
       }
-    }
-  }
-
-  void read_tools() {
-    int next = 1;
-    for (const TomlTable& table : table_.tables("tool")) {
-      Tool tool = read_tool(table, next);
-      next = tool.number + 1;
-      for (const Tool& other : tools_)
-        if (other.number == tool.number)
-          throw refuse(table, "number", fmt::format("there are two tools with number {}", tool.number));
-      tools_.push_back(std::move(tool));
     }
   }
 

@@ -53,6 +53,8 @@ class Job {
   [[nodiscard]] const std::vector<OperationReport>& reports() const { return reports_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const Solid* solid() const { return std::get_if<Solid>(&input_); }
+  /// The material, in the part's coordinates, mm.
+  [[nodiscard]] const Box& stock() const { return stock_; }
   [[nodiscard]] const std::string& name() const { return program_.name; }
   [[nodiscard]] const std::string& material() const { return material_; }
 

@@ -58,11 +58,11 @@ struct Motion {
   /// compensation is. The place the tool's tip goes to where the control's idea of its length is right.
   AxisValues end;
   Vec2 centre = Vec2::Zero();  ///< of an arc: along the plane's first and second axis, machine coordinates
-  int turns = 0;               ///< of an arc: 1 is up to a full turn anticlockwise seen from the plane's axis, -1 clockwise, 2 one turn more
-  double feed = 0;             ///< mm/min along x, y, z (radians/min where only rotary axes move); 0 for rapids
-  double seconds = 0;          ///< what the program itself says that it takes: a dwell's, or a move's under G93; else 0
-  int tool = 0;                ///< in the spindle
-  double spindle = 0;          ///< revolutions per minute; below 0 anticlockwise; 0: stands still
+  int turns = 0;    ///< of an arc: 1 is up to a full turn anticlockwise seen from the plane's axis, -1 clockwise, 2 one turn more
+  double feed = 0;  ///< mm/min along x, y, z (radians/min where only rotary axes move); 0 for rapids
+  double seconds = 0;               ///< what the program itself says that it takes: a dwell's, or a move's under G93; else 0
+  int tool = 0;                     ///< in the spindle
+  double spindle = 0;               ///< revolutions per minute; below 0 anticlockwise; 0: stands still
   Vec3 tool_offset = Vec3::Zero();  ///< the length compensation in force (G43), mm
 };
 
@@ -76,16 +76,17 @@ struct ToolEntry {
 
 /// What the control knows before the program starts, and how long it may take.
 struct ReadingOptions {
-  std::map<int, ToolEntry> tools;               ///< by number
-  std::array<AxisValues, 9> work_offsets{};     ///< G54 to G59, G59.1 to G59.3, machine coordinates
-  AxisValues start;                             ///< where the axes stand, machine coordinates
-  std::array<AxisValues, 2> home{};             ///< G28's and G30's places, machine coordinates
-  bool block_delete = true;                     ///< lines that begin with / are left out
-  std::vector<std::filesystem::path> folders;   ///< where subroutine files are looked for, besides the program's own folder
-  std::uint64_t most_blocks = 100'000'000;      ///< blocks carried out before a loop is called endless
+  std::map<int, ToolEntry> tools;              ///< by number
+  std::array<AxisValues, 9> work_offsets{};    ///< G54 to G59, G59.1 to G59.3, machine coordinates
+  AxisValues start;                            ///< where the axes stand, machine coordinates
+  std::array<AxisValues, 2> home{};            ///< G28's and G30's places, machine coordinates
+  bool block_delete = true;                    ///< lines that begin with / are left out
+  std::vector<std::filesystem::path> folders;  ///< where subroutine files are looked for, besides the program's own folder
+  std::uint64_t most_blocks = 100'000'000;     ///< blocks carried out before a loop is called endless
 };
 
-/// Something about a program that its reader of it should know and that did not stop the reading: an M-code without a meaning here, say.
+/// Something about a program that its reader of it should know and that did not stop the reading: an M-code without a meaning
+/// here, say.
 struct ReadingNote {
   int line = 0;
   std::string message;
@@ -96,7 +97,8 @@ struct ReadingNote {
 /// Throws bad_input with FILE:LINE for whatever it does not understand and that might move an axis, cancelled.
 std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& file, const ReadingOptions& options,
                                     const MotionSink& sink, Progress& progress = Progress::none());
-/// ShopBot's part files (.sbp): moves, jogs, arcs, tool and unit commands. `unit`: mm in one of its units until it says otherwise.
+/// ShopBot's part files (.sbp): moves, jogs, arcs, tool and unit commands. `unit`: mm in one of its units until it says
+/// otherwise.
 std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options, double unit,
                                   const MotionSink& sink, Progress& progress = Progress::none());
 /// RML of Roland's mills (Modela, SRM-20): ticks of 1/40 mm or 1/100 mm. `tick` in mm.

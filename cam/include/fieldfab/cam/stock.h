@@ -17,20 +17,20 @@ namespace fieldfab::cam {
 
 /// A rule that prefers some split planes to others (Hahn 3.3 and 6.2).
 enum class SplitRule : std::uint8_t {
-  closest_toolcut_direction,   ///< CTD: the plane nearest to the tool's direction
-  split_plane_type,            ///< SPT: complete ones, then direct ones that are alone, then the rest
-  furthest_from_side,          ///< FFS: the plane whose nearest side of the cell is furthest
-  far_enough_from_side,        ///< FEFS: those further from both sides than the tool's radius
-  far_enough_then_furthest,    ///< FEFS-FFS: FEFS; FFS where that does not tell them apart
-  random_selection,            ///< RS
+  closest_toolcut_direction,  ///< CTD: the plane nearest to the tool's direction
+  split_plane_type,           ///< SPT: complete ones, then direct ones that are alone, then the rest
+  furthest_from_side,         ///< FFS: the plane whose nearest side of the cell is furthest
+  far_enough_from_side,       ///< FEFS: those further from both sides than the tool's radius
+  far_enough_then_furthest,   ///< FEFS-FFS: FEFS; FFS where that does not tell them apart
+  random_selection,           ///< RS
 };
 /// "FEFS-FFS, CTD, SPT, RS" and the like. Throws bad_input.
 std::vector<SplitRule> parse_split_rules(const std::string& text);
 
 struct StockSettings {
-  double cell = 0.1;      ///< distance of samples, mm
-  double tolerance = 0;   ///< of swept surfaces, mm; 0: a fiftieth of a cell
-  int brick = 32;         ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
+  double cell = 0.1;     ///< distance of samples, mm
+  double tolerance = 0;  ///< of swept surfaces, mm; 0: a fiftieth of a cell
+  int brick = 32;        ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
   bool both_ends = true;  ///< columns may have a varying lower end as well (Hahn 7.4); else conflicts of sign split cells
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
@@ -46,9 +46,9 @@ struct Stroke {
 
 /// What a stroke met.
 struct StrokeResult {
-  double volume = 0;               ///< of material removed (or met), mm^3
-  std::uint64_t points = 0;        ///< lattice points in it
-  Vec3 place = Vec3::Zero();       ///< one of them
+  double volume = 0;          ///< of material removed (or met), mm^3
+  std::uint64_t points = 0;   ///< lattice points in it
+  Vec3 place = Vec3::Zero();  ///< one of them
 };
 
 /// How a stock is made up.
@@ -77,7 +77,9 @@ class Stock {
 
   [[nodiscard]] const StockLattice& lattice() const { return lattice_; }
   [[nodiscard]] const StockSettings& settings() const { return settings_; }
-  [[nodiscard]] double tolerance() const { return settings_.tolerance > 0 ? settings_.tolerance : lattice_.spacing().minCoeff() / 50; }
+  [[nodiscard]] double tolerance() const {
+    return settings_.tolerance > 0 ? settings_.tolerance : lattice_.spacing().minCoeff() / 50;
+  }
 
   /// Carries out strokes in their order, on all cores. Throws cancelled, with some of them carried out in part.
   std::vector<StrokeResult> cut(std::span<const Stroke> strokes, Progress& progress = Progress::none());

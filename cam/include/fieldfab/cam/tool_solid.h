@@ -1,4 +1,5 @@
-/// Tools as solids of revolution for simulation: convex pieces, each with a meaning (Hahn 2.2; form tools go past its section 7.4).
+/// Tools as solids of revolution for simulation: convex pieces, each with a meaning (Hahn 2.2; form tools go past its
+/// section 7.4).
 #pragma once
 
 #include <string>
@@ -45,12 +46,13 @@ struct ToolSolid {
   [[nodiscard]] ToolSolid shrunk(double by) const;
 };
 
-/// The solid of a cutter: its cutting part as long as its flutes (where no length is known, up to its holder; where that is unknown
-/// too, ten times its diameter), then shank and holder where their sizes are known. Throws bad_input for a tool that is none.
+/// The solid of a cutter: its cutting part as long as its flutes (where no length is known, up to its holder; where that is
+/// unknown too, ten times its diameter), then shank and holder where their sizes are known. Throws bad_input for a tool that is
+/// none.
 ToolSolid tool_solid(const Tool& tool);
 
-/// The convex pieces of a solid of revolution whose half section is a polyline of points (distance from the axis, height), from its
-/// lowest point to its highest; heights must not fall. Throws bad_input with `place`.
+/// The convex pieces of a solid of revolution whose half section is a polyline of points (distance from the axis, height), from
+/// its lowest point to its highest; heights must not fall. Throws bad_input with `place`.
 std::vector<ToolPiece> convex_pieces(const std::vector<Vec2>& section, ToolRole role, const std::string& place);
 
 }  // namespace fieldfab::cam

@@ -1,0 +1,191 @@
+// Canned cycles G73, G74, G81 to G89, in any of the three planes.
+#include <cmath>
+
+#include "interpreter.h"
+
+namespace fieldfab::cam::gcode {
+namespace {
+
+constexpr std::string_view letters = "xyzabcuvw";
+constexpr double peck_clearance = 0.254;  // mm that G83 and G73 stay away from the hole's bottom, as LinuxCNC does
+constexpr int most_pecks = 1'000'000;
+
+}  // namespace
+
+void Interpreter::cycle() {
+  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
+  const std::string name = g_name(code);
+  no_compensation("a canned cycle");
+  if (modes_.feed_mode == 930) refuse("{} cannot be used under G93", name);
+  if (block_.has_any("abcuvw")) refuse("{} moves X, Y and Z only", name);
+  if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
+  require_feed();
+
+  // Words of the same cycle stay in force; another cycle begins anew.
+  const PlaneAxes axes = axes_of(modes_.plane);
+  const bool same = modes_.motion == code;
+  const auto sticky = [&](char letter, double& kept, const char* what, bool needed) {
+    if (block_.has(letter))
+      kept = block_[letter];
+    else if (!same && needed)
+      refuse("{} needs {}, {}", name, static_cast<char>(letter - 32), what);
+    else if (!same)
+      kept = 0;
+  };
+  sticky('r', cycle_.r, "where the feed begins", true);
+  const char depth = letters[axes.third];
+  if (block_.has(depth))
+    cycle_.z = block_[depth];
+  else if (!same)
+    refuse("{} needs {}, the hole's bottom", name, static_cast<char>(depth - 32));
+  sticky('p', cycle_.p, "the dwell in seconds", code == 820 || code == 860 || code == 880 || code == 890);
+  sticky('q', cycle_.q, "the depth of a peck", code == 830 || code == 730);
+  sticky('i', cycle_.i, "how far the tool moves aside", code == 870);
+  sticky('j', cycle_.j, "how far the tool moves aside", code == 870);
+  sticky('k', cycle_.k, "where the back boring ends", code == 870);
+  const int repeats = block_.has('l') ? whole(block_['l'], 1'000'000'000) : 1;
+  if (repeats < 1) refuse("{} with L{}: repeats are 1 or more", name, repeats);
+  if (cycle_.p < 0) refuse("{} with a dwell of {} seconds", name, cycle_.p);
+  if ((code == 830 || code == 730) && cycle_.q <= 0) refuse("{} with Q{}: pecks are above 0", name, cycle_.q);
+
+  const bool in_cycles = modes_.motion >= 730 && modes_.motion <= 890 && modes_.motion != 760 && modes_.motion != 800;
+  if (!in_cycles) cycle_.start = at_.at[axes.third];
+
+  const double half = modes_.diameter && axes.third == 0 ? 0.5 : 1;
+  double r = length(cycle_.r), bottom = length(cycle_.z) * half;
+  AxisValues place = at_;
+  std::array<double, 2> step{};
+  const std::array<std::size_t, 2> span{axes.first, axes.second};
+  if (modes_.absolute) {
+    for (const std::size_t k : span)
+      if (block_.has(letters[k])) place.at[k] = word(letters[k]);
+  } else {
+    r += cycle_.start;
+    bottom += r;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (block_.has(letters[span[i]])) step[i] = word(letters[span[i]]);
+  }
+  if (r < bottom) refuse("{} with R below the hole's bottom", name);
+
+  if (cycle_.start < r) {
+    AxisValues up = at_;
+    up.at[axes.third] = r;
+    move(Motion::Kind::rapid, up);
+  }
+  const double clear = modes_.retract_to_start ? std::max(cycle_.start, r) : r;
+  double height = std::max(at_.at[axes.third], r);
+  for (int i = 0; i < repeats; ++i) {
+    place.at[axes.first] += step[0], place.at[axes.second] += step[1];
+    place.at[axes.third] = height;
+    move(Motion::Kind::rapid, place);
+    if (height != r) {
+      place.at[axes.third] = r;
+      move(Motion::Kind::rapid, place);
+    }
+    cycle_hole(place, r, bottom, clear);
+    height = clear;
+    if (i % 1024 == 0) progress_.check();
+  }
+}
+
+/// One hole, from the plane R on.
+void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, double clear) {
+  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
+  const std::size_t third = axes_of(modes_.plane).third;
+  const auto go = [&](Motion::Kind kind, double height, double i = 0, double j = 0) {
+    AxisValues to = place;
+    to.at[third] = height;
+    to.at[axes_of(modes_.plane).first] += i, to.at[axes_of(modes_.plane).second] += j;
+    move(kind, to);
+  };
+  const auto rapid = [&](double height) { go(Motion::Kind::rapid, height); };
+  const auto feed = [&](double height) { go(Motion::Kind::feed, height); };
+  const int turning = modes_.spindle;
+  const auto need_spindle = [&] {
+    if (turning == 0) refuse("{} while the spindle stands still", g_name(code));
+  };
+  switch (code) {
+    case 810:
+      feed(bottom);
+      rapid(clear);
+      break;
+    case 820:
+      feed(bottom);
+      dwell(cycle_.p);
+      rapid(clear);
+      break;
+    case 730:
+    case 830: {
+      const double peck = length(cycle_.q);
+      if ((r - bottom) / peck > most_pecks) refuse("more than {} pecks", most_pecks);
+      for (double depth = r - peck; depth > bottom; depth -= peck) {
+        feed(depth);
+        if (code == 830) rapid(r);
+        rapid(depth + peck_clearance);
+      }
+      feed(bottom);
+      rapid(clear);
+      break;
+    }
+    case 740:
+    case 840:
+      if (turning != (code == 840 ? 1 : -1))
+        refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
+      feed(bottom);
+      modes_.spindle = -turning;
+      dwell(cycle_.p);
+      feed(clear);
+      modes_.spindle = turning;
+      break;
+    case 850:
+      feed(bottom);
+      feed(r);
+      rapid(clear);
+      break;
+    case 860:
+      need_spindle();
+      feed(bottom);
+      dwell(cycle_.p);
+      modes_.spindle = 0;
+      rapid(clear);
+      modes_.spindle = turning;
+      break;
+    case 870: {
+      need_spindle();
+      const double i = length(cycle_.i), j = length(cycle_.j), k = length(cycle_.k);
+      const double end = modes_.absolute ? k : bottom + k;
+      if (end < bottom) refuse("G87 with K below the hole's bottom");
+      go(Motion::Kind::rapid, r, i, j);
+      modes_.spindle = 0;
+      go(Motion::Kind::rapid, bottom, i, j);
+      rapid(bottom);
+      modes_.spindle = turning;
+      feed(end);
+      feed(bottom);
+      modes_.spindle = 0;
+      go(Motion::Kind::rapid, bottom, i, j);
+      go(Motion::Kind::rapid, clear, i, j);
+      rapid(clear);
+      modes_.spindle = turning;
+      break;
+    }
+    case 880: {
+      need_spindle();
+      feed(bottom);
+      dwell(cycle_.p);
+      modes_.spindle = 0;
+      Motion stop = stamped(Motion::Kind::stop);  // the operator takes the tool out by hand
+      stop.end = at_;
+      give(stop);
+      modes_.spindle = turning;
+      break;
+    }
+    default:  // 890
+      feed(bottom);
+      dwell(cycle_.p);
+      feed(clear);
+      break;
+  }
+}
+
+}  // namespace fieldfab::cam::gcode

@@ -1,0 +1,423 @@
+#include "interpreter.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::cam {
+
+std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                    const MotionSink& sink, Progress& progress) {
+  return gcode::Interpreter(text, file, options, sink, progress).run();
+}
+
+namespace gcode {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// Angles of the interface are radians, those of a program degrees.
+AxisValues in_degrees(AxisValues values) {
+  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees;
+  return values;
+}
+
+}  // namespace
+
+Interpreter::Interpreter(std::string_view text, const std::string& file, const ReadingOptions& options, const MotionSink& sink,
+                         Progress& progress)
+    : options_(options),
+      sink_(sink),
+      progress_(progress),
+      parameters_(*this),
+      flow_(text, file, options.folders, options.most_blocks, parameters_),
+      reader_(parameters_) {
+  const auto store = [&](int first, const AxisValues& values) {
+    for (int k = 0; k < 9; ++k) parameters_.stored(first + k) = in_degrees(values).at[static_cast<std::size_t>(k)];
+  };
+  store(number::first_home, options.home[0]);
+  store(number::second_home, options.home[1]);
+  for (int k = 0; k < 9; ++k) store(number::system_start(k + 1), options.work_offsets[static_cast<std::size_t>(k)]);
+  parameters_.stored(number::coordinate_system) = 1;
+  parameters_.stored(number::input_value) = -1;
+  read_system();
+  at_ = sent_ = frame_.of_axes(in_degrees(options.start));
+  flow_.on_return([this] {
+    while (!saved_in_calls_.empty() && saved_in_calls_.back().depth > flow_.depth()) {
+      const Modes saved = saved_in_calls_.back().modes;
+      saved_in_calls_.pop_back();
+      restore_state(saved);
+    }
+  });
+}
+
+std::vector<ReadingNote> Interpreter::run() {
+  const auto place = [this] { return fmt::format("{}:{}", flow_.file(), flow_.line()); };
+  try {
+    while (!finished_ && step()) {
+      if (flow_.lines() % 1024 == 0) {
+        progress_.check();
+        if (flow_.lines() % 65536 == 0) progress_.report(flow_.share(), "reading the program");
+      }
+    }
+    if (!finished_) {
+      flush();
+      notes_.add(flow_.line(),
+                 delimited_ ? "the program ends without M2, M30 or a second %" : "the program ends without M2 or M30");
+    }
+  } catch (const Refusal& refusal) {
+    throw Error(ErrorKind::bad_input, place(), refusal.message);
+  }
+  return notes_.take();
+}
+
+bool Interpreter::step() {
+  if (!flow_.next(line_)) return false;
+  if (line_.deleted && options_.block_delete) return true;
+  if (!line_.closed) refuse("'(' without its ')'");
+  if (line_.text.empty()) {
+    if (line_.comment.starts_with("py,")) refuse("Python in a program is not carried out");
+    return true;
+  }
+  if (line_.text == "%") {
+    if (!flow_.in_program()) return true;
+    if (begun_) end_program();
+    begun_ = delimited_ = true;
+    return true;
+  }
+  begun_ = true;
+  if (Flow::is_flow(line_)) {
+    flow_.carry_out(line_);
+    return true;
+  }
+  reader_.read(line_.text, block_);
+  execute();
+  return true;
+}
+
+void Interpreter::execute() {
+  check_words();
+  if (block_.code(GGroup::feed_mode) != Block::none) set_feed_mode();
+  if (block_.has('f')) set_feed();
+  set_speed();
+  if (block_.has('t')) select_tool();
+  do_modal_m();
+  if (block_.code(GGroup::action) == 40) {
+    // Marlin's programs say G4 S3 for three seconds; S means the spindle nowhere else in such a block.
+    if (!block_.has('p') && block_.has('s'))
+      notes_.add(flow_.line(), "G4 with S and no P is taken as seconds, as Marlin does");
+    else if (!block_.has('p'))
+      refuse("G4 needs P, the seconds");
+    dwell(block_.has('p') ? block_['p'] : block_['s']);
+  }
+  if (block_.code(GGroup::plane) != Block::none) set_plane();
+  if (block_.code(GGroup::units) != Block::none) set_units();
+  if (const int code = block_.code(GGroup::lathe); code != Block::none) modes_.diameter = code == 70;
+  if (block_.code(GGroup::compensation) != Block::none) set_compensation();
+  if (block_.code(GGroup::length) != Block::none) set_length_compensation();
+  if (const int code = block_.code(GGroup::system); code != Block::none)
+    set_system(code >= 591 ? 7 + code - 591 : 1 + (code - 540) / 10);
+  if (const int code = block_.code(GGroup::path); code != Block::none) modes_.path = code;
+  if (const int code = block_.code(GGroup::distance); code != Block::none) modes_.absolute = code == 900;
+  if (const int code = block_.code(GGroup::arc_distance); code != Block::none) modes_.arcs_absolute = code == 901;
+  if (const int code = block_.code(GGroup::retract); code != Block::none) modes_.retract_to_start = code == 980;
+  if (block_.code(GGroup::rotation) != Block::none) turn_program();
+  action();
+  motion();
+  do_stop();
+}
+
+/// Words that nothing in the block uses, or that two things want.
+void Interpreter::check_words() const {
+  const int action = block_.code(GGroup::action), motion_code = block_.code(GGroup::motion);
+  const bool axes = block_.has_any("xyzabcuvw") || block_.has_radius || block_.has_angle;
+  const bool action_axes = action == 100 || action == 280 || action == 300 || action == 520 || action == 920;
+  const bool takes_axes = action_axes || block_.code(GGroup::length) == 431 || block_.code(GGroup::rotation) == 680;
+  if (axes && !takes_axes && motion_code == Block::none && modes_.motion == 800)
+    refuse("axis words, but no G code in force that uses them");
+  if (takes_axes && motion_code != Block::none && motion_code != 800)
+    refuse("{} and another G code both want the axis words", g_name(motion_code));
+  if (motion_code == 800 && axes && !takes_axes) refuse("G80 has no use for axis words");
+  const int used = motion_code != Block::none ? motion_code : axes && !takes_axes ? modes_.motion : 800;
+  const bool cycle = used >= 730 && used <= 890 && used != 800 && used != 760;
+  const bool arc = used == 20 || used == 30;
+  const int m_io = block_.code(MGroup::in_out), m_stop = block_.code(MGroup::stop), m_override = block_.code(MGroup::override_);
+  const int compensation = block_.code(GGroup::compensation), length = block_.code(GGroup::length);
+  const bool user = block_.code(MGroup::user) != Block::none;
+  const auto need = [&](char letter, bool use) {
+    if (block_.has(letter) && !use) refuse("nothing in the block uses its {} word", static_cast<char>(letter - 32));
+  };
+  need('d', compensation != Block::none || block_.code(GGroup::spindle_mode) == 960);
+  need('e', used == 760 || (m_io >= 66 && m_io <= 68));
+  need('h', length == 430 || length == 432 || length == 434 || used == 760);
+  need('i', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
+  need('j', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
+  need('k', arc || used == 330 || used == 331 || used == 760 || used == 870);
+  need('l', cycle || action == 100 || compensation != Block::none || used == 52 || used == 760 || m_io == 66 || m_stop == 98);
+  need('p', arc || cycle || action == 40 || action == 100 || used == 50 || used == 52 || used == 760 ||
+                block_.code(GGroup::path) == 640 || m_override >= 50 || m_io != Block::none || m_stop == 98 || user ||
+                block_.code(MGroup::spindle) == 19);
+  need('q', used == 50 || used == 730 || used == 760 || used == 830 || used == 870 || block_.code(GGroup::path) == 640 || user ||
+                (m_io >= 66 && m_io <= 68) || action == 100 || block_.code(MGroup::tool) == 61 ||
+                block_.code(MGroup::spindle) == 19);
+  need('r', arc || cycle || used == 760 || action == 100 || block_.code(MGroup::spindle) == 19 ||
+                block_.code(GGroup::rotation) == 680);
+  if (block_.machine_coordinates && ((used != 0 && used != 10) || takes_axes)) {
+    if (axes || motion_code != Block::none) refuse("G53 goes with G0 and G1 only");
+  }
+}
+
+void Interpreter::set_feed_mode() {
+  const int code = block_.code(GGroup::feed_mode);
+  if (code != modes_.feed_mode) modes_.feed = 0;  // the number means something else now
+  modes_.feed_mode = code;
+}
+
+void Interpreter::set_feed() {
+  const double feed = block_['f'];
+  if (feed < 0) refuse("F{} is below 0", feed);
+  modes_.feed = feed;
+  const int units = block_.code(GGroup::units);
+  modes_.feed_unit = units == 200 ? 25.4 : units == 210 ? 1 : unit();
+}
+
+void Interpreter::set_speed() {
+  if (block_.has('s') && !(block_.code(GGroup::action) == 40 && !block_.has('p'))) {
+    const double speed = block_['s'];
+    if (speed < 0) refuse("S{} is below 0", speed);
+    modes_.speed = speed;
+  }
+  const int code = block_.code(GGroup::spindle_mode);
+  if (code == Block::none) return;
+  if (!block_.has('s') && code == 960) refuse("{} needs S", g_name(code));
+  modes_.constant_surface = code == 960;
+  modes_.most_speed = 0;
+  if (code == 960 && block_.has('d')) {
+    modes_.most_speed = block_['d'];
+    if (modes_.most_speed <= 0) refuse("G96 with D{}: the greatest speed must be above 0", modes_.most_speed);
+  }
+}
+
+const ToolEntry& Interpreter::tool_entry(int tool) const {
+  static const ToolEntry nothing;
+  const auto found = options_.tools.find(tool);
+  if (found != options_.tools.end()) return found->second;
+  if (tool == 0) return nothing;
+  refuse("tool {} is not in the tool table", tool);
+}
+
+void Interpreter::select_tool() {
+  const int tool = whole(block_['t']);
+  if (tool < 0) refuse("T{} is below 0", tool);
+  if (tool != 0 && !options_.tools.contains(tool))
+    notes_.add(flow_.line(), fmt::format("tool {} is not in the tool table", tool));
+  selected_tool_ = tool;
+}
+
+void Interpreter::change_tool() {
+  no_compensation("M6");
+  tool_ = selected_tool_;
+  modes_.spindle = 0;
+  Motion motion = stamped(Motion::Kind::tool_change);
+  motion.end = at_;
+  give(motion);
+}
+
+void Interpreter::set_spindle() {
+  const int code = block_.code(MGroup::spindle);
+  if (code == 3) modes_.spindle = 1;
+  if (code == 4) modes_.spindle = -1;
+  if (code == 5 || code == 19) modes_.spindle = 0;
+}
+
+void Interpreter::do_modal_m() {
+  const int tool = block_.code(MGroup::tool);
+  if (tool == 6) change_tool();
+  if (tool == 61) {
+    if (!block_.has('q')) refuse("M61 needs Q, the tool's number");
+    const int number = whole(block_['q']);
+    if (number < 0) refuse("M61 with Q{}, which is below 0", number);
+    tool_ = number;
+    Motion motion = stamped(Motion::Kind::tool_change);
+    motion.end = at_;
+    give(motion);
+  }
+  set_spindle();
+  if (const int code = block_.code(MGroup::coolant); code != Block::none) {
+    modes_.mist = code == 7 || (code == 8 && modes_.mist);
+    modes_.flood = code == 8 || (code == 7 && modes_.flood);
+  }
+  if (const int code = block_.code(MGroup::override_); code == 48 || code == 49)
+    modes_.feed_override = modes_.speed_override = code == 48;
+  if (const int code = block_.code(MGroup::in_out); code != Block::none) {
+    if (code == 66)
+      notes_.add(flow_.line(), "M66 waits for an input: it is taken as not there (#5399 is -1)");
+    else
+      notes_.add(flow_.line(), fmt::format("M{} sets an output: passed over", code));
+  }
+  switch (block_.code(MGroup::state)) {
+    case 70: save_state(false); break;
+    case 71: saved_.reset(); break;
+    case 72:
+      if (!saved_) refuse("M72 where M70 has saved nothing");
+      restore_state(*saved_);
+      break;
+    case 73: save_state(true); break;
+    default: break;
+  }
+  control_mode();
+  user_m();
+}
+
+void Interpreter::control_mode() {
+  const int code = block_.code(MGroup::kinematics);
+  if (code == Block::none) return;
+  no_compensation("a change of kinematics");
+  mode_ = code == 428 ? ControlMode::tip : code == 429 ? ControlMode::axes : ControlMode::user;
+  tip_by_length_ = false;
+}
+
+void Interpreter::user_m() {
+  if (const int code = block_.code(MGroup::user); code != Block::none)
+    notes_.add(flow_.line(), fmt::format("M{} has no meaning here: passed over", code));
+}
+
+void Interpreter::save_state(bool restore_on_return) {
+  if (!restore_on_return) {
+    saved_ = modes_;
+  } else if (flow_.in_program()) {
+    notes_.add(flow_.line(), "M73 outside of a subroutine does nothing");
+  } else if (saved_in_calls_.empty() || saved_in_calls_.back().depth != flow_.depth()) {
+    saved_in_calls_.push_back({flow_.depth(), modes_});
+  }
+}
+
+void Interpreter::restore_state(const Modes& saved) {
+  if (compensation_.side != 0) refuse("modes cannot be restored while cutter compensation is on");
+  const int motion = modes_.motion;
+  change_frame([&] {
+    modes_ = saved;
+    parameters_.stored(number::coordinate_system) = saved.system;
+    read_system();
+    frame_.tool = saved.tool_offset;
+  });
+  modes_.motion = motion;
+}
+
+void Interpreter::set_units() { modes_.inch = block_.code(GGroup::units) == 200; }
+
+void Interpreter::set_plane() {
+  const int code = block_.code(GGroup::plane);
+  const ArcPlane plane = code == 170 ? ArcPlane::xy : code == 180 ? ArcPlane::zx : ArcPlane::yz;
+  if (plane != modes_.plane) no_compensation("a change of plane");
+  modes_.plane = plane;
+}
+
+void Interpreter::dwell(double seconds) {
+  if (seconds < 0) refuse("a dwell of {} seconds", seconds);
+  Motion motion = stamped(Motion::Kind::dwell);
+  motion.end = at_;
+  motion.seconds = seconds;
+  give(motion);
+}
+
+void Interpreter::do_stop() {
+  const int code = block_.code(MGroup::stop);
+  if (code == 0 || code == 1 || code == 60) {
+    Motion motion = stamped(Motion::Kind::stop);
+    motion.end = at_;
+    give(motion);
+  } else if (code == 2 || code == 30) {
+    end_program();
+  } else if (code == 98) {
+    if (!block_.has('p')) refuse("M98 needs P, the program's number");
+    const int repeats = block_.has('l') ? whole(block_['l']) : 1;
+    if (repeats < 0) refuse("M98 with L{}, which is below 0", repeats);
+    flow_.call_program(whole(block_['p']), repeats);
+  } else if (code == 99) {
+    if (!flow_.return_program()) {
+      notes_.add(flow_.line(), "M99 in the main program would begin it anew for ever: it ends here");
+      end_program();
+    }
+  }
+}
+
+void Interpreter::end_program() {
+  flush();
+  compensation_ = {};
+  Motion motion = stamped(Motion::Kind::end);
+  motion.end = at_;
+  give(motion);
+  finished_ = true;
+}
+
+double Interpreter::numbered(int number) const {
+  const double unit = this->unit();
+  if (number == number::tool) return tool_;
+  if (number >= 5401 && number <= 5403) return tool_entry(tool_).offset[number - 5401] / unit;
+  if (number == 5410) return tool_entry(tool_).diameter / unit;
+  if (number >= 5420 && number <= 5428) {
+    if (compensation_.side != 0) refuse("the position cannot be asked for while cutter compensation is on");
+    const auto axis = static_cast<std::size_t>(number - 5420);
+    return axis >= 3 && axis < 6 ? at_.at[axis] : at_.at[axis] / unit;
+  }
+  return 0;
+}
+
+std::optional<double> Interpreter::named(std::string_view name) const {
+  const auto flag = [](bool on) { return on ? 1.0 : 0.0; };
+  constexpr std::string_view axes = "xyzabcuvw";
+  if (name.size() == 2 && axes.find(name[1]) != std::string_view::npos)
+    return numbered(5420 + static_cast<int>(axes.find(name[1])));
+  if (name.size() == 6 && name.starts_with("_abs_") && axes.find(name[5]) != std::string_view::npos) {
+    const std::size_t axis = axes.find(name[5]);
+    const double value = frame_.axes(at_).at[axis];
+    return axis >= 3 && axis < 6 ? value : value / unit();
+  }
+  if (name == "_vmajor") return 2.9;
+  if (name == "_vminor") return 0;
+  if (name == "_line") return flow_.line();
+  if (name == "_motion_mode") return modes_.motion;
+  if (name == "_plane") return modes_.plane == ArcPlane::xy ? 170 : modes_.plane == ArcPlane::zx ? 180 : 190;
+  if (name == "_ccomp") return compensation_.side == 0 ? 400 : compensation_.side > 0 ? 410 : 420;
+  if (name == "_metric") return flag(!modes_.inch);
+  if (name == "_imperial") return flag(modes_.inch);
+  if (name == "_absolute") return flag(modes_.absolute);
+  if (name == "_incremental") return flag(!modes_.absolute);
+  if (name == "_inverse_time") return flag(modes_.feed_mode == 930);
+  if (name == "_units_per_minute") return flag(modes_.feed_mode == 940);
+  if (name == "_units_per_rev") return flag(modes_.feed_mode == 950);
+  if (name == "_coord_system") return modes_.system <= 6 ? 530 + 10 * modes_.system : 584 + modes_.system;
+  if (name == "_tool_offset") return flag(frame_.tool != AxisValues{});
+  if (name == "_retract_r_plane") return flag(!modes_.retract_to_start);
+  if (name == "_retract_old_z") return flag(modes_.retract_to_start);
+  if (name == "_spindle_rpm_mode") return flag(!modes_.constant_surface);
+  if (name == "_spindle_css_mode") return flag(modes_.constant_surface);
+  if (name == "_ijk_absolute_mode") return flag(modes_.arcs_absolute);
+  if (name == "_lathe_diameter_mode") return flag(modes_.diameter);
+  if (name == "_lathe_radius_mode") return flag(!modes_.diameter);
+  if (name == "_spindle_on") return flag(modes_.spindle != 0);
+  if (name == "_spindle_cw") return flag(modes_.spindle > 0);
+  if (name == "_mist") return flag(modes_.mist);
+  if (name == "_flood") return flag(modes_.flood);
+  if (name == "_feed_override") return flag(modes_.feed_override);
+  if (name == "_speed_override") return flag(modes_.speed_override);
+  if (name == "_adaptive_feed" || name == "_feed_hold" || name == "_task" || name == "_remap_level") return 0;
+  if (name == "_feed") return modes_.feed;
+  if (name == "_rpm") return modes_.speed;
+  if (name == "_current_tool") return tool_;
+  if (name == "_current_pocket") return tool_;
+  if (name == "_selected_tool" || name == "_selected_pocket") return selected_tool_;
+  if (name == "_value") return flow_.value();
+  if (name == "_value_returned") return flag(flow_.value_returned());
+  if (name == "_call_level") return static_cast<double>(flow_.depth());
+  if (name.starts_with("_hal[") || name.starts_with("_ini[")) {
+    const_cast<Notes&>(notes_).add(flow_.line(), fmt::format("#<{}> is 0: there is no such thing here", shown(name)));
+    return 0;
+  }
+  return std::nullopt;
+}
+
+}  // namespace gcode
+}  // namespace fieldfab::cam

@@ -1,0 +1,170 @@
+// Carries out blocks: modal state, offsets, motions.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <optional>
+
+#include "block.h"
+#include "flow.h"
+#include "frame.h"
+
+namespace fieldfab::cam::gcode {
+
+/// What stays in force from block to block, and M70 keeps.
+struct Modes {
+  int motion = 800;  ///< G code times ten; 800: none
+  ArcPlane plane = ArcPlane::xy;
+  bool absolute = true, arcs_absolute = false, inch = false, diameter = false, retract_to_start = true;
+  int feed_mode = 940;
+  int system = 1;  ///< of coordinates: 1 is G54
+  int path = 640;
+  double feed = 0;       ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
+  double feed_unit = 1;  ///< mm in the unit of length that F was given in
+  double speed = 0;      ///< the S word: revolutions per minute, or m/min under G96
+  int spindle = 0;       ///< 1 clockwise, -1 anticlockwise
+  bool constant_surface = false;
+  double most_speed = 0;  ///< G96 D
+  bool mist = false, flood = false, feed_override = true, speed_override = true;
+  AxisValues tool_offset;
+};
+
+/// What canned cycles keep from block to block. Lengths in the program's units, as they were given.
+struct CycleWords {
+  double r = 0, z = 0, p = 0, q = 0, i = 0, j = 0, k = 0;
+  double start = 0;  ///< where the third axis stood before the first of a row of cycles, mm
+};
+
+class Interpreter final : public PredefinedParameters {
+ public:
+  Interpreter(std::string_view text, const std::string& file, const ReadingOptions& options, const MotionSink& sink,
+              Progress& progress);
+  std::vector<ReadingNote> run();
+
+  [[nodiscard]] double numbered(int number) const override;
+  [[nodiscard]] std::optional<double> named(std::string_view name) const override;
+
+ private:
+  /// Compensation for the cutter's radius.
+  struct Compensation {
+    int side = 0;  ///< 1: left of the path (G41), -1: right, 0: off
+    double radius = 0;
+    bool entered = false;         ///< whether the entry move has been made
+    AxisValues programmed;        ///< where the path itself stands
+    Vec2 heading = Vec2::Zero();  ///< direction in which the path arrived there
+    std::deque<Motion> waiting;   ///< the last move, whose end depends on the next one, and what came after it
+  };
+
+  // interpreter.cpp: the blocks' loop and the order within a block
+  bool step();
+  void execute();
+  void check_words() const;
+  void set_feed_mode();
+  void set_feed();
+  void set_speed();
+  void select_tool();
+  void change_tool();
+  void set_spindle();
+  void set_units();
+  void set_plane();
+  void do_modal_m();
+  void do_stop();
+  void dwell(double seconds);
+  void end_program();
+  [[nodiscard]] const ToolEntry& tool_entry(int tool) const;
+  void control_mode();
+  void user_m();
+  void save_state(bool restore_on_return);
+  void restore_state(const Modes& saved);
+
+  // offsets.cpp: coordinate systems, length compensation, homes
+  void set_system(int system);
+  void read_system();
+  void set_length_compensation();
+  void action();
+  void set_data();
+  void go_home(int first);
+  void keep_home(int first);
+  void set_axis_offset();
+  void turn_program();
+  void change_frame(const std::function<void()>& change);
+  void no_compensation(const char* what) const;
+
+  // motions.cpp: straight moves and what all moves share
+  void motion();
+  [[nodiscard]] AxisValues target() const;
+  [[nodiscard]] AxisValues machine_target() const;
+  [[nodiscard]] double word(char letter) const;  ///< a word as it acts on its axis: mm or degrees
+  [[nodiscard]] double length(double value) const { return value * unit(); }
+  [[nodiscard]] double unit() const { return modes_.inch ? 25.4 : 1; }
+  void straight(const AxisValues& to);
+  void spindle_synchronous();
+  void probe(const AxisValues& to);
+  void require_feed() const;
+  /// Makes a motion of what is in force and hands it on (program coordinates: mm, degrees).
+  void move(Motion::Kind kind, const AxisValues& to, double length_along = -1);
+  void move_arc(const AxisValues& to, const Vec2& centre, int turns);
+  void give(Motion motion);
+  void send(Motion motion);
+  [[nodiscard]] Motion stamped(Motion::Kind kind) const;
+  void feed_of(Motion& motion, const AxisValues& from, double length_along) const;
+  [[nodiscard]] double spindle_at(const AxisValues& to) const;
+  void send_chords(const Motion& arc);
+
+  // arcs.cpp
+  void arc();
+  struct Circle {
+    Vec2 centre = Vec2::Zero();
+    int turns = 1;
+  };
+  [[nodiscard]] Circle circle(const Vec2& from, const Vec2& to) const;
+  static double arc_length(const Vec2& from, const Vec2& to, const Vec2& centre, int turns);
+
+  // splines.cpp
+  void spline();
+  void nurbs_point();
+  void nurbs_end();
+
+  // cycles.cpp, threads.cpp
+  void cycle();
+  void cycle_hole(const AxisValues& place, double r, double bottom, double clear);
+  void thread();
+
+  // compensation.cpp
+  void set_compensation();
+  void compensated_straight(Motion::Kind kind, const AxisValues& to);
+  void compensated_arc(const AxisValues& to, const Circle& circle);
+  void flush();
+
+  ReadingOptions options_;
+  MotionSink sink_;
+  Progress& progress_;
+  Notes notes_;
+  Parameters parameters_;
+  Flow flow_;
+  BlockReader reader_;
+  Line line_;
+  Block block_;
+
+  Modes modes_;
+  Frame frame_;
+  AxisValues at_;    // where the program stands: mm, degrees
+  AxisValues sent_;  // where the last motion that was handed on ended
+  Compensation compensation_;
+  CycleWords cycle_;
+  int tool_ = 0, selected_tool_ = 0;
+  ControlMode mode_ = ControlMode::machine;
+  bool tip_by_length_ = false;  // G43.4 is in force
+  bool delimited_ = false, finished_ = false, ended_with_mark_ = false, begun_ = false;
+  std::optional<Modes> saved_;
+  struct SavedInCall {
+    std::size_t depth;
+    Modes modes;
+  };
+  std::vector<SavedInCall> saved_in_calls_;
+  std::vector<std::array<double, 3>> control_points_;  // G5.2: x, y, weight
+  int nurbs_order_ = 0;
+  std::optional<Vec2> last_control_;  // G5: of the last cubic, for the next one
+};
+
+}  // namespace fieldfab::cam::gcode

@@ -1,0 +1,66 @@
+// The parameters of a G-code program: #1 to #5602, #<local>, #<_global>, and those that tell where the interpreter stands.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fieldfab::cam::gcode {
+
+/// Answers for parameters that are not stored but follow from the interpreter's state.
+class PredefinedParameters {
+ public:
+  virtual ~PredefinedParameters() = default;
+  /// #5400 to #5413 and #5420 to #5428.
+  [[nodiscard]] virtual double numbered(int number) const = 0;
+  /// Names such as "_x" or "_metric", in lower case; nothing where there is none of that name.
+  [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
+};
+
+/// Numbers of the stored parameters that mean something.
+namespace number {
+constexpr int probe_result = 5061, probe_success = 5070, first_home = 5161, second_home = 5181, offset_active = 5210,
+              axis_offset = 5211, coordinate_system = 5220, first_system = 5221, input_value = 5399, tool = 5400, count = 5603;
+/// Where the coordinate system `index` (1 is G54, 9 is G59.3) begins: nine axes, then the rotation about z.
+constexpr int system_start(int index) { return first_system + 20 * (index - 1); }
+}  // namespace number
+
+/// All parameters of one run. Functions refuse() numbers and names that there are not.
+class Parameters {
+ public:
+  explicit Parameters(const PredefinedParameters& predefined) : predefined_(predefined) {}
+
+  [[nodiscard]] double get(int parameter) const;
+  void set(int parameter, double value);
+  /// Stored ones only, for the interpreter itself.
+  double& stored(int parameter) { return numbered_[static_cast<std::size_t>(parameter)]; }
+  [[nodiscard]] double stored(int parameter) const { return numbered_[static_cast<std::size_t>(parameter)]; }
+
+  [[nodiscard]] std::optional<double> find(std::string_view name) const;
+  [[nodiscard]] double get(std::string_view name) const;
+  void set(std::string_view name, double value);
+
+  /// A subroutine begins: #1 and on take the arguments and, where there are any of them, the rest up to #30 are kept; its
+  /// locals are its own.
+  void enter(const std::vector<double>& arguments);
+  /// It ends: #1 to #30 and the locals are again as they were.
+  void leave();
+  [[nodiscard]] std::size_t depth() const { return frames_.size(); }
+
+ private:
+  using Names = std::map<std::string, double, std::less<>>;
+  struct Frame {
+    std::array<double, 31> numbered{};
+    Names names;
+  };
+
+  const PredefinedParameters& predefined_;
+  std::array<double, number::count> numbered_{};
+  Names globals_, locals_;
+  std::vector<Frame> frames_;
+};
+
+}  // namespace fieldfab::cam::gcode

@@ -1,0 +1,166 @@
+/// Simulating a program on a stock: what it leaves, and what goes wrong on the way (docs/simulation.md).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fieldfab/cam/machine.h"
+#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/tool.h"
+#include "fieldfab/core/progress.h"
+#include "fieldfab/field/field.h"
+
+namespace fieldfab::cam {
+
+/// How rapids go from place to place.
+enum class RapidWay : std::uint8_t {
+  straight,  ///< all axes arrive together
+  dog_leg,   ///< each axis at its own speed until it is there
+};
+
+/// How the part lies in the machine: a program's coordinates p are the part's rotation * p + origin.
+struct Placement {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vec3 origin = Vec3::Zero();
+};
+
+/// What the operator does when a program stops (M0).
+struct StopAction {
+  int tool = 0;                        ///< puts this one in; 0: none
+  std::optional<Placement> placement;  ///< turns the part
+};
+
+/// Everything about a simulation but the program.
+struct SimulationSetup {
+  std::string name;
+  std::string file;  ///< where it was read from, for messages
+  Machine machine;   ///< its kinematics, speeds and units of files
+  std::map<int, Tool> tools;
+  Box stock_box;     ///< of the material, in the part's coordinates, mm
+  FieldPtr stock;    ///< its shape; null: all of the box
+  FieldPtr fixture;  ///< null: none
+  Box fixture_box;
+  FieldPtr target;   ///< what should come out; null: not known
+  double gouge = 0.05;    ///< how deep a cut into the target is one, mm
+  double excess = 0;      ///< how much may be left over it, mm; 0: any amount
+  double touch = 0.02;    ///< contacts of less than this depth are none, mm
+  double floor = -1e300;  ///< deviations below this height do not count, mm: what the next set-up will cut
+  Vec3 zero = Vec3::Zero();  ///< machine coordinates of the part's zero
+  std::array<AxisValues, 9> work_offsets{};
+  AxisValues start;
+  std::array<std::array<double, 2>, 9> limits;  ///< of each axis, mm or radians
+  RapidWay rapid_way = RapidWay::straight;
+  Placement placement;             ///< how the part lies at first
+  std::vector<StopAction> stops;   ///< what is done at each of the program's stops, in their order
+  StockSettings sampling;
+  SimulationSetup();
+};
+
+/// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE, io.
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none());
+
+/// Something that should not happen.
+struct SimulationEvent {
+  enum class Kind : std::uint8_t {
+    rapid_contact,    ///< a rapid goes through material
+    shank_contact,    ///< the shank meets material
+    holder_contact,   ///< the holder meets material
+    fixture_contact,  ///< any part of the tool meets a fixture
+    over_travel,      ///< an axis leaves its limits
+    spindle_stopped,  ///< material is cut while the spindle stands
+    gouge,            ///< less is left than the target
+    excess,           ///< more is left than allowed
+  };
+  Kind kind = Kind::rapid_contact;
+  int line = 0;  ///< of the program
+  int tool = 0;
+  Vec3 place = Vec3::Zero();  ///< part coordinates
+  double amount = 0;          ///< mm of depth, mm^3 of material, or mm (radians) beyond a limit, by its kind
+  std::string message;
+};
+/// "rapid contact" and so on.
+std::string to_string(SimulationEvent::Kind kind);
+
+/// What one line of a program did.
+struct LineRecord {
+  int line = 0;
+  double removed = 0;   ///< mm^3
+  double seconds = 0;
+  double cut = 0, air = 0;  ///< mm of feed with and without material
+};
+
+/// How a finished stock differs from its target.
+struct Deviation {
+  double deepest = 0, highest = 0;             ///< gouge and excess at their worst, mm; neither below 0
+  double mean = 0, root_mean_square = 0;       ///< of signed distances, weighed by area, mm
+  std::vector<float> at_vertex;                ///< signed: above 0 where material is left over
+  double histogram_from = 0, histogram_to = 0; ///< mm
+  std::vector<double> histogram;               ///< mm^2 of surface in even steps
+};
+/// Signed distances of a mesh's vertices from a solid; `places` of its coordinates below `floor` count as 0.
+Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double floor, Progress& progress = Progress::none());
+
+struct SimulationReport {
+  std::vector<SimulationEvent> events;
+  std::vector<ReadingNote> notes;
+  std::vector<LineRecord> lines;  ///< in the order in which lines were first carried out
+  std::optional<Deviation> deviation;
+  std::uint64_t moves = 0, poses = 0;
+  double seconds = 0, rapid_seconds = 0;
+  double removed = 0, left = 0;          ///< mm^3
+  double cut = 0, air = 0, rapid = 0;    ///< mm
+  StockStatistics stock;
+  [[nodiscard]] bool good() const { return events.empty(); }
+  /// Share of the feed that meets no material, from 0 to 1.
+  [[nodiscard]] double air_share() const { return cut + air > 0 ? air / (cut + air) : 0; }
+};
+
+/// A program being carried out on a stock.
+class Simulation {
+ public:
+  explicit Simulation(SimulationSetup setup, Progress& progress = Progress::none());
+
+  /// Called every so many seconds of machining, for pictures: with the stock as it is then, the tool's pose and the line.
+  struct Frame {
+    const Stock& stock;
+    ToolPose pose;
+    const ToolSolid* tool;
+    int line;
+    double seconds;
+  };
+  using FrameListener = std::function<void(const Frame&)>;
+  void on_frame(double seconds, FrameListener listener) { frame_step_ = seconds, frame_listener_ = std::move(listener); }
+
+  /// Carries out a program file: G-code, .sbp, .rml or .hpgl, by the set-up's machine or its extension. Throws bad_input with
+  /// FILE:LINE, io, cancelled.
+  void run(const std::filesystem::path& program, Progress& progress = Progress::none());
+  /// Compares with the target, where there is one; adds gouges and excess to the events. Gives the surface with deviations.
+  void finish(Progress& progress = Progress::none());
+
+  [[nodiscard]] const Stock& stock() const { return stock_; }
+  [[nodiscard]] const SimulationSetup& setup() const { return setup_; }
+  [[nodiscard]] const SimulationReport& report() const { return report_; }
+  /// Of the finished stock; after finish().
+  [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
+  /// The program's line that made each vertex; 0 where it is the stock's first surface.
+  [[nodiscard]] const std::vector<int>& lines_of_vertices() const { return vertex_lines_; }
+
+ private:
+  friend class SimulationRun;
+  SimulationSetup setup_;
+  Stock stock_;
+  std::optional<Stock> fixture_;
+  SimulationReport report_;
+  std::vector<int> line_of_cut_{0};
+  TriangleMesh mesh_;
+  std::vector<int> vertex_lines_;
+  double frame_step_ = 0;
+  FrameListener frame_listener_;
+};
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fieldfab/cam/simulation.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab::cam {
+namespace {
+
+/// Signed distances of points from a solid: value by slope, made better by walking to the surface and measuring the way. Exact where the
+/// Field is a distance, second order near the surface of any smooth one.
+void signed_distances(const Field& target, const std::array<float, 3>* points, std::size_t count, float* out) {
+  std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
+  for (std::size_t i = 0; i < count; ++i) x[i] = points[i][0], y[i] = points[i][1], z[i] = points[i][2];
+  for (int step = 0; step < 4; ++step) {
+    target.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
+    if (step == 0) first = value;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double square = static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i];
+      if (!(square > 1e-12) || !std::isfinite(square) || !std::isfinite(value[i])) continue;
+      const double way = value[i] / square;
+      x[i] -= static_cast<float>(way * dx[i]), y[i] -= static_cast<float>(way * dy[i]), z[i] -= static_cast<float>(way * dz[i]);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const double a = x[i] - points[i][0], b = y[i] - points[i][1], c = z[i] - points[i][2];
+    const double way = std::sqrt(a * a + b * b + c * c);
+    out[i] = static_cast<float>(std::copysign(way, first[i]));
+  }
+}
+
+}  // namespace
+
+Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double floor, Progress& progress) {
+  Deviation result;
+  const std::size_t count = mesh.vertices.size();
+  result.at_vertex.resize(count);
+  constexpr std::size_t block = 4096;
+  parallel_for((count + block - 1) / block, [&](std::size_t b) {
+    progress.check();
+    const std::size_t first = b * block, length = std::min(block, count - first);
+    signed_distances(target, &mesh.vertices[first], length, &result.at_vertex[first]);
+  });
+  for (std::size_t i = 0; i < count; ++i)
+    if (mesh.vertices[i][2] < floor) result.at_vertex[i] = 0;
+  double area = 0, sum = 0, squares = 0;
+  for (const float d : result.at_vertex) {
+    result.deepest = std::max(result.deepest, -static_cast<double>(d));
+    result.highest = std::max(result.highest, static_cast<double>(d));
+  }
+  result.histogram_from = -result.deepest, result.histogram_to = result.highest;
+  constexpr std::size_t bins = 64;
+  result.histogram.assign(bins, 0);
+  const double range = std::max(result.histogram_to - result.histogram_from, 1e-12);
+  for (const auto& t : mesh.triangles) {
+    std::array<Vec3, 3> p;
+    double mean = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = {mesh.vertices[t[i]][0], mesh.vertices[t[i]][1], mesh.vertices[t[i]][2]};
+      mean += result.at_vertex[t[i]] / 3.0;
+    }
+    const Vec3 a = p[1] - p[0], b = p[2] - p[0];
+    const double part = 0.5 * Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()).norm();
+    area += part, sum += part * mean, squares += part * mean * mean;
+    const double bin = (mean - result.histogram_from) / range * bins;
+    result.histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, bins - 1.0))] += part;
+  }
+  if (area > 0) result.mean = sum / area, result.root_mean_square = std::sqrt(squares / area);
+  return result;
+}
+
+}  // namespace fieldfab::cam
