@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "good_bad.h"
+#include "rows.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -108,10 +109,10 @@ void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet&
 Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice) {
   Points points{cell.region.first(cell.axis), cell.region.last(cell.axis)};
   if (cell.content != Cell::Content::columns) return points;
-  const float upper = cell.upper[column].at;
+  const float upper = cell.upper.at[column];
   if (upper != beyond) points.last = upper == -beyond ? points.first - 1 : std::min(points.last, lattice.below(cell.axis, upper));
-  if (!cell.lower.empty() && cell.lower[column].at != -beyond)
-    points.first = std::max(points.first, lattice.above(cell.axis, cell.lower[column].at));
+  if (!cell.lower.empty() && cell.lower.at[column] != -beyond)
+    points.first = std::max(points.first, lattice.above(cell.axis, cell.lower.at[column]));
   return points;
 }
 
@@ -128,19 +129,26 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
                to_mm = lattice.at(axis, high) + (high < cells_a ? half : 0);
   bool representable = true;
   const bool columns = cell.content == Cell::Content::columns;
-  for (int v = std::max(window.v0, r.first(va)); v <= std::min(window.v1, r.last(va)); ++v)
-    for (int u = std::max(window.u0, r.first(ua)); u <= std::min(window.u1, r.last(ua)); ++u) {
-      const std::size_t at = window.index(u, v);
+  const int first_u = std::max(window.u0, r.first(ua)), count_u = std::min(window.u1, r.last(ua)) - first_u + 1;
+  if (count_u <= 0) return true;
+  thread_local std::vector<std::uint8_t> flags;
+  flags.resize(static_cast<std::size_t>(count_u) + 8);
+  for (int v = std::max(window.v0, r.first(va)); v <= std::min(window.v1, r.last(va)); ++v) {
+    const std::size_t row = window.index(first_u, v);
+    const float* const tops = columns ? &cell.upper.at[cell.column(first_u, v)] : nullptr;
+    if (!flag_contacts(&window.entry[row], &window.exit[row], tops, count_u, flags.data())) continue;
+    for_each_flag(flags.data(), count_u, [&](int i) {
+      const int u = first_u + i;
+      const std::size_t at = row + static_cast<std::size_t>(i);
       const float a = window.entry[at], b = window.exit[at];
-      if (a > b) continue;
       const std::size_t column = cell.column(u, v);
       const Sample upper = columns ? cell.upper[column] : Sample{beyond, 0};
       const Sample lower = columns && !cell.lower.empty() ? cell.lower[column] : Sample{-beyond, 0};
-      if (a >= upper.at || b <= lower.at) continue;
+      if (a >= upper.at || b <= lower.at) return;
       const int k0 = from(lattice, axis, a), k1 = up_to(lattice, axis, b);
-      if (k0 > k1 || k0 > high + 1 || k1 < low - 1) continue;
+      if (k0 > k1 || k0 > high + 1 || k1 < low - 1) return;
       const Points points = columns ? solid_points(cell, column, lattice) : Points{low, high};
-      if (points.first > points.last) continue;
+      if (points.first > points.last) return;
       const bool below = points.first<k0, above = points.last> k1;
       const double length = std::min({static_cast<double>(b), static_cast<double>(upper.at), to_mm}) -
                             std::max({static_cast<double>(a), static_cast<double>(lower.at), from_mm});
@@ -163,7 +171,8 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
       } else {
         changes.push_back({column, {-beyond, 0}, {-beyond, 0}});
       }
-    }
+    });
+  }
   return representable;
 }
 
@@ -174,18 +183,41 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
   const Window& window = windows.along(axis);
   const bool columns = cell.content == Cell::Content::columns;
   const float cell_low = lattice.at(axis, r.first(axis)), cell_high = lattice.at(axis, r.last(axis));
-  for (int v = std::max(window.v0, r.first(va) - 1); v <= std::min(window.v1, r.last(va) + 1); ++v)
-    for (int u = std::max(window.u0, r.first(ua) - 1); u <= std::min(window.u1, r.last(ua) + 1); ++u) {
-      const std::size_t at = window.index(u, v);
+  const int first_u = std::max(window.u0, r.first(ua) - 1), count_u = std::min(window.u1, r.last(ua) + 1) - first_u + 1;
+  const int first_v = std::max(window.v0, r.first(va) - 1), last_v = std::min(window.v1, r.last(va) + 1);
+  if (count_u <= 0 || first_v > last_v) return;
+  // The tops of the columns in three rows at a time, with one more at both ends; nothing outside of the cell.
+  thread_local std::vector<float> tops;
+  thread_local std::vector<std::uint8_t> flags;
+  const auto stride = static_cast<std::size_t>(count_u) + 2;
+  tops.assign(3 * stride, -beyond);
+  flags.resize(static_cast<std::size_t>(count_u) + 8);
+  const auto load = [&](int v) {
+    float* const row = &tops[static_cast<std::size_t>((v + 3) % 3) * stride];
+    std::fill(row, row + stride, -beyond);
+    if (v < r.first(va) || v > r.last(va)) return;
+    const int from_u = std::max(first_u - 1, r.first(ua)), to_u = std::min(first_u + count_u, r.last(ua));
+    for (int u = from_u; u <= to_u; ++u) row[u - first_u + 1] = columns ? cell.upper.at[cell.column(u, v)] : beyond;
+  };
+  load(first_v - 1), load(first_v);
+  for (int v = first_v; v <= last_v; ++v) {
+    load(v + 1);
+    const std::size_t row = window.index(first_u, v);
+    const float* const around[3] = {&tops[static_cast<std::size_t>((v + 2) % 3) * stride], &tops[static_cast<std::size_t>((v + 3) % 3) * stride],
+                                    &tops[static_cast<std::size_t>((v + 4) % 3) * stride]};
+    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u, flags.data())) continue;
+    for_each_flag(flags.data(), count_u, [&](int i) {
+      const int u = first_u + i;
+      const std::size_t at = row + static_cast<std::size_t>(i);
       const float a = window.entry[at], b = window.exit[at];
-      if (a > b || a > cell_high || b < cell_low) continue;
+      if (a > cell_high || b < cell_low) return;
       int k0 = 0, k1 = -1;
       for (int side = 0; side < 4; ++side) {
         const bool along_u = side < 2, after = side % 2;  // the neighbour comes after the column
         const int pu = u + (along_u ? (after ? 1 : -1) : 0), pv = v + (along_u ? 0 : (after ? 1 : -1));
         if (pu < r.first(ua) || pu > r.last(ua) || pv < r.first(va) || pv > r.last(va)) continue;
         const std::size_t column = cell.column(pu, pv);
-        if (columns && (cell.upper[column].at <= a || (!cell.lower.empty() && cell.lower[column].at >= b))) continue;
+        if (columns && (cell.upper.at[column] <= a || (!cell.lower.empty() && cell.lower.at[column] >= b))) continue;
         float covered_from = beyond, covered_to = -beyond;
         if (window.has(pu, pv)) {
           const std::size_t other = window.index(pu, pv);
@@ -221,7 +253,8 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
             samples_.keep_lower(SampleMap::key(p, d, region_), {place, stroke.cut});
         }
       }
-    }
+    });
+  }
 }
 
 void Brick::commit(Cell& cell, const std::vector<Change>& changes) const {
@@ -230,12 +263,12 @@ void Brick::commit(Cell& cell, const std::vector<Change>& changes) const {
                             static_cast<std::size_t>(cell.region.count(axis_v(cell.axis)));
   if (cell.content == Cell::Content::solid) {
     cell.content = Cell::Content::columns;
-    cell.upper.assign(count, {beyond, 0});
+    cell.upper.assign(count, beyond);
   }
   for (const Change& change : changes) {
-    cell.upper[change.column] = change.upper;
-    if (change.lower.at != -beyond && cell.lower.empty()) cell.lower.assign(count, {-beyond, 0});
-    if (!cell.lower.empty()) cell.lower[change.column] = change.lower;
+    cell.upper.put(change.column, change.upper);
+    if (change.lower.at != -beyond && cell.lower.empty()) cell.lower.assign(count, -beyond);
+    if (!cell.lower.empty()) cell.lower.put(change.column, change.lower);
   }
 }
 
@@ -288,8 +321,8 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
       if (points.first > points.last) continue;
       // What the columns held becomes samples like all others.
       if (cell.content == Cell::Content::columns) {
-        if (cell.upper[column].at != beyond) keep(u, v, points.last, true, cell.upper[column]);
-        if (!cell.lower.empty() && cell.lower[column].at != -beyond) keep(u, v, points.first, false, cell.lower[column]);
+        if (cell.upper.at[column] != beyond) keep(u, v, points.last, true, cell.upper[column]);
+        if (!cell.lower.empty() && cell.lower.at[column] != -beyond) keep(u, v, points.first, false, cell.lower[column]);
       }
       if (!window.has(u, v)) continue;
       const std::size_t at = window.index(u, v);
@@ -368,7 +401,7 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
   cell.axis = static_cast<std::int8_t>(axis);
   cell.facing = facing;
   const std::size_t count = static_cast<std::size_t>(r.count(ua)) * static_cast<std::size_t>(r.count(va));
-  cell.upper.assign(count, {beyond, 0});
+  cell.upper.assign(count, beyond);
   cell.lower.clear();
   for (int v = r.first(va); v <= r.last(va); ++v)
     for (int u = r.first(ua); u <= r.last(ua); ++u) {
@@ -377,22 +410,22 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
         if (solid.at(point_of(axis, u, v, k))) first = std::min(first, k), last = k;
       const std::size_t column = cell.column(u, v);
       if (first > last) {
-        cell.upper[column] = {-beyond, 0};
+        cell.upper.at[column] = -beyond;
         continue;
       }
       if (last < r.last(axis)) {
         const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, last), axis, region_));
-        cell.upper[column] = kept ? *kept : Sample{lattice.at(axis, last + 1), 0};
+        cell.upper.put(column, kept ? *kept : Sample{lattice.at(axis, last + 1), 0});
         // The end must lie above its point, whatever was rounded.
-        if (cell.upper[column].at <= lattice.at(axis, last))
-          cell.upper[column].at = std::nextafter(lattice.at(axis, last), beyond);
+        if (cell.upper.at[column] <= lattice.at(axis, last))
+          cell.upper.at[column] = std::nextafter(lattice.at(axis, last), beyond);
       }
       if (first > r.first(axis)) {
-        if (cell.lower.empty()) cell.lower.assign(count, {-beyond, 0});
+        if (cell.lower.empty()) cell.lower.assign(count, -beyond);
         const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, first - 1), axis, region_));
-        cell.lower[column] = kept ? *kept : Sample{lattice.at(axis, first - 1), 0};
-        if (cell.lower[column].at >= lattice.at(axis, first))
-          cell.lower[column].at = std::nextafter(lattice.at(axis, first), -beyond);
+        cell.lower.put(column, kept ? *kept : Sample{lattice.at(axis, first - 1), 0});
+        if (cell.lower.at[column] >= lattice.at(axis, first))
+          cell.lower.at[column] = std::nextafter(lattice.at(axis, first), -beyond);
       }
     }
 }
@@ -437,7 +470,7 @@ bool Brick::solid(const Index3& point, const StockLattice& lattice) const {
   const std::size_t column =
       cell.column(point[static_cast<std::size_t>(axis_u(cell.axis))], point[static_cast<std::size_t>(axis_v(cell.axis))]);
   const float at = lattice.at(cell.axis, point[static_cast<std::size_t>(cell.axis)]);
-  return at < cell.upper[column].at && (cell.lower.empty() || at > cell.lower[column].at);
+  return at < cell.upper.at[column] && (cell.lower.empty() || at > cell.lower.at[column]);
 }
 
 Sample Brick::sample(const Index3& point, int axis, bool upwards, const StockLattice& lattice) const {
@@ -478,8 +511,8 @@ double Brick::volume(const StockLattice& lattice) const {
         double from = low, to = high;
         if (cell.content == Cell::Content::columns) {
           const std::size_t column = cell.column(u, v);
-          to = std::min(to, static_cast<double>(cell.upper[column].at));
-          if (!cell.lower.empty()) from = std::max(from, static_cast<double>(cell.lower[column].at));
+          to = std::min(to, static_cast<double>(cell.upper.at[column]));
+          if (!cell.lower.empty()) from = std::max(from, static_cast<double>(cell.lower.at[column]));
         }
         const double share = (u == 0 || u == lattice.cells()[static_cast<std::size_t>(ua)] ? 0.5 : 1) *
                              (v == 0 || v == lattice.cells()[static_cast<std::size_t>(va)] ? 0.5 : 1);
@@ -499,10 +532,10 @@ void Brick::count(StockStatistics& statistics) const {
       ++statistics.splits;
     else
       ++statistics.cells;
-    statistics.bytes += (cell.upper.capacity() + cell.lower.capacity()) * sizeof(Sample);
+    statistics.bytes += cell.upper.bytes() + cell.lower.bytes();
     for (const auto* ends : {&cell.upper, &cell.lower})
       statistics.column_samples += static_cast<std::uint64_t>(
-          std::count_if(ends->begin(), ends->end(), [](const Sample& s) { return std::isfinite(s.at); }));
+          std::count_if(ends->at.begin(), ends->at.end(), [](float at) { return std::isfinite(at); }));
   }
 }
 

@@ -199,7 +199,18 @@ struct Cell {
   std::int8_t facing = 0;            ///< 1: only upper ends vary, -1: only lower ones, 0: both may
   int plane = 0;                     ///< where it is split: the upper child's first point along the axis
   int children = 0;                  ///< index of the lower child; the upper one comes after it
-  std::vector<Sample> upper, lower;  ///< of each column, u fastest; `lower` is empty where all columns begin below the cell
+  /// Where each column ends and begins, u fastest; `lower` is empty where all columns begin below the cell.
+  struct Ends {
+    std::vector<float> at;
+    std::vector<std::uint32_t> cut;
+    [[nodiscard]] bool empty() const { return at.empty(); }
+    [[nodiscard]] Sample operator[](std::size_t i) const { return {at[i], cut[i]}; }
+    void put(std::size_t i, Sample sample) { at[i] = sample.at, cut[i] = sample.cut; }
+    void assign(std::size_t count, float value) { at.assign(count, value), cut.assign(count, 0); }
+    void clear() { at.clear(), cut.clear(); }
+    [[nodiscard]] std::size_t bytes() const { return at.capacity() * sizeof(float) + cut.capacity() * sizeof(std::uint32_t); }
+  };
+  Ends upper, lower;
 
   [[nodiscard]] std::size_t column(int u, int v) const {
     const int ua = (axis + 1) % 3, va = (axis + 2) % 3;

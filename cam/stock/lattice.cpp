@@ -16,23 +16,8 @@ StockLattice::StockLattice(const Box& box, double cell) : box_(box) {
     if (count > 2097152) throw Error(ErrorKind::too_large, "stock", fmt::format("{:.0f} cells along an axis", count));
     cells_[static_cast<std::size_t>(axis)] = std::max(1, static_cast<int>(count));
     spacing_[axis] = box.size()[axis] / cells_[static_cast<std::size_t>(axis)];
+    inverse_[axis] = 1 / spacing_[axis];
   }
-}
-
-int StockLattice::above(int axis, float coordinate) const {
-  const double k = std::clamp(static_cast<double>(coordinate) / spacing_[axis], -1e9, 1e9);
-  int guess = static_cast<int>(std::floor(k)) + 1;
-  while (at(axis, guess) <= coordinate && guess < 1'000'000'000) ++guess;
-  while (at(axis, guess - 1) > coordinate && guess > -1'000'000'000) --guess;
-  return guess;
-}
-
-int StockLattice::below(int axis, float coordinate) const {
-  const double k = std::clamp(static_cast<double>(coordinate) / spacing_[axis], -1e9, 1e9);
-  int guess = static_cast<int>(std::ceil(k)) - 1;
-  while (at(axis, guess) >= coordinate && guess > -1'000'000'000) --guess;
-  while (at(axis, guess + 1) < coordinate && guess < 1'000'000'000) ++guess;
-  return guess;
 }
 
 }  // namespace fieldfab::cam

@@ -188,11 +188,18 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         high[a] = static_cast<int>(std::clamp(last, 0.0, bricks_along_[a] - 1.0));
       }
       if (outside) continue;
+      const bool many = (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > 2;
       for (int z = low[2]; z <= high[2]; ++z)
         for (int y = low[1]; y <= high[1]; ++y)
           for (int x = low[0]; x <= high[0]; ++x) {
             const std::size_t brick = brick_index(x, y, z);
             if (bricks_[brick]->empty()) continue;
+            if (many) {
+              const Region& r = bricks_[brick]->region();
+              Vec3 lower, upper;
+              for (int a = 0; a < 3; ++a) lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
+              if (!sweeps[i]->near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h)) continue;
+            }
             if (near[brick].empty()) touched.push_back(brick);
             near[brick].push_back(static_cast<std::uint32_t>(i));
           }

@@ -137,6 +137,12 @@ void frustum_row(const Row& row, const Zone& zone) {
     frustum_row<Slant::downwards, true>(row, zone);
 }
 
+/// The greatest distance of a zone from its axis, or of a ball from its centre.
+double widest(const Zone& zone) {
+  if (zone.shape == Zone::Shape::frustum) return std::max(zone.r0, zone.r1);
+  return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
+}
+
 /// The box of a zone in a pose.
 Box box_of(const Zone& zone, const ToolPose& pose) {
   if (zone.shape == Zone::Shape::ball) {
@@ -176,6 +182,13 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
   const bool turns = (to.axis - from.axis).squaredNorm() > 1e-24;
   const bool moves = turns || (to.tip - from.tip).squaredNorm() > 1e-24;
   bool first = true;
+  double low = infinity, high = -infinity;
+  for (const Zone& zone : piece.zones) {
+    const bool frustum = zone.shape == Zone::Shape::frustum;
+    low = std::min(low, zone.z0), high = std::max(high, frustum ? zone.z1 : zone.z0);
+    radius_ = std::max(radius_, widest(zone));
+  }
+  core_ = {from.tip + low * from.axis, from.tip + high * from.axis, to.tip + low * to.axis, to.tip + high * to.axis};
   for (const Zone& zone : piece.zones) {
     for (const bool last : {false, true}) {
       if (last && !moves) break;
@@ -215,10 +228,44 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
 }
 
 void Sweep::add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  for (std::size_t i = 1; i < from.size(); ++i) {
-    triangles_.push_back({from[i - 1], from[i], to[i]});
-    triangles_.push_back({from[i - 1], to[i], to[i - 1]});
+  // In runs of a few, so that most can be passed over together.
+  constexpr std::size_t run = 8;
+  for (std::size_t begin = 1; begin < from.size(); begin += run) {
+    const std::size_t end = std::min(begin + run, from.size());
+    Strip strip{triangles_.size(), 0, {from[begin - 1], from[begin - 1]}};
+    for (std::size_t i = begin - 1; i < end; ++i) strip.box = hull(strip.box, {from[i].cwiseMin(to[i]), from[i].cwiseMax(to[i])});
+    for (std::size_t i = begin; i < end; ++i) {
+      triangles_.push_back({from[i - 1], from[i], to[i]});
+      triangles_.push_back({from[i - 1], to[i], to[i - 1]});
+    }
+    strip.last = triangles_.size();
+    strips_.push_back(strip);
   }
+}
+
+namespace {
+
+/// Distance of a place from a triangle, which may be degenerate.
+double distance_from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const auto from_segment = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 way = to - from;
+    const double square = way.squaredNorm(), t = square > 0 ? std::clamp((p - from).dot(way) / square, 0.0, 1.0) : 0;
+    return (p - from - t * way).norm();
+  };
+  const double edges = std::min({from_segment(a, b), from_segment(b, c), from_segment(c, a)});
+  const Vec3 normal = (b - a).cross(c - a);
+  const double square = normal.squaredNorm();
+  if (square < 1e-24) return edges;
+  const Vec3 q = p - normal * ((p - a).dot(normal) / square);
+  const bool inside = (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 && (a - c).cross(q - c).dot(normal) >= 0;
+  return inside ? (p - q).norm() : edges;
+}
+
+}  // namespace
+
+bool Sweep::near(const Vec3& place, double distance) const {
+  const double reach = distance + radius_;
+  return distance_from_triangle(place, core_[0], core_[1], core_[2]) <= reach || distance_from_triangle(place, core_[1], core_[2], core_[3]) <= reach;
 }
 
 /// The way of an edge: of a circle about the axis.
@@ -313,36 +360,44 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
 
 void Sweep::fill(Window& window, const StockLattice& lattice) const {
   const int d = window.axis, ua = (d + 1) % 3, va = (d + 2) % 3;
+  const double hu = lattice.spacing()[ua], hv = lattice.spacing()[va];
   for (const Stamp& stamp : stamps_) {
-    const Box box = box_of(stamp.zone, stamp.pose);
-    const double hu = lattice.spacing()[ua], hv = lattice.spacing()[va];
-    const int u0 = std::max(window.u0, static_cast<int>(std::ceil(box.lower[ua] / hu)));
-    const int u1 = std::min(window.u1, static_cast<int>(std::floor(box.upper[ua] / hu)));
-    const int v0 = std::max(window.v0, static_cast<int>(std::ceil(box.lower[va] / hv)));
-    const int v1 = std::min(window.v1, static_cast<int>(std::floor(box.upper[va] / hv)));
-    if (u0 > u1) continue;
-    const Vec3 centre =
-        stamp.zone.shape == Zone::Shape::ball ? Vec3(stamp.pose.tip + stamp.zone.z0 * stamp.pose.axis) : stamp.pose.tip;
-    for (int v = v0; v <= v1; ++v) {
+    const Zone& zone = stamp.zone;
+    const Box box = box_of(zone, stamp.pose);
+    const int low_u = std::max(window.u0, static_cast<int>(std::ceil(box.lower[ua] / hu)));
+    const int high_u = std::min(window.u1, static_cast<int>(std::floor(box.upper[ua] / hu)));
+    const int low_v = std::max(window.v0, static_cast<int>(std::ceil(box.lower[va] / hv)));
+    const int high_v = std::min(window.v1, static_cast<int>(std::floor(box.upper[va] / hv)));
+    if (low_u > high_u) continue;
+    const bool ball = zone.shape == Zone::Shape::ball;
+    const Vec3 centre = ball ? Vec3(stamp.pose.tip + zone.z0 * stamp.pose.axis) : stamp.pose.tip;
+    // Seen along the lines, the zone lies in a strip about its axis.
+    const double au = stamp.pose.axis[ua], av = stamp.pose.axis[va];
+    const bool askew = !ball && std::abs(av) > 0.05;
+    const double half = askew ? widest(zone) * std::hypot(au, av) / std::abs(av) : 0;
+    for (int v = low_v; v <= high_v; ++v) {
+      int u0 = low_u, u1 = high_u;
+      if (askew) {
+        const double middle = centre[ua] + au / av * (v * hv - centre[va]);
+        u0 = std::max(u0, static_cast<int>(std::ceil(std::max((middle - half) / hu, -1e6))));
+        u1 = std::min(u1, static_cast<int>(std::floor(std::min((middle + half) / hu, 1e8))));
+        if (u0 > u1) continue;
+      }
       const std::size_t index = window.index(u0, v);
-      const Row row{u1 - u0 + 1,
-                    u0 * hu - centre[ua],
-                    hu,
-                    v * hv - centre[va],
-                    centre[d],
-                    stamp.pose.axis[ua],
-                    stamp.pose.axis[va],
-                    stamp.pose.axis[d],
-                    &window.entry[index],
-                    &window.exit[index]};
-      switch (stamp.zone.shape) {
-        case Zone::Shape::ball: ball_row(row, stamp.zone.r0); break;
-        case Zone::Shape::ring: ring_row(row, stamp.zone); break;
-        case Zone::Shape::frustum: frustum_row(row, stamp.zone); break;
+      const Row row{u1 - u0 + 1, u0 * hu - centre[ua], hu, v * hv - centre[va], centre[d], au, av, stamp.pose.axis[d],
+                    &window.entry[index], &window.exit[index]};
+      switch (zone.shape) {
+        case Zone::Shape::ball: ball_row(row, zone.r0); break;
+        case Zone::Shape::ring: ring_row(row, zone); break;
+        case Zone::Shape::frustum: frustum_row(row, zone); break;
       }
     }
   }
-  for (const Triangle& triangle : triangles_) fill_triangle(window, lattice, triangle);
+  for (const Strip& strip : strips_) {
+    if (strip.box.upper[ua] < (window.u0 - 0.01) * hu || strip.box.lower[ua] > (window.u1 + 0.01) * hu) continue;
+    if (strip.box.upper[va] < (window.v0 - 0.01) * hv || strip.box.lower[va] > (window.v1 + 0.01) * hv) continue;
+    for (std::size_t i = strip.first; i < strip.last; ++i) fill_triangle(window, lattice, triangles_[i]);
+  }
 }
 
 }  // namespace fieldfab::cam

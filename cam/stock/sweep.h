@@ -41,6 +41,8 @@ class Sweep {
   Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance);
 
   [[nodiscard]] const Box& bounds() const { return bounds_; }
+  /// False where it surely stays farther than `distance` from a place.
+  [[nodiscard]] bool near(const Vec3& place, double distance) const;
   /// Fills the intervals of a window whose rectangle and axis are set and that was cleared.
   void fill(Window& window, const StockLattice& lattice) const;
 
@@ -51,6 +53,11 @@ class Sweep {
     ToolPose pose;
   };
   using Triangle = std::array<Vec3, 3>;
+  /// Triangles that come one after the other, and their box.
+  struct Strip {
+    std::size_t first, last;
+    Box box;
+  };
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
   void add_edge(double height, double radius, double tolerance);
@@ -59,7 +66,10 @@ class Sweep {
   ToolPose from_, to_;
   std::vector<Stamp> stamps_;
   std::vector<Triangle> triangles_;
+  std::vector<Strip> strips_;
   Box bounds_;
+  std::array<Vec3, 4> core_;  ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
+  double radius_ = 0;
 };
 
 }  // namespace fieldfab::cam

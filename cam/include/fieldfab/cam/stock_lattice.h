@@ -1,6 +1,7 @@
 /// The sampling grid of simulated stock (Hahn 4.1), and the poses of a tool in it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "fieldfab/core/geometry.h"
@@ -30,14 +31,28 @@ class StockLattice {
   /// Where a point lies along an axis, mm from the box's lower corner, as samples are compared with it.
   [[nodiscard]] float at(int axis, int k) const { return static_cast<float>(spacing_[axis] * k); }
   /// The first point above a coordinate, of all integers.
-  [[nodiscard]] int above(int axis, float coordinate) const;
+  [[nodiscard]] int above(int axis, float coordinate) const {
+    int k = guess(axis, coordinate);
+    while (at(axis, k) <= coordinate && k < most) ++k;
+    while (at(axis, k - 1) > coordinate && k > -most) --k;
+    return k;
+  }
   /// The last point below a coordinate, of all integers.
-  [[nodiscard]] int below(int axis, float coordinate) const;
+  [[nodiscard]] int below(int axis, float coordinate) const {
+    int k = guess(axis, coordinate);
+    while (at(axis, k) >= coordinate && k > -most) --k;
+    while (at(axis, k + 1) < coordinate && k < most) ++k;
+    return k;
+  }
 
  private:
+  static constexpr int most = 100'000'000;
+  [[nodiscard]] int guess(int axis, float coordinate) const {
+    return static_cast<int>(std::clamp(coordinate * inverse_[axis], -1e8, 1e8));
+  }
   Box box_;
   Index3 cells_{1, 1, 1};
-  Vec3 spacing_ = Vec3::Ones();
+  Vec3 spacing_ = Vec3::Ones(), inverse_ = Vec3::Ones();
 };
 
 }  // namespace fieldfab::cam
