@@ -47,6 +47,7 @@ const Window& WindowSet::along(int axis) {
   window.axis = axis;
   window.u0 = reach_.first(axis_u(axis)), window.u1 = reach_.last(axis_u(axis));
   window.v0 = reach_.first(axis_v(axis)), window.v1 = reach_.last(axis_v(axis));
+  window.beyond = lattice_->at(axis, reach_.last(axis));
   window.clear();
   sweep_->fill(window, *lattice_);
   return window;
@@ -59,21 +60,53 @@ Brick::Brick(const Region& region, bool solid) : region_(region) {
   nodes_.push_back(std::move(cell));
 }
 
-void Brick::cut(const Sweep& sweep, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result) {
-  if (empty() || !windows.start(sweep, region_)) return;
-  visit(0, stroke, stock, windows, result);
-  if (samples_.size() > 2 * tidied_ + 512) tidy(stock.lattice());
+struct Brick::Batch {
+  static constexpr std::size_t most = 16;
+  std::span<Pass> passes;
+  std::vector<WindowSet> windows;
+  std::array<bool, most> here{};
+};
+
+// A few passes at a time: first they cut the columns, one after the other; then the samples across the columns follow, for those
+// points only that all of the passes have left.
+void Brick::cut(std::span<Pass> passes, const Stock& stock) {
+  const StockLattice& lattice = stock.lattice();
+  thread_local Batch batch;
+  batch.windows.assign(Batch::most, WindowSet(lattice));
+  batch_ = &batch;
+  for (std::size_t begin = 0; begin < passes.size() && !empty(); begin += Batch::most) {
+    batch.passes = passes.subspan(begin, std::min(Batch::most, passes.size() - begin));
+    for (std::size_t i = 0; i < batch.passes.size(); ++i) {
+      batch.here[i] = batch.windows[i].start(*batch.passes[i].sweep, region_);
+      if (batch.here[i]) cut_columns(0, i, stock);
+    }
+    for (std::size_t i = 0; i < batch.passes.size(); ++i)
+      if (batch.here[i] && batch.passes[i].stroke->removes) cut_edges(0, i, lattice);
+  }
+  batch_ = nullptr;
+  if (samples_.size() > 2 * tidied_ + 512) tidy(lattice);
 }
 
-void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result) {
-  Cell& cell = nodes_[static_cast<std::size_t>(node)];
-  Region near = cell.region;
+namespace {
+
+/// The points of a cell and those next to them.
+Region grown(const Region& region) {
+  Region near = region;
   for (std::size_t a = 0; a < 3; ++a) --near.lower[a], ++near.upper[a];
-  if (cell.content == Cell::Content::empty || !near.meets(windows.reach())) return;
+  return near;
+}
+
+}  // namespace
+
+void Brick::cut_columns(int node, std::size_t pass, const Stock& stock) {
+  Cell& cell = nodes_[static_cast<std::size_t>(node)];
+  WindowSet& windows = batch_->windows[pass];
+  const Stroke& stroke = *batch_->passes[pass].stroke;
+  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(windows.reach())) return;
   if (cell.content == Cell::Content::split) {
     const int children = cell.children;
-    visit(children, stroke, stock, windows, result);
-    visit(children + 1, stroke, stock, windows, result);
+    cut_columns(children, pass, stock);
+    cut_columns(children + 1, pass, stock);
     return;
   }
   if (cell.content == Cell::Content::solid) {
@@ -83,13 +116,11 @@ void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet&
     cell.axis = static_cast<std::int8_t>(axis);
     cell.facing = 0;
   }
-  static thread_local std::vector<Change> changes;
+  thread_local std::vector<Change> changes;
   changes.clear();
   const StockLattice& lattice = stock.lattice();
-  const bool representable = plan_columns(cell, windows.along(cell.axis), stroke, lattice, changes, result);
+  bool fits = plan_columns(cell, windows.along(cell.axis), stroke, lattice, changes, batch_->passes[pass].result);
   if (!stroke.removes) return;
-  cut_edges(cell, stroke, lattice, windows);
-  bool fits = representable;
   if (fits && !stock.settings().both_ends)
     for (const Change& change : changes) {
       const bool up = std::isfinite(change.upper.at), down = change.lower.at != -beyond;
@@ -100,10 +131,22 @@ void Brick::visit(int node, const Stroke& stroke, const Stock& stock, WindowSet&
       else if (up || down)
         fits = false;
     }
-  if (fits)
-    commit(cell, changes);
-  else
-    divide(node, stroke, stock, windows);
+  if (fits) return commit(cell, changes);
+  // All samples have to be there before the cell is made anew.
+  for (std::size_t i = 0; i <= pass; ++i)
+    if (batch_->here[i] && batch_->passes[i].stroke->removes) cut_edges(node, i, lattice);
+  divide(node, stroke, stock, windows);
+}
+
+void Brick::cut_edges(int node, std::size_t pass, const StockLattice& lattice) {
+  const Cell& cell = nodes_[static_cast<std::size_t>(node)];
+  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(batch_->windows[pass].reach())) return;
+  if (cell.content == Cell::Content::split) {
+    cut_edges(cell.children, pass, lattice);
+    cut_edges(cell.children + 1, pass, lattice);
+    return;
+  }
+  cut_edges(cell, *batch_->passes[pass].stroke, lattice, batch_->windows[pass]);
 }
 
 Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice) {
@@ -282,17 +325,10 @@ void Brick::occupy(const Cell& cell, Occupancy& shape, const StockLattice& latti
       for (int y = r.lower[1]; y <= r.upper[1]; ++y) shape.set_row(r.lower[0], r.upper[0], y, z);
     return;
   }
-  const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
-  for (int v = r.first(va); v <= r.last(va); ++v)
-    for (int u = r.first(ua); u <= r.last(ua); ++u) {
-      const Points points = solid_points(cell, cell.column(u, v), lattice);
-      const int first = std::max(points.first, r.first(axis)), last = std::min(points.last, r.last(axis));
-      if (axis == 0) {
-        if (first <= last) shape.set_row(first, last, u, v);
-        continue;
-      }
-      for (int k = first; k <= last; ++k) shape.set(point_of(axis, u, v, k));
-    }
+  shape.set_runs(r, cell.axis, [&](int u, int v) {
+    const Points points = solid_points(cell, cell.column(u, v), lattice);
+    return std::pair{points.first, points.last};
+  });
 }
 
 void Brick::occupy(Occupancy& shape, const StockLattice& lattice) const {
@@ -332,11 +368,14 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
       if (k0 > k1) continue;
       if (k0 - 1 >= points.first && k0 - 1 <= points.last) keep(u, v, k0 - 1, true, {a, stroke.cut});
       if (k1 + 1 >= points.first && k1 + 1 <= points.last) keep(u, v, k1 + 1, false, {b, stroke.cut});
-      for (int k = std::max(k0, r.first(axis)); k <= std::min(k1, r.last(axis)); ++k) {
-        covered.set(point_of(axis, u, v, k));
-        solid.clear(point_of(axis, u, v, k));
-      }
     }
+  covered.set_runs(r, axis, [&](int u, int v) {
+    if (!window.has(u, v)) return std::pair{0, -1};
+    const std::size_t at = window.index(u, v);
+    if (window.entry[at] > window.exit[at]) return std::pair{0, -1};
+    return std::pair{from(lattice, axis, window.entry[at]), up_to(lattice, axis, window.exit[at])};
+  });
+  solid.subtract(covered);
   Cell fresh;
   fresh.region = r;
   nodes_[static_cast<std::size_t>(node)] = std::move(fresh);
@@ -403,12 +442,11 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
   const std::size_t count = static_cast<std::size_t>(r.count(ua)) * static_cast<std::size_t>(r.count(va));
   cell.upper.assign(count, beyond);
   cell.lower.clear();
+  const std::vector<std::pair<int, int>> runs = solid.runs(axis);
   for (int v = r.first(va); v <= r.last(va); ++v)
     for (int u = r.first(ua); u <= r.last(ua); ++u) {
-      int first = r.last(axis) + 1, last = r.first(axis) - 1;
-      for (int k = r.first(axis); k <= r.last(axis); ++k)
-        if (solid.at(point_of(axis, u, v, k))) first = std::min(first, k), last = k;
       const std::size_t column = cell.column(u, v);
+      const auto [first, last] = runs[column];
       if (first > last) {
         cell.upper.at[column] = -beyond;
         continue;
@@ -432,17 +470,19 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
 
 /// Forgets samples that columns hold, and those of points that are no longer solid.
 void Brick::tidy(const StockLattice& lattice) {
+  Occupancy shape(region_);
+  occupy(shape, lattice);
+  const bool divided = nodes_.size() > 1;
   samples_.sift([&](SampleMap::Key key) {
     const int axis = static_cast<int>(key & 3);
     Index3 p, q;
     for (std::size_t a = 0; a < 3; ++a) p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
     ++q[static_cast<std::size_t>(axis)];
     const bool p_here = region_.contains(p), q_here = region_.contains(q);
-    const bool p_solid = p_here && solid(p, lattice), q_solid = q_here && solid(q, lattice);
-    if (p_solid == q_solid) return false;
+    if ((p_here && shape.at(p)) == (q_here && shape.at(q))) return false;
     if (!p_here || !q_here) return true;
-    const Cell &one = leaf(p), &other = leaf(q);
-    return !(&one == &other && one.content == Cell::Content::columns && one.axis == axis);
+    const Cell& one = leaf(p);
+    return !(one.content == Cell::Content::columns && one.axis == axis && (!divided || &one == &leaf(q)));
   });
   tidied_ = samples_.size();
 }

@@ -42,8 +42,14 @@ class Brick {
     return nodes_.size() == 1 && nodes_[0].content < Cell::Content::columns && !samples_.size();
   }
   [[nodiscard]] bool empty() const { return nodes_.size() == 1 && nodes_[0].content == Cell::Content::empty; }
-  /// Takes a stroke's sweep out, or only says what it meets.
-  void cut(const Sweep& sweep, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result);
+  /// A stroke that may come near, and what it meets here.
+  struct Pass {
+    const Sweep* sweep;
+    const Stroke* stroke;
+    StrokeResult result{};
+  };
+  /// Takes out what strokes sweep, in their order, or only says what they meet.
+  void cut(std::span<Pass> passes, const Stock& stock);
   /// Makes it what a field says: solid points and the samples on their edges.
   void assign(const Occupancy& solid, SampleMap samples, const Stock& stock);
 
@@ -67,10 +73,13 @@ class Brick {
   [[nodiscard]] const Cell& leaf(const Index3& point) const;
   [[nodiscard]] static Points solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice);
   void occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const;
-  void visit(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows, StrokeResult& result);
+  void cut_columns(int node, std::size_t pass, const Stock& stock);
+  void cut_edges(int node, std::size_t pass, const StockLattice& lattice);
   bool plan_columns(const Cell& cell, const Window& window, const Stroke& stroke, const StockLattice& lattice,
                     std::vector<Change>& changes, StrokeResult& result) const;
   void cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows);
+  /// The sweeps of a few passes on the lines through the brick, while they are carried out.
+  struct Batch;
   void commit(Cell& cell, const std::vector<Change>& changes) const;
   void divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows);
   void rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
@@ -83,6 +92,7 @@ class Brick {
   SampleMap samples_;
   std::size_t tidied_ = 0;  ///< samples after the last tidying
   Tally tally_;
+  Batch* batch_ = nullptr;
   std::minstd_rand random_{12345};
 };
 

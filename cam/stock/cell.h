@@ -155,10 +155,14 @@ class Occupancy {
       bits[w] |= mask;
     }
   }
-  void clear(const Index3& p) {
-    const auto x = static_cast<std::size_t>(p[0] - region_.lower[0]);
-    row(p[1], p[2])[x / 64] &= ~(Word{1} << (x % 64));
+  /// Clears the points of a shape with the same region.
+  void subtract(const Occupancy& other) {
+    for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] &= ~other.bits_[i];
   }
+  /// Sets runs of points along an axis in a part of the region: `run(u, v)` gives the first and the last one of a line, which are
+  /// cut to the part; none where the last one comes before the first.
+  template <class Run>
+  void set_runs(const Region& part, int axis, const Run& run);
   /// The bits of a row's word that lie in the region.
   [[nodiscard]] Word valid(std::size_t word) const {
     const auto left = static_cast<std::size_t>(region_.count(0)) - word * 64;
@@ -175,6 +179,8 @@ class Occupancy {
       if (bits_[i] != valid(i % words_)) return false;
     return true;
   }
+  /// The first and the last solid point of each line along an axis, u fastest; the last one before the first where there is none.
+  [[nodiscard]] std::vector<std::pair<int, int>> runs(int axis) const;
   /// The same points of a smaller region.
   [[nodiscard]] Occupancy part(const Region& region) const;
 
@@ -188,6 +194,44 @@ class Occupancy {
   std::size_t words_;
   std::vector<Word> bits_;
 };
+
+template <class Run>
+void Occupancy::set_runs(const Region& part, int axis, const Run& run) {
+  const int ua = (axis + 1) % 3, va = (axis + 2) % 3;
+  const auto cut = [&](int u, int v) {
+    auto [first, last] = run(u, v);
+    return std::pair{std::max(first, part.first(axis)), std::min(last, part.last(axis))};
+  };
+  if (axis == 0) {
+    for (int v = part.first(va); v <= part.last(va); ++v)
+      for (int u = part.first(ua); u <= part.last(ua); ++u)
+        if (const auto [first, last] = cut(u, v); first <= last) set_row(first, last, u, v);
+    return;
+  }
+  // 64 lines at a time: a bit changes where a run begins and behind its end.
+  const int across = 3 - axis, count = part.count(axis);
+  std::vector<Word> changes(static_cast<std::size_t>(count) + 1);
+  for (int other = part.first(across); other <= part.last(across); ++other)
+    for (std::size_t w = 0; w < words_; ++w) {
+      const int from = std::max(part.lower[0], region_.lower[0] + static_cast<int>(w) * 64);
+      const int to = std::min(part.upper[0], region_.lower[0] + static_cast<int>(w) * 64 + 63);
+      if (from > to) continue;
+      std::fill(changes.begin(), changes.end(), Word{0});
+      for (int x = from; x <= to; ++x) {
+        const auto [first, last] = axis == 2 ? cut(x, other) : cut(other, x);
+        if (first > last) continue;
+        const Word bit = Word{1} << ((x - region_.lower[0]) % 64);
+        changes[static_cast<std::size_t>(first - part.first(axis))] ^= bit;
+        changes[static_cast<std::size_t>(last + 1 - part.first(axis))] ^= bit;
+      }
+      Word state = 0;
+      for (int k = 0; k < count; ++k) {
+        state ^= changes[static_cast<std::size_t>(k)];
+        const int at = part.first(axis) + k;
+        if (state) (axis == 2 ? row(other, at) : row(at, other))[w] |= state;
+      }
+    }
+}
 
 /// A box of points whose solid ones lie together on each line along its axis: a 3-way heightmap. Its columns hold where they
 /// begin and end; all other samples are in the brick's SampleMap.

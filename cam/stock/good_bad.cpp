@@ -68,6 +68,46 @@ Occupancy Occupancy::part(const Region& region) const {
   return result;
 }
 
+std::vector<std::pair<int, int>> Occupancy::runs(int axis) const {
+  const Region& r = region_;
+  const int ua = (axis + 1) % 3, va = (axis + 2) % 3;
+  const auto width = static_cast<std::size_t>(r.count(ua));
+  std::vector<std::pair<int, int>> result(width * static_cast<std::size_t>(r.count(va)), {r.last(axis) + 1, r.first(axis) - 1});
+  const auto line = [&](int u, int v) -> std::pair<int, int>& {
+    return result[static_cast<std::size_t>(v - r.first(va)) * width + static_cast<std::size_t>(u - r.first(ua))];
+  };
+  if (axis == 0) {
+    for (int z = r.lower[2]; z <= r.upper[2]; ++z)
+      for (int y = r.lower[1]; y <= r.upper[1]; ++y)
+        for (std::size_t w = 0; w < words_; ++w) {
+          const Word bits = row(y, z)[w];
+          if (!bits) continue;
+          const int from = r.lower[0] + static_cast<int>(w) * 64;
+          auto& [first, last] = line(y, z);
+          first = std::min(first, from + std::countr_zero(bits)), last = from + 63 - std::countl_zero(bits);
+        }
+    return result;
+  }
+  const std::size_t across = axis == 1 ? 2 : 1, along = axis == 1 ? 1 : 2;
+  for (int other = r.lower[across]; other <= r.upper[across]; ++other)
+    for (std::size_t w = 0; w < words_; ++w) {
+      Word seen = 0, previous = 0;
+      const auto each = [&](Word bits, const auto& body) {
+        for (; bits; bits &= bits - 1) {
+          const int x = r.lower[0] + static_cast<int>(w) * 64 + std::countr_zero(bits);
+          body(axis == 1 ? line(other, x) : line(x, other));
+        }
+      };
+      for (int k = r.lower[along]; k <= r.upper[along] + 1; ++k) {
+        const Word bits = k > r.upper[along] ? 0 : axis == 1 ? row(k, other)[w] : row(other, k)[w];
+        each(bits & ~seen, [&](std::pair<int, int>& run) { run.first = k; });
+        each(previous & ~bits, [&](std::pair<int, int>& run) { run.second = k - 1; });
+        seen |= bits, previous = bits;
+      }
+    }
+  return result;
+}
+
 GoodBadMap good_bad_map(const Occupancy& solid, int axis) {
   const Region& r = solid.region();
   GoodBadMap map = blank(r, axis);

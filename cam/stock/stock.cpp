@@ -45,17 +45,43 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
   };
   const Restriction here = field.restricted({place(near.lower), place(near.upper)});
   if (here.range.lower > 0 || here.range.upper < 0) return std::make_shared<Brick>(region, here.range.upper < 0);
-  Batch points;
-  for (int z = near.lower[2]; z <= near.upper[2]; ++z)
-    for (int y = near.lower[1]; y <= near.upper[1]; ++y)
-      for (int x = near.lower[0]; x <= near.upper[0]; ++x) points.add(place({x, y, z}));
-  points.evaluate(*here.field);
-  const auto value = [&](const Index3& p) {
-    return points.value[(static_cast<std::size_t>(p[2] - near.lower[2]) * static_cast<std::size_t>(near.count(1)) +
-                         static_cast<std::size_t>(p[1] - near.lower[1])) *
-                            static_cast<std::size_t>(near.count(0)) +
-                        static_cast<std::size_t>(p[0] - near.lower[0])];
+  std::vector<float> values(static_cast<std::size_t>(near.count(0)) * static_cast<std::size_t>(near.count(1)) * static_cast<std::size_t>(near.count(2)));
+  const auto value = [&](const Index3& p) -> float& {
+    return values[(static_cast<std::size_t>(p[2] - near.lower[2]) * static_cast<std::size_t>(near.count(1)) +
+                   static_cast<std::size_t>(p[1] - near.lower[1])) *
+                      static_cast<std::size_t>(near.count(0)) +
+                  static_cast<std::size_t>(p[0] - near.lower[0])];
   };
+  const auto for_points = [](const Region& r, const auto& body) {
+    Index3 p;
+    for (p[2] = r.lower[2]; p[2] <= r.upper[2]; ++p[2])
+      for (p[1] = r.lower[1]; p[1] <= r.upper[1]; ++p[1])
+        for (p[0] = r.lower[0]; p[0] <= r.upper[0]; ++p[0]) body(p);
+  };
+  // Halved where intervals, of the points and their neighbours, do not tell.
+  const auto sample = [&](const auto& self, const Region& part, const FieldPtr& from) -> void {
+    Index3 low = part.lower, high = part.upper;
+    for (std::size_t a = 0; a < 3; ++a) --low[a], ++high[a];
+    const Restriction within = from->restricted({place(low), place(high)});
+    if (within.range.lower > 0 || within.range.upper < 0)
+      return for_points(part, [&](const Index3& p) { value(p) = within.range.upper < 0 ? -1.0f : 1.0f; });
+    std::size_t longest = 0;
+    for (std::size_t a = 1; a < 3; ++a)
+      if (part.count(static_cast<int>(a)) > part.count(static_cast<int>(longest))) longest = a;
+    if (part.count(static_cast<int>(longest)) > 8) {
+      std::array<Region, 2> halves{part, part};
+      halves[0].upper[longest] = (part.lower[longest] + part.upper[longest]) / 2;
+      halves[1].lower[longest] = halves[0].upper[longest] + 1;
+      for (const Region& half : halves) self(self, half, within.field);
+      return;
+    }
+    Batch points;
+    for_points(part, [&](const Index3& p) { points.add(place(p)); });
+    points.evaluate(*within.field);
+    std::size_t i = 0;
+    for_points(part, [&](const Index3& p) { value(p) = points.value[i++]; });
+  };
+  sample(sample, near, field.shared_from_this());
   Occupancy solid(region);
   std::vector<Crossing> crossings;
   Index3 p;
@@ -208,20 +234,18 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
     parallel_for(touched.size(), [&](std::size_t t) {
       std::shared_ptr<Brick>& brick = bricks_[touched[t]];
       if (brick.use_count() > 1) brick = std::make_shared<Brick>(*brick);
-      thread_local std::unique_ptr<WindowSet> windows;
-      windows = std::make_unique<WindowSet>(lattice_);
-      std::vector<std::pair<std::size_t, StrokeResult>> found;
-      for (const std::uint32_t i : near[touched[t]]) {
-        if (progress.cancelled()) return;
-        StrokeResult result;
-        brick->cut(*sweeps[i], strokes[begin + i], *this, *windows, result);
-        if (result.volume > 0 || result.points) found.emplace_back(begin + i, result);
-      }
+      std::vector<Brick::Pass> passes;
+      passes.reserve(near[touched[t]].size());
+      for (const std::uint32_t i : near[touched[t]]) passes.push_back({sweeps[i].get(), &strokes[begin + i]});
+      for (std::size_t first = 0; first < passes.size() && !progress.cancelled(); first += 64)
+        brick->cut(std::span(passes).subspan(first, std::min<std::size_t>(64, passes.size() - first)), *this);
       const std::lock_guard lock(adding);
-      for (const auto& [i, result] : found) {
-        results[i].volume += result.volume;
-        if (result.points) results[i].place = result.place + lattice_.box().lower;
-        results[i].points += result.points;
+      for (std::size_t k = 0; k < passes.size(); ++k) {
+        StrokeResult& result = results[begin + near[touched[t]][k]];
+        const StrokeResult& met = passes[k].result;
+        result.volume += met.volume;
+        if (met.points) result.place = met.place + lattice_.box().lower;
+        result.points += met.points;
       }
     });
     progress.check();

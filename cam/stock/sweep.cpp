@@ -74,60 +74,165 @@ void parallel_row(const Row& row, const Zone& zone) {
 }
 
 __attribute__((target_clones("avx2", "default"))) void ball_row(const Row& row, double radius) {
-  const double rest = radius * radius - row.v * row.v;
+  const auto rest = static_cast<float>(radius * radius - row.v * row.v), first = static_cast<float>(row.first_u),
+             step = static_cast<float>(row.step_u), origin = static_cast<float>(row.origin);
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
-    const double u = row.first_u + row.step_u * i, disc = rest - u * u, half = std::sqrt(std::max(disc, 0.0));
-    const float from = disc >= 0 ? static_cast<float>(row.origin - half) : std::numeric_limits<float>::infinity();
-    const float to = disc >= 0 ? static_cast<float>(row.origin + half) : -std::numeric_limits<float>::infinity();
+    const float u = first + step * static_cast<float>(i), disc = rest - u * u, half = std::sqrt(std::max(disc, 0.0f));
+    const float from = disc >= 0 ? origin - half : std::numeric_limits<float>::infinity();
+    const float to = disc >= 0 ? origin + half : -std::numeric_limits<float>::infinity();
     entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
   }
 }
 
-/// A ring and what is inside of it, by Newton's method from both sides: the distance to a convex solid is convex along a line, so
-/// that the steps never pass the surface.
-void ring_row(const Row& row, const Zone& zone) {
-  const double reach = zone.r0 + zone.r1;
+/// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision precise.
+template <bool slab>
+__attribute__((target_clones("avx2", "default"))) void cylinder_row(const Row& row, const Zone& zone) {
+  const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
+  // All linear along the row: height of the foot point, place of the line's nearest point, distance.
+  const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
+  const auto nearest = static_cast<float>(row.ad / sine2), inverse = static_cast<float>(1 / sine);
+  const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine), d_step = static_cast<float>(-row.av * row.step_u / sine);
+  const auto square = static_cast<float>(zone.r0 * zone.r0), origin = static_cast<float>(row.origin);
+  const float level = slab ? static_cast<float>(1 / row.ad) : 0.0f, bottom = static_cast<float>(zone.z0), top = static_cast<float>(zone.z1);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
-    const double u = row.first_u + row.step_u * i, z = row.au * u + row.av * row.v, square = u * u + row.v * row.v;
-    const double middle = -zone.z0 * -row.ad;  // of the ring's centre along the line
-    const auto outside = [&](double s, double& slope) {
-      const double height = z + s * row.ad, from_axis = std::sqrt(std::max(square + s * s - height * height, 0.0));
-      const double beyond = std::max(from_axis - zone.r0, 0.0), level = height - zone.z0;
-      const double distance = std::hypot(beyond, level);
-      slope = distance > 0 ? ((beyond > 0 ? beyond * (s - height * row.ad) / from_axis : 0) + level * row.ad) / distance : 0;
-      return distance - zone.r1;
-    };
-    // All of the ring is within `reach` + of its centre: start outside of that.
-    const double start = std::sqrt(reach * reach + zone.z0 * zone.z0) + reach + 1;
-    double ends[2];
-    bool met = true;
-    for (int side = 0; side < 2 && met; ++side) {
-      double s = middle + (side ? start : -start), slope = 0;
-      for (int step = 0; step < 40; ++step) {
-        const double f = outside(s, slope);
-        if (f < 1e-9) break;
-        if (side ? slope <= 1e-12 : slope >= -1e-12) {
-          met = false;
-          break;
-        }
-        const double next = s - f / slope;
-        if (std::abs(next - s) < 1e-12) break;
-        s = next;
+    const float t = static_cast<float>(i), z = z0 + z_step * t, distance = d0 + d_step * t;
+    const float disc = square - distance * distance, half = std::sqrt(std::max(disc, 0.0f)) * inverse;
+    float low = z * nearest - half, high = z * nearest + half;
+    bool met = disc >= 0;
+    if (slab) {
+      const float s0 = (bottom - z) * level, s1 = (top - z) * level;
+      low = std::max(low, std::min(s0, s1)), high = std::min(high, std::max(s0, s1));
+    } else {
+      met = met & (z >= bottom) & (z <= top);
+    }
+    met = met & (low <= high);
+    const float from = met ? origin + low : std::numeric_limits<float>::infinity();
+    const float to = met ? origin + high : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A ring and what is inside of it where its axis lies along the lines: heights of its half section.
+__attribute__((target_clones("avx2", "default"))) void ring_along_row(const Row& row, const Zone& zone) {
+  const double middle = row.origin + zone.z0 * row.ad;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    const double beyond = std::max(std::sqrt(u * u + row.v * row.v) - zone.r0, 0.0), square = zone.r1 * zone.r1 - beyond * beyond;
+    const double half = std::sqrt(std::max(square, 0.0));
+    const float from = square >= 0 ? static_cast<float>(middle - half) : std::numeric_limits<float>::infinity();
+    const float to = square >= 0 ? static_cast<float>(middle + half) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// The same where its axis is across the lines and along the row or across it as well: circles.
+__attribute__((target_clones("avx2", "default"))) void ring_across_row(const Row& row, const Zone& zone) {
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    const double level = row.au * u + row.av * row.v - zone.z0, square = zone.r1 * zone.r1 - level * level;
+    const double radius = zone.r0 + std::sqrt(std::max(square, 0.0)), side = row.av * u - row.au * row.v;
+    const double chord = radius * radius - side * side, half = std::sqrt(std::max(chord, 0.0));
+    const bool met = square >= 0 && chord >= 0;
+    const float from = met ? static_cast<float>(row.origin - half) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + half) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that the
+/// steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
+__attribute__((target_clones("avx2", "default"))) void ring_row(const Row& row, const Zone& zone) {
+  const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  const double dv = row.v - centre_v;
+  for (int i = 0; i < row.count; ++i) {
+    // Relative to the ring's centre, from the ball about it.
+    const double du = row.first_u + row.step_u * i - centre_u;
+    const double across = du * du + dv * dv, level = row.au * du + row.av * dv, room = reach * reach - across;
+    const double start = std::sqrt(std::max(room, 0.0));
+    double ends[2], off = 0;
+    for (int side = 0; side < 2; ++side) {
+      double s = side ? start : -start, f = 0;
+      for (int step = 0; step < 12; ++step) {
+        const double height = level + s * row.ad, from_axis = std::sqrt(std::max(across + s * s - height * height, 1e-18));
+        const double beyond = std::max(from_axis - zone.r0, 0.0), distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
+        f = distance - zone.r1;
+        const double slope = (beyond * (s - height * row.ad) / from_axis + height * row.ad) / distance;
+        // Only inwards; a line that passes outside turns round, and stays where it is nearest.
+        const double inwards = side ? std::max(slope, 1e-3) : std::min(slope, -1e-3);
+        s -= std::max(f, 0.0) / inwards;
+        s = side ? std::max(s, -start) : std::min(s, start);
       }
       ends[side] = s;
+      off = std::max(off, f);
     }
-    if (!met || ends[0] > ends[1]) continue;
-    row.entry[i] = std::min(row.entry[i], static_cast<float>(row.origin + ends[0]));
-    row.exit[i] = std::max(row.exit[i], static_cast<float>(row.origin + ends[1]));
+    const bool met = room >= 0 && off < 1e-5 && ends[0] <= ends[1];
+    const float from = met ? static_cast<float>(row.origin + middle + ends[0]) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + middle + ends[1]) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane.
+__attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+  const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
+  const double share = 1 / along, tilt = row.ad * share;
+  // The place in the plane, as the line goes on.
+  const double yu = -tilt * wu, yv = -tilt * wv, yd = 1 - tilt * wd, a = yu * yu + yv * yv + yd * yd;
+  const bool slab = std::abs(row.ad) > 1e-9;
+  const double level = slab ? 1 / row.ad : 0, inverse = 1 / std::max(a, 1e-14);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i, z = row.au * u + row.av * row.v, t = z * share;
+    const double pu = u - t * wu, pv = row.v - t * wv, pd = -t * wd;
+    const double b = yu * pu + yv * pv + yd * pd, c = pu * pu + pv * pv + pd * pd - radius * radius;
+    const double disc = b * b - a * c, root = std::sqrt(std::max(disc, 0.0));
+    const bool parallel = a < 1e-14;
+    double low = parallel ? -1e300 : (-b - root) * inverse, high = parallel ? 1e300 : (-b + root) * inverse;
+    bool met = parallel ? c <= 0 : disc >= 0;
+    const double s0 = -z * level, s1 = (along - z) * level;
+    if (slab) low = std::max(low, std::min(s0, s1)), high = std::min(high, std::max(s0, s1));
+    met = met & (slab | ((t >= 0) & (t <= 1))) & (low <= high);
+    const float from = met ? static_cast<float>(row.origin + low) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + high) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A disc that goes along its own plane: a flat figure with round ends.
+__attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+  if (std::abs(row.ad) < 1e-9) return;
+  const double level = 1 / row.ad, square = wu * wu + wv * wv + wd * wd, inverse = square > 0 ? 1 / square : 0;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i, s = -(row.au * u + row.av * row.v) * level;
+    const double t = std::min(std::max((u * wu + row.v * wv + s * wd) * inverse, 0.0), 1.0);
+    const double pu = u - t * wu, pv = row.v - t * wv, pd = s - t * wd;
+    const bool met = pu * pu + pv * pv + pd * pd <= radius * radius;
+    const float from = met ? static_cast<float>(row.origin + s) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + s) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
   }
 }
 
 void frustum_row(const Row& row, const Zone& zone) {
   const double k = (zone.r1 - zone.r0) / (zone.z1 - zone.z0), ad = row.ad;
   const bool slab = std::abs(ad) > 1e-9;
-  if (k == 0 && 1 - ad * ad < 1e-18) return parallel_row(row, zone);
+  if (k == 0) {
+    if (1 - ad * ad < 1e-12) return parallel_row(row, zone);
+    return std::abs(ad) > 1e-3 ? cylinder_row<true>(row, zone) : std::abs(ad) < 1e-9 ? cylinder_row<false>(row, zone) : frustum_row<Slant::chord, true>(row, zone);
+  }
   const double a = 1 - ad * ad - k * k * ad * ad;
   if (a > 0)
     slab ? frustum_row<Slant::chord, true>(row, zone) : frustum_row<Slant::chord, false>(row, zone);
@@ -188,11 +293,12 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
     low = std::min(low, zone.z0), high = std::max(high, frustum ? zone.z1 : zone.z0);
     radius_ = std::max(radius_, widest(zone));
   }
+  top_ = high;
   core_ = {from.tip + low * from.axis, from.tip + high * from.axis, to.tip + low * to.axis, to.tip + high * to.axis};
   for (const Zone& zone : piece.zones) {
     for (const bool last : {false, true}) {
       if (last && !moves) break;
-      stamps_.push_back({zone, last ? to : from});
+      stamps_.push_back({zone, last ? to : from, false, Vec3::Zero()});
       const Box box = box_of(zone, stamps_.back().pose);
       bounds_ = first ? box : hull(bounds_, box);
       first = false;
@@ -202,13 +308,13 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
       // The capsule's cylinder, from the first centre to the last.
       const Vec3 start = from.tip + zone.z0 * from.axis, way = to.tip + zone.z0 * to.axis - start;
       if (way.norm() > 1e-12)
-        stamps_.push_back({{Zone::Shape::frustum, 0, way.norm(), zone.r0, zone.r0, false, false}, {start, way.normalized()}});
+        stamps_.push_back({{Zone::Shape::frustum, 0, way.norm(), zone.r0, zone.r0, false, false}, {start, way.normalized()}, false, Vec3::Zero()});
       continue;
     }
     std::vector<std::array<double, 4>> section;  // distance, height, and the normal's two parts
     if (zone.shape == Zone::Shape::frustum) {
-      if (zone.lower_edge) add_edge(zone.z0, zone.r0, tolerance);
-      if (zone.upper_edge) add_edge(zone.z1, zone.r1, tolerance);
+      if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance);
+      if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance);
       const double length = std::hypot(zone.z1 - zone.z0, zone.r1 - zone.r0);
       const int parts = turns ? 4 : 1;
       for (int i = 0; i <= parts; ++i) {
@@ -217,6 +323,8 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
                            (zone.r0 - zone.r1) / length});
       }
     } else {
+      add_disc(zone.z0 - zone.r1, zone.r0, tolerance);
+      add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
       const int parts = std::max(3, parts_of_circle(zone.r1, tolerance) / 4);
       for (int i = 0; i <= parts; ++i) {
         const double angle = std::numbers::pi / 2 * i / parts, c = std::sin(angle), s = -std::cos(angle);
@@ -268,9 +376,13 @@ bool Sweep::near(const Vec3& place, double distance) const {
   return distance_from_triangle(place, core_[0], core_[1], core_[2]) <= reach || distance_from_triangle(place, core_[1], core_[2], core_[3]) <= reach;
 }
 
-/// The way of an edge: of a circle about the axis.
-void Sweep::add_edge(double height, double radius, double tolerance) {
+/// The way of a flat end and its edge.
+void Sweep::add_disc(double height, double radius, double tolerance) {
   if (radius <= 0) return;
+  if ((to_.axis - from_.axis).squaredNorm() <= 1e-24) {
+    stamps_.push_back({{Zone::Shape::frustum, height, height, radius, radius, false, false}, from_, true, to_.tip - from_.tip});
+    return;
+  }
   const int parts = parts_of_circle(radius, tolerance);
   const Vec3 like = any_across(from_.axis);
   const auto circle = [&](const ToolPose& pose) {
@@ -361,35 +473,52 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
 void Sweep::fill(Window& window, const StockLattice& lattice) const {
   const int d = window.axis, ua = (d + 1) % 3, va = (d + 2) % 3;
   const double hu = lattice.spacing()[ua], hv = lattice.spacing()[va];
+  bool open = false;
   for (const Stamp& stamp : stamps_) {
     const Zone& zone = stamp.zone;
-    const Box box = box_of(zone, stamp.pose);
+    Box box = box_of(zone, stamp.pose);
+    if (stamp.disc) box = hull(box, {box.lower + stamp.way, box.upper + stamp.way});
     const int low_u = std::max(window.u0, static_cast<int>(std::ceil(box.lower[ua] / hu)));
     const int high_u = std::min(window.u1, static_cast<int>(std::floor(box.upper[ua] / hu)));
     const int low_v = std::max(window.v0, static_cast<int>(std::ceil(box.lower[va] / hv)));
     const int high_v = std::min(window.v1, static_cast<int>(std::floor(box.upper[va] / hv)));
     if (low_u > high_u) continue;
     const bool ball = zone.shape == Zone::Shape::ball;
-    const Vec3 centre = ball ? Vec3(stamp.pose.tip + zone.z0 * stamp.pose.axis) : stamp.pose.tip;
-    // Seen along the lines, the zone lies in a strip about its axis.
-    const double au = stamp.pose.axis[ua], av = stamp.pose.axis[va];
-    const bool askew = !ball && std::abs(av) > 0.05;
-    const double half = askew ? widest(zone) * std::hypot(au, av) / std::abs(av) : 0;
+    const Vec3 centre = ball || stamp.disc ? Vec3(stamp.pose.tip + zone.z0 * stamp.pose.axis) : stamp.pose.tip;
+    const double au = stamp.pose.axis[ua], av = stamp.pose.axis[va], ad = stamp.pose.axis[d];
+    const bool level_way = stamp.disc && std::abs(stamp.way.dot(stamp.pose.axis)) < 1e-9 * (1 + stamp.way.norm());
+    if (level_way && std::abs(ad) < 1e-9) continue;
+    // Ends of an upright piece that lie beyond what is asked about: it is enough that they do.
+    if (stamp.disc && ad > 1 - 1e-12 && zone.z0 == top_ && box.lower[d] > window.beyond) {
+      open = true;
+      continue;
+    }
+    // Seen along the lines, a zone lies in a strip about its axis, what a disc sweeps in one about its way.
+    const double strip_u = stamp.disc ? stamp.way[ua] : au, strip_v = stamp.disc ? stamp.way[va] : av;
+    const double strip = std::hypot(strip_u, strip_v);
+    const bool askew = !ball && strip > 0 && std::abs(strip_v) > 0.05 * strip;
+    const double half = askew ? widest(zone) * strip / std::abs(strip_v) : 0;
     for (int v = low_v; v <= high_v; ++v) {
       int u0 = low_u, u1 = high_u;
       if (askew) {
-        const double middle = centre[ua] + au / av * (v * hv - centre[va]);
+        const double middle = centre[ua] + strip_u / strip_v * (v * hv - centre[va]);
         u0 = std::max(u0, static_cast<int>(std::ceil(std::max((middle - half) / hu, -1e6))));
         u1 = std::min(u1, static_cast<int>(std::floor(std::min((middle + half) / hu, 1e8))));
         if (u0 > u1) continue;
       }
       const std::size_t index = window.index(u0, v);
-      const Row row{u1 - u0 + 1, u0 * hu - centre[ua], hu, v * hv - centre[va], centre[d], au, av, stamp.pose.axis[d],
+      const Row row{u1 - u0 + 1, u0 * hu - centre[ua],  hu, v * hv - centre[va], centre[d], au, av, ad,
                     &window.entry[index], &window.exit[index]};
-      switch (zone.shape) {
-        case Zone::Shape::ball: ball_row(row, zone.r0); break;
-        case Zone::Shape::ring: ring_row(row, zone); break;
-        case Zone::Shape::frustum: frustum_row(row, zone); break;
+      if (stamp.disc) {
+        (level_way ? level_disc_row : disc_row)(row, zone.r0, stamp.way[ua], stamp.way[va], stamp.way[d]);
+      } else if (ball) {
+        ball_row(row, zone.r0);
+      } else if (zone.shape == Zone::Shape::frustum) {
+        frustum_row(row, zone);
+      } else if (std::abs(ad) > 1 - 1e-12) {
+        ring_along_row(row, zone);
+      } else {
+        (std::abs(ad) < 1e-9 ? ring_across_row : ring_row)(row, zone);
       }
     }
   }
@@ -398,6 +527,9 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     if (strip.box.upper[va] < (window.v0 - 0.01) * hv || strip.box.lower[va] > (window.v1 + 0.01) * hv) continue;
     for (std::size_t i = strip.first; i < strip.last; ++i) fill_triangle(window, lattice, triangles_[i]);
   }
+  if (open)
+    for (std::size_t i = 0; i < window.entry.size(); ++i)
+      if (window.entry[i] <= window.exit[i]) window.exit[i] = std::numeric_limits<float>::infinity();
 }
 
 }  // namespace fieldfab::cam

@@ -15,6 +15,7 @@ namespace fieldfab::cam {
 struct Window {
   int axis = 2;
   int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< lines, both ends included; empty where u1 < u0
+  float beyond = std::numeric_limits<float>::infinity();  ///< mm along the axis above which nobody asks
   std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit: the line is not met
 
   [[nodiscard]] int width() const { return u1 - u0 + 1; }
@@ -47,10 +48,12 @@ class Sweep {
   void fill(Window& window, const StockLattice& lattice) const;
 
  private:
-  /// A cylinder, cone or ball in one place.
+  /// A zone in one place; or a disc about the tool's axis, of radius zone.r0 at the height zone.z0, going straight along `way`.
   struct Stamp {
     Zone zone;
     ToolPose pose;
+    bool disc;
+    Vec3 way;
   };
   using Triangle = std::array<Vec3, 3>;
   /// Triangles that come one after the other, and their box.
@@ -60,7 +63,7 @@ class Sweep {
   };
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
-  void add_edge(double height, double radius, double tolerance);
+  void add_disc(double height, double radius, double tolerance);
   void add_grazing(const std::vector<std::array<double, 4>>& section);
 
   ToolPose from_, to_;
@@ -69,7 +72,7 @@ class Sweep {
   std::vector<Strip> strips_;
   Box bounds_;
   std::array<Vec3, 4> core_;  ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
-  double radius_ = 0;
+  double radius_ = 0, top_ = 0;  ///< top_: height of its upper end above the tip
 };
 
 }  // namespace fieldfab::cam

@@ -30,7 +30,7 @@ std::vector<SplitRule> parse_split_rules(const std::string& text);
 struct StockSettings {
   double cell = 0.1;     ///< distance of samples, mm
   double tolerance = 0;  ///< of swept surfaces, mm; 0: a fiftieth of a cell
-  int brick = 32;        ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
+  int brick = 64;        ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
   bool both_ends = true;  ///< columns may have a varying lower end as well (Hahn 7.4); else conflicts of sign split cells
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
@@ -104,7 +104,7 @@ class Stock {
 
   StockSettings settings_;
   StockLattice lattice_;
-  int brick_ = 32;
+  int brick_ = 64;
   Index3 bricks_along_{1, 1, 1};
   std::vector<std::shared_ptr<Brick>> bricks_;
 };
