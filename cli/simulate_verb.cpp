@@ -17,8 +17,12 @@ nlohmann::ordered_json json_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 nlohmann::ordered_json json_of(const cam::SimulationReport& report) {
   auto events = nlohmann::ordered_json::array();
   for (const cam::SimulationEvent& e : report.events)
-    events.push_back({{"kind", cam::to_string(e.kind)}, {"line", e.line}, {"tool", e.tool}, {"place", json_of(e.place)},
-                      {"amount", e.amount}, {"message", e.message}});
+    events.push_back({{"kind", cam::to_string(e.kind)},
+                      {"line", e.line},
+                      {"tool", e.tool},
+                      {"place", json_of(e.place)},
+                      {"amount", e.amount},
+                      {"message", e.message}});
   auto notes = nlohmann::ordered_json::array();
   for (const cam::ReadingNote& note : report.notes) notes.push_back({{"line", note.line}, {"message", note.message}});
   nlohmann::ordered_json json{{"good", report.good()},
@@ -39,7 +43,8 @@ nlohmann::ordered_json json_of(const cam::SimulationReport& report) {
                               {"bytes", report.stock.bytes}};
   if (report.deviation) {
     const cam::Deviation& d = *report.deviation;
-    json["deviation"] = {{"deepest_gouge", d.deepest}, {"highest_excess", d.highest}, {"mean", d.mean}, {"rms", d.root_mean_square}};
+    json["deviation"] = {
+        {"deepest_gouge", d.deepest}, {"highest_excess", d.highest}, {"mean", d.mean}, {"rms", d.root_mean_square}};
   }
   return json;
 }
@@ -49,7 +54,10 @@ class SimulateVerb final : public Verb {
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
     verb_->add_option("PROGRAM", program_, "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt")->required();
-    verb_->add_option("--setup", setup_, "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md)")->required();
+    verb_
+        ->add_option("--setup", setup_,
+                     "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md)")
+        ->required();
     verb_->add_option("-o,--output", output_, "the stock that is left: .stl, .ply, .off, .obj, .3mf or .asdf");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
@@ -80,18 +88,22 @@ class SimulateVerb final : public Verb {
 
   [[nodiscard]] Outcome report(const cam::Simulation& simulation) const {
     const cam::SimulationReport& r = simulation.report();
-    for (const cam::ReadingNote& note : r.notes) fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, note.message);
-    for (const cam::SimulationEvent& e : r.events) fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
+    for (const cam::ReadingNote& note : r.notes)
+      fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, note.message);
+    for (const cam::SimulationEvent& e : r.events)
+      fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
     Outcome outcome;
     outcome.json = json_of(r);
     if (!report_.empty()) write_file(report_, outcome.json.dump(1) + "\n");
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
-    outcome.line = fmt::format("{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}", program_, r.moves, seconds / 60,
-                               seconds % 60, r.removed, 100 * r.air_share(),
-                               r.good() ? "nothing is wrong" : fmt::format("{} thing{} wrong", r.events.size(), r.events.size() == 1 ? "" : "s"));
+    outcome.line = fmt::format(
+        "{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}", program_, r.moves, seconds / 60,
+        seconds % 60, r.removed, 100 * r.air_share(),
+        r.good() ? "nothing is wrong" : fmt::format("{} thing{} wrong", r.events.size(), r.events.size() == 1 ? "" : "s"));
     if (r.deviation)
-      outcome.line += fmt::format("; against the target {:.3f} mm too deep, {:.3f} mm left", r.deviation->deepest, r.deviation->highest);
+      outcome.line +=
+          fmt::format("; against the target {:.3f} mm too deep, {:.3f} mm left", r.deviation->deepest, r.deviation->highest);
     outcome.code = r.good() ? 0 : 1;
     return outcome;
   }

@@ -30,6 +30,7 @@ bool WindowSet::start(const Sweep& sweep, const Region& region) {
   filled_.fill(false);
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
+    beyond_[a] = lattice_->at(axis, std::min(region.upper[a] + 1, lattice_->cells()[a]));
     const double spacing = lattice_->spacing()[axis];
     const double low = std::clamp(sweep.bounds().lower[axis] / spacing, -1e6, 1e8),
                  high = std::clamp(sweep.bounds().upper[axis] / spacing, -1e6, 1e8);
@@ -47,7 +48,7 @@ const Window& WindowSet::along(int axis) {
   window.axis = axis;
   window.u0 = reach_.first(axis_u(axis)), window.u1 = reach_.last(axis_u(axis));
   window.v0 = reach_.first(axis_v(axis)), window.v1 = reach_.last(axis_v(axis));
-  window.beyond = lattice_->at(axis, reach_.last(axis));
+  window.beyond = beyond_[static_cast<std::size_t>(axis)];
   window.clear();
   sweep_->fill(window, *lattice_);
   return window;
@@ -246,9 +247,12 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
   for (int v = first_v; v <= last_v; ++v) {
     load(v + 1);
     const std::size_t row = window.index(first_u, v);
-    const float* const around[3] = {&tops[static_cast<std::size_t>((v + 2) % 3) * stride], &tops[static_cast<std::size_t>((v + 3) % 3) * stride],
+    const float* const around[3] = {&tops[static_cast<std::size_t>((v + 2) % 3) * stride],
+                                    &tops[static_cast<std::size_t>((v + 3) % 3) * stride],
                                     &tops[static_cast<std::size_t>((v + 4) % 3) * stride]};
-    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u, flags.data())) continue;
+    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u,
+                         flags.data()))
+      continue;
     for_each_flag(flags.data(), count_u, [&](int i) {
       const int u = first_u + i;
       const std::size_t at = row + static_cast<std::size_t>(i);
@@ -574,8 +578,8 @@ void Brick::count(StockStatistics& statistics) const {
       ++statistics.cells;
     statistics.bytes += cell.upper.bytes() + cell.lower.bytes();
     for (const auto* ends : {&cell.upper, &cell.lower})
-      statistics.column_samples += static_cast<std::uint64_t>(
-          std::count_if(ends->at.begin(), ends->at.end(), [](float at) { return std::isfinite(at); }));
+      statistics.column_samples +=
+          static_cast<std::uint64_t>(std::count_if(ends->at.begin(), ends->at.end(), [](float at) { return std::isfinite(at); }));
   }
 }
 

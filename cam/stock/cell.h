@@ -239,10 +239,10 @@ struct Cell {
   enum class Content : std::uint8_t { solid, empty, columns, split };
   Region region;
   Content content = Content::solid;
-  std::int8_t axis = 2;              ///< of the columns; of the plane where it is split
-  std::int8_t facing = 0;            ///< 1: only upper ends vary, -1: only lower ones, 0: both may
-  int plane = 0;                     ///< where it is split: the upper child's first point along the axis
-  int children = 0;                  ///< index of the lower child; the upper one comes after it
+  std::int8_t axis = 2;    ///< of the columns; of the plane where it is split
+  std::int8_t facing = 0;  ///< 1: only upper ends vary, -1: only lower ones, 0: both may
+  int plane = 0;           ///< where it is split: the upper child's first point along the axis
+  int children = 0;        ///< index of the lower child; the upper one comes after it
   /// Where each column ends and begins, u fastest; `lower` is empty where all columns begin below the cell.
   struct Ends {
     std::vector<float> at;

@@ -7,8 +7,8 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Signed distances of points from a solid: value by slope, made better by walking to the surface and measuring the way. Exact where the
-/// Field is a distance, second order near the surface of any smooth one.
+/// Signed distances of points from a solid: value by slope, made better by walking to the surface and measuring the way. Exact
+/// where the Field is a distance, second order near the surface of any smooth one.
 void signed_distances(const Field& target, const std::array<float, 3>* points, std::size_t count, float* out) {
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
   for (std::size_t i = 0; i < count; ++i) x[i] = points[i][0], y[i] = points[i][1], z[i] = points[i][2];
@@ -16,7 +16,8 @@ void signed_distances(const Field& target, const std::array<float, 3>* points, s
     target.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     if (step == 0) first = value;
     for (std::size_t i = 0; i < count; ++i) {
-      const double square = static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i];
+      const double square =
+          static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i];
       if (!(square > 1e-12) || !std::isfinite(square) || !std::isfinite(value[i])) continue;
       const double way = value[i] / square;
       x[i] -= static_cast<float>(way * dx[i]), y[i] -= static_cast<float>(way * dy[i]), z[i] -= static_cast<float>(way * dz[i]);
@@ -60,7 +61,8 @@ Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double f
       mean += result.at_vertex[t[i]] / 3.0;
     }
     const Vec3 a = p[1] - p[0], b = p[2] - p[0];
-    const double part = 0.5 * Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()).norm();
+    const double part =
+        0.5 * Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()).norm();
     area += part, sum += part * mean, squares += part * mean * mean;
     const double bin = (mean - result.histogram_from) / range * bins;
     result.histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, bins - 1.0))] += part;

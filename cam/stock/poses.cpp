@@ -24,7 +24,8 @@ PoseMaker::PoseMaker(const SimulationSetup& setup, const std::string& program)
 
 void PoseMaker::check(const Motion& motion) const {
   for (std::size_t axis = 3; axis < 9; ++axis) {
-    const bool known = axis < 6 && ((!kinematics_.axes.empty() && rotary_[0] == axis) || (kinematics_.axes.size() > 1 && rotary_[1] == axis));
+    const bool known =
+        axis < 6 && ((!kinematics_.axes.empty() && rotary_[0] == axis) || (kinematics_.axes.size() > 1 && rotary_[1] == axis));
     if (!known && std::abs(motion.end.at[axis] - setup_.start.at[axis]) > 1e-9)
       throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
                   fmt::format("it moves {}, an axis that {} does not have", "XYZABCUVW"[axis],
@@ -32,7 +33,8 @@ void PoseMaker::check(const Motion& motion) const {
   }
 }
 
-ToolPose PoseMaker::pose(const AxisValues& axes, ControlMode mode, double lengthened, double length, const Placement& placement) const {
+ToolPose PoseMaker::pose(const AxisValues& axes, ControlMode mode, double lengthened, double length,
+                         const Placement& placement) const {
   AxisPose at{axes.xyz() - setup_.zero, {0, 0}};
   for (std::size_t i = 0; i < kinematics_.axes.size(); ++i) at.angles[i] = axes.at[rotary_[i]];
   const PoseSolver solver(mode == ControlMode::tip ? tip_kinematics_ : kinematics_);
@@ -114,7 +116,8 @@ std::vector<ToolPose> PoseMaker::along(const AxisValues& from, const Motion& mot
       for (const double share : {0.25, 0.5, 0.75}) {
         const ToolPose middle = between(t0 + share * (t1 - t0));
         const Vec3 tip = a.tip + share * (b.tip - a.tip), axis = (a.axis + share * (b.axis - a.axis)).normalized();
-        even = even && (middle.tip - tip).norm() <= tolerance && (middle.tip + reach * middle.axis - tip - reach * axis).norm() <= tolerance;
+        even = even && (middle.tip - tip).norm() <= tolerance &&
+               (middle.tip + reach * middle.axis - tip - reach * axis).norm() <= tolerance;
       }
       // The sweep's surface between poses is straight: its sagitta counts as well.
       even = even && reach * (b.axis - a.axis).squaredNorm() / 8 <= tolerance;

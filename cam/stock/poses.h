@@ -14,7 +14,8 @@ class PoseMaker {
   PoseMaker(const SimulationSetup& setup, const std::string& program);
 
   /// The pose for axis values. `lengthened`: how much longer than the tool the control takes it for, mm; `length` of the tool.
-  [[nodiscard]] ToolPose pose(const AxisValues& axes, ControlMode mode, double lengthened, double length, const Placement& placement) const;
+  [[nodiscard]] ToolPose pose(const AxisValues& axes, ControlMode mode, double lengthened, double length,
+                              const Placement& placement) const;
   /// Throws bad_input with the line where a motion turns an axis that the machine does not have.
   void check(const Motion& motion) const;
   /// Poses along a motion so dense that between two of them tip and axis may be taken to go evenly: no point of the tool up to

@@ -2,8 +2,8 @@
 
 namespace fieldfab::cam {
 
-__attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float* entry, const float* exit, const float* tops, int count,
-                                                                     std::uint8_t* flags) {
+__attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float* entry, const float* exit, const float* tops,
+                                                                     int count, std::uint8_t* flags) {
   unsigned any = 0;
   if (tops == nullptr) {
     for (int i = 0; i < count; ++i) {
@@ -24,8 +24,8 @@ __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const flo
                                                                        std::uint8_t* flags) {
   unsigned any = 0;
   for (int i = 0; i < count; ++i) {
-    const std::uint8_t below = static_cast<std::uint8_t>((entry[i] < before[i]) | (entry[i] < after[i]) | (entry[i] < here[i - 1]) |
-                                                         (entry[i] < here[i + 1]));
+    const std::uint8_t below = static_cast<std::uint8_t>((entry[i] < before[i]) | (entry[i] < after[i]) |
+                                                         (entry[i] < here[i - 1]) | (entry[i] < here[i + 1]));
     const std::uint8_t flag = static_cast<std::uint8_t>(below & (entry[i] <= exit[i]));
     flags[i] = flag, any |= flag;
   }

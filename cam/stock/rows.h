@@ -7,11 +7,11 @@
 
 namespace fieldfab::cam {
 
-/// Flags the lines whose interval from `entry` to `exit` begins below a column's top; `tops` null: all columns are solid. Whether there
-/// are any. `flags` has room for 8 more than `count`.
+/// Flags the lines whose interval from `entry` to `exit` begins below a column's top; `tops` null: all columns are solid. Whether
+/// there are any. `flags` has room for 8 more than `count`.
 bool flag_contacts(const float* entry, const float* exit, const float* tops, int count, std::uint8_t* flags);
-/// Flags the lines whose interval begins below the top of a neighbour: `before` and `after` are the rows next to `here`, each of which
-/// has a value in front of the first one and behind the last one.
+/// Flags the lines whose interval begins below the top of a neighbour: `before` and `after` are the rows next to `here`, each of
+/// which has a value in front of the first one and behind the last one.
 bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
                      std::uint8_t* flags);
 

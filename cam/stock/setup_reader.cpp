@@ -43,8 +43,8 @@ class SetupReader {
     if (!table_.tables("operation").empty() || table_.has("input")) {
       read_job();
     } else {
-      table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero", "start", "work",
-                   "limits", "stop"});
+      table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero",
+                   "start", "work", "limits", "stop"});
       read_machine();
       for (Tool& tool : read_tools(table_)) setup_.tools.emplace(tool.number, std::move(tool));
       read_stock();
@@ -65,7 +65,8 @@ class SetupReader {
     const std::filesystem::path p(name);
     return p.is_absolute() ? p : path_.parent_path() / p;
   }
-  [[nodiscard]] static Vec3 vector(const TomlTable& table, const std::string& key, const std::vector<double>& list, std::size_t from = 0) {
+  [[nodiscard]] static Vec3 vector(const TomlTable& table, const std::string& key, const std::vector<double>& list,
+                                   std::size_t from = 0) {
     if (list.size() < from + 3) throw refuse(table, key, fmt::format("{} needs {} numbers", key, from + 3));
     return {list[from], list[from + 1], list[from + 2]};
   }
@@ -110,7 +111,8 @@ class SetupReader {
 
   void limits_of_machine() {
     for (const RotaryAxis& axis : setup_.machine.kinematics.axes)
-      if (axis.letter >= 'A' && axis.letter <= 'C') setup_.limits[static_cast<std::size_t>(axis.letter - 'A') + 3] = {axis.lower, axis.upper};
+      if (axis.letter >= 'A' && axis.letter <= 'C')
+        setup_.limits[static_cast<std::size_t>(axis.letter - 'A') + 3] = {axis.lower, axis.upper};
   }
 
   /// A model with its bounds, or those that the table gives.
@@ -125,7 +127,8 @@ class SetupReader {
     } else {
       const SolidBounds found = solid_bounds(*field, progress_);
       if (found.empty) throw refuse(table, "model", fmt::format("{}: the solid is empty", name));
-      if (!found.is_bounded()) throw refuse(table, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+      if (!found.is_bounded())
+        throw refuse(table, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
       box = found.box;
     }
     if (!box.valid()) throw refuse(table, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
@@ -141,7 +144,8 @@ class SetupReader {
       const auto& c = *cylinder;
       setup_.stock_box = {{c[0] - c[2], c[1] - c[2], c[3]}, {c[0] + c[2], c[1] + c[2], c[4]}};
       if (!(c[2] > 0) || !(c[4] > c[3])) throw refuse(*stock, "cylinder", "cylinder is [x, y, radius, z from, z to]");
-      setup_.stock = frep::make_field(frep::parse_infix(fmt::format("sqrt(square(x - ({:.17g})) + square(y - ({:.17g}))) - {:.17g}", c[0], c[1], c[2])));
+      setup_.stock = frep::make_field(
+          frep::parse_infix(fmt::format("sqrt(square(x - ({:.17g})) + square(y - ({:.17g}))) - {:.17g}", c[0], c[1], c[2])));
     } else if (stock->has("model")) {
       std::tie(setup_.stock, setup_.stock_box) = read_model(*stock);
     } else {
@@ -178,7 +182,8 @@ class SetupReader {
     const auto lower = fixture->list("lower"), upper = fixture->list("upper");
     if (!lower || !upper) throw refuse(*fixture, "", "a fixture needs a model, or lower and upper corners");
     setup_.fixture_box = {vector(*fixture, "lower", *lower), vector(*fixture, "upper", *upper)};
-    if (!setup_.fixture_box.valid() || setup_.fixture_box.size().minCoeff() <= 0) throw refuse(*fixture, "", "the fixture has no size");
+    if (!setup_.fixture_box.valid() || setup_.fixture_box.size().minCoeff() <= 0)
+      throw refuse(*fixture, "", "the fixture has no size");
     setup_.fixture = box_field(setup_.fixture_box.grown(1));
   }
 
@@ -238,6 +243,8 @@ class SetupReader {
 
 }  // namespace
 
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress) { return SetupReader(path, progress).read(); }
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress) {
+  return SetupReader(path, progress).read();
+}
 
 }  // namespace fieldfab::cam

@@ -41,7 +41,12 @@ Simulation::Simulation(SimulationSetup setup, Progress& progress)
 class SimulationRun {
  public:
   SimulationRun(Simulation& simulation, const std::string& program, int lines, Progress& progress)
-      : s_(simulation), setup_(simulation.setup_), poses_(setup_, program), program_(program), lines_(lines), progress_(progress) {
+      : s_(simulation),
+        setup_(simulation.setup_),
+        poses_(setup_, program),
+        program_(program),
+        lines_(lines),
+        progress_(progress) {
     at_ = setup_.start;
     placement_ = setup_.placement;
     // Without any word about tools, the only one there is.
@@ -55,7 +60,10 @@ class SimulationRun {
       case Motion::Kind::rapid:
       case Motion::Kind::feed:
       case Motion::Kind::arc: move(motion); break;
-      case Motion::Kind::dwell: record(motion.line).seconds += motion.seconds; s_.report_.seconds += motion.seconds; break;
+      case Motion::Kind::dwell:
+        record(motion.line).seconds += motion.seconds;
+        s_.report_.seconds += motion.seconds;
+        break;
       case Motion::Kind::stop: stop(motion); break;
       case Motion::Kind::tool_change:
       case Motion::Kind::end: break;
@@ -118,8 +126,8 @@ class SimulationRun {
       const auto [at, fresh] = record_of_line_.try_emplace(line, lines.size());
       if (fresh) lines.push_back({line, 0, 0, 0, 0});
       record_ = at->second;
-    }
-    else record_ = lines.size() - 1;
+    } else
+      record_ = lines.size() - 1;
     return lines[record_];
   }
 
@@ -177,12 +185,14 @@ class SimulationRun {
     }
     if (strokes_.size() >= 4096) {
       flush();
-      progress_.report(lines_ > 0 ? std::min(1.0, static_cast<double>(motion.line) / lines_) : 0, fmt::format("line {}", motion.line));
+      progress_.report(lines_ > 0 ? std::min(1.0, static_cast<double>(motion.line) / lines_) : 0,
+                       fmt::format("line {}", motion.line));
       progress_.check();
     }
   }
 
-  void add(const ToolPose& from, const ToolPose& to, const Motion& motion, bool rapid, std::uint32_t cut, double length, bool stopped) {
+  void add(const ToolPose& from, const ToolPose& to, const Motion& motion, bool rapid, std::uint32_t cut, double length,
+           bool stopped) {
     const auto stroke = [&](const ToolPiece& piece, bool removes, Purpose::What what) {
       strokes_.push_back({&piece, from, to, cut, removes});
       const bool first = &piece == &mounted_->solid.pieces.front();  // the way counts once
@@ -223,7 +233,8 @@ class SimulationRun {
     const auto told = [&](Kind kind, const char* what) {
       if (!result.points) return;
       event(kind, purpose.line, purpose.tool, result.place, result.volume,
-            fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(), result.place.z()));
+            fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
+                        result.place.z()));
     };
     LineRecord& line = s_.report_.lines[purpose.record];
     switch (purpose.what) {
@@ -253,7 +264,8 @@ class SimulationRun {
       if (beyond <= 1e-6) continue;
       const double unit = axis >= 3 && axis < 6 ? 180 / 3.14159265358979323846 : 1;
       event(Kind::over_travel, motion.line, tool_number_, motion.end.xyz() - setup_.zero, beyond * unit,
-            fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], at * unit, low * unit, high * unit));
+            fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], at * unit, low * unit,
+                        high * unit));
     }
   }
 
@@ -324,7 +336,8 @@ void Simulation::finish(Progress& progress) {
   std::vector<std::uint32_t> cuts;
   mesh_ = stock_.mesh(&cuts, progress);
   vertex_lines_.resize(cuts.size());
-  for (std::size_t i = 0; i < cuts.size(); ++i) vertex_lines_[i] = line_of_cut_[std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1)];
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+    vertex_lines_[i] = line_of_cut_[std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1)];
   report_.left = mesh_.volume();
   report_.stock = stock_.statistics();
   if (!setup_.target) return;
@@ -342,14 +355,16 @@ void Simulation::finish(Progress& progress) {
   const auto place = [&](std::size_t i) -> Vec3 { return {mesh_.vertices[i][0], mesh_.vertices[i][1], mesh_.vertices[i][2]}; };
   for (const auto& [line, i] : worst) {
     const Vec3 p = place(i);
-    report_.events.push_back({Kind::gouge, line, 0, p, -at[i],
-                              line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
-                                   : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
+    report_.events.push_back(
+        {Kind::gouge, line, 0, p, -at[i],
+         line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
+              : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
   }
   if (setup_.excess > 0 && !at.empty() && at[highest] > setup_.excess) {
     const Vec3 p = place(highest);
-    report_.events.push_back({Kind::excess, vertex_lines_[highest], 0, p, at[highest],
-                              fmt::format("{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})", at[highest], p.x(), p.y(), p.z())});
+    report_.events.push_back(
+        {Kind::excess, vertex_lines_[highest], 0, p, at[highest],
+         fmt::format("{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})", at[highest], p.x(), p.y(), p.z())});
   }
 }
 

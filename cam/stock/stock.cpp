@@ -20,7 +20,7 @@ struct Batch {
     x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
   }
   void evaluate(const Field& field) {
-    value.resize(x.size());
+    value = std::vector<float>(x.size());
     field.values({x.data(), y.data(), z.data(), x.size()}, value.data());
   }
 };
@@ -45,7 +45,8 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
   };
   const Restriction here = field.restricted({place(near.lower), place(near.upper)});
   if (here.range.lower > 0 || here.range.upper < 0) return std::make_shared<Brick>(region, here.range.upper < 0);
-  std::vector<float> values(static_cast<std::size_t>(near.count(0)) * static_cast<std::size_t>(near.count(1)) * static_cast<std::size_t>(near.count(2)));
+  std::vector<float> values(static_cast<std::size_t>(near.count(0)) * static_cast<std::size_t>(near.count(1)) *
+                            static_cast<std::size_t>(near.count(2)));
   const auto value = [&](const Index3& p) -> float& {
     return values[(static_cast<std::size_t>(p[2] - near.lower[2]) * static_cast<std::size_t>(near.count(1)) +
                    static_cast<std::size_t>(p[1] - near.lower[1])) *

@@ -86,16 +86,19 @@ __attribute__((target_clones("avx2", "default"))) void ball_row(const Row& row, 
   }
 }
 
-/// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision precise.
+/// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision
+/// precise.
 template <bool slab>
 __attribute__((target_clones("avx2", "default"))) void cylinder_row(const Row& row, const Zone& zone) {
   const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
   // All linear along the row: height of the foot point, place of the line's nearest point, distance.
   const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
   const auto nearest = static_cast<float>(row.ad / sine2), inverse = static_cast<float>(1 / sine);
-  const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine), d_step = static_cast<float>(-row.av * row.step_u / sine);
+  const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine),
+             d_step = static_cast<float>(-row.av * row.step_u / sine);
   const auto square = static_cast<float>(zone.r0 * zone.r0), origin = static_cast<float>(row.origin);
-  const float level = slab ? static_cast<float>(1 / row.ad) : 0.0f, bottom = static_cast<float>(zone.z0), top = static_cast<float>(zone.z1);
+  const float level = slab ? static_cast<float>(1 / row.ad) : 0.0f, bottom = static_cast<float>(zone.z0),
+              top = static_cast<float>(zone.z1);
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
@@ -147,8 +150,8 @@ __attribute__((target_clones("avx2", "default"))) void ring_across_row(const Row
   }
 }
 
-/// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that the
-/// steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
+/// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that
+/// the steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
 __attribute__((target_clones("avx2", "default"))) void ring_row(const Row& row, const Zone& zone) {
   const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
@@ -164,7 +167,8 @@ __attribute__((target_clones("avx2", "default"))) void ring_row(const Row& row, 
       double s = side ? start : -start, f = 0;
       for (int step = 0; step < 12; ++step) {
         const double height = level + s * row.ad, from_axis = std::sqrt(std::max(across + s * s - height * height, 1e-18));
-        const double beyond = std::max(from_axis - zone.r0, 0.0), distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
+        const double beyond = std::max(from_axis - zone.r0, 0.0),
+                     distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
         f = distance - zone.r1;
         const double slope = (beyond * (s - height * row.ad) / from_axis + height * row.ad) / distance;
         // Only inwards; a line that passes outside turns round, and stays where it is nearest.
@@ -210,7 +214,8 @@ __attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, 
 }
 
 /// A disc that goes along its own plane: a flat figure with round ends.
-__attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+__attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv,
+                                                                      double wd) {
   if (std::abs(row.ad) < 1e-9) return;
   const double level = 1 / row.ad, square = wu * wu + wv * wv + wd * wd, inverse = square > 0 ? 1 / square : 0;
   float* const __restrict entry = row.entry;
@@ -231,7 +236,9 @@ void frustum_row(const Row& row, const Zone& zone) {
   const bool slab = std::abs(ad) > 1e-9;
   if (k == 0) {
     if (1 - ad * ad < 1e-12) return parallel_row(row, zone);
-    return std::abs(ad) > 1e-3 ? cylinder_row<true>(row, zone) : std::abs(ad) < 1e-9 ? cylinder_row<false>(row, zone) : frustum_row<Slant::chord, true>(row, zone);
+    return std::abs(ad) > 1e-3   ? cylinder_row<true>(row, zone)
+           : std::abs(ad) < 1e-9 ? cylinder_row<false>(row, zone)
+                                 : frustum_row<Slant::chord, true>(row, zone);
   }
   const double a = 1 - ad * ad - k * k * ad * ad;
   if (a > 0)
@@ -308,30 +315,32 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
       // The capsule's cylinder, from the first centre to the last.
       const Vec3 start = from.tip + zone.z0 * from.axis, way = to.tip + zone.z0 * to.axis - start;
       if (way.norm() > 1e-12)
-        stamps_.push_back({{Zone::Shape::frustum, 0, way.norm(), zone.r0, zone.r0, false, false}, {start, way.normalized()}, false, Vec3::Zero()});
+        stamps_.push_back({{Zone::Shape::frustum, 0, way.norm(), zone.r0, zone.r0, false, false},
+                           {start, way.normalized()},
+                           false,
+                           Vec3::Zero()});
       continue;
     }
-    std::vector<std::array<double, 4>> section;  // distance, height, and the normal's two parts
     if (zone.shape == Zone::Shape::frustum) {
       if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance);
       if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance);
       const double length = std::hypot(zone.z1 - zone.z0, zone.r1 - zone.r0);
-      const int parts = turns ? 4 : 1;
-      for (int i = 0; i <= parts; ++i) {
-        const double t = static_cast<double>(i) / parts;
-        section.push_back({zone.r0 + t * (zone.r1 - zone.r0), zone.z0 + t * (zone.z1 - zone.z0), (zone.z1 - zone.z0) / length,
-                           (zone.r0 - zone.r1) / length});
-      }
+      add_grazing(
+          [&](double t) -> SectionPoint {
+            return {zone.r0 + t * (zone.r1 - zone.r0), zone.z0 + t * (zone.z1 - zone.z0), (zone.z1 - zone.z0) / length,
+                    (zone.r0 - zone.r1) / length};
+          },
+          turns ? 4 : 1);
     } else {
       add_disc(zone.z0 - zone.r1, zone.r0, tolerance);
       add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
-      const int parts = std::max(3, parts_of_circle(zone.r1, tolerance) / 4);
-      for (int i = 0; i <= parts; ++i) {
-        const double angle = std::numbers::pi / 2 * i / parts, c = std::sin(angle), s = -std::cos(angle);
-        section.push_back({zone.r0 + zone.r1 * c, zone.z0 + zone.r1 * s, c, s});
-      }
+      add_grazing(
+          [&](double t) -> SectionPoint {
+            const double angle = std::numbers::pi / 2 * t, c = std::sin(angle), sine = -std::cos(angle);
+            return {zone.r0 + zone.r1 * c, zone.z0 + zone.r1 * sine, c, sine};
+          },
+          std::max(3, parts_of_circle(zone.r1, tolerance) / 4));
     }
-    add_grazing(section);
   }
 }
 
@@ -365,7 +374,8 @@ double distance_from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
   const double square = normal.squaredNorm();
   if (square < 1e-24) return edges;
   const Vec3 q = p - normal * ((p - a).dot(normal) / square);
-  const bool inside = (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 && (a - c).cross(q - c).dot(normal) >= 0;
+  const bool inside =
+      (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 && (a - c).cross(q - c).dot(normal) >= 0;
   return inside ? (p - q).norm() : edges;
 }
 
@@ -373,7 +383,8 @@ double distance_from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
 
 bool Sweep::near(const Vec3& place, double distance) const {
   const double reach = distance + radius_;
-  return distance_from_triangle(place, core_[0], core_[1], core_[2]) <= reach || distance_from_triangle(place, core_[1], core_[2], core_[3]) <= reach;
+  return distance_from_triangle(place, core_[0], core_[1], core_[2]) <= reach ||
+         distance_from_triangle(place, core_[1], core_[2], core_[3]) <= reach;
 }
 
 /// The way of a flat end and its edge.
@@ -397,28 +408,56 @@ void Sweep::add_disc(double height, double radius, double tolerance) {
   add_strip(circle(from_), circle(to_));
 }
 
-/// Both grazing curves along a part of the half section: at each height, the places round the axis where the normal is across the
-/// motion. Where a circle has none, its place nearest to that: there the curve closes.
-void Sweep::add_grazing(const std::vector<std::array<double, 4>>& section) {
+/// Both grazing curves along a part of the half section, given from 0 to 1: at each height, the places round the axis where the
+/// normal is across the motion. Where a circle has none, its place nearest to that: there the curve closes. Where the curves turn
+/// quickly round the axis, as they do before they close, there are more points than `parts`.
+void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts) {
   const Vec3 like = any_across(from_.axis), motion = to_.tip - from_.tip, turning = to_.axis - from_.axis;
-  std::array<std::vector<Vec3>, 2> start, end;
-  for (const bool last : {false, true}) {
-    const ToolPose& pose = last ? to_ : from_;
-    const auto [one, other] = across(pose.axis, like);
-    const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
-    for (const auto& [distance, height, out, up] : section) {
+  struct Grazing {
+    double t = 0;
+    std::array<double, 4> angles{};  ///< about the axis: both sides at the start, both at the end
+    std::array<Vec3, 4> places;
+  };
+  const auto grazing = [&](double t) {
+    const auto [distance, height, out, up] = section(t);
+    Grazing result;
+    result.t = t;
+    for (const bool last : {false, true}) {
+      const ToolPose& pose = last ? to_ : from_;
+      const auto [one, other] = across(pose.axis, like);
+      const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
       // normal . velocity = p . (cos, sin) + q  at the angle about the axis.
       const Vec3 p = out * motion + (height * out - distance * up) * swing;
       const double q = up * motion.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
       const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
       for (std::size_t side = 0; side < 2; ++side) {
-        const double angle = middle + (side ? half : -half);
-        (last ? end : start)[side].emplace_back(pose.tip + height * pose.axis +
-                                                distance * (std::cos(angle) * one + std::sin(angle) * other));
+        const std::size_t i = side + (last ? 2 : 0);
+        result.angles[i] = middle + (side ? half : -half);
+        result.places[i] =
+            pose.tip + height * pose.axis + distance * (std::cos(result.angles[i]) * one + std::sin(result.angles[i]) * other);
       }
     }
+    return result;
+  };
+  std::vector<Grazing> curve{grazing(0)};
+  const auto add = [&](const auto& self, const Grazing& to, int depth) -> void {
+    double turn = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      turn = std::max(turn, std::abs(std::remainder(to.angles[i] - curve.back().angles[i], 2 * std::numbers::pi)));
+    if (turn > 0.1 && depth < 10) {
+      const Grazing middle = grazing(0.5 * (curve.back().t + to.t));
+      self(self, middle, depth + 1);
+      self(self, to, depth + 1);
+      return;
+    }
+    curve.push_back(to);
+  };
+  for (int i = 1; i <= parts; ++i) add(add, grazing(static_cast<double>(i) / parts), 0);
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<Vec3> start, end;
+    for (const Grazing& g : curve) start.push_back(g.places[side]), end.push_back(g.places[side + 2]);
+    add_strip(start, end);
   }
-  for (std::size_t side = 0; side < 2; ++side) add_strip(start[side], end[side]);
 }
 
 namespace {
@@ -507,7 +546,7 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
         if (u0 > u1) continue;
       }
       const std::size_t index = window.index(u0, v);
-      const Row row{u1 - u0 + 1, u0 * hu - centre[ua],  hu, v * hv - centre[va], centre[d], au, av, ad,
+      const Row row{u1 - u0 + 1,          u0 * hu - centre[ua], hu, v * hv - centre[va], centre[d], au, av, ad,
                     &window.entry[index], &window.exit[index]};
       if (stamp.disc) {
         (level_way ? level_disc_row : disc_row)(row, zone.r0, stamp.way[ua], stamp.way[va], stamp.way[d]);

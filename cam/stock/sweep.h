@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -14,9 +15,9 @@ namespace fieldfab::cam {
 /// Lines are counted along the two other axes, u and v, in cyclic order.
 struct Window {
   int axis = 2;
-  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< lines, both ends included; empty where u1 < u0
+  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;                   ///< lines, both ends included; empty where u1 < u0
   float beyond = std::numeric_limits<float>::infinity();  ///< mm along the axis above which nobody asks
-  std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit: the line is not met
+  std::vector<float> entry, exit;                         ///< mm from the lattice's corner; entry > exit: the line is not met
 
   [[nodiscard]] int width() const { return u1 - u0 + 1; }
   [[nodiscard]] bool empty() const { return u1 < u0 || v1 < v0; }
@@ -64,14 +65,16 @@ class Sweep {
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
   void add_disc(double height, double radius, double tolerance);
-  void add_grazing(const std::vector<std::array<double, 4>>& section);
+  /// A point of the half section, and its normal's two parts: distance from the axis, height, outwards, upwards.
+  using SectionPoint = std::array<double, 4>;
+  void add_grazing(const std::function<SectionPoint(double)>& section, int parts);
 
   ToolPose from_, to_;
   std::vector<Stamp> stamps_;
   std::vector<Triangle> triangles_;
   std::vector<Strip> strips_;
   Box bounds_;
-  std::array<Vec3, 4> core_;  ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
+  std::array<Vec3, 4> core_;     ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
   double radius_ = 0, top_ = 0;  ///< top_: height of its upper end above the tip
 };
 

@@ -129,11 +129,12 @@ std::vector<ToolPiece> convex_pieces(const std::vector<Vec2>& section, ToolRole 
 }
 
 ToolSolid tool_solid(const Tool& tool) {
-  (void)tool.profile();  // its own complaints first
+  if (tool.shape != "form") (void)tool.profile();  // its own complaints first
   ToolSolid solid;
   double length = tool.flute > 0 ? tool.flute : tool.length > 0 ? tool.length : 10 * tool.diameter;
-  if (tool.shape == "profile") {
+  if (tool.shape == "profile" || tool.shape == "form") {
     std::vector<Vec2> section = tool.points;
+    if (section.empty()) throw Error(ErrorKind::bad_input, "tool", fmt::format("tool {} has no profile", tool.number));
     const double top = section.back().y();
     if (length > top + 1e-9) section.emplace_back(section.back().x(), length);
     length = std::max(length, top);

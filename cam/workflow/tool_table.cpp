@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/cam/tool_solid.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -36,7 +37,11 @@ Tool read_tool(const TomlTable& table, int number) {
   }
   try {
     if (tool.shape == "profile" && tool.diameter == 0 && !tool.points.empty()) tool.diameter = 2 * tool.points.back().x();
-    if (tool.diameter > 0 || tool.shape == "profile") (void)tool.profile();
+    if (tool.shape == "form") {
+      for (const Vec2& point : tool.points) tool.diameter = std::max(tool.diameter, 2 * point.x());
+      (void)tool_solid(tool);
+    } else if (tool.diameter > 0 || tool.shape == "profile")
+      (void)tool.profile();
   } catch (const Error& error) {
     throw Error(ErrorKind::bad_input, table.place(), error.what());
   }

@@ -45,23 +45,24 @@ struct SimulationSetup {
   FieldPtr stock;    ///< its shape; null: all of the box
   FieldPtr fixture;  ///< null: none
   Box fixture_box;
-  FieldPtr target;   ///< what should come out; null: not known
-  double gouge = 0.05;    ///< how deep a cut into the target is one, mm
-  double excess = 0;      ///< how much may be left over it, mm; 0: any amount
-  double touch = 0.02;    ///< contacts of less than this depth are none, mm
-  double floor = -1e300;  ///< deviations below this height do not count, mm: what the next set-up will cut
+  FieldPtr target;           ///< what should come out; null: not known
+  double gouge = 0.05;       ///< how deep a cut into the target is one, mm
+  double excess = 0;         ///< how much may be left over it, mm; 0: any amount
+  double touch = 0.02;       ///< contacts of less than this depth are none, mm
+  double floor = -1e300;     ///< deviations below this height do not count, mm: what the next set-up will cut
   Vec3 zero = Vec3::Zero();  ///< machine coordinates of the part's zero
   std::array<AxisValues, 9> work_offsets{};
   AxisValues start;
   std::array<std::array<double, 2>, 9> limits;  ///< of each axis, mm or radians
   RapidWay rapid_way = RapidWay::straight;
-  Placement placement;             ///< how the part lies at first
-  std::vector<StopAction> stops;   ///< what is done at each of the program's stops, in their order
+  Placement placement;            ///< how the part lies at first
+  std::vector<StopAction> stops;  ///< what is done at each of the program's stops, in their order
   StockSettings sampling;
   SimulationSetup();
 };
 
-/// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE, io.
+/// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE,
+/// io.
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none());
 
 /// Something that should not happen.
@@ -89,18 +90,18 @@ std::string to_string(SimulationEvent::Kind kind);
 /// What one line of a program did.
 struct LineRecord {
   int line = 0;
-  double removed = 0;   ///< mm^3
+  double removed = 0;  ///< mm^3
   double seconds = 0;
   double cut = 0, air = 0;  ///< mm of feed with and without material
 };
 
 /// How a finished stock differs from its target.
 struct Deviation {
-  double deepest = 0, highest = 0;             ///< gouge and excess at their worst, mm; neither below 0
-  double mean = 0, root_mean_square = 0;       ///< of signed distances, weighed by area, mm
-  std::vector<float> at_vertex;                ///< signed: above 0 where material is left over
-  double histogram_from = 0, histogram_to = 0; ///< mm
-  std::vector<double> histogram;               ///< mm^2 of surface in even steps
+  double deepest = 0, highest = 0;              ///< gouge and excess at their worst, mm; neither below 0
+  double mean = 0, root_mean_square = 0;        ///< of signed distances, weighed by area, mm
+  std::vector<float> at_vertex;                 ///< signed: above 0 where material is left over
+  double histogram_from = 0, histogram_to = 0;  ///< mm
+  std::vector<double> histogram;                ///< mm^2 of surface in even steps
 };
 /// Signed distances of a mesh's vertices from a solid; `places` of its coordinates below `floor` count as 0.
 Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double floor, Progress& progress = Progress::none());
@@ -112,8 +113,8 @@ struct SimulationReport {
   std::optional<Deviation> deviation;
   std::uint64_t moves = 0, poses = 0;
   double seconds = 0, rapid_seconds = 0;
-  double removed = 0, left = 0;          ///< mm^3
-  double cut = 0, air = 0, rapid = 0;    ///< mm
+  double removed = 0, left = 0;        ///< mm^3
+  double cut = 0, air = 0, rapid = 0;  ///< mm
   StockStatistics stock;
   [[nodiscard]] bool good() const { return events.empty(); }
   /// Share of the feed that meets no material, from 0 to 1.

@@ -48,7 +48,7 @@ class Profile {
 struct Tool {
   int number = 1;
   std::string name;
-  std::string shape = "flat";  ///< flat, ball, bull, v, tapered, drill, profile
+  std::string shape = "flat";  ///< flat, ball, bull, v, tapered, drill, profile; form: any half section, for simulation only
   double diameter = 0;         ///< of the cutting part at its widest, mm
   double corner_radius = 0;    ///< bull-nose; the tip's of a tapered ball
   double angle = 0;            ///< included angle of a v, a drill or a tapered ball, radians
