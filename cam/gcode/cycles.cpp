@@ -57,9 +57,10 @@ void Interpreter::cycle() {
   std::array<double, 2> step{};
   const std::array<std::size_t, 2> span{axes.first, axes.second};
   if (modes_.absolute) {
-    for (const std::size_t k : span)
-      if (block_.has(letters[k])) place.at[k] = word(letters[k]);
+    const AxisValues to = target();
+    for (const std::size_t k : span) place.at[k] = to.at[k];
   } else {
+    if (block_.has_radius || block_.has_angle) refuse("{} with @ or ^ under G91", name);
     r += cycle_.start;
     bottom += r;
     for (std::size_t i = 0; i < 2; ++i)

@@ -49,10 +49,19 @@ class Interpreter final : public PredefinedParameters {
   struct Compensation {
     int side = 0;  ///< 1: left of the path (G41), -1: right, 0: off
     double radius = 0;
-    bool entered = false;     ///< whether the entry move has been made
-    AxisValues programmed;    ///< where the path itself stands
-    Vec2 heading = Vec2::Zero();  ///< direction in which the path arrived there
-    std::deque<Motion> waiting;   ///< the last move, whose end depends on the next one, and what came after it
+    bool entered = false;        ///< whether the entry move has been made
+    AxisValues programmed;       ///< where the path itself stands
+    Vec2 heading = Vec2::Zero(); ///< direction in which the path arrived there
+    /// The last move in the plane, whose end depends on the next one, and what came after it.
+    std::deque<Motion> waiting;
+    Vec2 start = Vec2::Zero();   ///< where that move begins
+  };
+  /// A straight line or a circle that the tool's centre follows.
+  struct Track {
+    bool circle = false;
+    Vec2 point = Vec2::Zero();      ///< on the line, or the circle's centre
+    Vec2 direction = Vec2::Zero();  ///< of the line
+    double radius = 0;              ///< of the circle
   };
 
   // interpreter.cpp: the blocks' loop and the order within a block
@@ -134,12 +143,15 @@ class Interpreter final : public PredefinedParameters {
   void set_compensation();
   void compensated_straight(Motion::Kind kind, const AxisValues& to);
   void compensated_arc(const AxisValues& to, const Circle& circle);
+  void corner(const Vec2& at, const Vec2& heading, const Track& next, const Motion& pattern);
+  void give_waiting(Motion motion, const Vec2& heading);
+  [[nodiscard]] Vec2 beside(const Vec2& at, const Vec2& heading) const;
   void flush();
 
   ReadingOptions options_;
   MotionSink sink_;
   Progress& progress_;
-  Notes notes_;
+  mutable Notes notes_;  // a question for a parameter may be worth one
   Parameters parameters_;
   Flow flow_;
   BlockReader reader_;

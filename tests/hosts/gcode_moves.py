@@ -111,6 +111,8 @@ def canonical_moves(lines):
             at = tip(centre)
             moves.append(Move("arc", tip(program), centre=(at[first], at[second]), turns=int(n[4]), feed=feed * (speed if per_turn else 1), **common))
             last = tuple(program)
+        elif name == "NURBS_FEED":
+            moves.append(Move("spline", **common))
         elif name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCHES" in found[2] else 1.0
         elif name == "SELECT_PLANE":
@@ -179,25 +181,37 @@ def difference(a, b):
     return ""
 
 
-def real_moves(moves):
-    kept, at = [], (0.0,) * 6
-    for m in moves:
-        axes = tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
-        still = m.kind in ("rapid", "feed") and all(abs(a - b) < 1.5e-4 * m.unit for a, b in zip(axes, at))
-        at = axes
-        if not still and m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0):
-            kept.append(m)
-    return kept
+def still(move, before):
+    """Whether a move goes nowhere, as far as four decimals tell."""
+    axes = lambda m: tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
+    return move.kind in ("rapid", "feed") and all(abs(a - b) < 2.5e-4 * move.unit for a, b in zip(axes(move), axes(before)))
 
 
 def compare(mine, theirs):
-    """"" where the moves are the same, else the first that is not. What takes no time and goes nowhere counts as none."""
-    mine, theirs = real_moves(mine), real_moves(theirs)
-    for k, (a, b) in enumerate(zip(mine, theirs)):
-        what = difference(a, b)
-        if what:
+    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing from either; a
+    spline of rs274's is all of our feeds of that line."""
+    real = lambda m: m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0)
+    mine, theirs = [m for m in mine if real(m)], [m for m in theirs if real(m)]
+    last_mine = last_theirs = Move("rapid")
+    i = k = 0
+    while i < len(mine) or k < len(theirs):
+        a, b = mine[i] if i < len(mine) else None, theirs[k] if k < len(theirs) else None
+        if a and b:
+            a.unit = b.unit
+            if b.kind == "spline":
+                while i < len(mine) and mine[i].line == a.line:
+                    i += 1
+                last_mine = last_theirs = mine[i - 1]
+                k += 1
+                continue
+        what = difference(a, b) if a and b else "missing"
+        if not what:
+            last_mine, last_theirs = a, b
+            i, k = i + 1, k + 1
+        elif a and still(a, last_mine):
+            i += 1
+        elif b and still(b, last_theirs):
+            k += 1
+        else:
             return f"move {k}: {what}\n  ours:  {a}\n  rs274: {b}"
-    if len(mine) != len(theirs):
-        k = min(len(mine), len(theirs))
-        return f"{len(mine)} moves instead of {len(theirs)}; then ours: {mine[k:k + 1]} rs274: {theirs[k:k + 1]}"
     return ""
