@@ -22,6 +22,7 @@ void Interpreter::set_compensation() {
   const int code = block_.code(GGroup::compensation);
   if (code == 400) {
     flush();
+    if (compensation_.side != 0 && compensation_.entered) at_ = compensation_.programmed;  // words left out mean the path's place
     compensation_ = {};
     return;
   }
@@ -35,7 +36,7 @@ void Interpreter::set_compensation() {
   } else {
     const int tool = block_.has('d') ? whole(block_['d']) : tool_;
     if (tool < 0) refuse("D{} is below 0", tool);
-    radius = tool_entry(tool).diameter / 2;
+    radius = tool_entry(tool == 0 ? tool_ : tool).diameter / 2;
   }
   compensation_ = {};
   compensation_.side = (code < 420 ? 1 : -1) * (radius < 0 ? -1 : 1);
@@ -66,7 +67,7 @@ void Interpreter::give_waiting(Motion motion, const Vec2& heading) {
 }
 
 /// The corner between the move that waits and the next one, which leaves with `heading` on the track `next`: an arc round an outer
-/// one; in an inner one the move that waits ends where the tracks meet.
+/// one (a straight move for rapids); in an inner one the move that waits ends where the tracks meet.
 void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next, const Motion& pattern) {
   Compensation& comp = compensation_;
   const PlaneAxes axes = axes_of(modes_.plane);
@@ -74,13 +75,13 @@ void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next,
   const double turn = angle_between(comp.heading, heading) * comp.side;
   if (std::abs(turn) < straight_within) return;
   if (turn < 0 || std::numbers::pi - turn < 1e-9) {
-    Motion arc = pattern;
-    arc.kind = Motion::Kind::arc;
-    arc.end = at_;
+    Motion arc = pattern;  // other axes than the third make their way on the corner's arc
+    if (pattern.kind != Motion::Kind::rapid) arc.kind = Motion::Kind::arc;
+    arc.end.at[axes.third] = at_.at[axes.third];
     const Vec2 end = beside(at, heading);
     arc.end.at[axes.first] = end.x(), arc.end.at[axes.second] = end.y();
-    arc.centre = at;
-    arc.turns = -comp.side;
+    arc.centre = arc.kind == Motion::Kind::arc ? at : Vec2(Vec2::Zero());
+    arc.turns = arc.kind == Motion::Kind::arc ? -comp.side : 0;
     give_waiting(std::move(arc), heading);
     return;
   }
@@ -173,7 +174,10 @@ void Interpreter::compensated_arc(const AxisValues& to, const Circle& circle) {
     if (std::abs(along) < nowhere) refuse("the entry arc of cutter compensation cannot be made");
     motion.centre = place - inward * (way.squaredNorm() / (2 * along));
   } else {
-    corner(begin, leaving, {true, circle.centre, {}, radius + (inside ? -comp.radius : comp.radius)}, motion);
+    // An arc's two radii differ by its rounding; which of them counts is as in LinuxCNC, since nearly tangent tracks make much of it.
+    const bool behind_arc = !comp.waiting.empty() && comp.waiting.front().kind == Motion::Kind::arc;
+    const double track = behind_arc ? radius : (begin - circle.centre).norm();
+    corner(begin, leaving, {true, circle.centre, {}, track + (inside ? -comp.radius : comp.radius)}, motion);
   }
   motion.end.at[axes.first] = place.x(), motion.end.at[axes.second] = place.y();
   give_waiting(std::move(motion), arriving);

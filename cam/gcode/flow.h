@@ -69,7 +69,7 @@ class Flow {
   struct Call {
     Position back, start;
     std::vector<Open> open;  ///< the caller's
-    bool parameters = false;  ///< whether it has its own
+    bool own_numbers = false;  ///< whether #1 to #30 are its own
     int repeats = 1;
     std::string label;
   };
@@ -89,7 +89,7 @@ class Flow {
   void close_to(const std::string& label, Kind kind, const char* what);
   Open* find_open(const std::string& label);
   void call(const Line& line, const Word& word);
-  void enter(const std::string& label, const Position& start, bool own_parameters, int repeats);
+  void enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers, int repeats);
   void leave();
   const Source* open_file(const std::string& label);
   void carry_out_condition(const Line& line, const Word& word);

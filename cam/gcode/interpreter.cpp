@@ -281,6 +281,7 @@ void Interpreter::user_m() {
 }
 
 void Interpreter::save_state(bool restore_on_return) {
+  modes_.axis_offset = parameters_.stored(number::offset_active) != 0;
   if (!restore_on_return) {
     saved_ = modes_;
   } else if (flow_.in_program()) {
@@ -296,6 +297,7 @@ void Interpreter::restore_state(const Modes& saved) {
   change_frame([&] {
     modes_ = saved;
     parameters_.stored(number::coordinate_system) = saved.system;
+    parameters_.stored(number::offset_active) = saved.axis_offset ? 1 : 0;
     read_system();
     frame_.tool = saved.tool_offset;
   });

@@ -15,7 +15,8 @@ namespace fieldfab::cam::gcode {
 struct Modes {
   int motion = 800;  ///< G code times ten; 800: none
   ArcPlane plane = ArcPlane::xy;
-  bool absolute = true, arcs_absolute = false, inch = false, diameter = false, retract_to_start = true;
+  bool absolute = true, arcs_absolute = false, inch = false, diameter = false;
+  bool retract_to_start = false;  ///< G98; LinuxCNC begins with G99
   int feed_mode = 940;
   int system = 1;      ///< of coordinates: 1 is G54
   int path = 640;
@@ -27,6 +28,7 @@ struct Modes {
   double most_speed = 0;  ///< G96 D
   bool mist = false, flood = false, feed_override = true, speed_override = true;
   AxisValues tool_offset;
+  bool axis_offset = false;  ///< G92 or G52, as M70 saw it
 };
 
 /// What canned cycles keep from block to block. Lengths in the program's units, as they were given.

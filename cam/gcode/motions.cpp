@@ -9,7 +9,6 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 constexpr std::string_view letters = "xyzabcuvw";
-constexpr double shortest_probe = 0.254;  // mm (or degrees)
 constexpr double chord_tolerance = 0.001;  // mm, of what becomes short feeds
 
 double distance(const AxisValues& a, const AxisValues& b, std::size_t first, std::size_t count) {
@@ -150,9 +149,6 @@ void Interpreter::spindle_synchronous() {
 void Interpreter::probe(const AxisValues& to) {
   no_compensation("G38");
   require_feed();
-  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
-  if (code <= 383 && distance(at_, to, 0, 3) + distance(at_, to, 3, 3) + distance(at_, to, 6, 3) < shortest_probe)
-    refuse("the probe's way is too short");
   notes_.add(flow_.line(), "G38: the probe is taken to touch nothing on its way");
   move(Motion::Kind::feed, to);
   for (int k = 0; k < 9; ++k) {

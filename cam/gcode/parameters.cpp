@@ -69,9 +69,9 @@ void Parameters::enter(const std::vector<double>& arguments) {
   for (std::size_t i = 0; i < arguments.size() && i < 30; ++i) numbered_[i + 1] = arguments[i];
 }
 
-void Parameters::leave() {
+void Parameters::leave(bool numbered) {
   Frame& frame = frames_.back();
-  std::copy(frame.numbered.begin(), frame.numbered.end(), numbered_.begin());
+  if (numbered) std::copy(frame.numbered.begin(), frame.numbered.end(), numbered_.begin());
   locals_ = std::move(frame.names);
   frames_.pop_back();
 }
