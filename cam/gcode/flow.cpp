@@ -313,7 +313,7 @@ void Flow::call(const Line& line, const Word& word) {
 
 void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers, int repeats) {
   if (calls_.size() >= deepest_call) refuse("more than {} subroutines within each other", deepest_call);
-  parameters_.enter(arguments);
+  parameters_.enter(arguments, own_numbers);
   calls_.push_back({at_, start, std::move(open_), own_numbers, repeats, label});
   open_.clear();
   at_ = start;

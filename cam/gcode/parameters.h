@@ -43,8 +43,8 @@ class Parameters {
   [[nodiscard]] double get(std::string_view name) const;
   void set(std::string_view name, double value);
 
-  /// A subroutine begins: #1 and on take the arguments; parameters with local names are its own.
-  void enter(const std::vector<double>& arguments);
+  /// A subroutine begins: #1 to #30 are the arguments, 0 where there is none; parameters with local names are its own.
+  void enter(const std::vector<double>& arguments, bool numbered);
   /// It ends: local names are again as they were and, where `numbered`, #1 to #30 (M98 shares them with its caller).
   void leave(bool numbered);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
