@@ -40,9 +40,9 @@ void Interpreter::cycle() {
     refuse("{} needs {}, the hole's bottom", name, static_cast<char>(depth - 32));
   sticky('p', cycle_.p, "the dwell in seconds", code == 820 || code == 860 || code == 880 || code == 890);
   sticky('q', cycle_.q, "the depth of a peck", code == 830 || code == 730);
-  sticky('i', cycle_.i, "how far the tool moves aside", code == 870);
-  sticky('j', cycle_.j, "how far the tool moves aside", code == 870);
-  sticky('k', cycle_.k, "where the back boring ends", code == 870);
+  sticky('i', cycle_.i, "how far the tool moves aside or where it ends", code == 870);
+  sticky('j', cycle_.j, "how far the tool moves aside or where it ends", code == 870);
+  sticky('k', cycle_.k, "how far the tool moves aside or where it ends", code == 870);
   const int repeats = block_.has('l') ? whole(block_['l'], 1'000'000'000) : 1;
   if (repeats < 1) refuse("{} with L{}: repeats are 1 or more", name, repeats);
   if (cycle_.p < 0) refuse("{} with a dwell of {} seconds", name, cycle_.p);
@@ -57,8 +57,8 @@ void Interpreter::cycle() {
   std::array<double, 2> step{};
   const std::array<std::size_t, 2> span{axes.first, axes.second};
   if (modes_.absolute) {
-    for (const std::size_t k : span)
-      if (block_.has(letters[k])) place.at[k] = word(letters[k]);
+    const AxisValues to = target();
+    for (const std::size_t k : span) place.at[k] = to.at[k];
   } else {
     r += cycle_.start;
     bottom += r;
@@ -73,8 +73,13 @@ void Interpreter::cycle() {
     move(Motion::Kind::rapid, up);
   }
   const double clear = modes_.retract_to_start ? std::max(cycle_.start, r) : r;
-  double height = std::max(at_.at[axes.third], r);
+  double height = at_.at[axes.third] >= r ? at_.at[axes.third] : clear;
+  const bool polar = !modes_.absolute && (block_.has_radius || block_.has_angle);
   for (int i = 0; i < repeats; ++i) {
+    if (polar) {  // each repeat goes on from the one before it
+      const AxisValues to = target();
+      step = {to.at[axes.first] - at_.at[axes.first], to.at[axes.second] - at_.at[axes.second]};
+    }
     place.at[axes.first] += step[0], place.at[axes.second] += step[1];
     place.at[axes.third] = height;
     move(Motion::Kind::rapid, place);
@@ -152,9 +157,10 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
       break;
     case 870: {
       need_spindle();
-      const double i = length(cycle_.i), j = length(cycle_.j), k = length(cycle_.k);
-      const double end = modes_.absolute ? k : bottom + k;
-      if (end < bottom) refuse("G87 with K below the hole's bottom");
+      // I, J and K belong to X, Y and Z: two of them move aside, the third is where the boring ends.
+      const std::array<double, 3> words{length(cycle_.i), length(cycle_.j), length(cycle_.k)};
+      const PlaneAxes axes = axes_of(modes_.plane);
+      const double i = words[axes.first], j = words[axes.second], end = modes_.absolute ? words[third] : bottom + words[third];
       go(Motion::Kind::rapid, r, i, j);
       modes_.spindle = 0;
       go(Motion::Kind::rapid, bottom, i, j);
@@ -174,9 +180,11 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
       feed(bottom);
       dwell(cycle_.p);
       modes_.spindle = 0;
-      Motion stop = stamped(Motion::Kind::stop);  // the operator takes the tool out by hand
+      Motion stop = stamped(Motion::Kind::stop);
       stop.end = at_;
       give(stop);
+      notes_.add(flow_.line(), "G88: the operator is taken to draw the tool out straight");
+      rapid(clear);
       modes_.spindle = turning;
       break;
     }

@@ -309,20 +309,20 @@ void Flow::call(const Line& line, const Word& word) {
     known = subroutines_.emplace(word.label, *found).first;
   }
   const Position start = known->second;
-  parameters_.enter(arguments);
-  enter(word.label, start, true, 1);
+  enter(word.label, start, arguments, true, 1);
 }
 
-void Flow::enter(const std::string& label, const Position& start, bool own_parameters, int repeats) {
+void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers, int repeats) {
   if (calls_.size() >= deepest_call) refuse("more than {} subroutines within each other", deepest_call);
-  calls_.push_back({at_, start, std::move(open_), own_parameters, repeats, label});
+  parameters_.enter(arguments, own_numbers);
+  calls_.push_back({at_, start, std::move(open_), own_numbers, repeats, label});
   open_.clear();
   at_ = start;
 }
 
 void Flow::leave() {
   Call& call = calls_.back();
-  if (call.parameters) parameters_.leave();
+  parameters_.leave(call.own_numbers);
   at_ = call.back;
   open_ = std::move(call.open);
   calls_.pop_back();
@@ -341,7 +341,7 @@ void Flow::call_program(int number, int repeats) {
     known = subroutines_.emplace(label, *found).first;
   }
   const Position start = known->second;
-  if (repeats > 0) enter(label, start, false, repeats);
+  if (repeats > 0) enter(label, start, {}, false, repeats);
 }
 
 bool Flow::return_program() {

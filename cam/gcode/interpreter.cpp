@@ -178,8 +178,9 @@ void Interpreter::set_feed() {
   const double feed = block_['f'];
   if (feed < 0) refuse("F{} is below 0", feed);
   modes_.feed = feed;
-  const int units = block_.code(GGroup::units);
-  modes_.feed_unit = units == 200 ? 25.4 : units == 210 ? 1 : unit();
+  modes_.feed_unit = unit();  // F comes before G20 and G21 in a block's order
+  if (const int units = block_.code(GGroup::units); units != Block::none && (units == 200) != modes_.inch && modes_.feed_mode != 930)
+    notes_.add(flow_.line(), fmt::format("F in the block of {} still counts in the units before it", g_name(units)));
 }
 
 void Interpreter::set_speed() {
@@ -284,6 +285,7 @@ void Interpreter::user_m() {
 }
 
 void Interpreter::save_state(bool restore_on_return) {
+  modes_.axis_offset = parameters_.stored(number::offset_active) != 0;
   if (!restore_on_return) {
     saved_ = modes_;
   } else if (flow_.in_program()) {
@@ -299,6 +301,7 @@ void Interpreter::restore_state(const Modes& saved) {
   change_frame([&] {
     modes_ = saved;
     parameters_.stored(number::coordinate_system) = saved.system;
+    parameters_.stored(number::offset_active) = saved.axis_offset ? 1 : 0;
     read_system();
     frame_.tool = saved.tool_offset;
   });
@@ -413,7 +416,7 @@ std::optional<double> Interpreter::named(std::string_view name) const {
   if (name == "_value_returned") return flag(flow_.value_returned());
   if (name == "_call_level") return static_cast<double>(flow_.depth());
   if (name.starts_with("_hal[") || name.starts_with("_ini[")) {
-    const_cast<Notes&>(notes_).add(flow_.line(), fmt::format("#<{}> is 0: there is no such thing here", shown(name)));
+    notes_.add(flow_.line(), fmt::format("#<{}> is 0: there is no such thing here", shown(name)));
     return 0;
   }
   return std::nullopt;

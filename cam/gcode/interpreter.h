@@ -15,18 +15,20 @@ namespace fieldfab::cam::gcode {
 struct Modes {
   int motion = 800;  ///< G code times ten; 800: none
   ArcPlane plane = ArcPlane::xy;
-  bool absolute = true, arcs_absolute = false, inch = false, diameter = false, retract_to_start = true;
+  bool absolute = true, arcs_absolute = false, inch = false, diameter = false;
+  bool retract_to_start = false;  ///< G98; LinuxCNC begins with G99
   int feed_mode = 940;
-  int system = 1;  ///< of coordinates: 1 is G54
+  int system = 1;      ///< of coordinates: 1 is G54
   int path = 640;
-  double feed = 0;       ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
+  double feed = 0;     ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
   double feed_unit = 1;  ///< mm in the unit of length that F was given in
-  double speed = 0;      ///< the S word: revolutions per minute, or m/min under G96
-  int spindle = 0;       ///< 1 clockwise, -1 anticlockwise
+  double speed = 0;    ///< the S word: revolutions per minute, or m/min under G96
+  int spindle = 0;     ///< 1 clockwise, -1 anticlockwise
   bool constant_surface = false;
   double most_speed = 0;  ///< G96 D
   bool mist = false, flood = false, feed_override = true, speed_override = true;
   AxisValues tool_offset;
+  bool axis_offset = false;  ///< G92 or G52, as M70 saw it
 };
 
 /// What canned cycles keep from block to block. Lengths in the program's units, as they were given.
@@ -49,10 +51,19 @@ class Interpreter final : public PredefinedParameters {
   struct Compensation {
     int side = 0;  ///< 1: left of the path (G41), -1: right, 0: off
     double radius = 0;
-    bool entered = false;         ///< whether the entry move has been made
-    AxisValues programmed;        ///< where the path itself stands
-    Vec2 heading = Vec2::Zero();  ///< direction in which the path arrived there
-    std::deque<Motion> waiting;   ///< the last move, whose end depends on the next one, and what came after it
+    bool entered = false;        ///< whether the entry move has been made
+    AxisValues programmed;       ///< where the path itself stands
+    Vec2 heading = Vec2::Zero(); ///< direction in which the path arrived there
+    /// The last move in the plane, whose end depends on the next one, and what came after it.
+    std::deque<Motion> waiting;
+    Vec2 start = Vec2::Zero();   ///< where that move begins
+  };
+  /// A straight line or a circle that the tool's centre follows.
+  struct Track {
+    bool circle = false;
+    Vec2 point = Vec2::Zero();      ///< on the line, or the circle's centre
+    Vec2 direction = Vec2::Zero();  ///< of the line
+    double radius = 0;              ///< of the circle
   };
 
   // interpreter.cpp: the blocks' loop and the order within a block
@@ -134,12 +145,15 @@ class Interpreter final : public PredefinedParameters {
   void set_compensation();
   void compensated_straight(Motion::Kind kind, const AxisValues& to);
   void compensated_arc(const AxisValues& to, const Circle& circle);
+  void corner(const Vec2& at, const Vec2& heading, const Track& next, const Motion& pattern);
+  void give_waiting(Motion motion, const Vec2& heading);
+  [[nodiscard]] Vec2 beside(const Vec2& at, const Vec2& heading) const;
   void flush();
 
   ReadingOptions options_;
   MotionSink sink_;
   Progress& progress_;
-  Notes notes_;
+  mutable Notes notes_;  // a question for a parameter may be worth one
   Parameters parameters_;
   Flow flow_;
   BlockReader reader_;
@@ -164,7 +178,7 @@ class Interpreter final : public PredefinedParameters {
   std::vector<SavedInCall> saved_in_calls_;
   std::vector<std::array<double, 3>> control_points_;  // G5.2: x, y, weight
   int nurbs_order_ = 0;
-  std::optional<Vec2> last_control_;  // G5: of the last cubic, for the next one
+  std::optional<Vec2> last_control_;                   // G5: of the last cubic, for the next one
 };
 
 }  // namespace fieldfab::cam::gcode

@@ -149,15 +149,13 @@ void Interpreter::spindle_synchronous() {
 void Interpreter::probe(const AxisValues& to) {
   no_compensation("G38");
   require_feed();
-  if (block_.has_any("xyzuvw") ? distance(at_, to, 0, 3) + distance(at_, to, 6, 3) < 0.254 * 1e-3 : at_ == to)
-    refuse("the probe's way is too short");
-  notes_.add(flow_.line(), "G38: the probe is taken to touch nothing before the end of its way");
+  notes_.add(flow_.line(), "G38: the probe is taken to touch nothing on its way");
   move(Motion::Kind::feed, to);
   for (int k = 0; k < 9; ++k) {
     const auto axis = static_cast<std::size_t>(k);
     parameters_.stored(number::probe_result + k) = axis >= 3 && axis < 6 ? to.at[axis] : to.at[axis] / unit();
   }
-  parameters_.stored(number::probe_success) = 1;
+  parameters_.stored(number::probe_success) = 0;
 }
 
 double Interpreter::spindle_at(const AxisValues& to) const {

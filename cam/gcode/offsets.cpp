@@ -53,7 +53,7 @@ void Interpreter::set_length_compensation() {
     const int tool = block_.has('h') ? whole(block_['h']) : tool_;
     if (tool < 0) refuse("H{} is below 0", tool);
     if (code == 432 && !block_.has('h')) refuse("G43.2 needs H");
-    const Vec3 length = tool_entry(tool).offset;
+    const Vec3 length = tool_entry(tool == 0 ? tool_ : tool).offset;  // 0: the one in the spindle
     for (std::size_t k = 0; k < 3; ++k) offset.at[k] += length[static_cast<Eigen::Index>(k)];
   } else if (code == 431) {
     offset = frame_.tool;

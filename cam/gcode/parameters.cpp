@@ -61,18 +61,19 @@ void Parameters::set(std::string_view name, double value) {
   names.emplace(std::string(name), value);
 }
 
-void Parameters::enter(const std::vector<double>& arguments) {
+void Parameters::enter(const std::vector<double>& arguments, bool numbered) {
   Frame frame;
   std::copy_n(numbered_.begin(), frame.numbered.size(), frame.numbered.begin());
   frame.names = std::move(locals_);
   locals_.clear();
   frames_.push_back(std::move(frame));
-  for (std::size_t i = 0; i < arguments.size() && i < 30; ++i) numbered_[i + 1] = arguments[i];
+  if (!numbered) return;
+  for (std::size_t i = 0; i < 30; ++i) numbered_[i + 1] = i < arguments.size() ? arguments[i] : 0;
 }
 
-void Parameters::leave() {
+void Parameters::leave(bool numbered) {
   Frame& frame = frames_.back();
-  std::copy(frame.numbered.begin(), frame.numbered.end(), numbered_.begin());
+  if (numbered) std::copy(frame.numbered.begin(), frame.numbered.end(), numbered_.begin());
   locals_ = std::move(frame.names);
   frames_.pop_back();
 }

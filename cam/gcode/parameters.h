@@ -43,11 +43,10 @@ class Parameters {
   [[nodiscard]] double get(std::string_view name) const;
   void set(std::string_view name, double value);
 
-  /// A subroutine begins: #1 and on take the arguments and, where there are any of them, the rest up to #30 are kept; its
-  /// locals are its own.
-  void enter(const std::vector<double>& arguments);
-  /// It ends: #1 to #30 and the locals are again as they were.
-  void leave();
+  /// A subroutine begins: #1 to #30 are the arguments, 0 where there is none; parameters with local names are its own.
+  void enter(const std::vector<double>& arguments, bool numbered);
+  /// It ends: local names are again as they were and, where `numbered`, #1 to #30 (M98 shares them with its caller).
+  void leave(bool numbered);
   [[nodiscard]] std::size_t depth() const { return frames_.size(); }
 
  private:

@@ -326,9 +326,15 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3(0, 0, tool.length), tool.diameter};
   SimulationRun run(*this, name, lines, progress);
   const MotionSink sink = [&](const Motion& motion) { run(motion); };
-  if (extension == ".sbp" || extension == ".rml" || extension == ".plt")
-    throw Error(ErrorKind::bad_input, name, fmt::format("there is no reader for {} yet", extension));
-  report_.notes = read_gcode(text, name, options, sink, progress);
+  const Machine& machine = setup_.machine;
+  if (extension == ".sbp")
+    report_.notes = read_sbp(text, name, options, machine.unit, sink, progress);
+  else if (extension == ".rml")
+    report_.notes = read_rml(text, name, options, machine.tick > 0 ? machine.tick : 0.025, sink, progress);
+  else if (extension == ".plt" || extension == ".hpgl" || extension == ".camm")
+    report_.notes = read_hpgl(text, name, options, machine.tick > 0 ? machine.tick : 0.025, 1, -1, sink, progress);
+  else
+    report_.notes = read_gcode(text, name, options, sink, progress);
   run.finish();
 }
 

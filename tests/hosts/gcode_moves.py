@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 READER = os.path.join(REPOSITORY, "build/release/bin/gcode_moves")
+TIMEOUT = 100  # seconds for rs274
 TOOLS = ((1, 10.0, 6.0), (2, 25.4, 2.54), (3, 50.0, 12.0))  # number, length, diameter
 
 
@@ -56,7 +57,7 @@ def rs274(program, tools=TOOLS):
                 f.write(f"T{number} P{number} Z{length / 25.4:.10f} D{diameter / 25.4:.10f}\n")
         open(variables, "w").close()
         done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, errors="replace",
-                              timeout=120, cwd=os.path.dirname(os.path.abspath(str(program))))
+                              timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))))
         with open(out, errors="replace") as f:
             moves = canonical_moves(f)
     return moves, "" if done.returncode == 0 else (done.stderr + done.stdout).replace("executing", "").strip() or f"exit {done.returncode}"
@@ -80,6 +81,9 @@ def canonical_moves(lines):
         p[0], p[1] = turned(p[0], p[1], angle)
         return tuple(a + b for a, b in zip(p, origin))
 
+    axes = lambda values: tuple(t + o for t, o in zip(tip(values), (*tool_offset, 0, 0, 0)))
+    at = axes(last)
+
     for line in lines:
         found = re.match(r"\s*\d+\s+N\S*\s+(\w+)\((.*)\)\s*$", line)
         if not found or found[1] in ("COMMENT", "MESSAGE"):
@@ -93,12 +97,12 @@ def canonical_moves(lines):
             if not rapid:
                 if synchronous is not None:
                     rate = synchronous * unit * speed
-                elif all(abs(a - b) < 1e-9 for a, b in zip(program[:3], last[:3])) and tuple(program) != last:
+                elif all(abs(a - b) < 1e-4 * unit for a, b in zip(axes(program)[:3], at[:3])) and program[3:] != list(at[3:]):
                     rate = feed_degrees * math.pi / 180
                 if per_turn and synchronous is None:
                     rate *= speed
             moves.append(Move("rapid" if rapid else "feed", tip(program), feed=0 if rapid else rate, **common))
-            last = tuple(program)
+            last, at = tuple(program), axes(program)
         elif name == "RIGID_TAP":
             for where, sign in ((length(n[:3]) + list(last[3:]), 1), (list(last), -1)):
                 moves.append(Move("feed", tip(where), feed=synchronous * unit * speed, **common))
@@ -110,7 +114,9 @@ def canonical_moves(lines):
             centre[first], centre[second], centre[third] = n[2] * unit, n[3] * unit, n[5] * unit
             at = tip(centre)
             moves.append(Move("arc", tip(program), centre=(at[first], at[second]), turns=int(n[4]), feed=feed * (speed if per_turn else 1), **common))
-            last = tuple(program)
+            last, at = tuple(program), axes(program)
+        elif name == "NURBS_FEED":
+            moves.append(Move("spline", **common))
         elif name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCHES" in found[2] else 1.0
         elif name == "SELECT_PLANE":
@@ -179,25 +185,37 @@ def difference(a, b):
     return ""
 
 
-def real_moves(moves):
-    kept, at = [], (0.0,) * 6
-    for m in moves:
-        axes = tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
-        still = m.kind in ("rapid", "feed") and all(abs(a - b) < 1.5e-4 * m.unit for a, b in zip(axes, at))
-        at = axes
-        if not still and m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0):
-            kept.append(m)
-    return kept
+def still(move, before):
+    """Whether a move goes nowhere, as far as four decimals tell."""
+    axes = lambda m: tuple(e + o for e, o in zip(m.end, (*m.offset, 0, 0, 0)))
+    return move.kind in ("rapid", "feed") and all(abs(a - b) < 2.5e-4 * max(move.unit, before.unit) for a, b in zip(axes(move), axes(before)))
 
 
 def compare(mine, theirs):
-    """"" where the moves are the same, else the first that is not. What takes no time and goes nowhere counts as none."""
-    mine, theirs = real_moves(mine), real_moves(theirs)
-    for k, (a, b) in enumerate(zip(mine, theirs)):
-        what = difference(a, b)
-        if what:
+    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing from either; a
+    spline of rs274's is all of our feeds of that line."""
+    real = lambda m: m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0)
+    mine, theirs = [m for m in mine if real(m)], [m for m in theirs if real(m)]
+    last_mine = last_theirs = Move("rapid")
+    i = k = 0
+    while i < len(mine) or k < len(theirs):
+        a, b = mine[i] if i < len(mine) else None, theirs[k] if k < len(theirs) else None
+        if a and b:
+            a.unit = b.unit
+            if b.kind == "spline":
+                while i < len(mine) and mine[i].line == a.line:
+                    i += 1
+                last_mine = last_theirs = mine[i - 1]
+                k += 1
+                continue
+        what = difference(a, b) if a and b else "missing"
+        if not what:
+            last_mine, last_theirs = a, b
+            i, k = i + 1, k + 1
+        elif a and still(a, last_mine):
+            i += 1
+        elif b and still(b, last_theirs):
+            k += 1
+        else:
             return f"move {k}: {what}\n  ours:  {a}\n  rs274: {b}"
-    if len(mine) != len(theirs):
-        k = min(len(mine), len(theirs))
-        return f"{len(mine)} moves instead of {len(theirs)}; then ours: {mine[k:k + 1]} rs274: {theirs[k:k + 1]}"
     return ""
