@@ -134,8 +134,7 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
     }
     case 740:
     case 840:
-      if (turning != (code == 840 ? 1 : -1))
-        refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
+      if (turning != (code == 840 ? 1 : -1)) refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
       feed(bottom);
       modes_.spindle = -turning;
       dwell(cycle_.p);

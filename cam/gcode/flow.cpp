@@ -50,8 +50,7 @@ bool Flow::next(Line& line) {
   if (!raw_line(at_, raw)) {
     line_ = at_.line;
     if (!calls_.empty()) refuse("the file ends within subroutine {}", shown(calls_.back().label));
-    if (!open_.empty() && open_.back().kind != Kind::condition)
-      refuse("the file ends within the loop o{}", shown(open_.back().label));
+    if (!open_.empty() && open_.back().kind != Kind::condition) refuse("the file ends within the loop o{}", shown(open_.back().label));
     return false;
   }
   line_ = at_.line;

@@ -26,8 +26,7 @@ void Interpreter::thread() {
   const bool entry = (ends & 1) != 0, exit = (ends & 2) != 0;
   const AxisValues start = at_;
   const double z_end = target().at[2], way = z_end < start.at[2] ? -1 : 1, inward = peak < 0 ? -1 : 1;
-  if (taper < 0 || (entry && exit ? 2 : 1) * taper > std::abs(z_end - start.at[2]))
-    refuse("G76 with E beyond the thread's length");
+  if (taper < 0 || (entry && exit ? 2 : 1) * taper > std::abs(z_end - start.at[2])) refuse("G76 with E beyond the thread's length");
 
   const double speed = std::abs(spindle_at(at_));
   const auto go = [&](bool cut, double x, double z, double per_turn = 0) {
