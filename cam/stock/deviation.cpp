@@ -7,26 +7,31 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Signed distances of points from a solid: value by slope, made better by walking to the surface and measuring the way. Exact
-/// where the Field is a distance, second order near the surface of any smooth one.
+/// Farther than this is far, mm.
+constexpr double far = 10;
+
+/// Signed distances of points from a solid: from each, a walk down its slope to the surface. Exact where the Field is a distance, of second
+/// order near the surface of any smooth one; `far` where the walk does not arrive.
 void signed_distances(const Field& target, const std::array<float, 3>* points, std::size_t count, float* out) {
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
+  std::vector<double> left(count, far);
   for (std::size_t i = 0; i < count; ++i) x[i] = points[i][0], y[i] = points[i][1], z[i] = points[i][2];
-  for (int step = 0; step < 4; ++step) {
+  for (int step = 0; step < 8; ++step) {
     target.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     if (step == 0) first = value;
     for (std::size_t i = 0; i < count; ++i) {
-      const double square =
-          static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i];
-      if (!(square > 1e-12) || !std::isfinite(square) || !std::isfinite(value[i])) continue;
-      const double way = value[i] / square;
-      x[i] -= static_cast<float>(way * dx[i]), y[i] -= static_cast<float>(way * dy[i]), z[i] -= static_cast<float>(way * dz[i]);
+      const Vec3 slope(dx[i], dy[i], dz[i]);
+      const double steepness = slope.norm();
+      left[i] = steepness > 1e-9 && std::isfinite(value[i]) ? std::min(std::abs(value[i]) / steepness, far) : far;
+      if (!(steepness > 1e-9) || !slope.allFinite() || !std::isfinite(value[i])) continue;
+      const Vec3 way = slope * (std::clamp(value[i] / steepness, -2.0, 2.0) / steepness);
+      x[i] -= static_cast<float>(way.x()), y[i] -= static_cast<float>(way.y()), z[i] -= static_cast<float>(way.z());
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const double a = x[i] - points[i][0], b = y[i] - points[i][1], c = z[i] - points[i][2];
-    const double way = std::sqrt(a * a + b * b + c * c);
-    out[i] = static_cast<float>(std::copysign(way, first[i]));
+    const Vec3 way(x[i] - points[i][0], y[i] - points[i][1], z[i] - points[i][2]);
+    const double distance = left[i] < 0.1 * way.norm() + 1e-3 ? std::min(way.norm(), far) : far;
+    out[i] = static_cast<float>(std::copysign(distance, first[i]));
   }
 }
 

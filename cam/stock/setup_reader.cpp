@@ -80,6 +80,16 @@ class SetupReader {
     setup_.stock_box = job.stock();
     if (const Solid* const solid = job.solid(); solid != nullptr && !solid->flat) setup_.target = solid->field;
     setup_.sampling.cell = default_cell(setup_.stock_box);
+    // What the job itself allows its paths and its model of the part to be off.
+    double allowed = 0;
+    for (const PlannedOperation& op : job.operations()) {
+      double sum = 0;
+      for (const char* key : {"tolerance", "surface_tolerance"})
+        if (const auto found = op.values.given.find(key); found != op.values.given.end())
+          if (const double* const number = std::get_if<double>(&found->second.value); number != nullptr && *number > 0) sum += *number;
+      allowed = std::max(allowed, sum);
+    }
+    setup_.gouge += allowed;
     const Plane* lying = nullptr;
     int tool = 0;
     for (const PlannedOperation& op : job.operations()) {
@@ -93,6 +103,7 @@ class SetupReader {
       }
       if (op.tool.number != tool && stops(setup_.machine, "tool_change")) setup_.stops.push_back({op.tool.number, std::nullopt});
       tool = op.tool.number;
+      if (!setup_.first_tool) setup_.first_tool = tool;
     }
     limits_of_machine();
   }

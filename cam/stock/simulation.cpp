@@ -143,9 +143,13 @@ class SimulationRun {
 
   void move(const Motion& motion) {
     poses_.check(motion);
-    if (!mounted_)
-      throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
-                  fmt::format("no tool is in the spindle; the set-up has {}", tool_list()));
+    if (!mounted_) {
+      if (setup_.first_tool == 0 || !setup_.tools.contains(setup_.first_tool))
+        throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
+                    fmt::format("no tool is in the spindle; the set-up has {}", tool_list()));
+      s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", setup_.first_tool)});
+      take(setup_.tools.at(setup_.first_tool));
+    }
     check_limits(motion);
     const bool rapid = motion.kind == Motion::Kind::rapid;
     const Tool& tool = mounted_->tool;
@@ -327,15 +331,17 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   SimulationRun run(*this, name, lines, progress);
   const MotionSink sink = [&](const Motion& motion) { run(motion); };
   const Machine& machine = setup_.machine;
+  std::vector<ReadingNote> notes;
   if (extension == ".sbp")
-    report_.notes = read_sbp(text, name, options, machine.unit, sink, progress);
+    notes = read_sbp(text, name, options, machine.unit, sink, progress);
   else if (extension == ".rml")
-    report_.notes = read_rml(text, name, options, machine.tick > 0 ? machine.tick : 0.025, sink, progress);
+    notes = read_rml(text, name, options, machine.tick > 0 ? machine.tick : 0.025, sink, progress);
   else if (extension == ".plt" || extension == ".hpgl" || extension == ".camm")
-    report_.notes = read_hpgl(text, name, options, machine.tick > 0 ? machine.tick : 0.025, 1, -1, sink, progress);
+    notes = read_hpgl(text, name, options, machine.tick > 0 ? machine.tick : 0.025, 1, -1, sink, progress);
   else
-    report_.notes = read_gcode(text, name, options, sink, progress);
+    notes = read_gcode(text, name, options, sink, progress);
   run.finish();
+  report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
 }
 
 void Simulation::finish(Progress& progress) {

@@ -41,6 +41,7 @@ struct SimulationSetup {
   std::string file;  ///< where it was read from, for messages
   Machine machine;   ///< its kinematics, speeds and units of files
   std::map<int, Tool> tools;
+  int first_tool = 0;  ///< what a program starts with that names no tool; 0: that is an error, unless there is only one
   Box stock_box;     ///< of the material, in the part's coordinates, mm
   FieldPtr stock;    ///< its shape; null: all of the box
   FieldPtr fixture;  ///< null: none
