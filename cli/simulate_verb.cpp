@@ -62,7 +62,7 @@ class SimulateVerb final : public Verb {
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
-    verb_->add_option("--report", report_, "also write the report: a .json file");
+    verb_->add_option("--report", report_, "also write the report, with what each line did: a .json file");
   }
 
   Outcome run(Progress& progress) override {
@@ -94,7 +94,14 @@ class SimulateVerb final : public Verb {
       fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
     Outcome outcome;
     outcome.json = json_of(r);
-    if (!report_.empty()) write_file(report_, outcome.json.dump(1) + "\n");
+    if (!report_.empty()) {
+      nlohmann::ordered_json full = outcome.json;
+      auto lines = nlohmann::ordered_json::array();
+      for (const cam::LineRecord& line : r.lines)
+        lines.push_back({{"line", line.line}, {"removed", line.removed}, {"seconds", line.seconds}, {"cut", line.cut}, {"air", line.air}});
+      full["lines"] = std::move(lines);
+      write_file(report_, full.dump(1) + "\n");
+    }
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
     outcome.line = fmt::format(

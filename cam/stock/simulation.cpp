@@ -166,7 +166,8 @@ class SimulationRun {
     s_.report_.seconds += seconds;
     if (rapid) s_.report_.rapid_seconds += seconds, s_.report_.rapid += length;
     s_.line_of_cut_.push_back(motion.line);
-    const auto cut = static_cast<std::uint32_t>(s_.line_of_cut_.size() - 1);
+    s_.line_of_cut_.push_back(-motion.line);  // by the shank
+    const auto cut = static_cast<std::uint32_t>(s_.line_of_cut_.size() - 2);
     const bool stopped = motion.spindle == 0;
     const auto first = known_ ? way.begin() : way.end() - 1;
     for (auto from = first; from + 1 != way.end() || from == first; ++from) {
@@ -198,7 +199,7 @@ class SimulationRun {
   void add(const ToolPose& from, const ToolPose& to, const Motion& motion, bool rapid, std::uint32_t cut, double length,
            bool stopped) {
     const auto stroke = [&](const ToolPiece& piece, bool removes, Purpose::What what) {
-      strokes_.push_back({&piece, from, to, cut, removes});
+      strokes_.push_back({&piece, from, to, what == Purpose::What::shank ? cut + 1 : cut, removes});
       const bool first = &piece == &mounted_->solid.pieces.front();  // the way counts once
       purposes_.push_back({what, record_, motion.line, mounted_->tool.number, first ? length : 0, stopped});
     };
@@ -212,6 +213,9 @@ class SimulationRun {
       if (piece.role == ToolRole::shank) stroke(piece, false, Purpose::What::shank);
       if (piece.role == ToolRole::holder) stroke(piece, false, Purpose::What::holder);
     }
+    // A shank that was told of takes away what it met: what is left where it went is no further fault.
+    for (const ToolPiece& piece : mounted_->solid.pieces)
+      if (piece.role == ToolRole::shank) stroke(piece, true, Purpose::What::shank);
     if (!s_.fixture_) return;
     for (const ToolPiece& piece : mounted_->inner.pieces) {
       fixture_strokes_.push_back({&piece, from, to, cut, false});
@@ -255,7 +259,9 @@ class SimulationRun {
         else
           told(Kind::rapid_contact, "a rapid goes through material");
         break;
-      case Purpose::What::shank: told(Kind::shank_contact, "the shank meets material"); break;
+      case Purpose::What::shank:
+        if (!stroke.removes) told(Kind::shank_contact, "the shank meets material");
+        break;
       case Purpose::What::holder: told(Kind::holder_contact, "the holder meets material"); break;
       case Purpose::What::fixture: told(Kind::fixture_contact, "the tool meets a fixture"); break;
     }
@@ -360,7 +366,7 @@ void Simulation::finish(Progress& progress) {
   const auto& at = report_.deviation->at_vertex;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i] > at[highest]) highest = i;
-    if (!(at[i] < -setup_.gouge)) continue;
+    if (!(at[i] < -setup_.gouge) || vertex_lines_[i] < 0) continue;  // what the shank did was told of
     const auto [found, fresh] = worst.try_emplace(vertex_lines_[i], i);
     if (!fresh && at[i] < at[found->second]) found->second = i;
   }
@@ -372,6 +378,7 @@ void Simulation::finish(Progress& progress) {
          line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
               : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
   }
+  for (int& line : vertex_lines_) line = std::abs(line);
   if (setup_.excess > 0 && !at.empty() && at[highest] > setup_.excess) {
     const Vec3 p = place(highest);
     report_.events.push_back(

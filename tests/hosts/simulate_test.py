@@ -1,0 +1,335 @@
+"""`fieldfab simulate`: programs of our own CAM run clean, and every planted fault is found, at its line, and nothing else."""
+
+import json
+import math
+import os
+import pathlib
+import random
+import re
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COMMAND = pathlib.Path(os.environ.get("FIELDFAB", ROOT / "build/release/bin/fieldfab"))
+
+DOME = """
+plate = max(max(abs(x) - 20, abs(y) - 15), max(z + 4, -(z + 8)))
+dome = sqrt(square(x + 8) + square(y) + square(z + 9)) - 9
+pocket = max(max(abs(x - 9) - 5, abs(y) - 8), -(z + 6.5))
+max(min(plate, max(dome, -(z + 8))), -pocket)
+"""
+KNOB = "min(max(sqrt(x*x + y*y + (z+4)*(z+4)) - 9 - 0.4*sin(x)*cos(y), -z - 2), max(max(abs(x) - 13, abs(y) - 13), abs(z+3) - 3))"
+TOOLS = """
+[[tool]]
+number = 1
+diameter = 6
+flute = 16
+length = 30
+shank = 6
+holder_diameter = 24
+holder_length = 30
+[[tool]]
+number = 2
+shape = "ball"
+diameter = 4
+flute = 14
+length = 30
+shank = 4
+holder_diameter = 24
+holder_length = 30
+"""
+JOBS = {
+    "dome": ("linuxcnc", DOME, '[[operation]]\ntype = "rough"\ntool = 1\nstepdown = 2\nbottom = -8\n'
+             '[[operation]]\ntype = "finish"\ntool = 2\nstepover = 0.6\nbottom = -8\n'),
+    "knob": ("five_axis_ac", KNOB, '[[operation]]\ntype = "rough"\ntool = 1\nstepdown = 2\nbottom = 0\n'
+             '[[operation]]\ntype = "finish"\ntool = 2\nlean = true\npattern = "spiral"\nscallop = 0.02\nbottom = 0\n'),
+}
+
+
+def run(*args, timeout=300):
+    return subprocess.run([str(COMMAND), *map(str, args)], capture_output=True, text=True, timeout=timeout)
+
+
+class Program:
+    """A program of our CAM, its job, and where each of its lines goes."""
+
+    def __init__(self, name, folder):
+        machine, model, operations = JOBS[name]
+        self.folder, self.name = folder, name
+        (folder / f"{name}.frep").write_text(model)
+        self.job_text = f'name = "{name}"\nmachine = "{machine}"\n[input]\nmodel = "{name}.frep"\n[stock]\nmargin = 2\ntop = 0.5\n{TOOLS}{operations}'
+        self.job = folder / f"{name}.toml"
+        self.job.write_text(self.job_text)
+        path = folder / f"{name}.ngc"
+        done = run("cam", self.job, "-o", path)
+        assert done.returncode == 0, done.stderr
+        self.lines = path.read_text().splitlines()
+        self.at, place, self.tool = [], {}, []  # after each line, and the tool it moves
+        tool = 0
+        for line in self.lines:
+            if found := re.match(r"T(\d+)", line):
+                tool = int(found[1])
+            if re.match(r"G[0123] ", line):
+                place = {**place, **{letter: float(number) for letter, number in re.findall(r"([XYZAC])(-?[\d.]+)", line)}}
+            self.at.append(place)
+            self.tool.append(tool)
+        clean = self.simulate(self.lines, self.job)
+        assert clean["code"] == 0 and not clean["events"], clean
+        self.removed = {record["line"]: record["removed"] for record in clean["lines"]}
+
+    def simulate(self, lines, setup, tag=""):
+        program, report = self.folder / f"{self.name}{tag}.nc", self.folder / f"{self.name}{tag}.json"
+        program.write_text("\n".join(lines) + "\n")
+        done = run("simulate", program, "--setup", setup, "--report", report, "--cell", 0.3)
+        assert done.returncode in (0, 1), done.stderr
+        result = json.loads(report.read_text())
+        result["code"] = done.returncode
+        return result
+
+    def feeds(self, tool):
+        """Indices of straight feeds of a tool that are followed by another one."""
+        return [i for i in range(len(self.lines) - 1)
+                if self.tool[i] == tool and self.lines[i].startswith("G1") and self.lines[i + 1].startswith("G1") and "X" in self.at[i]]
+
+    def with_job(self, tag, change):
+        setup = self.folder / f"{self.name}{tag}.toml"
+        setup.write_text(change(self.job_text))
+        return setup
+
+
+@pytest.fixture(scope="module", params=sorted(JOBS))
+def program(request, tmp_path_factory):
+    return Program(request.param, tmp_path_factory.mktemp(request.param))
+
+
+def each(items, body):
+    """Runs body(number, item) for all items on both cores; returns what failed."""
+    with ThreadPoolExecutor(2) as pool:
+        return [f for f in pool.map(lambda pair: body(*pair), enumerate(items)) if f]
+
+
+def where(result, kind):
+    return sorted(e["line"] for e in result["events"] if e["kind"] == kind)
+
+
+def only(result, kind):
+    return result["code"] == 1 and {e["kind"] for e in result["events"]} == {kind}
+
+
+def words(at, **changes):
+    return " ".join(f"{letter}{number:.5f}" for letter, number in {**at, **changes}.items())
+
+
+def dome(x, y, z):
+    """The dome's formula."""
+    plate = max(abs(x) - 20, abs(y) - 15, z + 4, -(z + 8))
+    ball = math.sqrt((x + 8) ** 2 + y ** 2 + (z + 9) ** 2) - 9
+    pocket = max(abs(x - 9) - 5, abs(y) - 8, -(z + 6.5))
+    return max(min(plate, max(ball, -(z + 8))), -pocket)
+
+
+def depth_in_dome(at):
+    """How deep a 4 mm ball with its tip there reaches into the dome, by points all over it."""
+    deepest = 0
+    for i in range(400):  # on a spiral round the ball
+        z = 1 - 2 * (i + 0.5) / 400
+        r, angle = math.sqrt(1 - z * z), 2.399963 * i
+        deepest = max(deepest, -dome(at["X"] + 2 * r * math.cos(angle), at["Y"] + 2 * r * math.sin(angle), at["Z"] + 2 + 2 * z))
+    return deepest
+
+
+def test_gouges_are_found_at_their_line(program):
+    """A place of the finish 0.4 mm too deep along the tool, wherever there is something of the part to cut into."""
+    rng = random.Random(1)
+    candidates = program.feeds(2)
+    if program.name == "dome":
+        candidates = [i for i in candidates if depth_in_dome({**program.at[i], "Z": program.at[i]["Z"] - 0.4}) > 0.1]
+
+    def plant(number, i):
+        lines = list(program.lines)
+        lines[i] = f"G1 {words(program.at[i], Z=program.at[i]['Z'] - 0.4)}"
+        lines[i + 1] = f"G1 {words(program.at[i + 1])}"
+        result = program.simulate(lines, program.job, f"_g{number}")
+        found = where(result, "gouge")
+        # The tool comes out of it on the next line.
+        if not only(result, "gouge") or i + 1 not in found or not set(found) <= {i + 1, i + 2}:
+            return f"line {i + 1} {lines[i]}: {result['events']}"
+        return None
+
+    failed = each(rng.sample(candidates, 30), plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_rapids_through_stock_are_found_at_their_line(program):
+    rng = random.Random(2)
+    candidates = [i for i in program.feeds(1) + program.feeds(2) if program.removed.get(i + 1, 0) > 0.5]
+
+    def plant(number, i):
+        lines = list(program.lines)
+        lines[i] = "G0" + lines[i][2:]
+        result = program.simulate(lines, program.job, f"_r{number}")
+        return None if only(result, "rapid contact") and where(result, "rapid contact") == [i + 1] else f"line {i + 1}: {result['events']}"
+
+    failed = each(rng.sample(candidates, 30), plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_missing_retracts_are_found(program):
+    """Without the lift the next rapid goes through what stands in its way."""
+    if program.name != "dome":
+        pytest.skip("machine z is no height there")
+    rng = random.Random(3)
+    candidates = [i for i in range(len(program.lines) - 1) if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
+                  and re.match(r"G0 X", program.lines[i + 1]) and program.at[i - 1].get("Z", 9) < -3]
+
+    def plant(number, i):
+        lines = list(program.lines)
+        lines[i] = ""
+        result = program.simulate(lines, program.job, f"_l{number}")
+        if result["code"] == 0:  # the way happened to be free
+            way = abs(program.at[i + 1]["X"] - program.at[i]["X"]) + abs(program.at[i + 1]["Y"] - program.at[i]["Y"])
+            return None if way < 8 else f"line {i + 1}: nothing found"
+        wrong = {e["kind"] for e in result["events"]} - {"rapid contact", "gouge"}
+        return f"line {i + 1}: {result['events']}" if wrong or set(where(result, "rapid contact")) - {i + 2} else None
+
+    failed = each(candidates[:12], plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_short_flutes_are_found(program):
+    """Flutes that are shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
+    flutes = [0.4 + 0.12 * k for k in range(12)]
+
+    def plant(number, flute):
+        setup = program.with_job(f"_s{number}", lambda text: text.replace("flute = 16", f"flute = {flute:.2f}"))
+        result = program.simulate(program.lines, setup, f"_s{number}")
+        lines = where(result, "shank contact")
+        ok = only(result, "shank contact") and all(program.tool[line - 1] == 1 and program.removed[line] > 0 for line in lines)
+        return None if ok else f"flute {flute}: {[e for e in result['events'] if e['kind'] != 'shank contact'][:3]} {len(lines)}"
+
+    failed = each(flutes, plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_holders_that_reach_the_stock_are_found(program):
+    """A tool that sticks out less than it goes down."""
+    lengths = [2.5 + 0.25 * k for k in range(12)]
+    lowest = min(at["Z"] for at, tool in zip(program.at, program.tool) if tool == 1 and "Z" in at)
+    top = {"dome": 0.5, "knob": 5.9}[program.name]  # of the stock: the part's bounds may be found a little loose
+
+    def plant(number, length):
+        setup = program.with_job(f"_h{number}", lambda text: text.replace("flute = 16\nlength = 30", f"flute = {length}\nlength = {length}"))
+        result = program.simulate(program.lines, setup, f"_h{number}")
+        lines = where(result, "holder contact")
+        if lowest + length > top + 0.2:
+            return None if not result["events"] else f"length {length}: false alarm {result['events'][:2]}"
+        ok = only(result, "holder contact") and all(program.tool[line - 1] == 1 for line in lines)
+        low = all(min(program.at[line - 1]["Z"], program.at[line - 2].get("Z", 99)) + length < top + 0.2 for line in lines)
+        return None if ok and low else f"length {length}: {result['events'][:3]}"
+
+    failed = each(lengths, plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def setup_of(program, extra):
+    """The job as a hand-written set-up, with more tables."""
+    low, high = ((-22, -17, -8), (22, 17, 0.5)) if program.name == "dome" else ((-15, -15, -6), (15, 15, 6))
+    machine = JOBS[program.name][0]
+    return f'cell = 0.25\nmachine = "{machine}"\n[stock]\nlower = {list(low)}\nupper = {list(high)}\n{TOOLS}{extra}'
+
+
+def test_over_travel_is_found_at_its_lines(program):
+    rng = random.Random(4)
+
+    def plant(number, limit):
+        setup = program.folder / f"{program.name}_o{number}.toml"
+        setup.write_text(setup_of(program, f"[limits]\nx = [-1000, {limit}]\n"))
+        result = program.simulate(program.lines, setup, f"_o{number}")
+        beyond = {i + 1 for i, at in enumerate(program.at) if re.match(r"G[0123] ", program.lines[i]) and at.get("X", -9999) > limit + 1e-6}
+        return None if set(where(result, "over-travel")) == beyond and only(result, "over-travel") else f"{limit}: {len(beyond)} {result['events'][:2]}"
+
+    reach = max(at.get("X", -99) for at in program.at)
+    failed = each([round(reach - rng.uniform(0.1, 8), 2) for _ in range(8)], plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_fixtures_in_the_way_are_found(program):
+    """A clamp on the stock's edge: lines whose tool comes near it, and no others; the same clamp beside everything is no fault."""
+    if program.name != "dome":
+        pytest.skip("the clamp's lines are told by x, which turns there")
+
+    def plant(number, inner):
+        setup = program.folder / f"{program.name}_c{number}.toml"
+        setup.write_text(setup_of(program, f"[fixture]\nlower = [{inner}, -5, -8]\nupper = [{inner + 10}, 5, 3]\n"))
+        result = program.simulate(program.lines, setup, f"_c{number}")
+        reach = max(at["X"] for i, at in enumerate(program.at) if "X" in at and "Y" in at and abs(at["Y"]) < 8 and at.get("Z", 9) < 3)
+        if inner > reach + 3.5:
+            return None if not result["events"] else f"{inner}: false alarm {result['events'][:2]}"
+        near = all(max(program.at[line - 1]["X"], program.at[line - 2].get("X", -99)) + 12.1 > inner for line in where(result, "fixture contact"))
+        return None if only(result, "fixture contact") and near else f"{inner}: {result['events'][:3]}"
+
+    failed = each([16, 17, 18, 19, 20, 21, 30, 40], plant)
+    assert not failed, f"{len(failed)}: {failed[:3]}"
+
+
+def test_a_stopped_spindle_is_found(program):
+    i = next(i for i, line in enumerate(program.lines) if line.startswith("S") and "M3" in line)
+    lines = list(program.lines)
+    lines[i] = "M5"
+    result = program.simulate(lines, program.job, "_m5")
+    assert only(result, "spindle stopped") and len(result["events"]) > 20
+
+
+def test_a_wrong_length_offset_is_found(program):
+    """G43 with the other tool's longer offset lifts the tool; with a shorter one it digs in."""
+    i = next(i for i, line in enumerate(program.lines) if line == "G43 H2")
+    lines = list(program.lines)
+    lines[i] = "G43 H1"
+    setup = program.with_job("_w", lambda text: text.replace("length = 30\nshank = 6", "length = 29.5\nshank = 6"))
+    result = program.simulate(lines, setup, "_w")
+    assert result["code"] == 1 and len(where(result, "gouge")) > 50 and all(program.tool[line - 1] == 2 for line in where(result, "gouge"))
+
+
+BAD = {
+    "syntax": ("G1 X1 Y\n", ":1"),
+    "loop": ("o1 while [1]\no1 endwhile\nM2\n", "no end"),
+    "tool": ("T9 M6\nG0 X0 Y0 Z0\nM2\n", ":1: tool 9"),
+    "axis": ("T1 M6\nG0 B30\nM2\n", ":2: it moves B"),
+    "nan": ("T1 M6\nG0 X[0/0]\nM2\n", ":2"),
+    "huge": ("T1 M6\nG1 X1e300 F100\nM2\n", ""),
+}
+
+
+@pytest.mark.parametrize("name", sorted(BAD))
+def test_bad_programs_end_with_one_clear_line(name, tmp_path):
+    text, wanted = BAD[name]
+    program = tmp_path / "bad.nc"
+    program.write_text(text)
+    setup = tmp_path / "setup.toml"
+    setup.write_text(f"cell = 0.5\n[stock]\nlower = [0, 0, 0]\nupper = [10, 10, 10]\n{TOOLS}")
+    done = run("simulate", program, "--setup", setup, "-o", tmp_path / "out.stl")
+    assert done.returncode in ((2,) if wanted else (0, 1, 2)), done
+    if wanted:
+        assert wanted in done.stderr and len(done.stderr.strip().splitlines()) == 1, done.stderr
+        assert not (tmp_path / "out.stl").exists()
+
+
+@pytest.mark.parametrize("text, wanted", [
+    ("", "needs a [stock]"),
+    ("[stock]\nlower = [0, 0, 0]\nupper = [0, 1, 1]\n", ":1: the stock has no size"),
+    ("cel = 1\n[stock]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n", "cel"),
+    ("cell = -1\n[stock]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n", ":1: cell must be above 0"),
+    ("cell = 1e-9\n[stock]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n", "cells along an axis"),
+    ("rules = \"XYZ\"\n[stock]\nlower = [0, 0, 0]\nupper = [1, 1, 1]\n", "XYZ"),
+    ("[stock]\ncylinder = [0, 0, -1, 0, 1]\n", "cylinder"),
+    ("[stock]\nmodel = \"none.stl\"\n", "none.stl"),
+])
+def test_bad_setups_end_with_one_clear_line(text, wanted, tmp_path):
+    program = tmp_path / "p.nc"
+    program.write_text("G0 X0\nM2\n")
+    setup = tmp_path / "setup.toml"
+    setup.write_text(text)
+    done = run("simulate", program, "--setup", setup)
+    assert done.returncode == 2 and wanted in done.stderr and len(done.stderr.strip().splitlines()) == 1, done.stderr
