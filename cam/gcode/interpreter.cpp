@@ -216,6 +216,7 @@ void Interpreter::change_tool() {
   no_compensation("M6");
   tool_ = selected_tool_;
   modes_.spindle = 0;
+  at_ = sent_;  // where it stands counts, not where a path ended that was compensated
   Motion motion = stamped(Motion::Kind::tool_change);
   motion.end = at_;
   give(motion);
