@@ -11,7 +11,7 @@ enum class Letter : std::uint8_t { plain, space, open, semicolon };
 
 constexpr std::array<Letter, 256> letter_kinds() {
   std::array<Letter, 256> kinds{};
-  for (const unsigned char c : {' ', '\t', '\r', '\n', '\v', '\f', '\0'}) kinds[c] = Letter::space;
+  for (const char c : {' ', '\t', '\r', '\n', '\v', '\f', '\0'}) kinds[static_cast<unsigned char>(c)] = Letter::space;
   kinds['('] = Letter::open;
   kinds[';'] = Letter::semicolon;
   return kinds;
