@@ -98,7 +98,8 @@ class SimulateVerb final : public Verb {
       nlohmann::ordered_json full = outcome.json;
       auto lines = nlohmann::ordered_json::array();
       for (const cam::LineRecord& line : r.lines)
-        lines.push_back({{"line", line.line}, {"removed", line.removed}, {"seconds", line.seconds}, {"cut", line.cut}, {"air", line.air}});
+        lines.push_back(
+            {{"line", line.line}, {"removed", line.removed}, {"seconds", line.seconds}, {"cut", line.cut}, {"air", line.air}});
       full["lines"] = std::move(lines);
       write_file(report_, full.dump(1) + "\n");
     }

@@ -8,9 +8,9 @@ namespace fieldfab::cam::gcode {
 namespace {
 
 // As far as LinuxCNC lets a circle's two radii, or a radius and half its chord, differ.
-constexpr double radius_tolerance = 0.00127;         // mm
-constexpr double spiral_tolerance = 0.0282842712475; // mm, where it is more than one thousandth of the radius, too
-constexpr double most_spiral = 100;                  // times that
+constexpr double radius_tolerance = 0.00127;          // mm
+constexpr double spiral_tolerance = 0.0282842712475;  // mm, where it is more than one thousandth of the radius, too
+constexpr double most_spiral = 100;                   // times that
 
 }  // namespace
 
@@ -71,7 +71,8 @@ void Interpreter::arc() {
   const PlaneAxes axes = axes_of(modes_.plane);
   static constexpr std::array<char, 9> letters{'x', 'y', 'z', 'a', 'b', 'c', 'u', 'v', 'w'};
   if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
-  if (block_.has('r') && !block_.has(letters[axes.first]) && !block_.has(letters[axes.second]) && !block_.has_radius && !block_.has_angle)
+  if (block_.has('r') && !block_.has(letters[axes.first]) && !block_.has(letters[axes.second]) && !block_.has_radius &&
+      !block_.has_angle)
     refuse("an arc with R and no place to end in its plane");
   if (modes_.feed_mode == 930 && !block_.has('f')) refuse("under G93 each arc needs its F word");
   require_feed();

@@ -11,7 +11,7 @@ enum class Letter : std::uint8_t { plain, space, open, semicolon };
 
 constexpr std::array<Letter, 256> letter_kinds() {
   std::array<Letter, 256> kinds{};
-  for (const unsigned char c : {' ', '\t', '\r', '\n', '\v', '\f', '\0'}) kinds[c] = Letter::space;
+  for (const char c : {' ', '\t', '\r', '\n', '\v', '\f', '\0'}) kinds[static_cast<unsigned char>(c)] = Letter::space;
   kinds['('] = Letter::open;
   kinds[';'] = Letter::semicolon;
   return kinds;
@@ -20,40 +20,128 @@ constexpr std::array<Letter, 256> kinds = letter_kinds();
 
 int g_group(int code) {
   switch (code) {
-    case 40: case 100: case 280: case 281: case 300: case 301: case 520: case 920: case 921: case 922: case 923:
-      return static_cast<int>(GGroup::action);
-    case 0: case 10: case 20: case 30: case 50: case 51: case 52: case 53: case 330: case 331: case 382: case 383: case 384:
-    case 385: case 730: case 740: case 760: case 800: case 810: case 820: case 830: case 840: case 850: case 860: case 870:
-    case 880: case 890:
-      return static_cast<int>(GGroup::motion);
-    case 170: case 180: case 190: return static_cast<int>(GGroup::plane);
-    case 900: case 910: return static_cast<int>(GGroup::distance);
-    case 901: case 911: return static_cast<int>(GGroup::arc_distance);
-    case 930: case 940: case 950: return static_cast<int>(GGroup::feed_mode);
-    case 200: case 210: return static_cast<int>(GGroup::units);
-    case 400: case 410: case 411: case 420: case 421: return static_cast<int>(GGroup::compensation);
-    case 430: case 431: case 432: case 434: case 490: return static_cast<int>(GGroup::length);
-    case 980: case 990: return static_cast<int>(GGroup::retract);
-    case 540: case 550: case 560: case 570: case 580: case 590: case 591: case 592: case 593:
-      return static_cast<int>(GGroup::system);
-    case 610: case 611: case 640: return static_cast<int>(GGroup::path);
-    case 960: case 970: return static_cast<int>(GGroup::spindle_mode);
-    case 70: case 80: return static_cast<int>(GGroup::lathe);
-    case 680: case 690: return static_cast<int>(GGroup::rotation);
+    case 40:
+    case 100:
+    case 280:
+    case 281:
+    case 300:
+    case 301:
+    case 520:
+    case 920:
+    case 921:
+    case 922:
+    case 923: return static_cast<int>(GGroup::action);
+    case 0:
+    case 10:
+    case 20:
+    case 30:
+    case 50:
+    case 51:
+    case 52:
+    case 53:
+    case 330:
+    case 331:
+    case 382:
+    case 383:
+    case 384:
+    case 385:
+    case 730:
+    case 740:
+    case 760:
+    case 800:
+    case 810:
+    case 820:
+    case 830:
+    case 840:
+    case 850:
+    case 860:
+    case 870:
+    case 880:
+    case 890: return static_cast<int>(GGroup::motion);
+    case 170:
+    case 180:
+    case 190: return static_cast<int>(GGroup::plane);
+    case 900:
+    case 910: return static_cast<int>(GGroup::distance);
+    case 901:
+    case 911: return static_cast<int>(GGroup::arc_distance);
+    case 930:
+    case 940:
+    case 950: return static_cast<int>(GGroup::feed_mode);
+    case 200:
+    case 210: return static_cast<int>(GGroup::units);
+    case 400:
+    case 410:
+    case 411:
+    case 420:
+    case 421: return static_cast<int>(GGroup::compensation);
+    case 430:
+    case 431:
+    case 432:
+    case 434:
+    case 490: return static_cast<int>(GGroup::length);
+    case 980:
+    case 990: return static_cast<int>(GGroup::retract);
+    case 540:
+    case 550:
+    case 560:
+    case 570:
+    case 580:
+    case 590:
+    case 591:
+    case 592:
+    case 593: return static_cast<int>(GGroup::system);
+    case 610:
+    case 611:
+    case 640: return static_cast<int>(GGroup::path);
+    case 960:
+    case 970: return static_cast<int>(GGroup::spindle_mode);
+    case 70:
+    case 80: return static_cast<int>(GGroup::lathe);
+    case 680:
+    case 690: return static_cast<int>(GGroup::rotation);
     default: return Block::none;
   }
 }
 
 int m_group(int code) {
   switch (code) {
-    case 0: case 1: case 2: case 30: case 60: case 98: case 99: return static_cast<int>(MGroup::stop);
-    case 62: case 63: case 64: case 65: case 66: case 67: case 68: return static_cast<int>(MGroup::in_out);
-    case 6: case 61: return static_cast<int>(MGroup::tool);
-    case 3: case 4: case 5: case 19: return static_cast<int>(MGroup::spindle);
-    case 7: case 8: case 9: return static_cast<int>(MGroup::coolant);
-    case 48: case 49: case 50: case 51: case 52: case 53: return static_cast<int>(MGroup::override_);
-    case 70: case 71: case 72: case 73: return static_cast<int>(MGroup::state);
-    case 428: case 429: case 430: return static_cast<int>(MGroup::kinematics);
+    case 0:
+    case 1:
+    case 2:
+    case 30:
+    case 60:
+    case 98:
+    case 99: return static_cast<int>(MGroup::stop);
+    case 62:
+    case 63:
+    case 64:
+    case 65:
+    case 66:
+    case 67:
+    case 68: return static_cast<int>(MGroup::in_out);
+    case 6:
+    case 61: return static_cast<int>(MGroup::tool);
+    case 3:
+    case 4:
+    case 5:
+    case 19: return static_cast<int>(MGroup::spindle);
+    case 7:
+    case 8:
+    case 9: return static_cast<int>(MGroup::coolant);
+    case 48:
+    case 49:
+    case 50:
+    case 51:
+    case 52:
+    case 53: return static_cast<int>(MGroup::override_);
+    case 70:
+    case 71:
+    case 72:
+    case 73: return static_cast<int>(MGroup::state);
+    case 428:
+    case 429:
+    case 430: return static_cast<int>(MGroup::kinematics);
     default: return code >= 100 ? static_cast<int>(MGroup::user) : Block::none;
   }
 }

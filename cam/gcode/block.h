@@ -54,7 +54,7 @@ struct Block {
   std::array<double, 26> values{};
   bool has_radius = false, has_angle = false;  ///< @ and ^
   double radius = 0, angle = 0;
-  int spindle = none;  ///< $
+  int spindle = none;                ///< $
   bool machine_coordinates = false;  ///< G53
 
   void clear();

@@ -1,5 +1,5 @@
-// G41, G42 and their .1: the tool's centre runs beside the path, its radius away. A move waits until the next one is known, since in
-// an inner corner it ends before the path does.
+// G41, G42 and their .1: the tool's centre runs beside the path, its radius away. A move waits until the next one is known, since
+// in an inner corner it ends before the path does.
 #include <cmath>
 #include <numbers>
 
@@ -66,16 +66,16 @@ void Interpreter::give_waiting(Motion motion, const Vec2& heading) {
   compensation_.waiting.push_back(std::move(motion));
 }
 
-/// The corner between the move that waits and the next one, which leaves with `heading` on the track `next`: an arc round an outer
-/// one (a straight move for rapids); in an inner one the move that waits ends where the tracks meet.
+/// The corner between the move that waits and the next one, which leaves with `heading` on the track `next`: an arc round an
+/// outer one (a straight move for rapids); in an inner one the move that waits ends where the tracks meet.
 void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next, const Motion& pattern) {
   Compensation& comp = compensation_;
   const PlaneAxes axes = axes_of(modes_.plane);
   if (comp.waiting.empty() || comp.radius == 0) return;
   const double turn = angle_between(comp.heading, heading) * comp.side;
   if (std::abs(turn) < straight_within) return;
-  if (turn < 0 || std::numbers::pi - turn < 1e-9) {
-    Motion arc = pattern;  // other axes than the third make their way on the corner's arc
+  if (turn < 0 || std::numbers::pi - turn < straight_within) {  // all the way back is an outer corner, too
+    Motion arc = pattern;                                       // other axes than the third make their way on the corner's arc
     if (pattern.kind != Motion::Kind::rapid) arc.kind = Motion::Kind::arc;
     arc.end.at[axes.third] = at_.at[axes.third];
     const Vec2 end = beside(at, heading);
@@ -104,18 +104,22 @@ void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next,
     if (last.circle && next.circle) {
       const Vec2 way = next.point - last.point;
       const double distance = way.norm();
-      const double along = distance > 0 ? (last.radius * last.radius - next.radius * next.radius + distance * distance) / (2 * distance) : 0;
+      const double along =
+          distance > 0 ? (last.radius * last.radius - next.radius * next.radius + distance * distance) / (2 * distance) : 0;
       const double aside = last.radius * last.radius - along * along;
       if (distance < nowhere || aside < 0) unreachable();
       const Vec2 unit = way / distance;
-      for (std::size_t i = 0; i < 2; ++i) places[i] = last.point + unit * along + left_of(unit) * (i == 0 ? 1 : -1) * std::sqrt(aside);
+      for (std::size_t i = 0; i < 2; ++i)
+        places[i] = last.point + unit * along + left_of(unit) * (i == 0 ? 1 : -1) * std::sqrt(aside);
     } else {
       const Track& line = last.circle ? next : last;
       const Track& circle = last.circle ? last : next;
-      const double along = (circle.point - line.point).dot(line.direction), away = cross(line.direction, circle.point - line.point);
+      const double along = (circle.point - line.point).dot(line.direction),
+                   away = cross(line.direction, circle.point - line.point);
       const double aside = circle.radius * circle.radius - away * away;
       if (aside < 0) unreachable();
-      for (std::size_t i = 0; i < 2; ++i) places[i] = line.point + line.direction * (along + (i == 0 ? 1 : -1) * std::sqrt(aside));
+      for (std::size_t i = 0; i < 2; ++i)
+        places[i] = line.point + line.direction * (along + (i == 0 ? 1 : -1) * std::sqrt(aside));
     }
     meet = (places[0] - from).norm() < (places[1] - from).norm() ? places[0] : places[1];
     if (!last.circle && (meet - comp.start).dot(comp.heading) < -1e-9) unreachable();
@@ -157,7 +161,8 @@ void Interpreter::compensated_arc(const AxisValues& to, const Circle& circle) {
   const Vec2 begin{from.at[axes.first], from.at[axes.second]}, end{to.at[axes.first], to.at[axes.second]};
   const int direction = circle.turns > 0 ? 1 : -1;
   const double radius = (end - circle.centre).norm();
-  const Vec2 leaving = left_of(begin - circle.centre).normalized() * direction, arriving = left_of(end - circle.centre) / radius * direction;
+  const Vec2 leaving = left_of(begin - circle.centre).normalized() * direction,
+             arriving = left_of(end - circle.centre) / radius * direction;
   const bool inside = direction == comp.side;
   if (inside && radius <= comp.radius) refuse("an arc whose radius is not more than the tool's");
   Motion motion = stamped(Motion::Kind::arc);
@@ -174,7 +179,8 @@ void Interpreter::compensated_arc(const AxisValues& to, const Circle& circle) {
     if (std::abs(along) < nowhere) refuse("the entry arc of cutter compensation cannot be made");
     motion.centre = place - inward * (way.squaredNorm() / (2 * along));
   } else {
-    // An arc's two radii differ by its rounding; which of them counts is as in LinuxCNC, since nearly tangent tracks make much of it.
+    // An arc's two radii differ by its rounding; which of them counts is as in LinuxCNC, since nearly tangent tracks make much of
+    // it.
     const bool behind_arc = !comp.waiting.empty() && comp.waiting.front().kind == Motion::Kind::arc;
     const double track = behind_arc ? radius : (begin - circle.centre).norm();
     corner(begin, leaving, {true, circle.centre, {}, track + (inside ? -comp.radius : comp.radius)}, motion);

@@ -89,6 +89,7 @@ void Interpreter::cycle() {
     }
     cycle_hole(place, r, bottom, clear);
     height = clear;
+    flow_.count();
     if (i % 1024 == 0) progress_.check();
   }
 }
@@ -124,6 +125,7 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
       const double peck = length(cycle_.q);
       if ((r - bottom) / peck > most_pecks) refuse("more than {} pecks", most_pecks);
       for (double depth = r - peck; depth > bottom; depth -= peck) {
+        flow_.count();
         feed(depth);
         if (code == 830) rapid(r);
         rapid(depth + peck_clearance);
@@ -134,7 +136,8 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
     }
     case 740:
     case 840:
-      if (turning != (code == 840 ? 1 : -1)) refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
+      if (turning != (code == 840 ? 1 : -1))
+        refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
       feed(bottom);
       modes_.spindle = -turning;
       dwell(cycle_.p);

@@ -14,7 +14,24 @@ constexpr int deepest = 100;             // brackets within brackets
 constexpr double equal_within = 0.0001;  // for EQ and NE, as LinuxCNC
 constexpr double degrees = 180 / std::numbers::pi;
 
-enum class Operator : std::uint8_t { none, power, times, divide, modulo, plus, minus, eq, ne, gt, ge, lt, le, both, either, one_of };
+enum class Operator : std::uint8_t {
+  none,
+  power,
+  times,
+  divide,
+  modulo,
+  plus,
+  minus,
+  eq,
+  ne,
+  gt,
+  ge,
+  lt,
+  le,
+  both,
+  either,
+  one_of
+};
 
 int rank(Operator op) {
   switch (op) {

@@ -50,7 +50,8 @@ bool Flow::next(Line& line) {
   if (!raw_line(at_, raw)) {
     line_ = at_.line;
     if (!calls_.empty()) refuse("the file ends within subroutine {}", shown(calls_.back().label));
-    if (!open_.empty() && open_.back().kind != Kind::condition) refuse("the file ends within the loop o{}", shown(open_.back().label));
+    if (!open_.empty() && open_.back().kind != Kind::condition)
+      refuse("the file ends within the loop o{}", shown(open_.back().label));
     return false;
   }
   line_ = at_.line;
@@ -311,7 +312,8 @@ void Flow::call(const Line& line, const Word& word) {
   enter(word.label, start, arguments, true, 1);
 }
 
-void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers, int repeats) {
+void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers,
+                 int repeats) {
   if (calls_.size() >= deepest_call) refuse("more than {} subroutines within each other", deepest_call);
   parameters_.enter(arguments, own_numbers);
   calls_.push_back({at_, start, std::move(open_), own_numbers, repeats, label});

@@ -31,8 +31,8 @@ struct Position {
 /// Gives a program's lines in the order in which they are carried out.
 class Flow {
  public:
-  Flow(std::string_view text, const std::string& file, const std::vector<std::filesystem::path>& folders, std::uint64_t most_lines,
-       Parameters& parameters);
+  Flow(std::string_view text, const std::string& file, const std::vector<std::filesystem::path>& folders,
+       std::uint64_t most_lines, Parameters& parameters);
 
   /// The next line into `line`; false at the end of the program's file. Counts the lines and refuses to go on beyond the most.
   bool next(Line& line);
@@ -45,6 +45,8 @@ class Flow {
   /// M99: back, or again. False where nothing was called.
   bool return_program();
 
+  /// Counts a line, or what takes as long as one; refuses to go on beyond the most.
+  void count();
   [[nodiscard]] const std::string& file() const { return at_.source->name; }
   [[nodiscard]] int line() const { return line_; }
   [[nodiscard]] std::uint64_t lines() const { return lines_; }
@@ -68,7 +70,7 @@ class Flow {
   };
   struct Call {
     Position back, start;
-    std::vector<Open> open;  ///< the caller's
+    std::vector<Open> open;    ///< the caller's
     bool own_numbers = false;  ///< whether #1 to #30 are its own
     int repeats = 1;
     std::string label;
@@ -80,16 +82,17 @@ class Flow {
   };
 
   bool raw_line(Position& position, std::string_view& raw) const;
-  void count();
   [[nodiscard]] bool take_apart(const Line& line, Word& word, bool strict) const;
   double condition(const Line& line, const Word& word) const;
-  /// Goes forward to the line with that label and one of the keywords; returns which. Stands behind it then; `before_` is before it.
+  /// Goes forward to the line with that label and one of the keywords; returns which. Stands behind it then; `before_` is before
+  /// it.
   std::string skip_to(const std::string& label, std::initializer_list<std::string_view> keywords, const char* what);
   std::optional<Position> find(const Source& source, Position from, const std::string& label, bool program);
   void close_to(const std::string& label, Kind kind, const char* what);
   Open* find_open(const std::string& label);
   void call(const Line& line, const Word& word);
-  void enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers, int repeats);
+  void enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers,
+             int repeats);
   void leave();
   const Source* open_file(const std::string& label);
   void carry_out_condition(const Line& line, const Word& word);

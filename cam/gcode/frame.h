@@ -29,10 +29,10 @@ constexpr PlaneAxes axes_of(ArcPlane plane) {
 /// The chain from the program's coordinates to the machine's: G68, then G92 or G52, then the work offset with its rotation about
 /// z. All in mm and degrees.
 struct Frame {
-  AxisValues origin;      ///< of the work coordinate system
-  double rotation = 0;    ///< of it, degrees (G10 L2 R)
-  AxisValues axis_offset; ///< G92, G52
-  AxisValues tool;        ///< length compensation
+  AxisValues origin;       ///< of the work coordinate system
+  double rotation = 0;     ///< of it, degrees (G10 L2 R)
+  AxisValues axis_offset;  ///< G92, G52
+  AxisValues tool;         ///< length compensation
   std::optional<Turned> turned;
 
   /// Where the tool's tip goes to, machine coordinates.

@@ -63,7 +63,8 @@ std::vector<ReadingNote> Interpreter::run() {
     }
     if (!finished_) {
       flush();
-      notes_.add(flow_.line(), delimited_ ? "the program ends without M2, M30 or a second %" : "the program ends without M2 or M30");
+      notes_.add(flow_.line(),
+                 delimited_ ? "the program ends without M2, M30 or a second %" : "the program ends without M2 or M30");
     }
   } catch (const Refusal& refusal) {
     throw Error(ErrorKind::bad_input, place(), refusal.message);
@@ -104,8 +105,10 @@ void Interpreter::execute() {
   do_modal_m();
   if (block_.code(GGroup::action) == 40) {
     // Marlin's programs say G4 S3 for three seconds; S means the spindle nowhere else in such a block.
-    if (!block_.has('p') && block_.has('s')) notes_.add(flow_.line(), "G4 with S and no P is taken as seconds, as Marlin does");
-    else if (!block_.has('p')) refuse("G4 needs P, the seconds");
+    if (!block_.has('p') && block_.has('s'))
+      notes_.add(flow_.line(), "G4 with S and no P is taken as seconds, as Marlin does");
+    else if (!block_.has('p'))
+      refuse("G4 needs P, the seconds");
     dwell(block_.has('p') ? block_['p'] : block_['s']);
   }
   if (block_.code(GGroup::plane) != Block::none) set_plane();
@@ -176,7 +179,8 @@ void Interpreter::set_feed() {
   if (feed < 0) refuse("F{} is below 0", feed);
   modes_.feed = feed;
   modes_.feed_unit = unit();  // F comes before G20 and G21 in a block's order
-  if (const int units = block_.code(GGroup::units); units != Block::none && (units == 200) != modes_.inch && modes_.feed_mode != 930)
+  if (const int units = block_.code(GGroup::units);
+      units != Block::none && (units == 200) != modes_.inch && modes_.feed_mode != 930)
     notes_.add(flow_.line(), fmt::format("F in the block of {} still counts in the units before it", g_name(units)));
 }
 
@@ -208,7 +212,8 @@ const ToolEntry& Interpreter::tool_entry(int tool) const {
 void Interpreter::select_tool() {
   const int tool = whole(block_['t']);
   if (tool < 0) refuse("T{} is below 0", tool);
-  if (tool != 0 && !options_.tools.contains(tool)) notes_.add(flow_.line(), fmt::format("tool {} is not in the tool table", tool));
+  if (tool != 0 && !options_.tools.contains(tool))
+    notes_.add(flow_.line(), fmt::format("tool {} is not in the tool table", tool));
   selected_tool_ = tool;
 }
 
@@ -216,6 +221,7 @@ void Interpreter::change_tool() {
   no_compensation("M6");
   tool_ = selected_tool_;
   modes_.spindle = 0;
+  at_ = sent_;  // where it stands counts, not where a path ended that was compensated
   Motion motion = stamped(Motion::Kind::tool_change);
   motion.end = at_;
   give(motion);
@@ -248,14 +254,14 @@ void Interpreter::do_modal_m() {
   if (const int code = block_.code(MGroup::override_); code == 48 || code == 49)
     modes_.feed_override = modes_.speed_override = code == 48;
   if (const int code = block_.code(MGroup::in_out); code != Block::none) {
-    if (code == 66) notes_.add(flow_.line(), "M66 waits for an input: it is taken as not there (#5399 is -1)");
-    else notes_.add(flow_.line(), fmt::format("M{} sets an output: passed over", code));
+    if (code == 66)
+      notes_.add(flow_.line(), "M66 waits for an input: it is taken as not there (#5399 is -1)");
+    else
+      notes_.add(flow_.line(), fmt::format("M{} sets an output: passed over", code));
   }
   switch (block_.code(MGroup::state)) {
     case 70: save_state(false); break;
-    case 71:
-      saved_.reset();
-      break;
+    case 71: saved_.reset(); break;
     case 72:
       if (!saved_) refuse("M72 where M70 has saved nothing");
       restore_state(*saved_);
@@ -304,9 +310,7 @@ void Interpreter::restore_state(const Modes& saved) {
   modes_.motion = motion;
 }
 
-void Interpreter::set_units() {
-  modes_.inch = block_.code(GGroup::units) == 200;
-}
+void Interpreter::set_units() { modes_.inch = block_.code(GGroup::units) == 200; }
 
 void Interpreter::set_plane() {
   const int code = block_.code(GGroup::plane);

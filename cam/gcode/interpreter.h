@@ -18,12 +18,12 @@ struct Modes {
   bool absolute = true, arcs_absolute = false, inch = false, diameter = false;
   bool retract_to_start = false;  ///< G98; LinuxCNC begins with G99
   int feed_mode = 940;
-  int system = 1;      ///< of coordinates: 1 is G54
+  int system = 1;  ///< of coordinates: 1 is G54
   int path = 640;
-  double feed = 0;     ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
+  double feed = 0;       ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
   double feed_unit = 1;  ///< mm in the unit of length that F was given in
-  double speed = 0;    ///< the S word: revolutions per minute, or m/min under G96
-  int spindle = 0;     ///< 1 clockwise, -1 anticlockwise
+  double speed = 0;      ///< the S word: revolutions per minute, or m/min under G96
+  int spindle = 0;       ///< 1 clockwise, -1 anticlockwise
   bool constant_surface = false;
   double most_speed = 0;  ///< G96 D
   bool mist = false, flood = false, feed_override = true, speed_override = true;
@@ -51,12 +51,12 @@ class Interpreter final : public PredefinedParameters {
   struct Compensation {
     int side = 0;  ///< 1: left of the path (G41), -1: right, 0: off
     double radius = 0;
-    bool entered = false;        ///< whether the entry move has been made
-    AxisValues programmed;       ///< where the path itself stands
-    Vec2 heading = Vec2::Zero(); ///< direction in which the path arrived there
+    bool entered = false;         ///< whether the entry move has been made
+    AxisValues programmed;        ///< where the path itself stands
+    Vec2 heading = Vec2::Zero();  ///< direction in which the path arrived there
     /// The last move in the plane, whose end depends on the next one, and what came after it.
     std::deque<Motion> waiting;
-    Vec2 start = Vec2::Zero();   ///< where that move begins
+    Vec2 start = Vec2::Zero();  ///< where that move begins
   };
   /// A straight line or a circle that the tool's centre follows.
   struct Track {
@@ -168,8 +168,8 @@ class Interpreter final : public PredefinedParameters {
   CycleWords cycle_;
   int tool_ = 0, selected_tool_ = 0;
   ControlMode mode_ = ControlMode::machine;
-  bool tip_by_length_ = false;  // G43.4 is in force
-  bool delimited_ = false, finished_ = false, ended_with_mark_ = false, begun_ = false;
+  bool tip_by_length_ = false;                                 // G43.4 is in force
+  bool delimited_ = false, finished_ = false, begun_ = false;  // % stood first; the end was reached; something was read
   std::optional<Modes> saved_;
   struct SavedInCall {
     std::size_t depth;
@@ -178,7 +178,7 @@ class Interpreter final : public PredefinedParameters {
   std::vector<SavedInCall> saved_in_calls_;
   std::vector<std::array<double, 3>> control_points_;  // G5.2: x, y, weight
   int nurbs_order_ = 0;
-  std::optional<Vec2> last_control_;                   // G5: of the last cubic, for the next one
+  std::optional<Vec2> last_control_;  // G5: of the last cubic, for the next one
 };
 
 }  // namespace fieldfab::cam::gcode

@@ -1,4 +1,5 @@
-// Coordinate systems, G92, tool lengths, homes, G68. Whatever changes them, the machine does not move: the program's coordinates do.
+// Coordinate systems, G92, tool lengths, homes, G68. Whatever changes them, the machine does not move: the program's coordinates
+// do.
 #include <cmath>
 
 #include "interpreter.h"

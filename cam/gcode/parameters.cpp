@@ -12,7 +12,8 @@ constexpr std::size_t most_names = 100'000;  // each program writes its own: a b
 bool computed(int parameter) { return parameter >= number::tool && parameter <= 5428; }
 
 void check_number(int parameter) {
-  if (parameter < 1 || parameter >= number::count) refuse("there is no parameter #{}: they go from #1 to #{}", parameter, number::count - 1);
+  if (parameter < 1 || parameter >= number::count)
+    refuse("there is no parameter #{}: they go from #1 to #{}", parameter, number::count - 1);
 }
 
 }  // namespace

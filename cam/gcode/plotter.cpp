@@ -67,7 +67,8 @@ class InstructionReader {
   static char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; }
   [[nodiscard]] bool done() const { return at_ >= text_.size(); }
   void skip_separators() {
-    while (!done() && (text_[at_] == ';' || text_[at_] == ',' || static_cast<unsigned char>(text_[at_]) <= 32) && text_[at_] != '\033') {
+    while (!done() && (text_[at_] == ';' || text_[at_] == ',' || static_cast<unsigned char>(text_[at_]) <= 32) &&
+           text_[at_] != '\033') {
       if (text_[at_] == '\n') ++machine_.line;
       ++at_;
     }
@@ -132,7 +133,8 @@ class RmlReader {
       if (machine_.spindle != 0) machine_.spindle = rpm_;
     } else if (name == "!MC") {
       const bool on = n.empty() || n[0] != 0;
-      if (on && rpm_ <= 0) machine_.notes.add(machine_.line, "!MC1 without a speed by !RC: 1 revolution per minute stands for it");
+      if (on && rpm_ <= 0)
+        machine_.notes.add(machine_.line, "!MC1 without a speed by !RC: 1 revolution per minute stands for it");
       machine_.spindle = on ? std::max(rpm_, 1.0) : 0;
     } else if (name == "!DW" || name == "W") {
       want(in, n.size() == 1, "one number");
@@ -143,8 +145,9 @@ class RmlReader {
       AxisValues home = machine_.at();
       home.at[0] = home.at[1] = 0;
       machine_.rapid(home);
-    } else if (name == "!ZZ" || name == "!XX" || name == "AA" || name == "AR" || name == "CI" || name == "I" || name == "R" || name == "A" ||
-               name == "EA" || name == "RA" || name == "ER" || name == "RR" || name == "!ZM" || name == "!ZO" || name == "!ZE") {
+    } else if (name == "!ZZ" || name == "!XX" || name == "AA" || name == "AR" || name == "CI" || name == "I" || name == "R" ||
+               name == "A" || name == "EA" || name == "RA" || name == "ER" || name == "RR" || name == "!ZM" || name == "!ZO" ||
+               name == "!ZE") {
       refuse("{} moves the machine, but is not known here", name);
     } else if (name != "IN" && name != "DF" && name != "!NR" && name != "SP" && name != "!ST") {
       machine_.notes.add(machine_.line, fmt::format("{} is passed over", shown(name)));
@@ -205,7 +208,8 @@ class RmlReader {
 /// HPGL: a pen (or blade, or beam) that is up or down.
 class HpglReader {
  public:
-  HpglReader(SimpleMachine& machine, double tick, double up, double down) : machine_(machine), tick_(tick), up_(up), down_height_(down) {}
+  HpglReader(SimpleMachine& machine, double tick, double up, double down)
+      : machine_(machine), tick_(tick), up_(up), down_height_(down) {}
 
   void carry_out(const Instruction& in) {
     const auto& n = in.numbers;
@@ -297,7 +301,8 @@ class HpglReader {
     if (degrees == 0 || from.norm() == 0) return;
     if (std::abs(degrees) > 360e6) refuse("an arc of {} degrees", degrees);
     const double angle = degrees * std::numbers::pi / 180;
-    const Vec2 to = centre + Vec2(std::cos(angle) * from.x() - std::sin(angle) * from.y(), std::sin(angle) * from.x() + std::cos(angle) * from.y());
+    const Vec2 to = centre + Vec2(std::cos(angle) * from.x() - std::sin(angle) * from.y(),
+                                  std::sin(angle) * from.x() + std::cos(angle) * from.y());
     if (!down_) return line_to(to);
     level();
     AxisValues end = machine_.at();
@@ -348,7 +353,9 @@ std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file
     gcode::RmlReader reader(machine, tick);
     gcode::InstructionReader instructions(text, machine);
     gcode::Instruction instruction;
-    const auto letters = [](char first) { return first == 'Z' || first == 'H' || first == 'M' || first == 'D' || first == 'W' ? 1U : 2U; };
+    const auto letters = [](char first) {
+      return first == 'Z' || first == 'H' || first == 'M' || first == 'D' || first == 'W' ? 1U : 2U;
+    };
     while (instructions.next(instruction, letters)) reader.carry_out(instruction);
     machine.say(Motion::Kind::end);
   });

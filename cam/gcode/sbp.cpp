@@ -56,7 +56,8 @@ class SbpReader {
     return true;
   }
   static bool is_label(std::string_view line) {
-    return line.size() > 1 && line.back() == ':' && std::all_of(line.begin(), line.end() - 1, [](char c) { return letter(c) || digit(c); });
+    return line.size() > 1 && line.back() == ':' &&
+           std::all_of(line.begin(), line.end() - 1, [](char c) { return letter(c) || digit(c); });
   }
   void find_labels() {
     for (std::size_t offset = 0; offset < text_.size();) {
@@ -146,7 +147,8 @@ class SbpReader {
     const std::size_t at = text.find_first_of("<>=");
     if (at == std::string_view::npos) return value(text) != 0;
     std::size_t length = 1;
-    while (at + length < text.size() && (text[at + length] == '=' || text[at + length] == '>' || text[at + length] == '<')) ++length;
+    while (at + length < text.size() && (text[at + length] == '=' || text[at + length] == '>' || text[at + length] == '<'))
+      ++length;
     const std::string_view sign = text.substr(at, length);
     const double a = value(text.substr(0, at)), b = value(text.substr(at + length));
     if (sign == "=" || sign == "==") return a == b;
@@ -219,7 +221,8 @@ class SbpReader {
     if (then == std::string::npos) refuse("IF without THEN");
     const std::string_view test = trimmed(rest.substr(0, then)), action = trimmed(rest.substr(then + 4));
     if (test.find('%') != std::string_view::npos) {
-      machine_.notes.add(machine_.line, fmt::format("IF {}: what the control knows is not known here; taken as not so", shown(test)));
+      machine_.notes.add(machine_.line,
+                         fmt::format("IF {}: what the control knows is not known here; taken as not so", shown(test)));
       nested_ = 0;
       return;
     }
@@ -286,13 +289,15 @@ class SbpReader {
         if (const auto given = field(k)) place.at[k] = *given * scale(k);
       if (fields_.size() > 5) machine_.notes.add(machine_.line, "VA: what follows the five axes is passed over");
       machine_.call_it(place);
-    } else if (word == "CC" || word == "CR" || word == "CA" || word == "FP" || word == "ST" || word == "SV" || word == "FC" || word == "FG") {
+    } else if (word == "CC" || word == "CR" || word == "CA" || word == "FP" || word == "ST" || word == "SV" || word == "FC" ||
+               word == "FG") {
       refuse("{} moves the machine, but is not known here", word);
     } else if (first == 'C' && word.size() >= 2 && (digit(second) || second == '#' || second == 'N')) {
       machine_.notes.add(machine_.line, fmt::format("the macro {} of the control is passed over", shown(line)));
-    } else if (word == "JS" || word == "VR" || word == "VC" || word == "VU" || word == "VD" || word == "VL" || word == "VI" || word == "VO" ||
-               word == "VP" || word == "VN" || word == "SF" || word == "SW" || word == "SC" || word == "SM" || word == "SP" || word == "SL" ||
-               word == "ON" || word == "PRINT" || word == "MSGBOX" || word == "WRITE" || word == "OPEN" || word == "CLOSE" || word == "INPUT") {
+    } else if (word == "JS" || word == "VR" || word == "VC" || word == "VU" || word == "VD" || word == "VL" || word == "VI" ||
+               word == "VO" || word == "VP" || word == "VN" || word == "SF" || word == "SW" || word == "SC" || word == "SM" ||
+               word == "SP" || word == "SL" || word == "ON" || word == "PRINT" || word == "MSGBOX" || word == "WRITE" ||
+               word == "OPEN" || word == "CLOSE" || word == "INPUT") {
       if (word != "JS") machine_.notes.add(machine_.line, fmt::format("{} is passed over", word));
     } else {
       refuse("'{}' is not known here", shown(line));
@@ -335,7 +340,8 @@ class SbpReader {
     const std::size_t which = moves(0) || moves(1) ? 0 : moves(2) ? 1 : moves(3) ? 2 : moves(4) || moves(5) ? 3 : 0;
     if (!speeds_[which]) {
       const double taken = which < 2 ? 1524 : 600 / degrees;
-      machine_.notes.add(machine_.line, which < 2 ? "a move before MS: 25.4 mm/s is taken" : "no speed for a rotary axis: 10 degrees/s is taken");
+      machine_.notes.add(machine_.line, which < 2 ? "a move before MS: 25.4 mm/s is taken"
+                                                  : "no speed for a rotary axis: 10 degrees/s is taken");
       return taken;
     }
     return *speeds_[which];
@@ -379,7 +385,8 @@ class SbpReader {
       const double half = chord.norm() / 2, radius = std::abs(*diameter) * unit_ / 2;
       if (half == 0 || radius < half - 0.001) refuse("CG with a diameter of {} cannot reach its end", *diameter);
       const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);
-      circle.centre = (from + circle.end) / 2 + left * (circle.direction * std::sqrt(std::max(0.0, radius * radius - half * half)));
+      circle.centre =
+          (from + circle.end) / 2 + left * (circle.direction * std::sqrt(std::max(0.0, radius * radius - half * half)));
     } else {
       circle.centre = from + Vec2(field(3).value_or(0) * unit_, field(4).value_or(0) * unit_);
     }
@@ -403,8 +410,11 @@ class SbpReader {
     circle.end = whole ? start : on_circle(end);
     AxisValues to = machine_.at();
     if ((start - Vec2(to.at[0], to.at[1])).norm() > 1e-6) {
-      if (to.at[2] < 0) refuse("CP away from where the tool is, and the tool is below 0: the height that the control pulls up to is not known here");
-      machine_.notes.add(machine_.line, "CP: the control pulls up before it goes to the circle; the height that the tool has is taken");
+      if (to.at[2] < 0)
+        refuse(
+            "CP away from where the tool is, and the tool is below 0: the height that the control pulls up to is not known here");
+      machine_.notes.add(machine_.line,
+                         "CP: the control pulls up before it goes to the circle; the height that the tool has is taken");
       to.at[0] = start.x(), to.at[1] = start.y();
       machine_.rapid(to);
     }

@@ -108,9 +108,7 @@ void Interpreter::nurbs_end() {
   if (points.size() < order) refuse("a NURBS of order {} needs as many control points; there are {}", order, points.size());
   // Uniform knots, the ends as often as the order.
   const std::size_t spans = points.size() - order + 1;
-  const auto knot = [&](std::size_t i) {
-    return i < order ? 0.0 : static_cast<double>(std::min(i - order + 1, spans));
-  };
+  const auto knot = [&](std::size_t i) { return i < order ? 0.0 : static_cast<double>(std::min(i - order + 1, spans)); };
   std::vector<std::array<double, 3>> work(order);
   const auto curve_in = [&](std::size_t span, double t) -> Vec2 {  // de Boor's scheme, of the points times their weights
     for (std::size_t i = 0; i < order; ++i) {

@@ -26,7 +26,8 @@ void Interpreter::thread() {
   const bool entry = (ends & 1) != 0, exit = (ends & 2) != 0;
   const AxisValues start = at_;
   const double z_end = target().at[2], way = z_end < start.at[2] ? -1 : 1, inward = peak < 0 ? -1 : 1;
-  if (taper < 0 || (entry && exit ? 2 : 1) * taper > std::abs(z_end - start.at[2])) refuse("G76 with E beyond the thread's length");
+  if (taper < 0 || (entry && exit ? 2 : 1) * taper > std::abs(z_end - start.at[2]))
+    refuse("G76 with E beyond the thread's length");
 
   const double speed = std::abs(spindle_at(at_));
   const auto go = [&](bool cut, double x, double z, double per_turn = 0) {
@@ -58,6 +59,7 @@ void Interpreter::thread() {
   int passes = 0;
   for (double depth = first_cut; depth < full; depth = first_cut * std::pow(passes + 1, 1 / degression)) {
     pass(depth);
+    flow_.count();
     if (++passes > 100'000) refuse("G76 with more than 100000 passes");
   }
   for (int i = 0; i <= springs; ++i) pass(full);

@@ -10,8 +10,8 @@ namespace {
 /// Farther than this is far, mm.
 constexpr double far = 10;
 
-/// Signed distances of points from a solid: from each, a walk down its slope to the surface. Exact where the Field is a distance, of second
-/// order near the surface of any smooth one; `far` where the walk does not arrive.
+/// Signed distances of points from a solid: from each, a walk down its slope to the surface. Exact where the Field is a distance,
+/// of second order near the surface of any smooth one; `far` where the walk does not arrive.
 void signed_distances(const Field& target, const std::array<float, 3>* points, std::size_t count, float* out) {
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
   std::vector<double> left(count, far);

@@ -86,7 +86,8 @@ class SetupReader {
       double sum = 0;
       for (const char* key : {"tolerance", "surface_tolerance"})
         if (const auto found = op.values.given.find(key); found != op.values.given.end())
-          if (const double* const number = std::get_if<double>(&found->second.value); number != nullptr && *number > 0) sum += *number;
+          if (const double* const number = std::get_if<double>(&found->second.value); number != nullptr && *number > 0)
+            sum += *number;
       allowed = std::max(allowed, sum);
     }
     setup_.gouge += allowed;

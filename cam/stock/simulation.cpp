@@ -94,6 +94,7 @@ class SimulationRun {
     mounted_->solid = tool_solid(tool);
     mounted_->inner = mounted_->solid.shrunk(setup_.touch);
     tool_number_ = tool.number;
+    known_ = false;  // nor is it said how the machine got to where tools are changed and back
   }
 
   void change_tool(int number, int line) {
@@ -156,8 +157,14 @@ class SimulationRun {
     double lengthened = 0;
     if (motion.tool_offset != Vec3::Zero()) lengthened = motion.tool_offset.z() - tool.length;
     const double tolerance = s_.stock_.tolerance();
+    // The axes stand where they were, whatever the control now takes for the tool's length.
+    AxisValues start = known_ ? at_ : motion.end;
+    for (std::size_t a = 0; known_ && a < 3; ++a) {
+      const auto i = static_cast<Eigen::Index>(a);
+      start.at[a] += offset_[i] - motion.tool_offset[i];
+    }
     const std::vector<ToolPose> way =
-        poses_.along(known_ ? at_ : motion.end, motion, lengthened, tool.length, placement_, mounted_->solid.length(), tolerance);
+        poses_.along(start, motion, lengthened, tool.length, placement_, mounted_->solid.length(), tolerance);
     double length = 0;
     for (std::size_t i = 1; i < way.size(); ++i) length += (way[i].tip - way[i - 1].tip).norm();
     const double seconds = duration_of(motion, length);
@@ -181,6 +188,7 @@ class SimulationRun {
     }
     s_.report_.poses += way.size() - 1;
     at_ = motion.end;
+    offset_ = motion.tool_offset;
     known_ = true;
     last_pose_ = way.back();
     if (s_.frame_listener_ && s_.frame_step_ > 0 && s_.report_.seconds >= next_frame_) {
@@ -304,7 +312,8 @@ class SimulationRun {
   std::unique_ptr<Mounted> mounted_;
   int tool_number_ = 0;
   AxisValues at_;
-  bool known_ = false;  ///< whether the way to the next place is known: not before the first motion
+  Vec3 offset_ = Vec3::Zero();  ///< the length compensation that was in force there
+  bool known_ = false;          ///< whether the way to the next place is known: not before the first motion
   ToolPose last_pose_;
   Placement placement_;
   bool by_hand_ = false;  ///< tools are changed at stops, whatever the program's numbers are
@@ -333,6 +342,7 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   ReadingOptions options;
   options.work_offsets = setup_.work_offsets;
   options.start = setup_.start;
+  options.most_blocks = 10'000'000 + 10 * static_cast<std::uint64_t>(lines);
   for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3(0, 0, tool.length), tool.diameter};
   SimulationRun run(*this, name, lines, progress);
   const MotionSink sink = [&](const Motion& motion) { run(motion); };

@@ -19,7 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const auto sink = [&](const cam::Motion& motion) {
     for (const double value : motion.end.at)
       if (!std::isfinite(value)) std::abort();
-    if (!motion.centre.allFinite() || !std::isfinite(motion.feed) || !std::isfinite(motion.seconds) || !std::isfinite(motion.spindle)) std::abort();
+    if (!motion.centre.allFinite() || !std::isfinite(motion.feed) || !std::isfinite(motion.seconds) ||
+        !std::isfinite(motion.spindle))
+      std::abort();
     if (motion.feed < 0 || motion.seconds < 0) std::abort();
     if (motion.kind == cam::Motion::Kind::arc && motion.turns == 0) std::abort();
     if (++motions > 100'000) throw TooMany();

@@ -57,7 +57,7 @@ def rs274(program, tools=TOOLS):
                 f.write(f"T{number} P{number} Z{length / 25.4:.10f} D{diameter / 25.4:.10f}\n")
         open(variables, "w").close()
         done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, errors="replace",
-                              timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))))
+                              timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))), env={**os.environ, "HOME": folder})  # it keeps a file there
         with open(out, errors="replace") as f:
             moves = canonical_moves(f)
     return moves, "" if done.returncode == 0 else (done.stderr + done.stdout).replace("executing", "").strip() or f"exit {done.returncode}"

@@ -46,7 +46,8 @@ Reading gcode(const std::string& text, const ReadingOptions& options = with_tool
 /// Only motions that move.
 Reading moves(const std::string& text, const ReadingOptions& options = with_tools()) {
   Reading reading = gcode("G21 G90 F100\n" + text, options);
-  std::erase_if(reading.motions, [](const Motion& m) { return m.kind != Kind::rapid && m.kind != Kind::feed && m.kind != Kind::arc; });
+  std::erase_if(reading.motions,
+                [](const Motion& m) { return m.kind != Kind::rapid && m.kind != Kind::feed && m.kind != Kind::arc; });
   return reading;
 }
 
@@ -67,7 +68,8 @@ void refused(const std::string& text, int line, const std::string& message, cons
 }
 
 TEST(gcode, words_are_read_in_any_order_and_spacing) {
-  const Reading r = gcode("%\nN10 g 21 (set) g90 ; rest (\nX 1 2 . 5 y   7.417Z-.5 g0\n/ g0 x99\nn20.1 G01 F1 0 0 X+3\n%\nG0 X5\n");
+  const Reading r =
+      gcode("%\nN10 g 21 (set) g90 ; rest (\nX 1 2 . 5 y   7.417Z-.5 g0\n/ g0 x99\nn20.1 G01 F1 0 0 X+3\n%\nG0 X5\n");
   ASSERT_EQ(r.motions.size(), 3U);
   near(r.at(0), {12.5, 7.417, -0.5});
   near(r.at(1), {3, 7.417, -0.5});
@@ -87,7 +89,9 @@ TEST(gcode, block_delete_and_a_missing_end) {
   EXPECT_TRUE(gcode("").noted("without M2"));
 }
 
-double value_of(const std::string& expression) { return gcode("#1=3 #2=-1.5\n#<a>=2 #<_up>=7\nG0 X" + expression + "\nM2\n").at(0).x(); }
+double value_of(const std::string& expression) {
+  return gcode("#1=3 #2=-1.5\n#<a>=2 #<_up>=7\nG0 X" + expression + "\nM2\n").at(0).x();
+}
 
 TEST(gcode, expressions) {
   const std::vector<std::pair<std::string, double>> cases{{"[2+3*4-1]", 13},
@@ -308,7 +312,9 @@ TEST(gcode, axis_offsets_and_machine_coordinates) {
 }
 
 TEST(gcode, tool_lengths) {
-  Reading r = gcode("T1 M6\nG43\nG0 Z0\nG43.2 H2\nG0 Z0\nG49 G0 Z0\nG43.1 X1 Z2\nG53 G0 Z5\nM61 Q2\nG43 H0 G0 Z1\nG10 L1 P3 Z7 R2\nG43 H3 G0 Z1\nM2");
+  Reading r = gcode(
+      "T1 M6\nG43\nG0 Z0\nG43.2 H2\nG0 Z0\nG49 G0 Z0\nG43.1 X1 Z2\nG53 G0 Z5\nM61 Q2\nG43 H0 G0 Z1\nG10 L1 P3 Z7 R2\nG43 H3 G0 "
+      "Z1\nM2");
   EXPECT_EQ(r.motions[0].kind, Kind::tool_change);
   EXPECT_EQ(r.motions[0].tool, 1);
   near(r.at(1), {0, 0, 0});  // the tip; the axes stand 10 higher
@@ -381,8 +387,9 @@ TEST(gcode, kinematics_of_the_control) {
 
 TEST(gcode, drilling_cycles) {
   Reading r = moves("G0 Z20\nG98 G81 X1 Y2 Z-1 R5\nX3\nG99 X4\nX5 L2\n");
-  const std::vector<Vec3> expected{{0, 0, 20}, {1, 2, 20}, {1, 2, 5}, {1, 2, -1}, {1, 2, 20}, {3, 2, 20}, {3, 2, 5},  {3, 2, -1}, {3, 2, 20}, {4, 2, 20},
-                                   {4, 2, 5},  {4, 2, -1}, {4, 2, 5}, {5, 2, 5},  {5, 2, -1}, {5, 2, 5},  {5, 2, 5}, {5, 2, -1}, {5, 2, 5}};
+  const std::vector<Vec3> expected{{0, 0, 20}, {1, 2, 20}, {1, 2, 5},  {1, 2, -1}, {1, 2, 20}, {3, 2, 20}, {3, 2, 5},
+                                   {3, 2, -1}, {3, 2, 20}, {4, 2, 20}, {4, 2, 5},  {4, 2, -1}, {4, 2, 5},  {5, 2, 5},
+                                   {5, 2, -1}, {5, 2, 5},  {5, 2, 5},  {5, 2, -1}, {5, 2, 5}};
   ASSERT_EQ(r.motions.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) near(r.at(i), expected[i]);
   r = moves("G0 Z20\nG83 X1 Z-1 R5 Q2.5\n");
@@ -420,7 +427,8 @@ TEST(gcode, cycles_with_the_spindle) {
   EXPECT_EQ(r.motions[5].spindle, 0);
   EXPECT_EQ(r.motions[6].spindle, 500);
   r = gcode("F100 S500 M3 G0 Z9\nG87 X1 Y2 Z-1 R5 I1 J.5 K2\nM2");
-  const std::vector<Vec3> bore{{0, 0, 9}, {1, 2, 9}, {1, 2, 5}, {2, 2.5, 5}, {2, 2.5, -1}, {1, 2, -1}, {1, 2, 2}, {1, 2, -1}, {2, 2.5, -1}, {2, 2.5, 5}, {1, 2, 5}};
+  const std::vector<Vec3> bore{{0, 0, 9}, {1, 2, 9},  {1, 2, 5},    {2, 2.5, 5}, {2, 2.5, -1}, {1, 2, -1},
+                               {1, 2, 2}, {1, 2, -1}, {2, 2.5, -1}, {2, 2.5, 5}, {1, 2, 5}};
   for (std::size_t i = 0; i < bore.size(); ++i) near(r.at(i), bore[i]);
   r = gcode("F100 S500 M3 G0 Z9\nG88 X1 Z-1 R5 P2\nM2");
   EXPECT_EQ(r.motions[5].kind, Kind::stop);
@@ -552,7 +560,8 @@ TEST(gcode, dwells_stops_spindle_and_tools) {
 }
 
 TEST(gcode, what_has_no_meaning_here_is_noted_once) {
-  const Reading r = gcode("M101\nM101\nM400\nM62 P1\nM66 P0 L0\nG0 X#5399\nG4 S3\n#1=#<_hal[foo.bar]>\n#2=#<_ini[a]b>\nG38.2 Z-5 F9\nT7\nM2");
+  const Reading r =
+      gcode("M101\nM101\nM400\nM62 P1\nM66 P0 L0\nG0 X#5399\nG4 S3\n#1=#<_hal[foo.bar]>\n#2=#<_ini[a]b>\nG38.2 Z-5 F9\nT7\nM2");
   EXPECT_TRUE(r.noted("M101"));
   EXPECT_TRUE(r.noted("M400"));
   EXPECT_TRUE(r.noted("M62"));
@@ -580,7 +589,9 @@ TEST(gcode, modes_kept_and_brought_back) {
 TEST(gcode, conditions_and_loops) {
   near(moves("o1 if [0]\nG0 X1 garbage\no1 elseif [1]\nG0 X2\no1 else\nG0 X3\no1 endif\n").at(0), {2, 0, 0});
   near(moves("o1 if [0]\nG0 X1\no1 elseif [0]\nG0 X2\no1 else\nG0 X3\no1 endif\n").at(0), {3, 0, 0});
-  Reading r = moves("#1=0\no1 while [#1 lt 5]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\no3 if [#1 eq 4]\no1 break\no3 endif\nG0 X#1\no1 endwhile\nG0 Z1\n");
+  Reading r = moves(
+      "#1=0\no1 while [#1 lt 5]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\no3 if [#1 eq 4]\no1 break\no3 endif\nG0 "
+      "X#1\no1 endwhile\nG0 Z1\n");
   ASSERT_EQ(r.motions.size(), 3U);
   near(r.at(1), {3, 0, 0});
   r = moves("#1=0\no1 do\n#1=[#1+1]\nG0 X#1\no1 while [#1 lt 3]\n");
@@ -603,8 +614,26 @@ TEST(gcode, conditions_and_loops) {
   }());
 }
 
+TEST(gcode, repeats_count_as_blocks) {
+  ReadingOptions options;
+  options.most_blocks = 1000;
+  refused("F9 G81 X1 Z1 R2 L1000000000", 1, "no end", options);
+  refused("F9 G83 X1 Z1 R2 Q.0001", 1, "no end", options);
+}
+
+TEST(gcode, entry_of_compensation_along_an_arc) {
+  // The arc ends beside the path's end, tangent to it, and begins where the tool is.
+  const Reading r = moves("G0 X0 Y-10\nG41.1 D4\nG3 X10 Y0 I0 J10\nG1 Y20\nG40\n");
+  near(r.at(1), {8, 0, 0});
+  EXPECT_NEAR(r.motions[1].centre.y(), 0, 1e-12);
+  EXPECT_NEAR((r.motions[1].centre - Vec2(0, -10)).norm(), (r.motions[1].centre - Vec2(8, 0)).norm(), 1e-12);
+  near(r.at(2), {8, 20, 0});
+}
+
 TEST(gcode, subroutines) {
-  Reading r = moves("o<Move> sub\nG0 X#1 Y#2\n#2=9\n#<in>=1\no<move> return [5]\nG0 X9\no<move> endsub\n#2=4\no<move> call [1] [3]\nG0 X#<_value> Z#2\n");
+  Reading r = moves(
+      "o<Move> sub\nG0 X#1 Y#2\n#2=9\n#<in>=1\no<move> return [5]\nG0 X9\no<move> endsub\n#2=4\no<move> call [1] [3]\nG0 "
+      "X#<_value> Z#2\n");
   ASSERT_EQ(r.motions.size(), 2U);
   near(r.at(0), {1, 3, 0});
   near(r.at(1), {5, 3, 4});
@@ -667,7 +696,8 @@ TEST(gcode, cancelled_in_time) {
   std::string text;
   for (int i = 0; i < 3000; ++i) text += "G0 X1\n";
   try {
-    read_gcode(text, "part.ngc", {}, [](const Motion&) {}, progress);
+    read_gcode(
+        text, "part.ngc", {}, [](const Motion&) {}, progress);
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::cancelled);
@@ -684,8 +714,8 @@ Program square() {
   section.tool.number = 1;
   section.spindle = 9000;
   section.clearance = 5;
-  section.moves = {{{10, 10, 5}, 0},     {{10, 10, 1}, 0},     {{10, 10, -1}, 120},     {{30, 10, -1}, 300},
-                   {{30, 20, -1}, 300},  {{20, 30, -1}, 300},  {{10, 10, -1}, 300},     {{10, 10, 5}, 0}};
+  section.moves = {{{10, 10, 5}, 0},    {{10, 10, 1}, 0},    {{10, 10, -1}, 120}, {{30, 10, -1}, 300},
+                   {{30, 20, -1}, 300}, {{20, 30, -1}, 300}, {{10, 10, -1}, 300}, {{10, 10, 5}, 0}};
   program.sections.push_back(section);
   return program;
 }
@@ -734,7 +764,8 @@ TEST(written_programs, shopbot) {
 }
 
 TEST(written_programs, rml) {
-  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{{"modela", 0.025}, {"srm20", 0.01}, {"mdx40", 0.01}, {"imodela", 0.01}}) {
+  for (const auto& [machine, tick] :
+       std::vector<std::pair<std::string, double>>{{"modela", 0.025}, {"srm20", 0.01}, {"mdx40", 0.01}, {"imodela", 0.01}}) {
     std::vector<Motion> motions;
     const auto notes = read_rml(written(machine), machine, {}, tick, [&](const Motion& m) { motions.push_back(m); });
     same_way(motions, tick, false);
@@ -748,7 +779,8 @@ TEST(written_programs, rml) {
 }
 
 TEST(written_programs, hpgl) {
-  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{{"hpgl", 0.025}, {"gcc_vinyl", 0.025}, {"gcc_laser", 0.1}, {"roland_vinyl", 0.025}, {"epilog", 25.4 / 600}}) {
+  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{
+           {"hpgl", 0.025}, {"gcc_vinyl", 0.025}, {"gcc_laser", 0.1}, {"roland_vinyl", 0.025}, {"epilog", 25.4 / 600}}) {
     std::vector<Motion> motions;
     const auto notes = read_hpgl(written(machine), machine, {}, tick, 5, -1, [&](const Motion& m) { motions.push_back(m); });
     std::vector<Vec3> cut;
@@ -761,7 +793,8 @@ TEST(written_programs, hpgl) {
   }
 }
 
-// ShopBot -------------------------------------------------------------------------------------------------------------------------
+// ShopBot
+// -------------------------------------------------------------------------------------------------------------------------
 
 Reading sbp(const std::string& text, double unit = 1) {
   Reading reading;
@@ -781,7 +814,10 @@ void refuses(const Read& read, const std::string& text, const std::string& place
 }
 
 TEST(sbp, moves_and_jogs) {
-  const Reading r = sbp("'a part\nSA\nMS,1,.5\nJ3,1,2,3\nM2,,5\nMZ,-1 'down\nM5,,,,90,-45\nSR\nMX,1\nm3, 1, 1, 1\nSA\nJH\nPAUSE,2\nPAUSE\nEND\nM2,9,9\n", 25.4);
+  const Reading r =
+      sbp("'a part\nSA\nMS,1,.5\nJ3,1,2,3\nM2,,5\nMZ,-1 'down\nM5,,,,90,-45\nSR\nMX,1\nm3, 1, 1, "
+          "1\nSA\nJH\nPAUSE,2\nPAUSE\nEND\nM2,9,9\n",
+          25.4);
   near(r.at(0), {25.4, 50.8, 76.2});
   EXPECT_EQ(r.motions[0].kind, Kind::rapid);
   near(r.at(1), {25.4, 127, 76.2});
@@ -822,7 +858,9 @@ TEST(sbp, circles) {
 }
 
 TEST(sbp, variables_labels_and_conditions) {
-  const Reading r = sbp("IF %(25)=1 THEN GOTO WRONG\n&a = 2\n&B=(&A+1)*2 - -1\nGOSUB Go\nagain:\n&a=&a+1\nIF &a < 5 THEN GOTO again\nJX,&a\nEND\nGO:\nJY,&b\nRETURN\nWRONG:\nC#,91\nEND\n");
+  const Reading r =
+      sbp("IF %(25)=1 THEN GOTO WRONG\n&a = 2\n&B=(&A+1)*2 - -1\nGOSUB Go\nagain:\n&a=&a+1\nIF &a < 5 THEN GOTO "
+          "again\nJX,&a\nEND\nGO:\nJY,&b\nRETURN\nWRONG:\nC#,91\nEND\n");
   near(r.at(0), {0, 7, 0});
   near(r.at(1), {5, 7, 0});
   EXPECT_TRUE(r.noted("%(25)"));
@@ -853,7 +891,8 @@ TEST(sbp, what_it_refuses) {
   EXPECT_THROW(read_sbp("A:\nGOTO A\n", "part.sbp", options, 1, [](const Motion&) {}), Error);
 }
 
-// RML and HPGL --------------------------------------------------------------------------------------------------------------------
+// RML and HPGL
+// --------------------------------------------------------------------------------------------------------------------
 
 TEST(rml, pens_and_places) {
   std::vector<Motion> m;

@@ -82,7 +82,8 @@ std::vector<ToolPose> random_way(std::mt19937& random, int count, double turn) {
     direction = (direction + 0.6 * Vec3(unit(random), unit(random), 0.4 * unit(random))).normalized();
     pose.tip += 0.7 * direction;
     for (int a = 0; a < 3; ++a)
-      if (pose.tip[a] < 1 || pose.tip[a] > (a == 2 ? 7 : 9)) direction[a] = -direction[a], pose.tip[a] = std::clamp(pose.tip[a], 1.0, a == 2 ? 7.0 : 9.0);
+      if (pose.tip[a] < 1 || pose.tip[a] > (a == 2 ? 7 : 9))
+        direction[a] = -direction[a], pose.tip[a] = std::clamp(pose.tip[a], 1.0, a == 2 ? 7.0 : 9.0);
     if (turn > 0) pose.axis = (pose.axis + turn * Vec3(unit(random), unit(random), unit(random)) / std::sqrt(3.0)).normalized();
     way.push_back(pose);
   }
@@ -109,26 +110,26 @@ struct Case {
 
 class StockTwin : public ::testing::TestWithParam<Case> {};
 
-// Points well inside of what the tool was are air, points well outside are solid; and where a surface lies on an edge of the lattice is
-// where membership changes.
+// Points well inside of what the tool was are air, points well outside are solid; and where a surface lies on an edge of the
+// lattice is where membership changes.
 TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
   const Case& c = GetParam();
   const Tool tool = cutter(c.shape);
   const ToolSolid solid = tool_solid(tool);
   std::mt19937 random(static_cast<unsigned>(c.turn * 1000) + 7);
   StockSettings settings;
-  settings.cell = 0.31;
+  settings.cell = 0.43;
   settings.brick = c.brick;
   settings.both_ends = c.both_ends;
   settings.tolerance = 0.002;
   const Box box{{0, 0, 0}, {10, 10, 8}};
   Stock stock(box, settings);
-  const std::vector<ToolPose> way = random_way(random, 12, c.turn);
+  const std::vector<ToolPose> way = random_way(random, 8, c.turn);
   const auto results = stock.cut(strokes_of(solid, way));
   constexpr double near = 0.02;
   std::vector<ToolPose> poses;
   for (std::size_t i = 1; i < way.size(); ++i)
-    for (int k = 0; k <= 60; ++k) poses.push_back(between(way[i - 1], way[i], k / 60.0));
+    for (int k = 0; k <= 24; ++k) poses.push_back(between(way[i - 1], way[i], k / 24.0));
   const StockLattice& lattice = stock.lattice();
   std::uint64_t removed = 0, wrong_solid = 0, wrong_air = 0;
   Index3 p;
@@ -138,7 +139,7 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
         const Vec3 place = lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2]));
         bool surely_inside = false, surely_outside = true;
         for (const ToolPose& pose : poses) {
-          if ((place - pose.tip).norm() > 10) continue;
+          if ((place - pose.tip - 4.5 * pose.axis).norm() > 5) continue;
           int count = 0;
           for (const Vec3& q : about(place, near)) count += in_tool(tool, pose, q);
           surely_inside |= count == 15, surely_outside &= count == 0;
@@ -151,7 +152,7 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
       }
   EXPECT_EQ(wrong_solid, 0u);
   EXPECT_EQ(wrong_air, 0u);
-  EXPECT_GT(removed, 500u);
+  EXPECT_GT(removed, 200u);
   double volume = 0;
   for (const StrokeResult& r : results) volume += r.volume;
   const double left = stock.volume(), all = box.size().prod();
@@ -163,7 +164,7 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
   std::vector<std::uint32_t> cuts;
   const TriangleMesh again = stock.mesh(&cuts);
   std::size_t checked = 0, off = 0;
-  for (std::size_t v = 0; v < cuts.size(); v += 3) {
+  for (std::size_t v = 0; v < cuts.size(); v += 2) {
     if (cuts[v] == 0) continue;
     const Vec3 place(again.vertices[v][0], again.vertices[v][1], again.vertices[v][2]);
     bool touches = false, inside = false;
@@ -176,20 +177,22 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
     ++checked;
     off += !touches || inside;
   }
-  EXPECT_GT(checked, 100u);
+  EXPECT_GT(checked, 80u);
   // A lattice sees nothing of what is thinner than its cells: next to such places vertices may be off.
   EXPECT_LE(off, checked / 100);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tools, StockTwin,
-                         ::testing::Values(Case{"flat", 0, 64, true}, Case{"ball", 0, 16, true}, Case{"bull", 0, 64, true}, Case{"v", 0, 64, true},
-                                           Case{"drill", 0, 16, true}, Case{"tapered", 0, 64, true}, Case{"form", 0, 64, true},
-                                           Case{"flat", 0.05, 16, true}, Case{"ball", 0.05, 64, true}, Case{"bull", 0.05, 64, true},
-                                           Case{"v", 0.05, 0, true}, Case{"tapered", 0.05, 64, true}, Case{"form", 0.05, 16, true},
-                                           Case{"flat", 0.05, 0, false}, Case{"ball", 0.05, 64, false}, Case{"bull", 0.05, 16, false}),
+                         ::testing::Values(Case{"flat", 0, 64, true}, Case{"ball", 0, 16, true}, Case{"bull", 0, 64, true},
+                                           Case{"v", 0, 64, true}, Case{"drill", 0, 16, true}, Case{"tapered", 0, 64, true},
+                                           Case{"form", 0, 64, true}, Case{"flat", 0.05, 16, true}, Case{"ball", 0.05, 64, true},
+                                           Case{"bull", 0.05, 64, true}, Case{"v", 0.05, 0, true},
+                                           Case{"tapered", 0.05, 64, true}, Case{"form", 0.05, 16, true},
+                                           Case{"flat", 0.05, 0, false}, Case{"ball", 0.05, 64, false},
+                                           Case{"bull", 0.05, 16, false}),
                          [](const auto& test) {
-                           return fmt::format("{}_{}_{}_{}", test.param.shape, test.param.turn > 0 ? "turning" : "straight", test.param.brick,
-                                              test.param.both_ends ? "both" : "one");
+                           return fmt::format("{}_{}_{}_{}", test.param.shape, test.param.turn > 0 ? "turning" : "straight",
+                                              test.param.brick, test.param.both_ends ? "both" : "one");
                          });
 
 // A ball along a straight way at an angle: every vertex of the groove on the capsule.

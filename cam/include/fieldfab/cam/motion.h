@@ -55,11 +55,14 @@ struct Motion {
   ControlMode mode = ControlMode::machine;
   int line = 0;  ///< of the program's file, from 1; in a subroutine, the line that moves
   /// Machine coordinates: work offsets, G92 and rotation are in, the tool's length is not (it is `tool_offset`), cutter
-  /// compensation is. The place the tool's tip goes to where the control's idea of its length is right.
+  /// compensation is. The place the tool's tip goes to where the control's idea of its length is right; the linear axes stand at
+  /// `end` + `tool_offset`, and it is they that a motion begins from: where `tool_offset` changes between two motions, the axes
+  /// have not moved. Dwells, tool changes, stops and the end have the place where the machine stands.
   AxisValues end;
   Vec2 centre = Vec2::Zero();  ///< of an arc: along the plane's first and second axis, machine coordinates
-  int turns = 0;    ///< of an arc: 1 is up to a full turn anticlockwise seen from the plane's axis, -1 clockwise, 2 one turn more
-  double feed = 0;  ///< mm/min along x, y, z (radians/min where only rotary axes move); 0 for rapids
+  int turns = 0;  ///< of an arc: 1 is up to a full turn anticlockwise seen from the plane's axis, -1 clockwise, 2 one turn more
+  double feed =
+      0;  ///< mm/min along x, y, z (u, v, w where these stand still; radians/min where only rotary axes move); 0 for rapids
   double seconds = 0;               ///< what the program itself says that it takes: a dwell's, or a move's under G93; else 0
   int tool = 0;                     ///< in the spindle
   double spindle = 0;               ///< revolutions per minute; below 0 anticlockwise; 0: stands still
@@ -92,19 +95,35 @@ struct ReadingNote {
   std::string message;
 };
 
-/// Carries out a program and hands on each motion in order. Returns what was passed over. Memory does not grow with the program's
-/// length, but for its subroutines and parameters.
-/// Throws bad_input with FILE:LINE for whatever it does not understand and that might move an axis, cancelled.
+/// Carries out a program and hands on each motion in order. Returns what was passed over, each message once. Memory does not grow
+/// with the program's length, but for its subroutines and parameters. The dialect is LinuxCNC 2.9's, whose interpreter is the
+/// oracle of its tests, with these additions and differences:
+/// - M428, M429, M430 and G43.4 ... G49 set the ControlMode; G68 X Y R and G69 turn the program about a point of the plane, as
+/// Fanuc's
+///   controls do (the machine stays where it is; words then count in the turned system).
+/// - The machine's unit is the millimetre: parameters that hold places of the machine (#5161 to #5390) are mm and degrees.
+/// - Splines (G5, G5.1, G5.2) and arcs that a rotation takes out of their plane are short feeds, 0.001 mm from the curve at most.
+/// - G38.x is a feed to its end, where nothing was touched; G33, G33.1 and G76 are feeds of the pitch times the spindle's speed.
+/// - After the stop of G88 the tool is drawn out. M-codes from 100 on, outputs (M62 to M68) and #<_hal[...]> are noted and passed
+/// over.
+/// - Lathe cycles G70 to G72, G50 and G51 are refused, so is Python.
+/// `file` names the program in messages; its folder is the first one where subroutine files are looked for.
+/// Throws bad_input with FILE:LINE for whatever it does not understand and that might move an axis, io for a subroutine file that
+/// cannot be read, cancelled. What was handed on before stays handed on. About 3 million plain blocks a second.
 std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& file, const ReadingOptions& options,
                                     const MotionSink& sink, Progress& progress = Progress::none());
-/// ShopBot's part files (.sbp): moves, jogs, arcs, tool and unit commands. `unit`: mm in one of its units until it says
-/// otherwise.
+/// ShopBot's part files (.sbp): moves (M2, MX, ...), jogs, arcs (CG, CP), zeroing, speeds, variables, labels. `unit`: mm in one
+/// of its units. What asks the control (IF %(25) ...) counts as not so, with a note; its macros (C6, C#,90) are noted and passed
+/// over; whatever else might move an axis is refused. Rotary axes are in degrees. The program's zero lies at the first work
+/// offset (so for those below).
 std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options, double unit,
                                   const MotionSink& sink, Progress& progress = Progress::none());
-/// RML of Roland's mills (Modela, SRM-20): ticks of 1/40 mm or 1/100 mm. `tick` in mm.
+/// RML of Roland's mills (Modela, SRM-20): ticks of 1/40 mm or 1/100 mm. `tick` in mm. Z moves feed with the lesser of VS and
+/// !VZ; their rapids are feeds, too, since RML has no others.
 std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
                                   const MotionSink& sink, Progress& progress = Progress::none());
-/// HPGL: PU and PD, ticks of 1/40 mm. The pen is up at z = `up` and down at z = `down`, mm.
+/// HPGL: PU, PD, PA, PR, arcs, circles, rectangles; printers' escapes around it are stepped over. The pen is up at z = `up` and
+/// down at z = `down`, mm; its number is the tool's. Lettering, fills, scaling and what else would draw are refused.
 std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
                                    double up, double down, const MotionSink& sink, Progress& progress = Progress::none());
 

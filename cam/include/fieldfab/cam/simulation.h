@@ -42,9 +42,9 @@ struct SimulationSetup {
   Machine machine;   ///< its kinematics, speeds and units of files
   std::map<int, Tool> tools;
   int first_tool = 0;  ///< what a program starts with that names no tool; 0: that is an error, unless there is only one
-  Box stock_box;     ///< of the material, in the part's coordinates, mm
-  FieldPtr stock;    ///< its shape; null: all of the box
-  FieldPtr fixture;  ///< null: none
+  Box stock_box;       ///< of the material, in the part's coordinates, mm
+  FieldPtr stock;      ///< its shape; null: all of the box
+  FieldPtr fixture;    ///< null: none
   Box fixture_box;
   FieldPtr target;           ///< what should come out; null: not known
   double gouge = 0.05;       ///< how deep a cut into the target is one, mm
