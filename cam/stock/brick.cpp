@@ -30,7 +30,6 @@ bool WindowSet::start(const Sweep& sweep, const Region& region) {
   filled_.fill(false);
   for (int axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    beyond_[a] = lattice_->at(axis, std::min(region.upper[a] + 1, lattice_->cells()[a]));
     const double spacing = lattice_->spacing()[axis];
     const double low = std::clamp(sweep.bounds().lower[axis] / spacing, -1e6, 1e8),
                  high = std::clamp(sweep.bounds().upper[axis] / spacing, -1e6, 1e8);
@@ -48,7 +47,6 @@ const Window& WindowSet::along(int axis) {
   window.axis = axis;
   window.u0 = reach_.first(axis_u(axis)), window.u1 = reach_.last(axis_u(axis));
   window.v0 = reach_.first(axis_v(axis)), window.v1 = reach_.last(axis_v(axis));
-  window.beyond = beyond_[static_cast<std::size_t>(axis)];
   window.clear();
   sweep_->fill(window, *lattice_);
   return window;
@@ -235,13 +233,16 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
   thread_local std::vector<std::uint8_t> flags;
   const auto stride = static_cast<std::size_t>(count_u) + 2;
   tops.assign(3 * stride, -beyond);
+  const auto inverse = static_cast<float>(1 / lattice.spacing()[axis]);
   flags.resize(static_cast<std::size_t>(count_u) + 8);
   const auto load = [&](int v) {
     float* const row = &tops[static_cast<std::size_t>((v + 3) % 3) * stride];
     std::fill(row, row + stride, -beyond);
     if (v < r.first(va) || v > r.last(va)) return;
     const int from_u = std::max(first_u - 1, r.first(ua)), to_u = std::min(first_u + count_u, r.last(ua));
-    for (int u = from_u; u <= to_u; ++u) row[u - first_u + 1] = columns ? cell.upper.at[cell.column(u, v)] : beyond;
+    if (from_u <= to_u)
+      load_tops(columns ? &cell.upper.at[cell.column(from_u, v)] : nullptr, to_u - from_u + 1, inverse, static_cast<float>(r.last(axis)),
+                row + (from_u - first_u + 1));
   };
   load(first_v - 1), load(first_v);
   for (int v = first_v; v <= last_v; ++v) {
@@ -250,7 +251,7 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
     const float* const around[3] = {&tops[static_cast<std::size_t>((v + 2) % 3) * stride],
                                     &tops[static_cast<std::size_t>((v + 3) % 3) * stride],
                                     &tops[static_cast<std::size_t>((v + 4) % 3) * stride]};
-    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u,
+    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u, inverse,
                          flags.data()))
       continue;
     for_each_flag(flags.data(), count_u, [&](int i) {

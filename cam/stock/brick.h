@@ -24,7 +24,6 @@ class WindowSet {
   const StockLattice* lattice_;
   const Sweep* sweep_ = nullptr;
   Region reach_;
-  std::array<float, 3> beyond_{};  ///< the last points that anybody asks about
   std::array<Window, 3> windows_;
   std::array<bool, 3> filled_{};
 };

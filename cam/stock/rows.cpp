@@ -1,5 +1,8 @@
 #include "rows.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace fieldfab::cam {
 
 __attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float* entry, const float* exit, const float* tops,
@@ -20,16 +23,25 @@ __attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float
 }
 
 __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const float* entry, const float* exit, const float* before,
-                                                                       const float* here, const float* after, int count,
+                                                                       const float* here, const float* after, int count, float inverse,
                                                                        std::uint8_t* flags) {
   unsigned any = 0;
   for (int i = 0; i < count; ++i) {
-    const std::uint8_t below = static_cast<std::uint8_t>((entry[i] < before[i]) | (entry[i] < after[i]) |
-                                                         (entry[i] < here[i - 1]) | (entry[i] < here[i + 1]));
-    const std::uint8_t flag = static_cast<std::uint8_t>(below & (entry[i] <= exit[i]));
+    const float most = std::max(std::max(before[i], after[i]), std::max(here[i - 1], here[i + 1]));
+    // The first point not below the entry, or one before it where rounding might matter.
+    const float first = std::ceil(entry[i] * inverse - 0.01f);
+    const std::uint8_t flag = static_cast<std::uint8_t>((first <= most) & (entry[i] <= exit[i]));
     flags[i] = flag, any |= flag;
   }
   return any;
+}
+
+__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, float inverse, float last, float* points) {
+  if (tops == nullptr) {
+    std::fill(points, points + count, last);
+    return;
+  }
+  for (int i = 0; i < count; ++i) points[i] = std::min(std::floor(tops[i] * inverse + 0.01f), last);
 }
 
 }  // namespace fieldfab::cam

@@ -10,10 +10,14 @@ namespace fieldfab::cam {
 /// Flags the lines whose interval from `entry` to `exit` begins below a column's top; `tops` null: all columns are solid. Whether
 /// there are any. `flags` has room for 8 more than `count`.
 bool flag_contacts(const float* entry, const float* exit, const float* tops, int count, std::uint8_t* flags);
-/// Flags the lines whose interval begins below the top of a neighbour: `before` and `after` are the rows next to `here`, each of
-/// which has a value in front of the first one and behind the last one.
+/// Flags the lines that hold a point not above the last one of a neighbour's column: `before` and `after` are the rows of these numbers
+/// next to `here`, each of which has one in front of the first and one behind the last line. Points lie 1 / `inverse` apart; where rounding
+/// might matter there are flags too many.
 bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
-                     std::uint8_t* flags);
+                     float inverse, std::uint8_t* flags);
+
+/// The last points below the tops of columns, as numbers, but none above `last`; null: all columns are solid.
+void load_tops(const float* tops, int count, float inverse, float last, float* points);
 
 /// Calls with the index of each flag that is set.
 template <class Body>

@@ -144,6 +144,10 @@ class SimulationRun {
 
   void move(const Motion& motion) {
     poses_.check(motion);
+    if (!mounted_ && setup_.first_tool == 0 && motion.kind == Motion::Kind::rapid) {
+      at_ = motion.end;  // an empty spindle
+      return;
+    }
     if (!mounted_) {
       if (setup_.first_tool == 0 || !setup_.tools.contains(setup_.first_tool))
         throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),

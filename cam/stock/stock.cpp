@@ -196,7 +196,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         const Stroke& stroke = strokes[begin + i];
         ToolPose from = stroke.from, to = stroke.to;
         from.tip -= lattice_.box().lower, to.tip -= lattice_.box().lower;
-        sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to, tolerance());
+        sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to, tolerance(), Box{Vec3::Zero(), lattice_.box().size()});
       }
     });
     // Which strokes come near which brick.

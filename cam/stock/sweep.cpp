@@ -186,29 +186,53 @@ __attribute__((target_clones("avx2", "default"))) void ring_row(const Row& row, 
   }
 }
 
-/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane.
+/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the line's nearest
+/// place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
 __attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
   const double share = 1 / along, tilt = row.ad * share;
-  // The place in the plane, as the line goes on.
-  const double yu = -tilt * wu, yv = -tilt * wv, yd = 1 - tilt * wd, a = yu * yu + yv * yv + yd * yd;
+  // The place in the plane, as the line goes on; and as lines go on.
+  const Vec3 line(-tilt * wu, -tilt * wv, 1 - tilt * wd);
+  const double u_share = row.au * share, v_share = row.av * share;
+  const Vec3 by_u(1 - u_share * wu, -u_share * wv, -u_share * wd), by_v(-v_share * wu, 1 - v_share * wv, -v_share * wd);
+  const Vec3 first = row.first_u * by_u + row.v * by_v, step = row.step_u * by_u;
+  const double square = line.squaredNorm();
+  if (square < 1e-12) {
+    // Lines along the way: met from end to end.
+    const double one = -(row.au * row.first_u + row.av * row.v) / row.ad, per_line = -row.au * row.step_u / row.ad, whole = along / row.ad;
+    for (int i = 0; i < row.count; ++i) {
+      if ((first + i * step).squaredNorm() > radius * radius) continue;
+      const double low = one + i * per_line, high = low + whole;
+      row.entry[i] = std::min(row.entry[i], static_cast<float>(row.origin + std::min(low, high)));
+      row.exit[i] = std::max(row.exit[i], static_cast<float>(row.origin + std::max(low, high)));
+    }
+    return;
+  }
+  const double inverse = 1 / square;
+  // Off the nearest place the disc is half a chord wide.
+  const Vec3 normal(row.au, row.av, row.ad), side = normal.cross(line) / std::sqrt(square);
+  const auto d0 = static_cast<float>(first.dot(side)), d_step = static_cast<float>(step.dot(side));
+  const auto s0 = static_cast<float>(-first.dot(line) * inverse), s_step = static_cast<float>(-step.dot(line) * inverse);
+  const auto t0 = static_cast<float>((row.au * row.first_u + row.av * row.v) * share), t_step = static_cast<float>(row.au * row.step_u * share);
+  const auto chord = static_cast<float>(1 / std::sqrt(square)), round = static_cast<float>(radius * radius);
   const bool slab = std::abs(row.ad) > 1e-9;
-  const double level = slab ? 1 / row.ad : 0, inverse = 1 / std::max(a, 1e-14);
+  const float per_share = slab ? static_cast<float>(along / row.ad) : 0.0f, origin = static_cast<float>(row.origin);
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
-    const double u = row.first_u + row.step_u * i, z = row.au * u + row.av * row.v, t = z * share;
-    const double pu = u - t * wu, pv = row.v - t * wv, pd = -t * wd;
-    const double b = yu * pu + yv * pv + yd * pd, c = pu * pu + pv * pv + pd * pd - radius * radius;
-    const double disc = b * b - a * c, root = std::sqrt(std::max(disc, 0.0));
-    const bool parallel = a < 1e-14;
-    double low = parallel ? -1e300 : (-b - root) * inverse, high = parallel ? 1e300 : (-b + root) * inverse;
-    bool met = parallel ? c <= 0 : disc >= 0;
-    const double s0 = -z * level, s1 = (along - z) * level;
-    if (slab) low = std::max(low, std::min(s0, s1)), high = std::min(high, std::max(s0, s1));
-    met = met & (slab | ((t >= 0) & (t <= 1))) & (low <= high);
-    const float from = met ? static_cast<float>(row.origin + low) : std::numeric_limits<float>::infinity();
-    const float to = met ? static_cast<float>(row.origin + high) : -std::numeric_limits<float>::infinity();
+    const float k = static_cast<float>(i), t = t0 + t_step * k, distance = d0 + d_step * k, nearest = s0 + s_step * k;
+    const float room = round - distance * distance, half = std::sqrt(std::max(room, 0.0f)) * chord;
+    float low = nearest - half, high = nearest + half;
+    bool met = room >= 0;
+    if (slab) {
+      const float one = -t * per_share, other = (1 - t) * per_share;
+      low = std::max(low, std::min(one, other)), high = std::min(high, std::max(one, other));
+    } else {
+      met = met & (t >= 0) & (t <= 1);
+    }
+    met = met & (low <= high);
+    const float from = met ? origin + low : std::numeric_limits<float>::infinity();
+    const float to = met ? origin + high : -std::numeric_limits<float>::infinity();
     entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
   }
 }
@@ -290,7 +314,8 @@ Vec3 any_across(const Vec3& axis) {
 
 }  // namespace
 
-Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance) : from_(from), to_(to) {
+Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance, const Box& domain)
+    : from_(from), to_(to) {
   const bool turns = (to.axis - from.axis).squaredNorm() > 1e-24;
   const bool moves = turns || (to.tip - from.tip).squaredNorm() > 1e-24;
   bool first = true;
@@ -300,16 +325,24 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
     low = std::min(low, zone.z0), high = std::max(high, frustum ? zone.z1 : zone.z0);
     radius_ = std::max(radius_, widest(zone));
   }
-  top_ = high;
   core_ = {from.tip + low * from.axis, from.tip + high * from.axis, to.tip + low * to.axis, to.tip + high * to.axis};
-  for (const Zone& zone : piece.zones) {
-    for (const bool last : {false, true}) {
-      if (last && !moves) break;
-      stamps_.push_back({zone, last ? to : from, false, Vec3::Zero()});
-      const Box box = box_of(zone, stamps_.back().pose);
+  for (Zone zone : piece.zones) {
+    for (const ToolPose* pose : {&from_, &to_}) {
+      const Box box = box_of(zone, *pose);
       bounds_ = first ? box : hull(bounds_, box);
       first = false;
     }
+    // A cylinder that ends outside of the domain and leads away from it need not end at all.
+    if (!turns && zone.shape == Zone::Shape::frustum && zone.z1 == high && zone.r0 == zone.r1) {
+      const Zone end{Zone::Shape::frustum, zone.z1, zone.z1, zone.r1, zone.r1, false, false};
+      const Box top = hull(box_of(end, from), box_of(end, to));
+      for (int axis = 0; axis < 3; ++axis)
+        endless_ |= (top.lower[axis] > domain.upper[axis] && from.axis[axis] >= 0) ||
+                    (top.upper[axis] < domain.lower[axis] && from.axis[axis] <= 0);
+      if (endless_) zone.z1 += 4 * (domain.diagonal() + (from.tip - domain.centre()).norm()), zone.upper_edge = false;
+    }
+    stamps_.push_back({zone, from, false, Vec3::Zero()});
+    if (moves) stamps_.push_back({zone, to, false, Vec3::Zero()});
     if (!moves) continue;
     if (zone.shape == Zone::Shape::ball) {
       // The capsule's cylinder, from the first centre to the last.
@@ -333,7 +366,7 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
           turns ? 4 : 1);
     } else {
       add_disc(zone.z0 - zone.r1, zone.r0, tolerance);
-      add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
+      if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
       add_grazing(
           [&](double t) -> SectionPoint {
             const double angle = std::numbers::pi / 2 * t, c = std::sin(angle), sine = -std::cos(angle);
@@ -462,6 +495,15 @@ void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int 
 
 namespace {
 
+/// Lowers and raises intervals to places that lie evenly.
+__attribute__((target_clones("avx2", "default"))) void fill_row(float* __restrict entry, float* __restrict exit, int count, float at,
+                                                                float step, float low, float high) {
+  for (int i = 0; i < count; ++i) {
+    const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);
+    entry[i] = std::min(entry[i], place), exit[i] = std::max(exit[i], place);
+  }
+}
+
 /// Lowers and raises the intervals of the lines that a triangle meets.
 void fill_triangle(Window& window, const StockLattice& lattice, const std::array<Vec3, 3>& triangle) {
   const int d = window.axis, ua = (d + 1) % 3, va = (d + 2) % 3;
@@ -498,12 +540,8 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
     const int u1 = std::min(window.u1, static_cast<int>(std::floor(high + slack)));
     if (u0 > u1) continue;
     const std::size_t first = window.index(u0, j);
-    for (int i = u0; i <= u1; ++i) {
-      const double at = std::clamp(w[0] + along_u * (i - u[0]) + along_v * (j - v[0]), w_low, w_high);
-      const std::size_t index = first + static_cast<std::size_t>(i - u0);
-      window.entry[index] = std::min(window.entry[index], static_cast<float>(at));
-      window.exit[index] = std::max(window.exit[index], static_cast<float>(at));
-    }
+    fill_row(&window.entry[first], &window.exit[first], u1 - u0 + 1, static_cast<float>(w[0] + along_u * (u0 - u[0]) + along_v * (j - v[0])),
+             static_cast<float>(along_u), static_cast<float>(w_low), static_cast<float>(w_high));
   }
 }
 
@@ -512,7 +550,6 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
 void Sweep::fill(Window& window, const StockLattice& lattice) const {
   const int d = window.axis, ua = (d + 1) % 3, va = (d + 2) % 3;
   const double hu = lattice.spacing()[ua], hv = lattice.spacing()[va];
-  bool open = false;
   for (const Stamp& stamp : stamps_) {
     const Zone& zone = stamp.zone;
     Box box = box_of(zone, stamp.pose);
@@ -527,11 +564,6 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     const double au = stamp.pose.axis[ua], av = stamp.pose.axis[va], ad = stamp.pose.axis[d];
     const bool level_way = stamp.disc && std::abs(stamp.way.dot(stamp.pose.axis)) < 1e-9 * (1 + stamp.way.norm());
     if (level_way && std::abs(ad) < 1e-9) continue;
-    // Ends of an upright piece that lie beyond what is asked about: it is enough that they do.
-    if (stamp.disc && ad > 1 - 1e-12 && zone.z0 == top_ && box.lower[d] > window.beyond) {
-      open = true;
-      continue;
-    }
     // Seen along the lines, a zone lies in a strip about its axis, what a disc sweeps in one about its way.
     const double strip_u = stamp.disc ? stamp.way[ua] : au, strip_v = stamp.disc ? stamp.way[va] : av;
     const double strip = std::hypot(strip_u, strip_v);
@@ -566,7 +598,8 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     if (strip.box.upper[va] < (window.v0 - 0.01) * hv || strip.box.lower[va] > (window.v1 + 0.01) * hv) continue;
     for (std::size_t i = strip.first; i < strip.last; ++i) fill_triangle(window, lattice, triangles_[i]);
   }
-  if (open)
+  // Lines along an endless piece never leave it.
+  if (endless_ && from_.axis[d] > 1 - 1e-12 && to_.axis[d] > 1 - 1e-12)
     for (std::size_t i = 0; i < window.entry.size(); ++i)
       if (window.entry[i] <= window.exit[i]) window.exit[i] = std::numeric_limits<float>::infinity();
 }

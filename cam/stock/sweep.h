@@ -16,7 +16,6 @@ namespace fieldfab::cam {
 struct Window {
   int axis = 2;
   int u0 = 0, u1 = -1, v0 = 0, v1 = -1;                   ///< lines, both ends included; empty where u1 < u0
-  float beyond = std::numeric_limits<float>::infinity();  ///< mm along the axis above which nobody asks
   std::vector<float> entry, exit;                         ///< mm from the lattice's corner; entry > exit: the line is not met
 
   [[nodiscard]] int width() const { return u1 - u0 + 1; }
@@ -39,8 +38,8 @@ struct Window {
 /// taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
 class Sweep {
  public:
-  /// Poses in the lattice's frame, mm from its corner.
-  Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance);
+  /// Poses in the lattice's frame, mm from its corner. Nobody asks about what lies outside of `domain`.
+  Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance, const Box& domain);
 
   [[nodiscard]] const Box& bounds() const { return bounds_; }
   /// False where it surely stays farther than `distance` from a place.
@@ -75,7 +74,8 @@ class Sweep {
   std::vector<Strip> strips_;
   Box bounds_;
   std::array<Vec3, 4> core_;     ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
-  double radius_ = 0, top_ = 0;  ///< top_: height of its upper end above the tip
+  double radius_ = 0;
+  bool endless_ = false;  ///< its upper end is so far out that it is taken to have none
 };
 
 }  // namespace fieldfab::cam
