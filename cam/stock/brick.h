@@ -50,6 +50,10 @@ class Brick {
   };
   /// Takes out what strokes sweep, in their order, or only says what they meet.
   void cut(std::span<Pass> passes, const Stock& stock);
+  /// Gives back memory that no longer holds anything; worth it once many passes are done.
+  void settle(const StockLattice& lattice) {
+    if (samples_.size() != tidied_) tidy(lattice);
+  }
   /// Makes it what a field says: solid points and the samples on their edges.
   void assign(const Occupancy& solid, SampleMap samples, const Stock& stock);
 

@@ -59,7 +59,7 @@ class SampleMap {
   }
   [[nodiscard]] const Sample* find(Key key) const {
     if (slots_.empty()) return nullptr;
-    for (std::size_t i = slot(key);; i = (i + 1) & mask()) {
+    for (std::size_t i = slot(key);; i = after(i)) {
       if (slots_[i].key == key) return &slots_[i].sample;
       if (slots_[i].key == none) return nullptr;
     }
@@ -85,9 +85,7 @@ class SampleMap {
     for (const Slot& slot : old) left += slot.key != none && wanted(slot.key);
     count_ = 0;
     if (!left) return;
-    std::size_t size = 16;
-    while (size * 3 < left * 4) size *= 2;
-    slots_.assign(size, Slot{});
+    slots_ = std::vector<Slot>(left + left / 4 + 8);
     for (const Slot& slot : old)
       if (slot.key != none && wanted(slot.key)) place(slot.key, slot.sample);
   }
@@ -98,11 +96,15 @@ class SampleMap {
     Key key = none;
     Sample sample;
   };
-  [[nodiscard]] std::size_t mask() const { return slots_.size() - 1; }
-  [[nodiscard]] std::size_t slot(Key key) const { return (key * 2654435769u >> 7) & mask(); }
+  [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < slots_.size() ? i + 1 : 0; }
+  /// Any number of slots will do: the hash is a share of them.
+  [[nodiscard]] std::size_t slot(Key key) const {
+    const auto hash = static_cast<std::uint32_t>((key ^ key >> 15) * 2654435769u);
+    return static_cast<std::size_t>(static_cast<std::uint64_t>(hash) * slots_.size() >> 32);
+  }
   Sample& place(Key key, Sample sample) {
-    if ((count_ + 1) * 4 > slots_.size() * 3) grow();
-    for (std::size_t i = slot(key);; i = (i + 1) & mask()) {
+    if ((count_ + 1) * 6 > slots_.size() * 5) grow();
+    for (std::size_t i = slot(key);; i = after(i)) {
       if (slots_[i].key == key) return slots_[i].sample;
       if (slots_[i].key != none) continue;
       ++count_;
@@ -111,7 +113,7 @@ class SampleMap {
     }
   }
   void grow() {
-    std::vector<Slot> old(slots_.empty() ? 16 : slots_.size() * 2);
+    std::vector<Slot> old(slots_.size() + slots_.size() / 2 + 16);
     old.swap(slots_);
     count_ = 0;
     for (const Slot& slot : old)

@@ -186,6 +186,7 @@ Region Stock::brick_region(const Index3& brick) const {
 std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& progress) {
   std::vector<StrokeResult> results(strokes.size());
   constexpr std::size_t most_at_once = 1024;
+  std::vector<char> changed(bricks_.size());
   const double h = lattice_.spacing().minCoeff();
   for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
     progress.check();
@@ -240,6 +241,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
       for (const std::uint32_t i : near[touched[t]]) passes.push_back({sweeps[i].get(), &strokes[begin + i]});
       for (std::size_t first = 0; first < passes.size() && !progress.cancelled(); first += 64)
         brick->cut(std::span(passes).subspan(first, std::min<std::size_t>(64, passes.size() - first)), *this);
+      changed[touched[t]] = 1;
       const std::lock_guard lock(adding);
       for (std::size_t k = 0; k < passes.size(); ++k) {
         StrokeResult& result = results[begin + near[touched[t]][k]];
@@ -251,6 +253,9 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
     });
     progress.check();
   }
+  parallel_for(bricks_.size(), [&](std::size_t i) {
+    if (changed[i]) bricks_[i]->settle(lattice_);
+  });
   return results;
 }
 
