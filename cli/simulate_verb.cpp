@@ -12,43 +12,6 @@
 namespace fieldfab::cli {
 namespace {
 
-nlohmann::ordered_json json_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
-
-nlohmann::ordered_json json_of(const cam::SimulationReport& report) {
-  auto events = nlohmann::ordered_json::array();
-  for (const cam::SimulationEvent& e : report.events)
-    events.push_back({{"kind", cam::to_string(e.kind)},
-                      {"line", e.line},
-                      {"tool", e.tool},
-                      {"place", json_of(e.place)},
-                      {"amount", e.amount},
-                      {"message", e.message}});
-  auto notes = nlohmann::ordered_json::array();
-  for (const cam::ReadingNote& note : report.notes) notes.push_back({{"line", note.line}, {"message", note.message}});
-  nlohmann::ordered_json json{{"good", report.good()},
-                              {"events", events},
-                              {"notes", notes},
-                              {"moves", report.moves},
-                              {"poses", report.poses},
-                              {"seconds", report.seconds},
-                              {"rapid_seconds", report.rapid_seconds},
-                              {"cut", report.cut},
-                              {"air", report.air},
-                              {"air_share", report.air_share()},
-                              {"rapid", report.rapid},
-                              {"removed", report.removed},
-                              {"left", report.left},
-                              {"cells", report.stock.cells},
-                              {"splits", report.stock.splits},
-                              {"bytes", report.stock.bytes}};
-  if (report.deviation) {
-    const cam::Deviation& d = *report.deviation;
-    json["deviation"] = {
-        {"deepest_gouge", d.deepest}, {"highest_excess", d.highest}, {"mean", d.mean}, {"rms", d.root_mean_square}};
-  }
-  return json;
-}
-
 class SimulateVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
@@ -93,16 +56,8 @@ class SimulateVerb final : public Verb {
     for (const cam::SimulationEvent& e : r.events)
       fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
     Outcome outcome;
-    outcome.json = json_of(r);
-    if (!report_.empty()) {
-      nlohmann::ordered_json full = outcome.json;
-      auto lines = nlohmann::ordered_json::array();
-      for (const cam::LineRecord& line : r.lines)
-        lines.push_back(
-            {{"line", line.line}, {"removed", line.removed}, {"seconds", line.seconds}, {"cut", line.cut}, {"air", line.air}});
-      full["lines"] = std::move(lines);
-      write_file(report_, full.dump(1) + "\n");
-    }
+    outcome.json = nlohmann::ordered_json::parse(cam::to_json(r, false));
+    if (!report_.empty()) write_file(report_, cam::to_json(r, true));
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
     outcome.line = fmt::format(

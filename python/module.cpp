@@ -49,6 +49,7 @@ PYBIND11_MODULE(_core, module) {
   bind_results(module);
   bind_volumes(module);
   bind_cam(module);
+  bind_stock(module);
 }
 
 }  // namespace fieldfab::python

@@ -23,8 +23,8 @@ __attribute__((target_clones("avx2", "default"))) bool flag_contacts(const float
 }
 
 __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const float* entry, const float* exit, const float* before,
-                                                                       const float* here, const float* after, int count, float inverse,
-                                                                       std::uint8_t* flags) {
+                                                                       const float* here, const float* after, int count,
+                                                                       float inverse, std::uint8_t* flags) {
   unsigned any = 0;
   for (int i = 0; i < count; ++i) {
     const float most = std::max(std::max(before[i], after[i]), std::max(here[i - 1], here[i + 1]));
@@ -36,7 +36,8 @@ __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const flo
   return any;
 }
 
-__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, float inverse, float last, float* points) {
+__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, float inverse, float last,
+                                                                 float* points) {
   if (tops == nullptr) {
     std::fill(points, points + count, last);
     return;

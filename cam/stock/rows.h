@@ -10,9 +10,9 @@ namespace fieldfab::cam {
 /// Flags the lines whose interval from `entry` to `exit` begins below a column's top; `tops` null: all columns are solid. Whether
 /// there are any. `flags` has room for 8 more than `count`.
 bool flag_contacts(const float* entry, const float* exit, const float* tops, int count, std::uint8_t* flags);
-/// Flags the lines that hold a point not above the last one of a neighbour's column: `before` and `after` are the rows of these numbers
-/// next to `here`, each of which has one in front of the first and one behind the last line. Points lie 1 / `inverse` apart; where rounding
-/// might matter there are flags too many.
+/// Flags the lines that hold a point not above the last one of a neighbour's column: `before` and `after` are the rows of these
+/// numbers next to `here`, each of which has one in front of the first and one behind the last line. Points lie 1 / `inverse`
+/// apart; where rounding might matter there are flags too many.
 bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
                      float inverse, std::uint8_t* flags);
 

@@ -186,8 +186,8 @@ __attribute__((target_clones("avx2", "default"))) void ring_row(const Row& row, 
   }
 }
 
-/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the line's nearest
-/// place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
+/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the
+/// line's nearest place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
 __attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
   const double share = 1 / along, tilt = row.ad * share;
@@ -199,7 +199,8 @@ __attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, 
   const double square = line.squaredNorm();
   if (square < 1e-12) {
     // Lines along the way: met from end to end.
-    const double one = -(row.au * row.first_u + row.av * row.v) / row.ad, per_line = -row.au * row.step_u / row.ad, whole = along / row.ad;
+    const double one = -(row.au * row.first_u + row.av * row.v) / row.ad, per_line = -row.au * row.step_u / row.ad,
+                 whole = along / row.ad;
     for (int i = 0; i < row.count; ++i) {
       if ((first + i * step).squaredNorm() > radius * radius) continue;
       const double low = one + i * per_line, high = low + whole;
@@ -213,7 +214,8 @@ __attribute__((target_clones("avx2", "default"))) void disc_row(const Row& row, 
   const Vec3 normal(row.au, row.av, row.ad), side = normal.cross(line) / std::sqrt(square);
   const auto d0 = static_cast<float>(first.dot(side)), d_step = static_cast<float>(step.dot(side));
   const auto s0 = static_cast<float>(-first.dot(line) * inverse), s_step = static_cast<float>(-step.dot(line) * inverse);
-  const auto t0 = static_cast<float>((row.au * row.first_u + row.av * row.v) * share), t_step = static_cast<float>(row.au * row.step_u * share);
+  const auto t0 = static_cast<float>((row.au * row.first_u + row.av * row.v) * share),
+             t_step = static_cast<float>(row.au * row.step_u * share);
   const auto chord = static_cast<float>(1 / std::sqrt(square)), round = static_cast<float>(radius * radius);
   const bool slab = std::abs(row.ad) > 1e-9;
   const float per_share = slab ? static_cast<float>(along / row.ad) : 0.0f, origin = static_cast<float>(row.origin);
@@ -496,8 +498,8 @@ void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int 
 namespace {
 
 /// Lowers and raises intervals to places that lie evenly.
-__attribute__((target_clones("avx2", "default"))) void fill_row(float* __restrict entry, float* __restrict exit, int count, float at,
-                                                                float step, float low, float high) {
+__attribute__((target_clones("avx2", "default"))) void fill_row(float* __restrict entry, float* __restrict exit, int count,
+                                                                float at, float step, float low, float high) {
   for (int i = 0; i < count; ++i) {
     const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);
     entry[i] = std::min(entry[i], place), exit[i] = std::max(exit[i], place);
@@ -540,8 +542,9 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
     const int u1 = std::min(window.u1, static_cast<int>(std::floor(high + slack)));
     if (u0 > u1) continue;
     const std::size_t first = window.index(u0, j);
-    fill_row(&window.entry[first], &window.exit[first], u1 - u0 + 1, static_cast<float>(w[0] + along_u * (u0 - u[0]) + along_v * (j - v[0])),
-             static_cast<float>(along_u), static_cast<float>(w_low), static_cast<float>(w_high));
+    fill_row(&window.entry[first], &window.exit[first], u1 - u0 + 1,
+             static_cast<float>(w[0] + along_u * (u0 - u[0]) + along_v * (j - v[0])), static_cast<float>(along_u),
+             static_cast<float>(w_low), static_cast<float>(w_high));
   }
 }
 

@@ -15,8 +15,8 @@ namespace fieldfab::cam {
 /// Lines are counted along the two other axes, u and v, in cyclic order.
 struct Window {
   int axis = 2;
-  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;                   ///< lines, both ends included; empty where u1 < u0
-  std::vector<float> entry, exit;                         ///< mm from the lattice's corner; entry > exit: the line is not met
+  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< lines, both ends included; empty where u1 < u0
+  std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit: the line is not met
 
   [[nodiscard]] int width() const { return u1 - u0 + 1; }
   [[nodiscard]] bool empty() const { return u1 < u0 || v1 < v0; }
@@ -73,7 +73,7 @@ class Sweep {
   std::vector<Triangle> triangles_;
   std::vector<Strip> strips_;
   Box bounds_;
-  std::array<Vec3, 4> core_;     ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
+  std::array<Vec3, 4> core_;  ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
   double radius_ = 0;
   bool endless_ = false;  ///< its upper end is so far out that it is taken to have none
 };

@@ -1,4 +1,5 @@
 from ._core import *
 from ._core import Error as Error
 from . import cam as cam
+from . import stock as stock
 from . import shapes as shapes

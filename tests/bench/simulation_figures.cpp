@@ -1,5 +1,6 @@
-// Figures of docs/simulation.md: the thesis's examples (Hahn 6.1) rebuilt from their pictures, subdivisions by rules (Tables 6.2 to 6.4), time and memory
-// (6.5, 6.6), and the closest-point error (6.7). With an argument, only the part of that name: splits, time, error.
+// Figures of docs/simulation.md: the thesis's examples (Hahn 6.1) rebuilt from their pictures, subdivisions by rules (Tables 6.2
+// to 6.4), time and memory (6.5, 6.6), and the closest-point error (6.7). With an argument, only the part of that name: splits,
+// time, error.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -33,7 +34,9 @@ struct Example {
 };
 
 /// The tool with the middle of its ball at a place.
-ToolPose about(const Vec3& middle, const Vec3& axis, double radius) { return {middle - radius * axis.normalized(), axis.normalized()}; }
+ToolPose about(const Vec3& middle, const Vec3& axis, double radius) {
+  return {middle - radius * axis.normalized(), axis.normalized()};
+}
 
 /// Straight into the material and out again.
 std::vector<ToolPose> drill(const Vec3& end, const Vec3& axis, double depth, double radius) {
@@ -43,13 +46,15 @@ std::vector<ToolPose> drill(const Vec3& end, const Vec3& axis, double depth, dou
 }
 
 /// Turns about z with the tool leaning outwards by an angle (inwards where it is below 0).
-std::vector<ToolPose> donut(const Vec3& centre, double from, double to, double turns, double lean, double radius, double rise = 0) {
+std::vector<ToolPose> donut(const Vec3& centre, double from, double to, double turns, double lean, double radius,
+                            double rise = 0) {
   std::vector<ToolPose> way;
   const int steps = static_cast<int>(100 * turns);
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, angle = 2 * pi * turns * t, r = from + t * (to - from);
     const Vec3 out(std::cos(angle), std::sin(angle), 0);
-    way.push_back(about(centre + r * out + rise * t * Vec3::UnitZ(), std::sin(lean) * out + std::cos(lean) * Vec3::UnitZ(), radius));
+    way.push_back(
+        about(centre + r * out + rise * t * Vec3::UnitZ(), std::sin(lean) * out + std::cos(lean) * Vec3::UnitZ(), radius));
   }
   return way;
 }
@@ -65,7 +70,8 @@ std::vector<Example> examples() {
   Example connected{"MA1", {1, 1, 1}, 0.08, {}}, apart{"MA2", {1, 1, 1}, 0.08, {}};
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
-      for (Example* e : {&connected, &apart}) e->ways.push_back(drill({0.25 + 0.25 * i, 0.3 + 0.25 * j, 0.55}, Vec3::UnitZ(), 0.6, 0.08));
+      for (Example* e : {&connected, &apart})
+        e->ways.push_back(drill({0.25 + 0.25 * i, 0.3 + 0.25 * j, 0.55}, Vec3::UnitZ(), 0.6, 0.08));
   const auto edge = [](double depth) {
     std::vector<ToolPose> way;
     for (int i = 0; i <= 10; ++i) way.push_back(about({0.05 + 0.09 * i, depth, 0.5}, Vec3(0, -1, 1), 0.08));
@@ -99,7 +105,8 @@ Stock machined(const Example& example, const StockSettings& settings, double& se
   return stock;
 }
 
-/// Bytes of a grid with a pointer for each point and, where one of the three edges upwards from it has a sample, a triplet of them.
+/// Bytes of a grid with a pointer for each point and, where one of the three edges upwards from it has a sample, a triplet of
+/// them.
 double pointer_grid(const Stock& stock) {
   double points = 1;
   for (const int cells : stock.lattice().cells()) points *= cells + 1;
@@ -110,7 +117,8 @@ double pointer_grid(const Stock& stock) {
 }
 
 void splits(double density) {
-  const std::vector<std::string> rules{"RS", "CTD, RS", "SPT, RS", "FFS, RS", "FEFS, CTD, SPT, RS", "FEFS-FFS, CTD, SPT, RS", "FEFS-FFS, SPT, CTD, RS"};
+  const std::vector<std::string> rules{
+      "RS", "CTD, RS", "SPT, RS", "FFS, RS", "FEFS, CTD, SPT, RS", "FEFS-FFS, CTD, SPT, RS", "FEFS-FFS, SPT, CTD, RS"};
   fmt::print("Subdivisions at density {}, one direction a cell and one cell at first, as in the thesis\n{:24}", density, "");
   const auto all = examples();
   for (const Example& e : all) fmt::print("{:>7}", e.name);
@@ -129,8 +137,8 @@ void splits(double density) {
 }
 
 void time_and_memory(double density) {
-  fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n{:5}{:>9}{:>9}{:>9}{:>12}{:>8}\n", density, "", "splits", "cut s",
-             "mesh s", "bytes", "grid %");
+  fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n{:5}{:>9}{:>9}{:>9}{:>12}{:>8}\n", density,
+             "", "splits", "cut s", "mesh s", "bytes", "grid %");
   for (const Example& e : examples()) {
     StockSettings settings;
     settings.cell = 1 / density;
@@ -145,7 +153,8 @@ void time_and_memory(double density) {
   }
 }
 
-/// Table 6.7: the distance of the triangles' centres from the surface that a leaning ball sweeps in a turn (equations 6.1 to 6.7).
+/// Table 6.7: the distance of the triangles' centres from the surface that a leaning ball sweeps in a turn (equations 6.1
+/// to 6.7).
 void error() {
   const double lean = 25 * pi / 180, radius = 0.15, major = 1.69;
   const Vec3 centre(2, 2, 0.6748);
@@ -170,9 +179,11 @@ void error() {
     for (const auto& t : mesh.triangles) {
       Vec3 p = Vec3::Zero();
       bool cut = true;
-      for (const std::uint32_t v : t) p += Vec3(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]) / 3, cut &= cuts[v] != 0;
+      for (const std::uint32_t v : t)
+        p += Vec3(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]) / 3, cut &= cuts[v] != 0;
       if (!cut) continue;
-      const Vec3 out = Vec3(p.x() - 2, p.y() - 2, 0).normalized(), a = centre + major * out, way = centre + major / std::tan(lean) * Vec3::UnitZ() - a;
+      const Vec3 out = Vec3(p.x() - 2, p.y() - 2, 0).normalized(), a = centre + major * out,
+                 way = centre + major / std::tan(lean) * Vec3::UnitZ() - a;
       const double along = std::max((p - a).dot(way) / way.squaredNorm(), 0.0);
       worst = std::max(worst, std::abs((p - a - along * way).norm() - radius));
     }

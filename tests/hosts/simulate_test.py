@@ -347,3 +347,29 @@ def test_bad_setups_end_with_one_clear_line(text, wanted, tmp_path):
     setup.write_text(text)
     done = run("simulate", program, "--setup", setup)
     assert done.returncode == 2 and wanted in done.stderr and len(done.stderr.strip().splitlines()) == 1, done.stderr
+
+
+def test_python_cuts_a_stock():
+    import fieldfab as ff
+
+    stock = ff.stock.Stock([0, 0, -5, 20, 20, 0], cell=0.25)
+    before = stock.copy()
+    removed = stock.cut({"shape": "flat", "diameter": 4, "flute": 10}, np.array([[-5, 10, -2], [25, 10, -2.0], [25, 10, 5]]))
+    assert removed.shape == (2,) and abs(removed[0] - 20 * 4 * 2) < 12 and removed[1] == 0
+    assert abs(before.volume - 2000) < 1e-6 and abs(stock.mesh().volume - (2000 - 160)) < 5
+    leaning = np.array([[10, 10, -4, 1, 0, 2], [12, 10, -4, 1, 0, 2.0]])
+    assert stock.cut({"shape": "ball", "diameter": 6, "flute": 20}, leaning)[0] > 5
+    with pytest.raises(ff.Error, match="it has no \"size\""):
+        stock.cut({"size": 4}, leaning)
+
+
+def test_python_simulates(program):
+    import fieldfab as ff
+
+    path = program.folder / f"{program.name}.ngc"
+    simulation = ff.stock.Simulation(program.job, path, cell=0.4)
+    assert simulation.good and simulation.report["events"] == [] and simulation.report["lines"]
+    assert len(simulation.deviation) == len(simulation.lines_of_vertices) == len(simulation.mesh.vertices)
+    assert -0.05 < simulation.deviation.min() < 0.01
+    with pytest.raises(ff.Error):
+        ff.stock.Simulation(program.job, path, progress=lambda fraction, message: False)

@@ -122,6 +122,9 @@ struct SimulationReport {
   [[nodiscard]] double air_share() const { return cut + air > 0 ? air / (cut + air) : 0; }
 };
 
+/// The report as JSON; `with_lines`: and what each line did.
+std::string to_json(const SimulationReport& report, bool with_lines);
+
 /// A program being carried out on a stock.
 class Simulation {
  public:

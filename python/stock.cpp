@@ -1,0 +1,130 @@
+#include "bindings.h"
+#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/stock.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/mesh/triangle_mesh.h"
+
+namespace fieldfab::python {
+namespace {
+
+using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Poses as rows of x, y, z of the tip and, where there are six numbers, of the tool's axis.
+std::vector<cam::ToolPose> poses_of(const Rows& rows) {
+  if (rows.ndim() != 2 || (rows.shape(1) != 3 && rows.shape(1) != 6))
+    throw Error(ErrorKind::bad_input, "poses", "an (n, 3) array of tips or an (n, 6) array of tips and axes is wanted");
+  const auto in = rows.unchecked<2>();
+  std::vector<cam::ToolPose> poses;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    cam::ToolPose pose{{in(i, 0), in(i, 1), in(i, 2)}, Vec3::UnitZ()};
+    if (rows.shape(1) == 6) pose.axis = Vec3(in(i, 3), in(i, 4), in(i, 5)).normalized();
+    if (!pose.tip.allFinite() || !pose.axis.allFinite()) throw Error(ErrorKind::bad_input, "poses", "they must be finite");
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+cam::Tool tool_of(const py::dict& given) {
+  cam::Tool tool;
+  for (const auto& [key, value] : given) {
+    const auto name = key.cast<std::string>();
+    if (name == "shape") tool.shape = value.cast<std::string>();
+    else if (name == "diameter") tool.diameter = value.cast<double>();
+    else if (name == "corner_radius") tool.corner_radius = value.cast<double>();
+    else if (name == "angle") tool.angle = value.cast<double>() * 3.14159265358979323846 / 180;
+    else if (name == "tip_diameter") tool.tip_diameter = value.cast<double>();
+    else if (name == "flute") tool.flute = value.cast<double>();
+    else if (name == "profile")
+      for (const auto& point : value.cast<std::vector<std::pair<double, double>>>()) tool.points.emplace_back(point.first, point.second);
+    else throw Error(ErrorKind::bad_input, "tool", "it has no \"" + name + "\"");
+  }
+  return tool;
+}
+
+void bind_block(py::module_& module) {
+  py::class_<cam::Stock>(module, "Stock", "A block of material that tools cut: a multidirectional heightmap (docs/simulation.md).")
+      .def(py::init([](const py::object& bounds, double cell, const py::object& solid, const py::object& progress) {
+             const auto box = bounds_of(bounds);
+             if (!box) throw Error(ErrorKind::bad_input, "bounds", "a stock needs bounds");
+             cam::StockSettings settings;
+             settings.cell = cell;
+             if (solid.is_none()) return std::make_unique<cam::Stock>(*box, settings);
+             const FieldPtr field = field_of(solid);
+             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(*field, *box, settings, p); });
+           }),
+           py::arg("bounds"), py::arg("cell") = 0.2, py::arg("solid") = py::none(), py::arg("progress") = py::none())
+      .def("copy", [](const cam::Stock& stock) { return std::make_unique<cam::Stock>(stock); }, "A checkpoint: it shares what does not change.")
+      .def(
+          "cut",
+          [](cam::Stock& stock, const py::dict& tool, const Rows& poses, const py::object& progress) {
+            const cam::ToolSolid solid = cam::tool_solid(tool_of(tool));
+            const std::vector<cam::ToolPose> way = poses_of(poses);
+            std::vector<cam::Stroke> strokes;
+            std::vector<std::size_t> step;
+            for (std::size_t i = 1; i < way.size(); ++i)
+              for (const cam::ToolPiece& piece : solid.pieces)
+                if (piece.role == cam::ToolRole::cutting)
+                  strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true}), step.push_back(i - 1);
+            const auto results = long_work(progress, [&](Progress& p) { return stock.cut(strokes, p); });
+            py::array_t<double> removed(static_cast<py::ssize_t>(way.empty() ? 0 : way.size() - 1));
+            auto out = removed.mutable_unchecked<1>();
+            for (py::ssize_t i = 0; i < removed.shape(0); ++i) out(i) = 0;
+            for (std::size_t i = 0; i < results.size(); ++i) out(static_cast<py::ssize_t>(step[i])) += results[i].volume;
+            return removed;
+          },
+          py::arg("tool"), py::arg("poses"), py::arg("progress") = py::none(),
+          "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 removed by each step.")
+      .def("mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left.")
+      .def_property_readonly("volume", &cam::Stock::volume)
+      .def_property_readonly("bytes", [](const cam::Stock& stock) { return stock.statistics().bytes; })
+      .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
+}
+
+void bind_simulation(py::module_& module) {
+  py::class_<cam::Simulation>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
+      .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
+                       std::optional<double> cell, const py::object& progress) {
+             const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
+             return long_work(progress, [&](Progress& p) {
+               cam::SimulationSetup made = cam::read_simulation_setup(setup, p);
+               if (wanted) made.target = wanted;
+               if (cell) made.sampling.cell = *cell;
+               auto simulation = std::make_unique<cam::Simulation>(std::move(made), p);
+               simulation->run(program, p);
+               simulation->finish(p);
+               return simulation;
+             });
+           }),
+           py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
+           py::arg("progress") = py::none())
+      .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
+      .def_property_readonly(
+          "report", [](const cam::Simulation& s) { return py::module_::import("json").attr("loads")(cam::to_json(s.report(), true)); },
+          "Events, times, lengths and volumes, as the command's --report has them.")
+      .def_property_readonly("mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left.")
+      .def_property_readonly("stock", [](const cam::Simulation& s) { return cam::Stock(s.stock()); })
+      .def_property_readonly(
+          "lines_of_vertices",
+          [](const cam::Simulation& s) {
+            return py::array_t<int>(static_cast<py::ssize_t>(s.lines_of_vertices().size()), s.lines_of_vertices().data());
+          },
+          "For each vertex of the mesh the program's line that made it; 0 for the stock's first surface.")
+      .def_property_readonly(
+          "deviation",
+          [](const cam::Simulation& s) -> py::object {
+            if (!s.report().deviation) return py::none();
+            const auto& at = s.report().deviation->at_vertex;
+            return py::array_t<float>(static_cast<py::ssize_t>(at.size()), at.data());
+          },
+          "For each vertex its signed distance from the target, mm: above 0 where material is left over. None without a target.");
+}
+
+}  // namespace
+
+void bind_stock(py::module_& parent) {
+  py::module_ module = parent.def_submodule("stock", "Simulated stock.");
+  bind_block(module);
+  bind_simulation(module);
+}
+
+}  // namespace fieldfab::python
