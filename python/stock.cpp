@@ -1,6 +1,6 @@
+#include "fieldfab/cam/stock.h"
 #include "bindings.h"
 #include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -28,21 +28,30 @@ cam::Tool tool_of(const py::dict& given) {
   cam::Tool tool;
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
-    if (name == "shape") tool.shape = value.cast<std::string>();
-    else if (name == "diameter") tool.diameter = value.cast<double>();
-    else if (name == "corner_radius") tool.corner_radius = value.cast<double>();
-    else if (name == "angle") tool.angle = value.cast<double>() * 3.14159265358979323846 / 180;
-    else if (name == "tip_diameter") tool.tip_diameter = value.cast<double>();
-    else if (name == "flute") tool.flute = value.cast<double>();
+    if (name == "shape")
+      tool.shape = value.cast<std::string>();
+    else if (name == "diameter")
+      tool.diameter = value.cast<double>();
+    else if (name == "corner_radius")
+      tool.corner_radius = value.cast<double>();
+    else if (name == "angle")
+      tool.angle = value.cast<double>() * 3.14159265358979323846 / 180;
+    else if (name == "tip_diameter")
+      tool.tip_diameter = value.cast<double>();
+    else if (name == "flute")
+      tool.flute = value.cast<double>();
     else if (name == "profile")
-      for (const auto& point : value.cast<std::vector<std::pair<double, double>>>()) tool.points.emplace_back(point.first, point.second);
-    else throw Error(ErrorKind::bad_input, "tool", "it has no \"" + name + "\"");
+      for (const auto& point : value.cast<std::vector<std::pair<double, double>>>())
+        tool.points.emplace_back(point.first, point.second);
+    else
+      throw Error(ErrorKind::bad_input, "tool", "it has no \"" + name + "\"");
   }
   return tool;
 }
 
 void bind_block(py::module_& module) {
-  py::class_<cam::Stock>(module, "Stock", "A block of material that tools cut: a multidirectional heightmap (docs/simulation.md).")
+  py::class_<cam::Stock>(module, "Stock",
+                         "A block of material that tools cut: a multidirectional heightmap (docs/simulation.md).")
       .def(py::init([](const py::object& bounds, double cell, const py::object& solid, const py::object& progress) {
              const auto box = bounds_of(bounds);
              if (!box) throw Error(ErrorKind::bad_input, "bounds", "a stock needs bounds");
@@ -53,7 +62,9 @@ void bind_block(py::module_& module) {
              return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(*field, *box, settings, p); });
            }),
            py::arg("bounds"), py::arg("cell") = 0.2, py::arg("solid") = py::none(), py::arg("progress") = py::none())
-      .def("copy", [](const cam::Stock& stock) { return std::make_unique<cam::Stock>(stock); }, "A checkpoint: it shares what does not change.")
+      .def(
+          "copy", [](const cam::Stock& stock) { return std::make_unique<cam::Stock>(stock); },
+          "A checkpoint: it shares what does not change.")
       .def(
           "cut",
           [](cam::Stock& stock, const py::dict& tool, const Rows& poses, const py::object& progress) {
@@ -73,8 +84,10 @@ void bind_block(py::module_& module) {
             return removed;
           },
           py::arg("tool"), py::arg("poses"), py::arg("progress") = py::none(),
-          "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 removed by each step.")
-      .def("mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left.")
+          "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 removed by "
+          "each step.")
+      .def(
+          "mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left.")
       .def_property_readonly("volume", &cam::Stock::volume)
       .def_property_readonly("bytes", [](const cam::Stock& stock) { return stock.statistics().bytes; })
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
@@ -99,9 +112,11 @@ void bind_simulation(py::module_& module) {
            py::arg("progress") = py::none())
       .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
       .def_property_readonly(
-          "report", [](const cam::Simulation& s) { return py::module_::import("json").attr("loads")(cam::to_json(s.report(), true)); },
+          "report",
+          [](const cam::Simulation& s) { return py::module_::import("json").attr("loads")(cam::to_json(s.report(), true)); },
           "Events, times, lengths and volumes, as the command's --report has them.")
-      .def_property_readonly("mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left.")
+      .def_property_readonly(
+          "mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left.")
       .def_property_readonly("stock", [](const cam::Simulation& s) { return cam::Stock(s.stock()); })
       .def_property_readonly(
           "lines_of_vertices",
