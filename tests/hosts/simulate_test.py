@@ -190,10 +190,9 @@ def test_rapids_through_stock_are_found_at_their_line(program):
     assert not failed, f"{len(failed)}: {failed[:3]}"
 
 
+@pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_missing_retracts_are_found(program):
-    """Without the lift the next rapid goes through what stands in its way."""
-    if program.name != "dome":
-        pytest.skip("machine z is no height there")
+    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is no height.)"""
     rng = random.Random(3)
     candidates = [i for i in range(len(program.lines) - 1) if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
                   and re.match(r"G0 X", program.lines[i + 1]) and program.at[i - 1].get("Z", 9) < -3]
@@ -269,10 +268,10 @@ def test_over_travel_is_found_at_its_lines(program):
     assert not failed, f"{len(failed)}: {failed[:3]}"
 
 
+@pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_fixtures_in_the_way_are_found(program):
-    """A clamp on the stock's edge: lines whose tool comes near it, and no others; the same clamp beside everything is no fault."""
-    if program.name != "dome":
-        pytest.skip("the clamp's lines are told by x, which turns there")
+    """A clamp on the stock's edge: lines whose tool comes near it, and no others; the same clamp beside everything is no fault.
+    Lines are told by x, which turns in the other program."""
 
     def plant(number, inner):
         setup = program.folder / f"{program.name}_c{number}.toml"
