@@ -3,6 +3,7 @@
 // air, and an edge that leaves the box crosses the surface where it leaves it: that makes the exterior mesh.
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "brick.h"
 #include "fieldfab/cam/stock.h"
@@ -19,6 +20,7 @@ struct Edges {
   Region region;  ///< of the lower points: the brick's, and at the lower faces of the stock the points outside of it
   std::array<std::vector<Word>, 3> bits;
   std::array<std::vector<std::uint32_t>, 3> before;  ///< vertices before each word
+  std::optional<Occupancy> shape;  ///< solid points of the region and one more on each side, until the surface is made
   std::size_t words = 0, first = 0, count = 0;       ///< first: index of its first vertex in the mesh
 
   [[nodiscard]] std::size_t word_of(const Index3& p) const {
@@ -163,7 +165,8 @@ class StockMesher {
     for (std::size_t a = 0; a < 3; ++a)
       if (edges.region.lower[a] == 0) edges.region.lower[a] = -1;
     if (quiet(index)) return;
-    const Occupancy shape = around(brick.region());
+    edges.shape.emplace(around(brick.region()));
+    const Occupancy& shape = *edges.shape;
     const Region& near = shape.region();
     edges.words = static_cast<std::size_t>((edges.region.count(0) + 63) / 64);
     const std::size_t words =
@@ -240,7 +243,7 @@ class StockMesher {
     const Edges& edges = edges_[index];
     // Cubes whose lower corners are the brick's; those of neighbours have some of the edges.
     if (edges.words == 0) return;
-    const Occupancy shape = around(stock_.bricks_[index]->region());
+    const Occupancy& shape = *edges.shape;
     const Region& near = shape.region();
     const auto& cases = cube_cases();
     const auto shift = static_cast<std::size_t>(edges.region.lower[0] - near.lower[0]);

@@ -55,7 +55,6 @@ struct StrokeResult {
 struct StockStatistics {
   std::uint64_t cells = 0, splits = 0, direct = 0, indirect = 0, conflict = 0, halved = 0;  ///< splits in all, and by kind
   std::uint64_t column_samples = 0, embedded_samples = 0;
-  std::uint64_t surface_points = 0;  ///< lattice points with a sample on one of their three upward edges
   std::uint64_t bytes = 0;
 };
 

@@ -1,0 +1,290 @@
+#include "zone_rows.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fieldfab::cam {
+namespace {
+
+/// How a line and the unbounded cone of a frustum lie to each other.
+enum class Slant {
+  chord,     ///< the line leaves the cone at both ends
+  upwards,   ///< it stays inside of the cone along +s
+  downwards  ///< along -s
+};
+
+/// A frustum: where the line is inside of the cone and between the two planes.
+template <Slant slant, bool slab>
+__attribute__((target_clones("avx2", "default"))) void cone_row(const Row& row, const Zone& zone) {
+  const double k = (zone.r1 - zone.r0) / (zone.z1 - zone.z0);
+  const double ad = row.ad, a = 1 - ad * ad - k * k * ad * ad;
+  const double safe = slant == Slant::chord ? std::max(a, 1e-14) : std::min(a, -1e-14);
+  const double inverse = 1 / safe, level = slab ? 1 / ad : 0;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    const double z = row.au * u + row.av * row.v, w = zone.r0 + k * (z - zone.z0);
+    const double b = -(z + k * w) * ad, c = u * u + row.v * row.v - z * z - w * w;
+    const double disc = b * b - safe * c, root = std::sqrt(std::max(disc, 0.0));
+    const double one = (-b - root) * inverse, other = (-b + root) * inverse;
+    double low, high;
+    if (slant == Slant::chord)
+      low = one, high = other;
+    else if (slant == Slant::upwards)
+      low = disc < 0 ? -1e300 : one, high = 1e300;
+    else
+      low = -1e300, high = disc < 0 ? 1e300 : other;
+    bool met = slant != Slant::chord || disc >= 0;
+    if (slab) {
+      const double s0 = (zone.z0 - z) * level, s1 = (zone.z1 - z) * level;
+      low = std::max(low, std::min(s0, s1)), high = std::min(high, std::max(s0, s1));
+    } else {
+      met = met && z >= zone.z0 && z <= zone.z1;
+    }
+    met = met && low <= high;
+    const float from = met ? static_cast<float>(row.origin + low) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + high) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A cylinder along the lines.
+void parallel_row(const Row& row, const Zone& zone) {
+  const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad, r2 = zone.r0 * zone.r0;
+  const float from = static_cast<float>(row.origin + std::min(s0, s1)), to = static_cast<float>(row.origin + std::max(s0, s1));
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    if (u * u + row.v * row.v > r2) continue;
+    row.entry[i] = std::min(row.entry[i], from), row.exit[i] = std::max(row.exit[i], to);
+  }
+}
+
+
+/// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision
+/// precise.
+template <bool slab>
+__attribute__((target_clones("avx2", "default"))) void cylinder_row(const Row& row, const Zone& zone) {
+  const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
+  // All linear along the row: height of the foot point, place of the line's nearest point, distance.
+  const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
+  const auto nearest = static_cast<float>(row.ad / sine2), inverse = static_cast<float>(1 / sine);
+  const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine),
+             d_step = static_cast<float>(-row.av * row.step_u / sine);
+  const auto square = static_cast<float>(zone.r0 * zone.r0), origin = static_cast<float>(row.origin);
+  const float level = slab ? static_cast<float>(1 / row.ad) : 0.0f, bottom = static_cast<float>(zone.z0),
+              top = static_cast<float>(zone.z1);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const float t = static_cast<float>(i), z = z0 + z_step * t, distance = d0 + d_step * t;
+    const float disc = square - distance * distance, half = std::sqrt(std::max(disc, 0.0f)) * inverse;
+    float low = z * nearest - half, high = z * nearest + half;
+    bool met = disc >= 0;
+    if (slab) {
+      const float s0 = (bottom - z) * level, s1 = (top - z) * level;
+      low = std::max(low, std::min(s0, s1)), high = std::min(high, std::max(s0, s1));
+    } else {
+      met = met & (z >= bottom) & (z <= top);
+    }
+    met = met & (low <= high);
+    const float from = met ? origin + low : std::numeric_limits<float>::infinity();
+    const float to = met ? origin + high : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A ring and what is inside of it where its axis lies along the lines: heights of its half section.
+__attribute__((target_clones("avx2", "default"))) void ring_along_row(const Row& row, const Zone& zone) {
+  const double middle = row.origin + zone.z0 * row.ad;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    const double beyond = std::max(std::sqrt(u * u + row.v * row.v) - zone.r0, 0.0), square = zone.r1 * zone.r1 - beyond * beyond;
+    const double half = std::sqrt(std::max(square, 0.0));
+    const float from = square >= 0 ? static_cast<float>(middle - half) : std::numeric_limits<float>::infinity();
+    const float to = square >= 0 ? static_cast<float>(middle + half) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// The same where its axis is across the lines and along the row or across it as well: circles.
+__attribute__((target_clones("avx2", "default"))) void ring_across_row(const Row& row, const Zone& zone) {
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i;
+    const double level = row.au * u + row.av * row.v - zone.z0, square = zone.r1 * zone.r1 - level * level;
+    const double radius = zone.r0 + std::sqrt(std::max(square, 0.0)), side = row.av * u - row.au * row.v;
+    const double chord = radius * radius - side * side, half = std::sqrt(std::max(chord, 0.0));
+    const bool met = square >= 0 && chord >= 0;
+    const float from = met ? static_cast<float>(row.origin - half) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + half) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that
+/// the steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
+__attribute__((target_clones("avx2", "default"))) void ring_askew_row(const Row& row, const Zone& zone) {
+  const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  const double dv = row.v - centre_v;
+  for (int i = 0; i < row.count; ++i) {
+    // Relative to the ring's centre, from the ball about it.
+    const double du = row.first_u + row.step_u * i - centre_u;
+    const double across = du * du + dv * dv, level = row.au * du + row.av * dv, room = reach * reach - across;
+    const double start = std::sqrt(std::max(room, 0.0));
+    double ends[2], off = 0;
+    for (int side = 0; side < 2; ++side) {
+      double s = side ? start : -start, f = 0;
+      for (int step = 0; step < 12; ++step) {
+        const double height = level + s * row.ad, from_axis = std::sqrt(std::max(across + s * s - height * height, 1e-18));
+        const double beyond = std::max(from_axis - zone.r0, 0.0),
+                     distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
+        f = distance - zone.r1;
+        const double slope = (beyond * (s - height * row.ad) / from_axis + height * row.ad) / distance;
+        // Only inwards; a line that passes outside turns round, and stays where it is nearest.
+        const double inwards = side ? std::max(slope, 1e-3) : std::min(slope, -1e-3);
+        s -= std::max(f, 0.0) / inwards;
+        s = side ? std::max(s, -start) : std::min(s, start);
+      }
+      ends[side] = s;
+      off = std::max(off, f);
+    }
+    const bool met = room >= 0 && off < 1e-5 && ends[0] <= ends[1];
+    const float from = met ? static_cast<float>(row.origin + middle + ends[0]) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + middle + ends[1]) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the
+/// line's nearest place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
+__attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+  const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
+  const double share = 1 / along, tilt = row.ad * share;
+  // The place in the plane, as the line goes on; and as lines go on.
+  const Vec3 line(-tilt * wu, -tilt * wv, 1 - tilt * wd);
+  const double u_share = row.au * share, v_share = row.av * share;
+  const Vec3 by_u(1 - u_share * wu, -u_share * wv, -u_share * wd), by_v(-v_share * wu, 1 - v_share * wv, -v_share * wd);
+  const Vec3 first = row.first_u * by_u + row.v * by_v, step = row.step_u * by_u;
+  const double square = line.squaredNorm();
+  if (square < 1e-12) {
+    // Lines along the way: met from end to end.
+    const double one = -(row.au * row.first_u + row.av * row.v) / row.ad, per_line = -row.au * row.step_u / row.ad,
+                 whole = along / row.ad;
+    for (int i = 0; i < row.count; ++i) {
+      if ((first + i * step).squaredNorm() > radius * radius) continue;
+      const double low = one + i * per_line, high = low + whole;
+      row.entry[i] = std::min(row.entry[i], static_cast<float>(row.origin + std::min(low, high)));
+      row.exit[i] = std::max(row.exit[i], static_cast<float>(row.origin + std::max(low, high)));
+    }
+    return;
+  }
+  const double inverse = 1 / square;
+  // Off the nearest place the disc is half a chord wide.
+  const Vec3 normal(row.au, row.av, row.ad), side = normal.cross(line) / std::sqrt(square);
+  const auto d0 = static_cast<float>(first.dot(side)), d_step = static_cast<float>(step.dot(side));
+  const auto s0 = static_cast<float>(-first.dot(line) * inverse), s_step = static_cast<float>(-step.dot(line) * inverse);
+  const auto t0 = static_cast<float>((row.au * row.first_u + row.av * row.v) * share),
+             t_step = static_cast<float>(row.au * row.step_u * share);
+  const auto chord = static_cast<float>(1 / std::sqrt(square)), round = static_cast<float>(radius * radius);
+  const bool slab = std::abs(row.ad) > 1e-9;
+  const float per_share = slab ? static_cast<float>(along / row.ad) : 0.0f, origin = static_cast<float>(row.origin);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const float k = static_cast<float>(i), t = t0 + t_step * k, distance = d0 + d_step * k, nearest = s0 + s_step * k;
+    const float room = round - distance * distance, half = std::sqrt(std::max(room, 0.0f)) * chord;
+    float low = nearest - half, high = nearest + half;
+    bool met = room >= 0;
+    if (slab) {
+      const float one = -t * per_share, other = (1 - t) * per_share;
+      low = std::max(low, std::min(one, other)), high = std::min(high, std::max(one, other));
+    } else {
+      met = met & (t >= 0) & (t <= 1);
+    }
+    met = met & (low <= high);
+    const float from = met ? origin + low : std::numeric_limits<float>::infinity();
+    const float to = met ? origin + high : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+/// A disc that goes along its own plane: a flat figure with round ends.
+__attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv,
+                                                                      double wd) {
+  if (std::abs(row.ad) < 1e-9) return;
+  const double level = 1 / row.ad, square = wu * wu + wv * wv + wd * wd, inverse = square > 0 ? 1 / square : 0;
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const double u = row.first_u + row.step_u * i, s = -(row.au * u + row.av * row.v) * level;
+    const double t = std::min(std::max((u * wu + row.v * wv + s * wd) * inverse, 0.0), 1.0);
+    const double pu = u - t * wu, pv = row.v - t * wv, pd = s - t * wd;
+    const bool met = pu * pu + pv * pv + pd * pd <= radius * radius;
+    const float from = met ? static_cast<float>(row.origin + s) : std::numeric_limits<float>::infinity();
+    const float to = met ? static_cast<float>(row.origin + s) : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+}  // namespace
+
+__attribute__((target_clones("avx2", "default"))) void ball_row(const Row& row, double radius) {
+  const auto rest = static_cast<float>(radius * radius - row.v * row.v), first = static_cast<float>(row.first_u),
+             step = static_cast<float>(row.step_u), origin = static_cast<float>(row.origin);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
+  for (int i = 0; i < row.count; ++i) {
+    const float u = first + step * static_cast<float>(i), disc = rest - u * u, half = std::sqrt(std::max(disc, 0.0f));
+    const float from = disc >= 0 ? origin - half : std::numeric_limits<float>::infinity();
+    const float to = disc >= 0 ? origin + half : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
+  }
+}
+
+void frustum_row(const Row& row, const Zone& zone) {
+  const double k = (zone.r1 - zone.r0) / (zone.z1 - zone.z0), ad = row.ad;
+  const bool slab = std::abs(ad) > 1e-9;
+  if (k == 0) {
+    if (1 - ad * ad < 1e-12) return parallel_row(row, zone);
+    return std::abs(ad) > 1e-3   ? cylinder_row<true>(row, zone)
+           : std::abs(ad) < 1e-9 ? cylinder_row<false>(row, zone)
+                                 : cone_row<Slant::chord, true>(row, zone);
+  }
+  const double a = 1 - ad * ad - k * k * ad * ad;
+  if (a > 0)
+    slab ? cone_row<Slant::chord, true>(row, zone) : cone_row<Slant::chord, false>(row, zone);
+  else if (k * ad > 0)
+    cone_row<Slant::upwards, true>(row, zone);
+  else
+    cone_row<Slant::downwards, true>(row, zone);
+}
+
+void ring_row(const Row& row, const Zone& zone) {
+  const double ad = std::abs(row.ad);
+  (ad > 1 - 1e-12 ? ring_along_row : ad < 1e-9 ? ring_across_row : ring_askew_row)(row, zone);
+}
+
+void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+  const double along = wu * row.au + wv * row.av + wd * row.ad;
+  const bool level = std::abs(along) < 1e-9 * (1 + std::sqrt(wu * wu + wv * wv + wd * wd));
+  (level ? level_disc_row : oblique_disc_row)(row, radius, wu, wv, wd);
+}
+
+/// Lowers and raises intervals to places that lie evenly.
+__attribute__((target_clones("avx2", "default"))) void fill_row(float* entry, float* exit, int count,
+                                                                float at, float step, float low, float high) {
+  for (int i = 0; i < count; ++i) {
+    const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);
+    entry[i] = std::min(entry[i], place), exit[i] = std::max(exit[i], place);
+  }
+}
+
+}  // namespace fieldfab::cam
