@@ -1,4 +1,6 @@
 #include "fieldfab/cam/stock.h"
+#include <numbers>
+
 #include "bindings.h"
 #include "fieldfab/cam/simulation.h"
 #include "fieldfab/core/error.h"
@@ -35,7 +37,7 @@ cam::Tool tool_of(const py::dict& given) {
     else if (name == "corner_radius")
       tool.corner_radius = value.cast<double>();
     else if (name == "angle")
-      tool.angle = value.cast<double>() * 3.14159265358979323846 / 180;
+      tool.angle = value.cast<double>() * std::numbers::pi / 180;
     else if (name == "tip_diameter")
       tool.tip_diameter = value.cast<double>();
     else if (name == "flute")

@@ -72,17 +72,15 @@ void Brick::cut(std::span<Pass> passes, const Stock& stock) {
   const StockLattice& lattice = stock.lattice();
   thread_local Batch batch;
   batch.windows.assign(Batch::most, WindowSet(lattice));
-  batch_ = &batch;
   for (std::size_t begin = 0; begin < passes.size() && !empty(); begin += Batch::most) {
     batch.passes = passes.subspan(begin, std::min(Batch::most, passes.size() - begin));
     for (std::size_t i = 0; i < batch.passes.size(); ++i) {
       batch.here[i] = batch.windows[i].start(*batch.passes[i].sweep, region_);
-      if (batch.here[i]) cut_columns(0, i, stock);
+      if (batch.here[i]) cut_columns(0, batch, i, stock);
     }
     for (std::size_t i = 0; i < batch.passes.size(); ++i)
-      if (batch.here[i] && batch.passes[i].stroke->removes) cut_edges(0, i, lattice);
+      if (batch.here[i] && batch.passes[i].stroke->removes) cut_edges(0, batch, i, lattice);
   }
-  batch_ = nullptr;
   if (samples_.size() > 2 * tidied_ + 512) tidy(lattice);
 }
 
@@ -97,15 +95,15 @@ Region grown(const Region& region) {
 
 }  // namespace
 
-void Brick::cut_columns(int node, std::size_t pass, const Stock& stock) {
+void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& stock) {
   Cell& cell = nodes_[static_cast<std::size_t>(node)];
-  WindowSet& windows = batch_->windows[pass];
-  const Stroke& stroke = *batch_->passes[pass].stroke;
+  WindowSet& windows = batch.windows[pass];
+  const Stroke& stroke = *batch.passes[pass].stroke;
   if (cell.content == Cell::Content::empty || !grown(cell.region).meets(windows.reach())) return;
   if (cell.content == Cell::Content::split) {
     const int children = cell.children;
-    cut_columns(children, pass, stock);
-    cut_columns(children + 1, pass, stock);
+    cut_columns(children, batch, pass, stock);
+    cut_columns(children + 1, batch, pass, stock);
     return;
   }
   if (cell.content == Cell::Content::solid) {
@@ -118,7 +116,7 @@ void Brick::cut_columns(int node, std::size_t pass, const Stock& stock) {
   thread_local std::vector<Change> changes;
   changes.clear();
   const StockLattice& lattice = stock.lattice();
-  bool fits = plan_columns(cell, windows.along(cell.axis), stroke, lattice, changes, batch_->passes[pass].result);
+  bool fits = plan_columns(cell, windows.along(cell.axis), stroke, lattice, changes, batch.passes[pass].result);
   if (!stroke.removes) return;
   if (fits && !stock.settings().both_ends)
     for (const Change& change : changes) {
@@ -133,19 +131,19 @@ void Brick::cut_columns(int node, std::size_t pass, const Stock& stock) {
   if (fits) return commit(cell, changes);
   // All samples have to be there before the cell is made anew.
   for (std::size_t i = 0; i <= pass; ++i)
-    if (batch_->here[i] && batch_->passes[i].stroke->removes) cut_edges(node, i, lattice);
+    if (batch.here[i] && batch.passes[i].stroke->removes) cut_edges(node, batch, i, lattice);
   divide(node, stroke, stock, windows);
 }
 
-void Brick::cut_edges(int node, std::size_t pass, const StockLattice& lattice) {
+void Brick::cut_edges(int node, Batch& batch, std::size_t pass, const StockLattice& lattice) {
   const Cell& cell = nodes_[static_cast<std::size_t>(node)];
-  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(batch_->windows[pass].reach())) return;
+  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(batch.windows[pass].reach())) return;
   if (cell.content == Cell::Content::split) {
-    cut_edges(cell.children, pass, lattice);
-    cut_edges(cell.children + 1, pass, lattice);
+    cut_edges(cell.children, batch, pass, lattice);
+    cut_edges(cell.children + 1, batch, pass, lattice);
     return;
   }
-  cut_edges(cell, *batch_->passes[pass].stroke, lattice, batch_->windows[pass]);
+  cut_edges(cell, *batch.passes[pass].stroke, lattice, batch.windows[pass]);
 }
 
 Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice) {

@@ -66,6 +66,8 @@ class Brick {
   [[nodiscard]] double volume(const StockLattice& lattice) const;
 
  private:
+  /// The sweeps of a few passes on the lines through the brick, while they are carried out.
+  struct Batch;
   struct Change {
     std::size_t column;
     Sample lower, upper;
@@ -77,13 +79,11 @@ class Brick {
   [[nodiscard]] const Cell& leaf(const Index3& point) const;
   [[nodiscard]] static Points solid_points(const Cell& cell, std::size_t column, const StockLattice& lattice);
   void occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const;
-  void cut_columns(int node, std::size_t pass, const Stock& stock);
-  void cut_edges(int node, std::size_t pass, const StockLattice& lattice);
+  void cut_columns(int node, Batch& batch, std::size_t pass, const Stock& stock);
+  void cut_edges(int node, Batch& batch, std::size_t pass, const StockLattice& lattice);
   bool plan_columns(const Cell& cell, const Window& window, const Stroke& stroke, const StockLattice& lattice,
                     std::vector<Change>& changes, StrokeResult& result) const;
   void cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows);
-  /// The sweeps of a few passes on the lines through the brick, while they are carried out.
-  struct Batch;
   void commit(Cell& cell, const std::vector<Change>& changes) const;
   void divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows);
   void rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
@@ -96,7 +96,6 @@ class Brick {
   SampleMap samples_;
   std::size_t tidied_ = 0;  ///< samples after the last tidying
   Tally tally_;
-  Batch* batch_ = nullptr;
   std::minstd_rand random_{12345};
 };
 

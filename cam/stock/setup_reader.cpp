@@ -44,7 +44,7 @@ class SetupReader {
       read_job();
     } else {
       table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero",
-                   "start", "work", "limits", "stop"});
+                   "start", "home", "second_home", "work", "limits", "stop"});
       read_machine();
       for (Tool& tool : read_tools(table_)) setup_.tools.emplace(tool.number, std::move(tool));
       read_stock();
@@ -209,6 +209,8 @@ class SetupReader {
   void read_places() {
     if (const auto zero = table_.list("zero")) setup_.zero = vector(table_, "zero", *zero);
     if (const auto start = table_.list("start")) setup_.start = axes(table_, "start", *start);
+    if (const auto home = table_.list("home")) setup_.home[0] = axes(table_, "home", *home);
+    if (const auto home = table_.list("second_home")) setup_.home[1] = axes(table_, "second_home", *home);
     if (const auto rapids = table_.text("rapids")) {
       if (*rapids != "straight" && *rapids != "dog-leg") throw refuse(table_, "rapids", "rapids are \"straight\" or \"dog-leg\"");
       setup_.rapid_way = *rapids == "straight" ? RapidWay::straight : RapidWay::dog_leg;

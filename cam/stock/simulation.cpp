@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -155,7 +156,9 @@ class SimulationRun {
       s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", setup_.first_tool)});
       take(setup_.tools.at(setup_.first_tool));
     }
-    check_limits(motion);
+    // Arcs may leave the limits between their ends.
+    const std::vector<AxisValues> stations = poses_.places(known_ ? at_ : motion.end, motion, s_.stock_.tolerance());
+    for (std::size_t i = 1; i < stations.size(); ++i) check_limits(motion, stations[i]);
     const bool rapid = motion.kind == Motion::Kind::rapid;
     const Tool& tool = mounted_->tool;
     double lengthened = 0;
@@ -194,12 +197,6 @@ class SimulationRun {
     at_ = motion.end;
     offset_ = motion.tool_offset;
     known_ = true;
-    last_pose_ = way.back();
-    if (s_.frame_listener_ && s_.frame_step_ > 0 && s_.report_.seconds >= next_frame_) {
-      flush();
-      s_.frame_listener_({s_.stock_, last_pose_, &mounted_->solid, motion.line, s_.report_.seconds});
-      next_frame_ = s_.report_.seconds + s_.frame_step_;
-    }
     if (strokes_.size() >= 4096) {
       flush();
       progress_.report(lines_ > 0 ? std::min(1.0, static_cast<double>(motion.line) / lines_) : 0,
@@ -279,13 +276,13 @@ class SimulationRun {
     }
   }
 
-  void check_limits(const Motion& motion) {
+  void check_limits(const Motion& motion, const AxisValues& place) {
     for (std::size_t axis = 0; axis < 9; ++axis) {
       const auto& [low, high] = setup_.limits[axis];
-      const double at = motion.end.at[axis], beyond = std::max(low - at, at - high);
+      const double at = place.at[axis], beyond = std::max(low - at, at - high);
       if (beyond <= 1e-6) continue;
-      const double unit = axis >= 3 && axis < 6 ? 180 / 3.14159265358979323846 : 1;
-      event(Kind::over_travel, motion.line, tool_number_, motion.end.xyz() - setup_.zero, beyond * unit,
+      const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
+      event(Kind::over_travel, motion.line, tool_number_, place.xyz() - setup_.zero, beyond * unit,
             fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], at * unit, low * unit,
                         high * unit));
     }
@@ -300,7 +297,7 @@ class SimulationRun {
     linear = motion.kind == Motion::Kind::arc ? length : std::sqrt(linear);
     if (!known_) return 0;
     if (motion.kind == Motion::Kind::rapid) {
-      constexpr double turning = 3600 * 3.14159265358979323846 / 180;  // radians/min, where nothing is said about it
+      constexpr double turning = 3600 * std::numbers::pi / 180;  // radians/min, where nothing is said about it
       return 60 * std::max(linear / std::max(setup_.machine.dynamics.rapid, 1.0), turned / turning);
     }
     if (motion.feed <= 0) return 0;
@@ -318,11 +315,9 @@ class SimulationRun {
   AxisValues at_;
   Vec3 offset_ = Vec3::Zero();  ///< the length compensation that was in force there
   bool known_ = false;          ///< whether the way to the next place is known: not before the first motion
-  ToolPose last_pose_;
   Placement placement_;
   bool by_hand_ = false;  ///< tools are changed at stops, whatever the program's numbers are
   std::size_t stops_ = 0, record_ = 0;
-  double next_frame_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;
   std::map<int, std::size_t> record_of_line_;
@@ -346,6 +341,7 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   ReadingOptions options;
   options.work_offsets = setup_.work_offsets;
   options.start = setup_.start;
+  options.home = setup_.home;
   options.most_blocks = 10'000'000 + 10 * static_cast<std::uint64_t>(lines);
   for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3(0, 0, tool.length), tool.diameter};
   SimulationRun run(*this, name, lines, progress);

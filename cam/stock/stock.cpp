@@ -187,6 +187,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
   std::vector<StrokeResult> results(strokes.size());
   constexpr std::size_t most_at_once = 1024;
   std::vector<char> changed(bricks_.size());
+  std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // which strokes come near which brick
   const double h = lattice_.spacing().minCoeff();
   for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
     progress.check();
@@ -200,8 +201,6 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to, tolerance(), Box{Vec3::Zero(), lattice_.box().size()});
       }
     });
-    // Which strokes come near which brick.
-    std::vector<std::vector<std::uint32_t>> near(bricks_.size());
     std::vector<std::size_t> touched;
     for (std::size_t i = 0; i < count; ++i) {
       const Box& box = sweeps[i]->bounds();
@@ -251,6 +250,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         result.points += met.points;
       }
     });
+    for (const std::size_t brick : touched) near[brick].clear();
     progress.check();
   }
   parallel_for(bricks_.size(), [&](std::size_t i) {

@@ -21,7 +21,7 @@ struct Edges {
   std::array<std::vector<Word>, 3> bits;
   std::array<std::vector<std::uint32_t>, 3> before;  ///< vertices before each word
   std::optional<Occupancy> shape;  ///< solid points of the region and one more on each side, until the surface is made
-  std::size_t words = 0, first = 0, count = 0;       ///< first: index of its first vertex in the mesh
+  std::size_t words = 0, first = 0, count = 0;  ///< first: index of its first vertex in the mesh
 
   [[nodiscard]] std::size_t word_of(const Index3& p) const {
     const auto row = static_cast<std::size_t>(p[2] - region.lower[2]) * static_cast<std::size_t>(region.count(1)) +

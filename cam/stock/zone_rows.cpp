@@ -62,7 +62,6 @@ void parallel_row(const Row& row, const Zone& zone) {
   }
 }
 
-
 /// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision
 /// precise.
 template <bool slab>
@@ -165,7 +164,8 @@ __attribute__((target_clones("avx2", "default"))) void ring_askew_row(const Row&
 
 /// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the
 /// line's nearest place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
-__attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
+__attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Row& row, double radius, double wu, double wv,
+                                                                        double wd) {
   const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
   const double share = 1 / along, tilt = row.ad * share;
   // The place in the plane, as the line goes on; and as lines go on.
@@ -279,8 +279,8 @@ void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
 }
 
 /// Lowers and raises intervals to places that lie evenly.
-__attribute__((target_clones("avx2", "default"))) void fill_row(float* entry, float* exit, int count,
-                                                                float at, float step, float low, float high) {
+__attribute__((target_clones("avx2", "default"))) void fill_row(float* entry, float* exit, int count, float at, float step,
+                                                                float low, float high) {
   for (int i = 0; i < count; ++i) {
     const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);
     entry[i] = std::min(entry[i], place), exit[i] = std::max(exit[i], place);

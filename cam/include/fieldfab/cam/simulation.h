@@ -53,6 +53,7 @@ struct SimulationSetup {
   double floor = -1e300;     ///< deviations below this height do not count, mm: what the next set-up will cut
   Vec3 zero = Vec3::Zero();  ///< machine coordinates of the part's zero
   std::array<AxisValues, 9> work_offsets{};
+  std::array<AxisValues, 2> home{};  ///< where G28 and G30 go, machine coordinates
   AxisValues start;
   std::array<std::array<double, 2>, 9> limits;  ///< of each axis, mm or radians
   RapidWay rapid_way = RapidWay::straight;
@@ -82,7 +83,7 @@ struct SimulationEvent {
   int line = 0;  ///< of the program
   int tool = 0;
   Vec3 place = Vec3::Zero();  ///< part coordinates
-  double amount = 0;          ///< mm of depth, mm^3 of material, or mm (radians) beyond a limit, by its kind
+  double amount = 0;          ///< mm of depth, mm^3 of material, or mm (degrees) beyond a limit, by its kind
   std::string message;
 };
 /// "rapid contact" and so on.
@@ -130,17 +131,6 @@ class Simulation {
  public:
   explicit Simulation(SimulationSetup setup, Progress& progress = Progress::none());
 
-  /// Called every so many seconds of machining, for pictures: with the stock as it is then, the tool's pose and the line.
-  struct Frame {
-    const Stock& stock;
-    ToolPose pose;
-    const ToolSolid* tool;
-    int line;
-    double seconds;
-  };
-  using FrameListener = std::function<void(const Frame&)>;
-  void on_frame(double seconds, FrameListener listener) { frame_step_ = seconds, frame_listener_ = std::move(listener); }
-
   /// Carries out a program file: G-code, .sbp, .rml or .hpgl, by the set-up's machine or its extension. Throws bad_input with
   /// FILE:LINE, io, cancelled.
   void run(const std::filesystem::path& program, Progress& progress = Progress::none());
@@ -164,8 +154,6 @@ class Simulation {
   std::vector<int> line_of_cut_{0};
   TriangleMesh mesh_;
   std::vector<int> vertex_lines_;
-  double frame_step_ = 0;
-  FrameListener frame_listener_;
 };
 
 }  // namespace fieldfab::cam
