@@ -156,9 +156,7 @@ class SimulationRun {
       s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", setup_.first_tool)});
       take(setup_.tools.at(setup_.first_tool));
     }
-    // Arcs may leave the limits between their ends.
-    const std::vector<AxisValues> stations = poses_.places(known_ ? at_ : motion.end, motion, s_.stock_.tolerance());
-    for (std::size_t i = 1; i < stations.size(); ++i) check_limits(motion, stations[i]);
+    check_limits(motion);
     const bool rapid = motion.kind == Motion::Kind::rapid;
     const Tool& tool = mounted_->tool;
     double lengthened = 0;
@@ -276,15 +274,22 @@ class SimulationRun {
     }
   }
 
-  void check_limits(const Motion& motion, const AxisValues& place) {
+  /// Arcs may leave the limits between their ends. Coming back from beyond a limit is no further fault.
+  void check_limits(const Motion& motion) {
+    const std::vector<AxisValues> stations = poses_.places(known_ ? at_ : motion.end, motion, s_.stock_.tolerance());
     for (std::size_t axis = 0; axis < 9; ++axis) {
       const auto& [low, high] = setup_.limits[axis];
-      const double at = place.at[axis], beyond = std::max(low - at, at - high);
-      if (beyond <= 1e-6) continue;
-      const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
-      event(Kind::over_travel, motion.line, tool_number_, place.xyz() - setup_.zero, beyond * unit,
-            fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], at * unit, low * unit,
-                        high * unit));
+      const auto beyond = [&](const AxisValues& place) { return std::max(low - place.at[axis], place.at[axis] - high); };
+      const double before = beyond(stations.front());
+      for (std::size_t i = 1; i < stations.size(); ++i) {
+        const double excess = beyond(stations[i]);
+        const bool end = i + 1 == stations.size();
+        if (excess <= 1e-6 || (!end && excess <= before)) continue;
+        const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
+        event(Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
+              fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
+                          stations[i].at[axis] * unit, low * unit, high * unit));
+      }
     }
   }
 

@@ -95,7 +95,7 @@ class Program:
                 if self.tool[i] == tool and self.lines[i].startswith("G1") and self.lines[i + 1].startswith("G1") and "X" in self.at[i]]
 
     def furthest(self, i):
-        """The greatest x on the way of a line; of an arc, where it bulges."""
+        """The greatest x that a line goes to; of an arc, where it bulges (an arc may begin further out: that is not its fault)."""
         start, end = self.at[i - 1], self.at[i]
         most = end.get("X", -9999)
         if self.lines[i][:2] in ("G2", "G3"):
