@@ -1,13 +1,14 @@
 // Stock against slow, obvious twins: membership of points in a tool at hundreds of poses, closed forms of swept balls.
-#include "fieldfab/cam/stock.h"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 
+#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
@@ -262,6 +263,62 @@ TEST(Stock, CopiesAreCheckpoints) {
   again.cut(all.subspan(10));
   EXPECT_EQ(again.mesh().vertices, after.vertices);
   EXPECT_EQ(again.mesh().triangles, after.triangles);
+}
+
+/// Triangles by their corners' places, each beginning with its least corner.
+std::multiset<std::array<std::array<float, 3>, 3>> by_places(const TriangleMesh& mesh) {
+  std::multiset<std::array<std::array<float, 3>, 3>> set;
+  for (const auto& t : mesh.triangles) {
+    std::array<std::array<float, 3>, 3> places{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
+    std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+    set.insert(places);
+  }
+  return set;
+}
+
+// After each of many cuts the surface that is kept up to date is the one that is made at once; its pieces show the same
+// triangles, and those that are said to have stayed have stayed.
+TEST(Stock, SurfaceIsKeptUpToDate) {
+  for (const int brick : {6, 11, 64}) {
+    StockSettings settings;
+    settings.cell = 0.2;
+    settings.brick = brick;
+    Stock stock({{0, 0, 0}, {10, 10, 8}}, settings);
+    StockSurface surface;
+    std::mt19937 random(static_cast<unsigned>(brick));
+    std::vector<std::multiset<std::array<std::array<float, 3>, 3>>> pieces;
+    std::size_t stayed = 0;
+    for (const char* shape : {"ball", "flat", "form", "ball", "ball", "bull"}) {
+      const ToolSolid solid = tool_solid(cutter(shape));
+      std::vector<ToolPose> way = random_way(random, 2, 0.04);
+      way[1].tip = way[0].tip + 0.1 * (way[1].tip - way[0].tip);
+      stock.cut(strokes_of(solid, way));
+      const std::vector<std::size_t> changed = surface.update(stock);
+      std::vector<std::uint32_t> cuts, cuts_at_once;
+      const TriangleMesh mesh = std::as_const(surface).mesh(&cuts), at_once = stock.mesh(&cuts_at_once);
+      ASSERT_EQ(mesh.vertices, at_once.vertices);
+      ASSERT_EQ(mesh.triangles, at_once.triangles);
+      ASSERT_EQ(cuts, cuts_at_once);
+      expect_closed(mesh, shape);
+      std::vector<char> used(mesh.vertices.size());
+      for (const auto& t : mesh.triangles)
+        for (const std::uint32_t v : t) used[v] = 1;
+      EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
+      pieces.resize(surface.pieces());
+      std::multiset<std::array<std::array<float, 3>, 3>> all;
+      for (std::size_t i = 0; i < surface.pieces(); ++i) {
+        const auto piece = by_places(surface.piece(i));
+        const bool said = std::find(changed.begin(), changed.end(), i) != changed.end();
+        if (!said) EXPECT_EQ(piece, pieces[i]);
+        stayed += !said;
+        pieces[i] = piece;
+        all.insert(piece.begin(), piece.end());
+      }
+      EXPECT_EQ(all, by_places(mesh));
+      EXPECT_TRUE(surface.update(stock).empty());
+    }
+    if (brick < 64) EXPECT_GT(stayed, 100u);
+  }
 }
 
 TEST(Stock, BeginsAsAField) {

@@ -92,7 +92,7 @@ class Stock {
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none()) const;
 
  private:
-  friend class StockMesher;
+  friend class StockSurface;
   [[nodiscard]] std::size_t brick_index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(bricks_along_[1]) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(bricks_along_[0]) +

@@ -1,0 +1,47 @@
+/// The surface of a stock, kept up to date while it is cut.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "fieldfab/cam/stock.h"
+
+namespace fieldfab::cam {
+
+/// The surface of a stock brick by brick: a piece is made anew only where the stock has changed since the last update (Hahn 4.3).
+class StockSurface {
+ public:
+  StockSurface();
+  StockSurface(StockSurface&&) noexcept;
+  StockSurface& operator=(StockSurface&&) noexcept;
+  ~StockSurface();
+
+  /// Brings it up to date with a stock; with one of another lattice it begins anew. Returns the indices of the pieces that have
+  /// changed. Throws cancelled; the next update then begins anew.
+  std::vector<std::size_t> update(const Stock& stock, Progress& progress = Progress::none());
+
+  [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
+  /// One piece for drawing: all pieces together show the surface without gaps, but share no vertices. `cuts`, where asked for,
+  /// gets the cut that made each vertex.
+  [[nodiscard]] TriangleMesh piece(std::size_t index, std::vector<std::uint32_t>* cuts = nullptr) const;
+  /// All of it as one closed mesh, outwards.
+  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) const&;
+  /// The same from a surface that is not needed any more, which takes less memory.
+  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) &&;
+
+ private:
+  struct Piece;
+  class Update;
+  static void append_vertices(const Piece& piece, TriangleMesh& mesh, std::vector<std::uint32_t>* cuts);
+  template <class Surface, class TrianglesDone, class VerticesDone>
+  static TriangleMesh collected(Surface& surface, std::vector<std::uint32_t>* cuts, const TrianglesDone& triangles_done,
+                                const VerticesDone& vertices_done);
+  /// The piece that comes `step` further on: bits for x, y and z.
+  [[nodiscard]] std::size_t beside(std::size_t index, unsigned step) const;
+
+  StockLattice lattice_;
+  Index3 along_{0, 0, 0};  ///< pieces along each axis
+  std::vector<std::unique_ptr<Piece>> pieces_;
+};
+
+}  // namespace fieldfab::cam
