@@ -93,19 +93,18 @@ std::vector<AxisValues> PoseMaker::places(const AxisValues& from, const Motion& 
   return result;
 }
 
-std::vector<ToolPose> PoseMaker::along(const AxisValues& from, const Motion& motion, double lengthened, double length,
+std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened, double length,
                                        const Placement& placement, double reach, double tolerance) const {
-  const std::vector<AxisValues> stations = places(from, motion, tolerance);
-  std::vector<ToolPose> poses{pose(stations.front(), motion.mode, lengthened, length, placement)};
-  for (std::size_t i = 1; i < stations.size(); ++i) {
+  std::vector<ToolPose> poses{pose(places.front(), mode, lengthened, length, placement)};
+  for (std::size_t i = 1; i < places.size(); ++i) {
     const auto between = [&](double t) {
       AxisValues at;
-      for (std::size_t a = 0; a < 9; ++a) at.at[a] = stations[i - 1].at[a] + t * (stations[i].at[a] - stations[i - 1].at[a]);
-      return pose(at, motion.mode, lengthened, length, placement);
+      for (std::size_t a = 0; a < 9; ++a) at.at[a] = places[i - 1].at[a] + t * (places[i].at[a] - places[i - 1].at[a]);
+      return pose(at, mode, lengthened, length, placement);
     };
     const ToolPose end = between(1);
     bool turns = false;
-    for (const std::size_t a : rotary_) turns |= a >= 3 && std::abs(stations[i].at[a] - stations[i - 1].at[a]) > 1e-12;
+    for (const std::size_t a : rotary_) turns |= a >= 3 && std::abs(places[i].at[a] - places[i - 1].at[a]) > 1e-12;
     if (!turns) {
       poses.push_back(end);
       continue;

@@ -18,12 +18,12 @@ class PoseMaker {
                               const Placement& placement) const;
   /// Throws bad_input with the line where a motion turns an axis that the machine does not have.
   void check(const Motion& motion) const;
-  /// Poses along a motion so dense that between two of them tip and axis may be taken to go evenly: no point of the tool up to
-  /// `reach` above its tip is farther than `tolerance` from where it should be. Begins with the start's pose.
-  [[nodiscard]] std::vector<ToolPose> along(const AxisValues& from, const Motion& motion, double lengthened, double length,
-                                            const Placement& placement, double reach, double tolerance) const;
-  /// The places between which a motion is even in all axes' values: one after the other for a dog-leg or an arc.
+  /// The places between which a motion is even in all axes' values, beginning with the first: several for a dog-leg or an arc.
   [[nodiscard]] std::vector<AxisValues> places(const AxisValues& from, const Motion& motion, double tolerance) const;
+  /// Poses from place to place so dense that between two of them tip and axis may be taken to go evenly: no point of the tool up
+  /// to `reach` above its tip is farther than `tolerance` from where it should be. Begins with the first place's pose.
+  [[nodiscard]] std::vector<ToolPose> along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened,
+                                            double length, const Placement& placement, double reach, double tolerance) const;
 
  private:
   const SimulationSetup& setup_;

@@ -278,4 +278,11 @@ StockStatistics Stock::statistics() const {
   return statistics;
 }
 
+std::uint64_t Stock::bytes_unlike(const Stock& other) const {
+  StockStatistics statistics;
+  for (std::size_t i = 0; i < bricks_.size(); ++i)
+    if (i >= other.bricks_.size() || bricks_[i] != other.bricks_[i]) bricks_[i]->count(statistics);
+  return statistics.bytes;
+}
+
 }  // namespace fieldfab::cam

@@ -309,7 +309,9 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
       for (std::size_t i = 0; i < surface.pieces(); ++i) {
         const auto piece = by_places(surface.piece(i));
         const bool said = std::find(changed.begin(), changed.end(), i) != changed.end();
-        if (!said) EXPECT_EQ(piece, pieces[i]);
+        if (!said) {
+          EXPECT_EQ(piece, pieces[i]);
+        }
         stayed += !said;
         pieces[i] = piece;
         all.insert(piece.begin(), piece.end());
@@ -317,7 +319,9 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
       EXPECT_EQ(all, by_places(mesh));
       EXPECT_TRUE(surface.update(stock).empty());
     }
-    if (brick < 64) EXPECT_GT(stayed, 100u);
+    if (brick < 64) {
+      EXPECT_GT(stayed, 100u);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "fieldfab/cam/machine.h"
 #include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/playback.h"
 #include "fieldfab/cam/stock.h"
 #include "fieldfab/cam/tool.h"
 #include "fieldfab/core/progress.h"
@@ -131,6 +132,10 @@ class Simulation {
  public:
   explicit Simulation(SimulationSetup setup, Progress& progress = Progress::none());
 
+  /// From now on remembers what it does, so that any moment of it can be shown again. Called before run().
+  Playback& remember() { return playback_.emplace(stock_); }
+  /// Null where nothing is remembered.
+  [[nodiscard]] Playback* playback() { return playback_ ? &*playback_ : nullptr; }
   /// Carries out a program file: G-code, .sbp, .rml or .hpgl, by the set-up's machine or its extension. Throws bad_input with
   /// FILE:LINE, io, cancelled.
   void run(const std::filesystem::path& program, Progress& progress = Progress::none());
@@ -138,6 +143,8 @@ class Simulation {
   void finish(Progress& progress = Progress::none());
 
   [[nodiscard]] const Stock& stock() const { return stock_; }
+  /// The program's line of a cut that samples remember; 0 for the stock's first surface.
+  [[nodiscard]] int line_of(std::uint32_t cut) const { return cut < line_of_cut_.size() ? std::abs(line_of_cut_[cut]) : 0; }
   [[nodiscard]] const SimulationSetup& setup() const { return setup_; }
   [[nodiscard]] const SimulationReport& report() const { return report_; }
   /// Of the finished stock; after finish().
@@ -150,6 +157,7 @@ class Simulation {
   SimulationSetup setup_;
   Stock stock_;
   std::optional<Stock> fixture_;
+  std::optional<Playback> playback_;
   SimulationReport report_;
   std::vector<int> line_of_cut_{0};
   TriangleMesh mesh_;

@@ -87,6 +87,8 @@ class Stock {
   /// Volume by the columns, mm^3.
   [[nodiscard]] double volume() const;
   [[nodiscard]] StockStatistics statistics() const;
+  /// How much memory it takes beside another stock of the same lattice, which may share most of it.
+  [[nodiscard]] std::uint64_t bytes_unlike(const Stock& other) const;
 
   /// The surface: closed, outwards; `cuts`, where asked for, gets the cut that made each vertex.
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none()) const;
