@@ -93,6 +93,11 @@ Region grown(const Region& region) {
   return near;
 }
 
+/// Whether points reach the lower and the upper child of a split cell, or come next to it.
+std::pair<bool, bool> sides_met(const Cell& split, const Region& reach) {
+  return {reach.first(split.axis) <= split.plane, reach.last(split.axis) >= split.plane - 1};
+}
+
 }  // namespace
 
 void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& stock) {
@@ -102,8 +107,9 @@ void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& s
   if (cell.content == Cell::Content::empty || !grown(cell.region).meets(windows.reach())) return;
   if (cell.content == Cell::Content::split) {
     const int children = cell.children;
-    cut_columns(children, batch, pass, stock);
-    cut_columns(children + 1, batch, pass, stock);
+    const auto [lower, upper] = sides_met(cell, windows.reach());
+    if (lower) cut_columns(children, batch, pass, stock);
+    if (upper) cut_columns(children + 1, batch, pass, stock);
     return;
   }
   if (cell.content == Cell::Content::solid) {
@@ -139,8 +145,9 @@ void Brick::cut_edges(int node, Batch& batch, std::size_t pass, const StockLatti
   const Cell& cell = nodes_[static_cast<std::size_t>(node)];
   if (cell.content == Cell::Content::empty || !grown(cell.region).meets(batch.windows[pass].reach())) return;
   if (cell.content == Cell::Content::split) {
-    cut_edges(cell.children, batch, pass, lattice);
-    cut_edges(cell.children + 1, batch, pass, lattice);
+    const auto [lower, upper] = sides_met(cell, batch.windows[pass].reach());
+    if (lower) cut_edges(cell.children, batch, pass, lattice);
+    if (upper) cut_edges(cell.children + 1, batch, pass, lattice);
     return;
   }
   cut_edges(cell, *batch.passes[pass].stroke, lattice, batch.windows[pass]);

@@ -183,54 +183,64 @@ Region Stock::brick_region(const Index3& brick) const {
   return region;
 }
 
+/// The bricks with any material that a sweep may reach.
+std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
+  std::vector<std::size_t> found;
+  const double h = lattice_.spacing().minCoeff();
+  Index3 low, high;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto axis = static_cast<Eigen::Index>(a);
+    const double first = std::floor((sweep.bounds().lower[axis] - h) / (lattice_.spacing()[axis] * brick_));
+    const double last = std::floor((sweep.bounds().upper[axis] + h) / (lattice_.spacing()[axis] * brick_));
+    if (!(last >= 0) || !(first < bricks_along_[a])) return found;
+    low[a] = static_cast<int>(std::clamp(first, 0.0, bricks_along_[a] - 1.0));
+    high[a] = static_cast<int>(std::clamp(last, 0.0, bricks_along_[a] - 1.0));
+  }
+  const bool many = (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > 2;
+  for (int z = low[2]; z <= high[2]; ++z)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int x = low[0]; x <= high[0]; ++x) {
+        const std::size_t index = brick_index(x, y, z);
+        const Brick& brick = *bricks_[index];
+        if (brick.empty()) continue;
+        if (many) {
+          const Region& r = brick.region();
+          Vec3 lower, upper;
+          for (int a = 0; a < 3; ++a) lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
+          if (!sweep.near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h)) continue;
+        }
+        found.push_back(index);
+      }
+  return found;
+}
+
 std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& progress) {
   std::vector<StrokeResult> results(strokes.size());
   constexpr std::size_t most_at_once = 1024;
+  const Box domain{Vec3::Zero(), lattice_.box().size()};
   std::vector<char> changed(bricks_.size());
   std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // which strokes come near which brick
-  const double h = lattice_.spacing().minCoeff();
   for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
     progress.check();
     const std::size_t count = std::min(most_at_once, strokes.size() - begin);
     std::vector<std::unique_ptr<Sweep>> sweeps(count);
+    std::vector<std::vector<std::size_t>> meets(count);  // which bricks each stroke comes near
     parallel_for((count + 31) / 32, [&](std::size_t group) {
       for (std::size_t i = group * 32; i < std::min(count, group * 32 + 32); ++i) {
         const Stroke& stroke = strokes[begin + i];
         ToolPose from = stroke.from, to = stroke.to;
         from.tip -= lattice_.box().lower, to.tip -= lattice_.box().lower;
-        sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to, tolerance(), Box{Vec3::Zero(), lattice_.box().size()});
+        sweeps[i] = std::make_unique<Sweep>(*stroke.piece, from, to);
+        meets[i] = bricks_near(*sweeps[i]);
+        if (!meets[i].empty()) sweeps[i]->build(tolerance(), domain);
       }
     });
     std::vector<std::size_t> touched;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Box& box = sweeps[i]->bounds();
-      Index3 low, high;
-      bool outside = false;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const auto axis = static_cast<Eigen::Index>(a);
-        const double first = std::floor((box.lower[axis] - h) / (lattice_.spacing()[axis] * brick_));
-        const double last = std::floor((box.upper[axis] + h) / (lattice_.spacing()[axis] * brick_));
-        outside |= !(last >= 0) || !(first < bricks_along_[a]);
-        low[a] = static_cast<int>(std::clamp(first, 0.0, bricks_along_[a] - 1.0));
-        high[a] = static_cast<int>(std::clamp(last, 0.0, bricks_along_[a] - 1.0));
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::size_t brick : meets[i]) {
+        if (near[brick].empty()) touched.push_back(brick);
+        near[brick].push_back(static_cast<std::uint32_t>(i));
       }
-      if (outside) continue;
-      const bool many = (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1) > 2;
-      for (int z = low[2]; z <= high[2]; ++z)
-        for (int y = low[1]; y <= high[1]; ++y)
-          for (int x = low[0]; x <= high[0]; ++x) {
-            const std::size_t brick = brick_index(x, y, z);
-            if (bricks_[brick]->empty()) continue;
-            if (many) {
-              const Region& r = bricks_[brick]->region();
-              Vec3 lower, upper;
-              for (int a = 0; a < 3; ++a) lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
-              if (!sweeps[i]->near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h)) continue;
-            }
-            if (near[brick].empty()) touched.push_back(brick);
-            near[brick].push_back(static_cast<std::uint32_t>(i));
-          }
-    }
     std::mutex adding;
     parallel_for(touched.size(), [&](std::size_t t) {
       std::shared_ptr<Brick>& brick = bricks_[touched[t]];

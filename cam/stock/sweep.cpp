@@ -53,24 +53,24 @@ Vec3 any_across(const Vec3& axis) {
 
 }  // namespace
 
-Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance, const Box& domain)
-    : from_(from), to_(to) {
-  const bool turns = (to.axis - from.axis).squaredNorm() > 1e-24;
-  const bool moves = turns || (to.tip - from.tip).squaredNorm() > 1e-24;
-  bool first = true;
+Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to) : piece_(&piece), from_(from), to_(to) {
   double low = infinity, high = -infinity;
+  bounds_ = box_of(piece.zones.front(), from);
   for (const Zone& zone : piece.zones) {
-    const bool frustum = zone.shape == Zone::Shape::frustum;
-    low = std::min(low, zone.z0), high = std::max(high, frustum ? zone.z1 : zone.z0);
+    low = std::min(low, zone.z0), high = std::max(high, zone.shape == Zone::Shape::frustum ? zone.z1 : zone.z0);
     radius_ = std::max(radius_, widest(zone));
+    for (const ToolPose* pose : {&from_, &to_}) bounds_ = hull(bounds_, box_of(zone, *pose));
   }
   core_ = {from.tip + low * from.axis, from.tip + high * from.axis, to.tip + low * to.axis, to.tip + high * to.axis};
-  for (Zone zone : piece.zones) {
-    for (const ToolPose* pose : {&from_, &to_}) {
-      const Box box = box_of(zone, *pose);
-      bounds_ = first ? box : hull(bounds_, box);
-      first = false;
-    }
+}
+
+void Sweep::build(double tolerance, const Box& domain) {
+  const ToolPose &from = from_, &to = to_;
+  const bool turns = (to.axis - from.axis).squaredNorm() > 1e-24;
+  const bool moves = turns || (to.tip - from.tip).squaredNorm() > 1e-24;
+  double high = -infinity;
+  for (const Zone& zone : piece_->zones) high = std::max(high, zone.shape == Zone::Shape::frustum ? zone.z1 : zone.z0);
+  for (Zone zone : piece_->zones) {
     // A cylinder that ends outside of the domain and leads away from it need not end at all.
     if (!turns && zone.shape == Zone::Shape::frustum && zone.z1 == high && zone.r0 == zone.r1) {
       const Zone end{Zone::Shape::frustum, zone.z1, zone.z1, zone.r1, zone.r1, false, false};
@@ -94,8 +94,8 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
       continue;
     }
     if (zone.shape == Zone::Shape::frustum) {
-      if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance);
-      if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance);
+      if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance, domain);
+      if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance, domain);
       const double length = std::hypot(zone.z1 - zone.z0, zone.r1 - zone.r0);
       add_grazing(
           [&](double t) -> SectionPoint {
@@ -104,8 +104,8 @@ Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, d
           },
           turns ? 4 : 1);
     } else {
-      add_disc(zone.z0 - zone.r1, zone.r0, tolerance);
-      if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
+      add_disc(zone.z0 - zone.r1, zone.r0, tolerance, domain);
+      if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance, domain);
       add_grazing(
           [&](double t) -> SectionPoint {
             const double angle = std::numbers::pi / 2 * t, c = std::sin(angle), sine = -std::cos(angle);
@@ -160,21 +160,34 @@ bool Sweep::near(const Vec3& place, double distance) const {
 }
 
 /// The way of a flat end and its edge.
-void Sweep::add_disc(double height, double radius, double tolerance) {
+void Sweep::add_disc(double height, double radius, double tolerance, const Box& domain) {
   if (radius <= 0) return;
   if ((to_.axis - from_.axis).squaredNorm() <= 1e-24) {
     stamps_.push_back({{Zone::Shape::frustum, height, height, radius, radius, false, false}, from_, true, to_.tip - from_.tip});
     return;
   }
-  const int parts = parts_of_circle(radius, tolerance);
+  int parts = parts_of_circle(radius, tolerance);
+  const Zone disc{Zone::Shape::frustum, height, height, radius, radius, false, false};
+  if (!intersection(hull(box_of(disc, from_), box_of(disc, to_)), domain).valid()) {
+    // All that matters is that lines leave the piece out there: a few parts that hold the whole disc will do.
+    parts = 8;
+    radius /= std::cos(std::numbers::pi / parts);
+  }
   const Vec3 like = any_across(from_.axis);
   const auto circle = [&](const ToolPose& pose) {
     const auto [one, other] = across(pose.axis, like);
+    const Vec3 middle = pose.tip + height * pose.axis;
+    // Each place is the one before, turned.
+    const double angle = 2 * std::numbers::pi / parts, c = std::cos(angle), s = std::sin(angle);
     std::vector<Vec3> points;
-    for (int i = 0; i <= parts; ++i) {
-      const double angle = 2 * std::numbers::pi * i / parts;
-      points.emplace_back(pose.tip + height * pose.axis + radius * (std::cos(angle) * one + std::sin(angle) * other));
+    points.reserve(static_cast<std::size_t>(parts) + 1);
+    double x = radius, y = 0;
+    for (int i = 0; i < parts; ++i) {
+      points.emplace_back(middle + x * one + y * other);
+      const double turned = c * x - s * y;
+      y = s * x + c * y, x = turned;
     }
+    points.push_back(points.front());
     return points;
   };
   add_strip(circle(from_), circle(to_));

@@ -38,8 +38,10 @@ struct Window {
 /// taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
 class Sweep {
  public:
-  /// Poses in the lattice's frame, mm from its corner. Nobody asks about what lies outside of `domain`.
-  Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, double tolerance, const Box& domain);
+  /// Poses in the lattice's frame, mm from its corner. It knows where it is; fill() wants it built.
+  Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to);
+  /// Makes its surface. Nobody asks about what lies outside of `domain`.
+  void build(double tolerance, const Box& domain);
 
   [[nodiscard]] const Box& bounds() const { return bounds_; }
   /// False where it surely stays farther than `distance` from a place.
@@ -63,11 +65,12 @@ class Sweep {
   };
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
-  void add_disc(double height, double radius, double tolerance);
+  void add_disc(double height, double radius, double tolerance, const Box& domain);
   /// A point of the half section, and its normal's two parts: distance from the axis, height, outwards, upwards.
   using SectionPoint = std::array<double, 4>;
   void add_grazing(const std::function<SectionPoint(double)>& section, int parts);
 
+  const ToolPiece* piece_;
   ToolPose from_, to_;
   std::vector<Stamp> stamps_;
   std::vector<Triangle> triangles_;

@@ -59,6 +59,7 @@ struct StockStatistics {
 };
 
 class Brick;
+class Sweep;
 struct Region;
 
 /// A block of material. Copies share what they have in common: a copy is a checkpoint.
@@ -101,6 +102,7 @@ class Stock {
            static_cast<std::size_t>(x);
   }
   void divide_into_bricks();
+  [[nodiscard]] std::vector<std::size_t> bricks_near(const Sweep& sweep) const;
   [[nodiscard]] Region brick_region(const Index3& brick) const;
 
   StockSettings settings_;
