@@ -72,10 +72,11 @@ void Brick::cut(std::span<Pass> passes, const Stock& stock) {
   const StockLattice& lattice = stock.lattice();
   thread_local Batch batch;
   batch.windows.assign(Batch::most, WindowSet(lattice));
+  const Region solid = solid_bounds(lattice);
   for (std::size_t begin = 0; begin < passes.size() && !empty(); begin += Batch::most) {
     batch.passes = passes.subspan(begin, std::min(Batch::most, passes.size() - begin));
     for (std::size_t i = 0; i < batch.passes.size(); ++i) {
-      batch.here[i] = batch.windows[i].start(*batch.passes[i].sweep, region_);
+      batch.here[i] = batch.windows[i].start(*batch.passes[i].sweep, solid);
       if (batch.here[i]) cut_columns(0, batch, i, stock);
     }
     for (std::size_t i = 0; i < batch.passes.size(); ++i)
@@ -161,6 +162,36 @@ Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const St
   if (!cell.lower.empty() && cell.lower.at[column] != -beyond)
     points.first = std::max(points.first, lattice.above(cell.axis, cell.lower.at[column]));
   return points;
+}
+
+/// A box that holds all solid points (Hahn 5.3).
+Region Brick::solid_bounds(const StockLattice& lattice) const {
+  Region bounds{region_.upper, region_.lower};
+  const auto add = [&](const Region& r) {
+    for (std::size_t a = 0; a < 3; ++a)
+      bounds.lower[a] = std::min(bounds.lower[a], r.lower[a]), bounds.upper[a] = std::max(bounds.upper[a], r.upper[a]);
+  };
+  for (const Cell& cell : nodes_) {
+    if (cell.content == Cell::Content::solid) add(cell.region);
+    if (cell.content != Cell::Content::columns) continue;
+    const auto a = static_cast<std::size_t>(cell.axis), ua = (a + 1) % 3, va = (a + 2) % 3;
+    Region r{cell.region.upper, cell.region.lower};
+    float lowest = beyond, highest = -beyond;
+    std::size_t column = 0;
+    for (int v = cell.region.lower[va]; v <= cell.region.upper[va]; ++v)
+      for (int u = cell.region.lower[ua]; u <= cell.region.upper[ua]; ++u, ++column) {
+        if (cell.upper.at[column] == -beyond) continue;
+        r.lower[ua] = std::min(r.lower[ua], u), r.upper[ua] = std::max(r.upper[ua], u);
+        r.lower[va] = std::min(r.lower[va], v), r.upper[va] = std::max(r.upper[va], v);
+        highest = std::max(highest, cell.upper.at[column]);
+        lowest = std::min(lowest, cell.lower.empty() ? -beyond : cell.lower.at[column]);
+      }
+    if (highest == -beyond) continue;
+    r.lower[a] = lowest == -beyond ? cell.region.lower[a] : std::max(cell.region.lower[a], lattice.above(cell.axis, lowest));
+    r.upper[a] = highest == beyond ? cell.region.upper[a] : std::min(cell.region.upper[a], lattice.below(cell.axis, highest));
+    add(r);
+  }
+  return bounds;
 }
 
 /// What a stroke makes of the columns of a cell; false where a column would fall into two.

@@ -73,8 +73,11 @@ TEST_F(SimulationFiles, AnyMomentIsWhatAProgramLeavesThatEndsThere) {
     shorter.run(write("shorter.nc", {lines.begin(), lines.begin() + line}));
     const std::size_t done = playback.done_after_line(line);
     const TriangleMesh then = playback.stock_after(done).mesh(), ended = shorter.stock().mesh();
-    EXPECT_EQ(then.vertices, ended.vertices) << line;
+    // Where strokes are put together otherwise, samples may be rounded otherwise.
+    ASSERT_EQ(then.vertices.size(), ended.vertices.size()) << line;
     EXPECT_EQ(then.triangles, ended.triangles) << line;
+    for (std::size_t v = 0; v < then.vertices.size(); ++v)
+      for (std::size_t a = 0; a < 3; ++a) ASSERT_NEAR(then.vertices[v][a], ended.vertices[v][a], 1e-5) << line;
     ASSERT_GT(done, 0u);
     EXPECT_EQ(playback.move(done - 1).line, shorter.report().lines.back().line);
     EXPECT_NEAR(playback.move(done - 1).seconds, shorter.report().seconds, 1e-6);
@@ -114,8 +117,8 @@ TEST(Playback, IsRightHoweverFewCopiesItKeeps) {
   }
   for (int k = 0; k < 60; ++k) {
     const auto moment = static_cast<std::size_t>(std::uniform_int_distribution<int>(0, 300)(random));
-    EXPECT_EQ(plenty.stock_after(moment).volume(), volumes[moment]) << moment;
-    EXPECT_EQ(scarce.stock_after(moment).volume(), volumes[moment]) << moment;
+    EXPECT_NEAR(plenty.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;  // of 2000 mm3
+    EXPECT_NEAR(scarce.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;
   }
 }
 
