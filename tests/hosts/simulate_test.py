@@ -186,7 +186,7 @@ def test_gouges_are_found_at_their_line(program):
             return f"line {i + 1} {lines[i]}: {result['events']}"
         return None
 
-    failed = each(candidates[:30], plant)
+    failed = each(candidates[:36], plant)
     assert not failed, f"{len(failed)}: {failed[:3]}"
 
 
@@ -200,7 +200,7 @@ def test_rapids_through_stock_are_found_at_their_line(program):
         result = program.simulate(lines, program.job, f"_r{number}")
         return None if only(result, "rapid contact") and where(result, "rapid contact") == [i + 1] else f"line {i + 1}: {result['events']}"
 
-    failed = each(rng.sample(candidates, 30), plant)
+    failed = each(rng.sample(candidates, 36), plant)
     assert not failed, f"{len(failed)}: {failed[:3]}"
 
 
