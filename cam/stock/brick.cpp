@@ -87,11 +87,11 @@ void Brick::cut(std::span<Pass> passes, const Stock& stock) {
 
 namespace {
 
-/// The points of a cell and those next to them.
-Region grown(const Region& region) {
-  Region near = region;
-  for (std::size_t a = 0; a < 3; ++a) --near.lower[a], ++near.upper[a];
-  return near;
+/// Whether points reach a cell's or come next to them.
+bool come_near(const Region& cell, const Region& reach) {
+  for (std::size_t a = 0; a < 3; ++a)
+    if (cell.upper[a] + 1 < reach.lower[a] || reach.upper[a] < cell.lower[a] - 1) return false;
+  return true;
 }
 
 /// Whether points reach the lower and the upper child of a split cell, or come next to it.
@@ -105,7 +105,7 @@ void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& s
   Cell& cell = nodes_[static_cast<std::size_t>(node)];
   WindowSet& windows = batch.windows[pass];
   const Stroke& stroke = *batch.passes[pass].stroke;
-  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(windows.reach())) return;
+  if (cell.content == Cell::Content::empty || !come_near(cell.region, windows.reach())) return;
   if (cell.content == Cell::Content::split) {
     const int children = cell.children;
     const auto [lower, upper] = sides_met(cell, windows.reach());
@@ -144,7 +144,7 @@ void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& s
 
 void Brick::cut_edges(int node, Batch& batch, std::size_t pass, const StockLattice& lattice) {
   const Cell& cell = nodes_[static_cast<std::size_t>(node)];
-  if (cell.content == Cell::Content::empty || !grown(cell.region).meets(batch.windows[pass].reach())) return;
+  if (cell.content == Cell::Content::empty || !come_near(cell.region, batch.windows[pass].reach())) return;
   if (cell.content == Cell::Content::split) {
     const auto [lower, upper] = sides_met(cell, batch.windows[pass].reach());
     if (lower) cut_edges(cell.children, batch, pass, lattice);
