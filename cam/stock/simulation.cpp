@@ -124,9 +124,9 @@ class SimulationRun {
 
   LineRecord& record(int line) {
     auto& lines = s_.report_.lines;
-    if (lines.empty() || lines.back().line != line) {
-      const auto [at, fresh] = record_of_line_.try_emplace(line, lines.size());
-      if (fresh) lines.push_back({line, 0, 0, 0, 0});
+    if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_) {
+      const auto [at, fresh] = record_of_line_.try_emplace({line, tool_number_}, lines.size());
+      if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0});
       record_ = at->second;
     } else
       record_ = lines.size() - 1;
@@ -179,6 +179,7 @@ class SimulationRun {
     if (rapid) s_.report_.rapid_seconds += seconds, s_.report_.rapid += length;
     s_.line_of_cut_.push_back(motion.line);
     s_.line_of_cut_.push_back(-motion.line);  // by the shank
+    s_.tool_of_cut_.resize(s_.line_of_cut_.size(), tool.number);
     const auto cut = static_cast<std::uint32_t>(s_.line_of_cut_.size() - 2);
     const bool stopped = motion.spindle == 0;
     const auto first = known_ ? way.begin() : way.end() - 1;
@@ -287,8 +288,8 @@ class SimulationRun {
         if (excess <= 1e-6 || (!end && excess <= before)) continue;
         const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
         event(Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
-              fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
-                          stations[i].at[axis] * unit, low * unit, high * unit));
+              fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], stations[i].at[axis] * unit,
+                          low * unit, high * unit));
       }
     }
   }
@@ -325,7 +326,7 @@ class SimulationRun {
   std::size_t stops_ = 0, record_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;
-  std::map<int, std::size_t> record_of_line_;
+  std::map<std::pair<int, int>, std::size_t> record_of_line_;  ///< and tool
   std::map<std::pair<int, int>, std::size_t> event_of_;
 };
 
@@ -340,6 +341,7 @@ std::string lower_case(std::string text) {
 
 void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   const MappedFile file(program);
+  program_ = program;
   const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   const std::string name = program.string(), extension = lower_case(program.extension().string());
   const auto lines = static_cast<int>(std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2'000'000'000));
@@ -368,9 +370,12 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
 void Simulation::finish(Progress& progress) {
   std::vector<std::uint32_t> cuts;
   mesh_ = stock_.mesh(&cuts, progress);
-  vertex_lines_.resize(cuts.size());
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    vertex_lines_[i] = line_of_cut_[std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1)];
+  vertex_lines_.resize(cuts.size()), vertex_tools_.resize(cuts.size());
+  std::vector<bool> by_shank(cuts.size());
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const std::size_t cut = std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1);
+    vertex_lines_[i] = std::abs(line_of_cut_[cut]), vertex_tools_[i] = tool_of_cut_[cut], by_shank[i] = line_of_cut_[cut] < 0;
+  }
   report_.left = mesh_.volume();
   report_.stock = stock_.statistics();
   if (!setup_.target) return;
@@ -381,7 +386,7 @@ void Simulation::finish(Progress& progress) {
   const auto& at = report_.deviation->at_vertex;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i] > at[highest]) highest = i;
-    if (!(at[i] < -setup_.gouge) || vertex_lines_[i] < 0) continue;  // what the shank did was told of
+    if (!(at[i] < -setup_.gouge) || by_shank[i]) continue;  // what the shank did was told of
     const auto [found, fresh] = worst.try_emplace(vertex_lines_[i], i);
     if (!fresh && at[i] < at[found->second]) found->second = i;
   }
@@ -389,15 +394,14 @@ void Simulation::finish(Progress& progress) {
   for (const auto& [line, i] : worst) {
     const Vec3 p = place(i);
     report_.events.push_back(
-        {Kind::gouge, line, 0, p, -at[i],
+        {Kind::gouge, line, vertex_tools_[i], p, -at[i],
          line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
               : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
   }
-  for (int& line : vertex_lines_) line = std::abs(line);
   if (setup_.excess > 0 && !at.empty() && at[highest] > setup_.excess) {
     const Vec3 p = place(highest);
     report_.events.push_back(
-        {Kind::excess, vertex_lines_[highest], 0, p, at[highest],
+        {Kind::excess, vertex_lines_[highest], vertex_tools_[highest], p, at[highest],
          fmt::format("{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})", at[highest], p.x(), p.y(), p.z())});
   }
 }
