@@ -20,7 +20,7 @@ namespace {
 constexpr const char* style = R"(<style>
 .verdict { font-size: 1.1em; padding: .6em .9em; border-left: .4em solid } .good { background: #e7f4e8; border-color: #2e7d32 } .bad { background: #fbe9e7; border-color: #b2182b }
 .views { display: grid; grid-template-columns: 1fr 1fr; gap: 1em } figure { margin: 0; break-inside: avoid } figure img { width: 100%; border: 1px solid #ccc }
-figcaption { margin-top: .2em; font-size: .85em; color: #555 } .close { grid-template-columns: 1fr 1fr 1fr }
+figcaption { margin-top: .2em; font-size: .85em; color: #555 } .close { margin-top: 1em; grid-template-columns: 1fr 1fr 1fr }
 code { font: .9em monospace; overflow-wrap: anywhere } .what { font-size: .85em; color: #555 } tr { break-inside: avoid } h2 { break-after: avoid }
 .number { display: inline-block; min-width: 1.6em; text-align: center; border-radius: .8em } .marked { background: #191c24; color: #fff }
 .n, .place { white-space: nowrap } th.n { text-align: right } .place { font-size: .85em }
@@ -132,7 +132,7 @@ class HtmlReport {
     using std::numbers::pi;
     constexpr std::array<const char*, 4> names{"From the front", "From behind", "From above", "From below"};
     std::array<StockPictureSettings, 4> views;
-    for (StockPictureSettings& view : views) view.size = 960, view.aspect = 4.0 / 3;
+    for (StockPictureSettings& view : views) view.size = 800, view.aspect = 4.0 / 3;
     views[1].alpha += pi;
     views[2].alpha = views[2].beta = 0;
     views[3].beta = -pi - views[3].beta;
@@ -160,11 +160,11 @@ class HtmlReport {
         if (shows_event(simulation_, pictures[v], {event.kind, 0, 0, before, 0, ""})) continue;
         const Vec3 at = pictures[v].turn * event.place;
         StockPictureSettings near = views[v];
-        near.size = 560;
+        near.size = 440;
         near.window = Box{at, at}.grown(reach);
         if (made++ == 0) out_ += "<div class=\"views close\">\n";
         add_picture(stock_picture(simulation_, near, progress_).image,
-                    fmt::format("{}: {}, {:.3g} mm of it", i + 1, to_string(event.kind), 2 * reach));
+                    fmt::format("{}: {}, {:.3g} mm wide", i + 1, to_string(event.kind), 2 * reach));
         break;
       }
     }

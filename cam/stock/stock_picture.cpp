@@ -20,8 +20,9 @@ namespace s = frep::shapes;
 
 using Stops = std::vector<Colour>;
 
-/// Colours of ColorBrewer's RdBu, from its pale to its full ones, and viridis without its darkest: even to the eye.
-const Stops reds{{244, 165, 130}, {214, 96, 77}, {178, 24, 43}}, blues{{146, 197, 222}, {67, 147, 195}, {33, 102, 172}},
+/// Colours of ColorBrewer's RdBu, from its pale to its full ones (the blue a little lighter, for shadows), and viridis without
+/// its darkest: even to the eye.
+const Stops reds{{244, 165, 130}, {214, 96, 77}, {178, 24, 43}}, blues{{146, 197, 222}, {67, 147, 195}, {44, 113, 184}},
     violet_to_yellow{{72, 40, 120},  {62, 74, 137},  {49, 104, 142}, {38, 130, 142}, {31, 158, 137},
                      {53, 183, 121}, {109, 205, 89}, {180, 222, 44}, {253, 231, 37}};
 constexpr Colour within_tolerance{222, 222, 220}, first_surface{214, 209, 198};
@@ -118,8 +119,8 @@ class Marks {
 /// Adds a strip below a picture with a bar of the scale's colours and what they mean.
 void add_legend(Image& image, const DeviationScale& scale) {
   constexpr Colour ink{40, 44, 52};
-  const double side = std::max(image.width, image.height), height = side / 75, text = side / 95, width = 0.36 * side,
-               left = 0.05 * side, bottom = 2.4 * text;
+  const double side = std::max(image.width, image.height), text = std::max(8.0, side / 95), height = 1.3 * text,
+               width = 0.36 * side, left = 0.05 * side, bottom = 2.4 * text;
   // As bright as the background ends.
   const Colour paper{image.pixels8[image.pixels8.size() - 3], image.pixels8[image.pixels8.size() - 2], image.pixels8.back()};
   const auto rows = static_cast<int>(std::lround(bottom + height + 2.4 * text));
@@ -142,11 +143,17 @@ void add_legend(Image& image, const DeviationScale& scale) {
   tick(0.5 * scale.full, "left over", bottom + height + 1.1 * text);
 }
 
-/// The window in which a box is seen, with a margin, as wide and high as asked for.
-Box frame_of(const Box& box, const StockPictureSettings& settings) {
+/// The window in which what is left is seen, with a margin, as wide and high as asked for. Where nothing is left, the room where
+/// it stood.
+Box frame_of(const Simulation& simulation, const StockPictureSettings& settings) {
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ())).matrix();
-  Box frame = image_of(box, turn, Vec3::Zero());
+  Box frame = image_of(simulation.setup().stock_box, turn, Vec3::Zero());
+  const auto& vertices = simulation.mesh().vertices;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Vec3 p = turn * Vec3(vertices[i][0], vertices[i][1], vertices[i][2]);
+    frame = i == 0 ? Box{p, p} : hull(frame, {p, p});
+  }
   frame = frame.grown(0.03 * frame.size().head<2>().maxCoeff());
   if (!(settings.aspect > 0)) return frame;
   const Vec3 size = frame.size();
@@ -249,10 +256,9 @@ TrianglePicture stock_picture(const Simulation& simulation, const StockPictureSe
   const std::vector<Colour> colours = vertex_colours(simulation, colouring);
   RenderSettings view;
   view.size = settings.size, view.alpha = settings.alpha, view.beta = settings.beta, view.window = settings.window;
-  view.samples = settings.size <= 4096 ? 3 : 2;
+  view.samples = 2;
   const TriangleMesh& mesh = simulation.mesh();
-  if (!view.window && (settings.aspect > 0 || mesh.triangles.empty()))
-    view.window = frame_of(mesh.triangles.empty() ? simulation.setup().stock_box : mesh.bounds(), settings);
+  if (!view.window) view.window = frame_of(simulation, settings);
   TrianglePicture picture = render({mesh.vertices, mesh.triangles, colours}, view, progress);
   if (settings.marks) Marks(simulation, picture).draw();
   return picture;
