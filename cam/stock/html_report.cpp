@@ -279,7 +279,9 @@ class HtmlReport {
     add_row("Highest excess",
             fmt::format("{:.3f} mm{}", d.highest, setup_.excess > 0 ? fmt::format(" (allowed: {:.3g} mm)", setup_.excess) : ""));
     add_row("Mean, and root of mean square", fmt::format("{:.3f} mm, {:.3f} mm", d.mean, d.root_mean_square));
-    out_ += "</table>\n<p>Shares of the surface, by how far they are off:</p>\n";
+    out_ +=
+        "</table>\n<p>Shares of the surface, by how far they are off (the outermost bars: and beyond; dashed: what is "
+        "allowed):</p>\n";
     out_ += deviation_chart(simulation_, DeviationScale::of(simulation_));
   }
 

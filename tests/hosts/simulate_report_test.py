@@ -275,6 +275,16 @@ def test_python_writes_them_too(folder):
         simulation.picture(size=0)
 
 
+def test_what_is_cut_away_altogether_has_a_page_too(folder):
+    setup, page = folder / "tiny.toml", folder / "tiny.html"
+    setup.write_text(SETUP.replace("[-20, -15, -8]", "[-2, -2, -1]").replace("[20, 15, 0]", "[2, 2, 0]"))
+    (folder / "tiny.nc").write_text("T1 M6\nS1000 M3\nG0 X-9 Y0 Z5\nG0 Z-2\nG1 X9 F300\nM2\n")
+    done = run("simulate", folder / "tiny.nc", "--setup", setup, "--report", page, "-o", folder / "tiny.ply", "--picture", folder / "tiny.png")
+    assert done.returncode == 0, done.stderr
+    assert "Material left0 mm\u00b3" in Page(page.read_text(encoding="utf-8")).text.replace("\n", "")
+    assert len(read_ply(folder / "tiny.ply")[0]) == 0
+
+
 @pytest.mark.parametrize("option, name, wanted", [
     ("--report", "x.pdf", "a report is a .html or a .json"),
     ("--report", "x", "a report is a .html or a .json"),
