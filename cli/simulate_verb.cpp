@@ -1,8 +1,13 @@
 // simulate: a program carried out on a stock.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numbers>
+
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/stock_picture.h"
+#include "fieldfab/cam/stock_report.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -11,6 +16,11 @@
 
 namespace fieldfab::cli {
 namespace {
+
+std::string lower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
 
 class SimulateVerb final : public Verb {
  public:
@@ -25,31 +35,57 @@ class SimulateVerb final : public Verb {
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
-    verb_->add_option("--report", report_, "also write the report, with what each line did: a .json file");
+    verb_->add_option("--report", reports_,
+                      "also write the report: an .html page with pictures, or a .json file with what each line did; may be given "
+                      "several times");
+    verb_->add_option("--picture", picture_, "also a picture of what is left: a .png");
+    verb_->add_option("--size", view_.size, "pixels along the picture's longer side")->check(CLI::Range(16, 8192));
+    verb_->add_option("--alpha", alpha_, "turn about z, degrees; for the picture");
+    verb_->add_option("--beta", beta_, "then tilt about x, degrees; 0 looks from above, -90 from the front");
+    verb_
+        ->add_option("--colours", colours_,
+                     "of the picture: what they tell; the default is the deviation where there is a target")
+        ->check(CLI::IsMember({"deviation", "tool", "line"}));
   }
 
   Outcome run(Progress& progress) override {
+    check_outputs();
     cam::SimulationSetup setup = cam::read_simulation_setup(setup_, progress);
     if (!target_.empty()) setup.target = load_model(target_, Scripts::run, progress).field;
     if (cell_) setup.sampling.cell = *cell_;
     if (gouge_) setup.gouge = *gouge_;
+    if (colours_ == "deviation" && !setup.target)
+      throw Error(ErrorKind::bad_input, "--colours", "there is no target to tell deviations from");
     cam::Simulation simulation(std::move(setup), progress);
     simulation.run(program_, progress);
     simulation.finish(progress);
     if (!output_.empty()) write_stock(simulation, progress);
-    return report(simulation);
+    return report(simulation, progress);
   }
 
  private:
+  /// What is to be written, before the work: a wrong name is told of at once.
+  void check_outputs() const {
+    const auto extension = [](const std::string& path) { return std::filesystem::path(path).extension().string(); };
+    if (!output_.empty() && extension(output_) != ".asdf" && !is_mesh_extension(lower(extension(output_))))
+      throw Error(ErrorKind::bad_input, output_,
+                  fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .asdf", extension(output_)));
+    for (const std::string& path : reports_)
+      if (extension(path) != ".json" && extension(path) != ".html")
+        throw Error(ErrorKind::bad_input, path, "a report is a .html or a .json file");
+    if (!picture_.empty() && extension(picture_) != ".png")
+      throw Error(ErrorKind::bad_input, picture_, "a picture of a stock is a .png");
+  }
+
   void write_stock(const cam::Simulation& simulation, Progress& progress) const {
-    if (!output_.ends_with(".asdf")) return write_mesh(simulation.mesh(), output_, progress);
+    if (!output_.ends_with(".asdf")) return cam::write_stock_mesh(simulation, output_, progress);
     const FieldPtr solid = mesh_field(simulation.mesh(), progress);
     const double cell = simulation.stock().lattice().spacing().minCoeff();
     const auto asdf = Asdf::build(*solid, simulation.mesh().bounds().grown(2 * cell), {cell, -1, true}, progress);
     asdf->save(output_, {}, progress);
   }
 
-  [[nodiscard]] Outcome report(const cam::Simulation& simulation) const {
+  [[nodiscard]] Outcome report(const cam::Simulation& simulation, Progress& progress) const {
     const cam::SimulationReport& r = simulation.report();
     for (const cam::ReadingNote& note : r.notes)
       fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, note.message);
@@ -57,7 +93,12 @@ class SimulateVerb final : public Verb {
       fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
     Outcome outcome;
     outcome.json = nlohmann::ordered_json::parse(cam::to_json(r, false));
-    if (!report_.empty()) write_file(report_, cam::to_json(r, true));
+    for (const std::string& path : reports_)
+      if (path.ends_with(".html"))
+        cam::write_html_report(simulation, path, progress);
+      else
+        write_file(path, cam::to_json(r, true));
+    if (!picture_.empty()) write_picture(simulation, progress);
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
     outcome.line = fmt::format(
@@ -71,8 +112,22 @@ class SimulateVerb final : public Verb {
     return outcome;
   }
 
-  std::string program_, setup_, output_, target_, report_;
-  std::optional<double> cell_, gouge_;
+  void write_picture(const cam::Simulation& simulation, Progress& progress) const {
+    constexpr double degree = std::numbers::pi / 180;
+    cam::StockPictureSettings view = view_;
+    if (alpha_) view.alpha = *alpha_ * degree;
+    if (beta_) view.beta = *beta_ * degree;
+    if (!colours_.empty())
+      view.colouring = colours_ == "deviation" ? cam::StockColouring::deviation
+                       : colours_ == "tool"    ? cam::StockColouring::tool
+                                               : cam::StockColouring::line;
+    cam::write_stock_picture(simulation, picture_, view, progress);
+  }
+
+  std::string program_, setup_, output_, target_, picture_, colours_;
+  std::vector<std::string> reports_;
+  cam::StockPictureSettings view_;
+  std::optional<double> cell_, gouge_, alpha_, beta_;
 };
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "fieldfab/cam/stock.h"
+#include <cstring>
 #include <numbers>
 
 #include "bindings.h"
 #include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/stock_picture.h"
+#include "fieldfab/cam/stock_report.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -126,6 +129,51 @@ void bind_simulation(py::module_& module) {
             return py::array_t<int>(static_cast<py::ssize_t>(s.lines_of_vertices().size()), s.lines_of_vertices().data());
           },
           "For each vertex of the mesh the program's line that made it; 0 for the stock's first surface.")
+      .def_property_readonly(
+          "tools_of_vertices",
+          [](const cam::Simulation& s) {
+            return py::array_t<int>(static_cast<py::ssize_t>(s.tools_of_vertices().size()), s.tools_of_vertices().data());
+          },
+          "And the tool that did.")
+      .def_property_readonly(
+          "colours",
+          [](const cam::Simulation& s) {
+            const std::vector<Colour> colours = cam::vertex_colours(s, cam::default_colouring(s));
+            py::array_t<std::uint8_t> out({static_cast<py::ssize_t>(colours.size()), py::ssize_t{3}});
+            if (!colours.empty()) std::memcpy(out.mutable_data(), colours.data(), 3 * colours.size());
+            return out;
+          },
+          "Of each vertex, (n, 3) bytes: by its deviation from the target; without one, by its tool or line.")
+      .def(
+          "picture",
+          [](const cam::Simulation& s, int size, std::optional<double> alpha, std::optional<double> beta, bool marks,
+             const py::object& progress) {
+            cam::StockPictureSettings view;
+            view.size = size, view.marks = marks;
+            if (alpha) view.alpha = *alpha;
+            if (beta) view.beta = *beta;
+            const Image image = long_work(progress, [&](Progress& p) { return cam::stock_picture(s, view, p).image; });
+            py::array_t<std::uint8_t> out({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{3}});
+            std::memcpy(out.mutable_data(), image.pixels8.data(), image.pixels8.size());
+            return out;
+          },
+          py::arg("size") = 1024, py::arg("alpha") = py::none(), py::arg("beta") = py::none(), py::arg("marks") = true,
+          py::arg("progress") = py::none(),
+          "What is left as (height, width, 3) bytes, turned by alpha about z, then by beta about x (radians); with the worst "
+          "events numbered.")
+      .def(
+          "save",
+          [](const cam::Simulation& s, const std::filesystem::path& filename, const py::object& progress) {
+            long_work(progress, [&](Progress& p) { cam::write_stock_mesh(s, filename, p); });
+          },
+          py::arg("filename"), py::arg("progress") = py::none(),
+          "Writes what is left as a mesh; a .ply has colours, deviation, line and tool of its vertices.")
+      .def(
+          "html",
+          [](const cam::Simulation& s, const std::filesystem::path& filename, const py::object& progress) {
+            long_work(progress, [&](Progress& p) { cam::write_html_report(s, filename, p); });
+          },
+          py::arg("filename"), py::arg("progress") = py::none(), "Writes the report as one HTML page with pictures.")
       .def_property_readonly(
           "deviation",
           [](const cam::Simulation& s) -> py::object {

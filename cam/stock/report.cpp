@@ -44,11 +44,15 @@ std::string to_json(const SimulationReport& report, bool with_lines) {
   if (with_lines) {
     auto lines = nlohmann::ordered_json::array();
     for (const LineRecord& line : report.lines)
-      lines.push_back(
-          {{"line", line.line}, {"removed", line.removed}, {"seconds", line.seconds}, {"cut", line.cut}, {"air", line.air}});
+      lines.push_back({{"line", line.line},
+                       {"tool", line.tool},
+                       {"removed", line.removed},
+                       {"seconds", line.seconds},
+                       {"cut", line.cut},
+                       {"air", line.air}});
     json["lines"] = std::move(lines);
   }
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";  // programs may hold any bytes
 }
 
 }  // namespace fieldfab::cam

@@ -49,6 +49,7 @@ std::string lower_case(std::string text) {
 
 void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   const MappedFile file(program);
+  program_ = program;
   const std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
   const std::string name = program.string(), extension = lower_case(program.extension().string());
   const auto lines = static_cast<int>(std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2'000'000'000));
@@ -77,9 +78,12 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
 void Simulation::finish(Progress& progress) {
   std::vector<std::uint32_t> cuts;
   mesh_ = stock_.mesh(&cuts, progress);
-  vertex_lines_.resize(cuts.size());
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-    vertex_lines_[i] = line_of_cut_[std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1)];
+  vertex_lines_.resize(cuts.size()), vertex_tools_.resize(cuts.size());
+  std::vector<bool> by_shank(cuts.size());
+  for (std::size_t i = 0; i < cuts.size(); ++i) {
+    const std::size_t cut = std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1);
+    vertex_lines_[i] = std::abs(line_of_cut_[cut]), vertex_tools_[i] = tool_of_cut_[cut], by_shank[i] = line_of_cut_[cut] < 0;
+  }
   report_.left = mesh_.volume();
   report_.stock = stock_.statistics();
   if (!setup_.target) return;
@@ -90,7 +94,7 @@ void Simulation::finish(Progress& progress) {
   const auto& at = report_.deviation->at_vertex;
   for (std::size_t i = 0; i < at.size(); ++i) {
     if (at[i] > at[highest]) highest = i;
-    if (!(at[i] < -setup_.gouge) || vertex_lines_[i] < 0) continue;  // what the shank did was told of
+    if (!(at[i] < -setup_.gouge) || by_shank[i]) continue;  // what the shank did was told of
     const auto [found, fresh] = worst.try_emplace(vertex_lines_[i], i);
     if (!fresh && at[i] < at[found->second]) found->second = i;
   }
@@ -98,15 +102,14 @@ void Simulation::finish(Progress& progress) {
   for (const auto& [line, i] : worst) {
     const Vec3 p = place(i);
     report_.events.push_back(
-        {Kind::gouge, line, 0, p, -at[i],
+        {Kind::gouge, line, vertex_tools_[i], p, -at[i],
          line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
               : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
   }
-  for (int& line : vertex_lines_) line = std::abs(line);
   if (setup_.excess > 0 && !at.empty() && at[highest] > setup_.excess) {
     const Vec3 p = place(highest);
     report_.events.push_back(
-        {Kind::excess, vertex_lines_[highest], 0, p, at[highest],
+        {Kind::excess, vertex_lines_[highest], vertex_tools_[highest], p, at[highest],
          fmt::format("{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})", at[highest], p.x(), p.y(), p.z())});
   }
 }

@@ -117,6 +117,7 @@ void SimulationRun::move(const Motion& motion) {
   if (rapid) s_.report_.rapid_seconds += seconds, s_.report_.rapid += length;
   s_.line_of_cut_.push_back(motion.line);
   s_.line_of_cut_.push_back(-motion.line);  // by the shank
+  s_.tool_of_cut_.resize(s_.line_of_cut_.size(), tool.number);
   const auto cut = static_cast<std::uint32_t>(s_.line_of_cut_.size() - 2);
   if (way.size() == 1 && !known_) add(way[0], way[0], motion, cut, 0);
   for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, cut, (way[i].tip - way[i - 1].tip).norm());
@@ -238,9 +239,9 @@ double SimulationRun::duration_of(const Motion& motion, double length) const {
 
 LineRecord& SimulationRun::record(int line) {
   auto& lines = s_.report_.lines;
-  if (lines.empty() || lines.back().line != line) {
-    const auto [at, fresh] = record_of_line_.try_emplace(line, lines.size());
-    if (fresh) lines.push_back({line, 0, 0, 0, 0});
+  if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_) {
+    const auto [at, fresh] = record_of_line_.try_emplace({line, tool_number_}, lines.size());
+    if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0});
     record_ = at->second;
   } else
     record_ = lines.size() - 1;

@@ -65,7 +65,7 @@ class SimulationRun {
   std::size_t stops_ = 0, record_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;
-  std::map<int, std::size_t> record_of_line_;
+  std::map<std::pair<int, int>, std::size_t> record_of_line_;  ///< and tool
   std::map<std::pair<int, int>, std::size_t> event_of_;
 };
 

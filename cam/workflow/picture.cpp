@@ -9,6 +9,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/render/image.h"
+#include "html.h"
 #include "html_picture.h"
 
 namespace fieldfab::cam {
@@ -153,28 +154,11 @@ std::string as_svg(const Drawing& drawing) {
 
 }  // namespace
 
-namespace {
-
-std::string base64(const std::string& bytes) {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
-    };
-    const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (std::size_t k = 0; k < 4; ++k) out += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63U] : '=';
-  }
-  return out;
-}
-
-}  // namespace
-
 std::string html_picture(const Program& program, const PictureSettings& settings) {
   const Drawing drawing = draw(program, settings);
   constexpr std::size_t most_lines = 3000;
   if (drawing.lines.size() <= most_lines) return as_svg(drawing);
-  return fmt::format("<img alt=\"\" src=\"data:image/png;base64,{}\">\n", base64(png_bytes(rasterised(drawing, settings.size))));
+  return html_image(rasterised(drawing, settings.size), "");
 }
 
 void write_picture(const Program& program, const std::filesystem::path& path, const PictureSettings& settings) {

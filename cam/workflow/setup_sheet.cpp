@@ -5,41 +5,13 @@
 
 #include "fieldfab/cam/picture.h"
 #include "fieldfab/core/file.h"
+#include "html.h"
 #include "html_picture.h"
 
 namespace fieldfab::cam {
 namespace {
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      default: out += c;
-    }
-  }
-  return out;
-}
-
-std::string time_text(double seconds) {
-  const int whole = static_cast<int>(seconds + 0.5);
-  return whole >= 3600 ? fmt::format("{}:{:02d}:{:02d} h", whole / 3600, whole / 60 % 60, whole % 60)
-                       : fmt::format("{}:{:02d} min", whole / 60, whole % 60);
-}
-
 std::string length_or_dash(double mm) { return mm > 0 ? fmt::format("{:.4g} mm", mm) : "&ndash;"; }
-
-constexpr const char* style = R"(<style>
-body { font: 15px/1.45 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222 }
-h1 { font-size: 1.5em } h2 { font-size: 1.15em; margin-top: 1.6em }
-table { border-collapse: collapse; width: 100% } td, th { border-bottom: 1px solid #ccc; padding: .3em .6em; text-align: left } th { background: #f3f3f3 }
-td.n { text-align: right } .pictures svg, .pictures img { width: 48%; border: 1px solid #ccc; max-height: 28em } .note { background: #fff3cd; padding: .5em .8em; margin: .4em 0 }
-@media print { body { margin: 0 } }
-</style>
-)";
 
 }  // namespace
 
@@ -49,12 +21,10 @@ void write_setup_sheet(const Job& job, const std::filesystem::path& path) {
   const Vec3 size = stock.size();
   double seconds = 0;
   for (const OperationReport& r : job.reports()) seconds += r.seconds;
-  std::string out =
-      fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\"><title>{0}</title>\n{1}<h1>{0}</h1>\n",
-                  escaped(program.name), style);
-  out += fmt::format("<p>{}{}, about {}</p>\n", escaped(job.machine().name),
-                     job.material().empty() ? "" : ", " + escaped(job.material()), time_text(seconds));
-  for (const std::string& note : job.notes()) out += fmt::format("<p class=\"note\">{}</p>\n", escaped(note));
+  std::string out = html_start(program.name);
+  out += fmt::format("<p>{}{}, about {}</p>\n", html_text(job.machine().name),
+                     job.material().empty() ? "" : ", " + html_text(job.material()), html_time(seconds));
+  for (const std::string& note : job.notes()) out += fmt::format("<p class=\"note\">{}</p>\n", html_text(note));
 
   out += "<h2>Stock and zero</h2>\n<table>\n";
   out += fmt::format("<tr><th>Size</th><td>{:.2f} &times; {:.2f} &times; {:.2f} mm</td></tr>\n", size.x(), size.y(), size.z());
@@ -72,8 +42,9 @@ void write_setup_sheet(const Job& job, const std::filesystem::path& path) {
   for (const Section& section : program.sections) {
     const Tool& t = section.tool;
     if (!shown.insert(t.number).second) continue;
-    out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", t.number, escaped(t.name),
-                       escaped(t.shape), length_or_dash(t.diameter), length_or_dash(t.flute), length_or_dash(t.length));
+    out +=
+        fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", t.number, html_text(t.name),
+                    html_text(t.shape), length_or_dash(t.diameter), length_or_dash(t.flute), length_or_dash(t.length));
   }
   out +=
       "</table>\n<h2>Operations</h2>\n<table>\n<tr><th>Operation</th><th>Tool</th><th>Spindle</th><th>Feed</th><th>Depth</"
@@ -86,8 +57,8 @@ void write_setup_sheet(const Job& job, const std::filesystem::path& path) {
     out += fmt::format(
         "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.0f}</td><td class=\"n\">{:.0f} mm/min</td><td "
         "class=\"n\">{:.3f} mm</td><td class=\"n\">{:.2f} m</td><td class=\"n\">{:.2f} m</td><td class=\"n\">{}</td></tr>\n",
-        escaped(s.name), s.tool.number, s.spindle, job.operations()[i].values.number("feed"), stock.upper.z() - lowest,
-        r.length.cut / 1000, r.length.rapid / 1000, time_text(r.seconds));
+        html_text(s.name), s.tool.number, s.spindle, job.operations()[i].values.number("feed"), stock.upper.z() - lowest,
+        r.length.cut / 1000, r.length.rapid / 1000, html_time(r.seconds));
   }
   out += "</table>\n<h2>Ways of the tool</h2>\n<p>From blue (first) to green (last), rapids red.</p>\n";
   for (std::size_t i = 0; i < program.sections.size(); ++i) {
@@ -97,8 +68,8 @@ void write_setup_sheet(const Job& job, const std::filesystem::path& path) {
     above.size = oblique.size = 480;
     oblique.oblique = true;
     if (!program.sections[i].setup.empty())
-      out += fmt::format("<p class=\"note\">By hand: {}</p>\n", escaped(program.sections[i].setup));
-    out += fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n{}{}</div>\n", escaped(program.sections[i].name),
+      out += fmt::format("<p class=\"note\">By hand: {}</p>\n", html_text(program.sections[i].setup));
+    out += fmt::format("<h3>{}</h3>\n<div class=\"pictures\">\n{}{}</div>\n", html_text(program.sections[i].name),
                        html_picture(one, above), html_picture(one, oblique));
   }
   write_file(path, out + "</html>\n");

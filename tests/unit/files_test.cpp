@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <random>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/mesh/openmesh.h"
+#include "fieldfab/mesh/ply.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/render/image.h"
 
@@ -42,6 +44,29 @@ TEST(Meshes, KnowTheirVolumeAreaAndBounds) {
   EXPECT_EQ(from_openmesh(to_openmesh(cube)).vertices, cube.vertices);
   cube.triangles.push_back(cube.triangles[0]);
   EXPECT_THROW(to_openmesh(cube), Error);
+}
+
+TEST_F(MeshFiles, OfPlyHoldPropertiesOfVertices) {
+  const TriangleMesh mesh = tetrahedron();
+  const std::vector<std::array<std::uint8_t, 3>> colours{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
+  const std::vector<float> off{0.5F, -0.25F, 0, 10};
+  const std::vector<int> line{0, -7, 123456, 8};
+  const auto path = folder / "properties.ply";
+  write_ply(mesh, path, {colours, {{"deviation", off}}, {{"line", line}}});
+  const TriangleMesh back = read_mesh(path);
+  EXPECT_EQ(back.vertices, mesh.vertices);
+  EXPECT_EQ(back.triangles, mesh.triangles);
+  const std::string bytes = read_file(path), end = "end_header\n";
+  const std::size_t first = bytes.find(end) + end.size(), stride = 12 + 3 + 4 + 4;
+  EXPECT_NE(bytes.find("property uchar blue\nproperty float deviation\nproperty int line\nelement face"), std::string::npos);
+  ASSERT_EQ(bytes.size(), first + 4 * stride + 4 * 13);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 12, colours[i].data(), 3), 0);
+    EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 15, &off[i], 4), 0);
+    EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 19, &line[i], 4), 0);
+  }
+  EXPECT_THROW(write_ply(mesh, path, {{}, {{"deviation", std::span(off).first(3)}}}), Error);
+  EXPECT_EQ(read_file(path), bytes);
 }
 
 TEST_F(MeshFiles, ReadBackTheSame) {

@@ -9,6 +9,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/mesh/ply.h"
 #include "mesh_file.h"
 
 namespace fieldfab {
@@ -46,12 +47,22 @@ void write_stl(const TriangleMesh& mesh, PendingFile& file, Progress& progress) 
   });
 }
 
-void write_ply(const TriangleMesh& mesh, PendingFile& file, Progress& progress) {
+void write_ply(const TriangleMesh& mesh, PendingFile& file, const VertexProperties& properties, Progress& progress) {
+  std::string described;
+  for (const auto& [name, values] : properties.floats) described += fmt::format("property float {}\n", name);
+  for (const auto& [name, values] : properties.integers) described += fmt::format("property int {}\n", name);
   file.write(fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\nelement vertex {}\nproperty float x\nproperty float y\n"
-      "property float z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      mesh.vertices.size(), mesh.triangles.size()));
-  each(mesh.vertices, progress, 0, [&](const std::array<float, 3>& p) { file.write(p.data(), sizeof p); });
+      "property float z\n{}{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      mesh.vertices.size(), properties.colours.empty() ? "" : "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+      described, mesh.triangles.size()));
+  each(mesh.vertices, progress, 0, [&](const std::array<float, 3>& p) {
+    const auto i = static_cast<std::size_t>(&p - mesh.vertices.data());
+    file.write(p.data(), sizeof p);
+    if (!properties.colours.empty()) file.write(properties.colours[i].data(), 3);
+    for (const auto& [name, values] : properties.floats) file.write(&values[i], sizeof(float));
+    for (const auto& [name, values] : properties.integers) file.write(&values[i], sizeof(int));
+  });
   each(mesh.triangles, progress, 0.5, [&](const std::array<std::uint32_t, 3>& triangle) {
     char face[13] = {3};
     std::memcpy(face + 1, triangle.data(), 12);
@@ -91,6 +102,11 @@ void write_obj(const TriangleMesh& mesh, PendingFile& file, Progress& progress) 
   });
 }
 
+void check_size(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  if (mesh.triangles.size() > 0x7fffffff || mesh.vertices.size() > 0x7fffffff)
+    throw Error(ErrorKind::too_large, path.string(), "mesh files hold at most 2^31 vertices and triangles");
+}
+
 }  // namespace
 
 std::string lower_extension(const std::filesystem::path& path) {
@@ -110,14 +126,28 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, Pro
   if (!is_mesh_extension(extension))
     throw Error(ErrorKind::bad_input, path.string(),
                 fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
-  if (mesh.triangles.size() > 0x7fffffff || mesh.vertices.size() > 0x7fffffff)
-    throw Error(ErrorKind::too_large, path.string(), "mesh files hold at most 2^31 vertices and triangles");
+  check_size(mesh, path);
   PendingFile file(path);
   if (extension == ".stl") write_stl(mesh, file, progress);
-  if (extension == ".ply") write_ply(mesh, file, progress);
+  if (extension == ".ply") write_ply(mesh, file, {}, progress);
   if (extension == ".off") write_off(mesh, file, progress);
   if (extension == ".obj") write_obj(mesh, file, progress);
   if (extension == ".3mf") write_3mf(mesh, file.temporary());
+  file.commit();
+}
+
+void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, const VertexProperties& properties,
+               Progress& progress) {
+  const auto check_count = [&](const std::string& name, std::size_t count) {
+    if (count != mesh.vertices.size())
+      throw Error(ErrorKind::bad_input, name, fmt::format("{} values for {} vertices", count, mesh.vertices.size()));
+  };
+  if (!properties.colours.empty()) check_count("colours", properties.colours.size());
+  for (const auto& [name, values] : properties.floats) check_count(name, values.size());
+  for (const auto& [name, values] : properties.integers) check_count(name, values.size());
+  check_size(mesh, path);
+  PendingFile file(path);
+  write_ply(mesh, file, properties, progress);
   file.commit();
 }
 

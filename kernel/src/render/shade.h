@@ -8,8 +8,9 @@
 namespace fieldfab {
 
 /// Linear colour of each pixel, from its height and normal alone: a warm key light with soft shadows, a cool fill light, a light
-/// from behind that draws the outline, and the sky as far as it is open.
+/// from behind that draws the outline, and the sky as far as it is open. `materials`: the pixels' own colours, linear; empty:
+/// grey.
 std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals,
-                                   Progress& progress);
+                                   const std::vector<Eigen::Vector3f>& materials, Progress& progress);
 
 }  // namespace fieldfab

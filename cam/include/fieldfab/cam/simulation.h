@@ -90,9 +90,9 @@ struct SimulationEvent {
 /// "rapid contact" and so on.
 std::string to_string(SimulationEvent::Kind kind);
 
-/// What one line of a program did.
+/// What one line of a program did with one tool.
 struct LineRecord {
-  int line = 0;
+  int line = 0, tool = 0;
   double removed = 0;  ///< mm^3
   double seconds = 0;
   double cut = 0, air = 0;  ///< mm of feed with and without material
@@ -112,7 +112,7 @@ Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double f
 struct SimulationReport {
   std::vector<SimulationEvent> events;
   std::vector<ReadingNote> notes;
-  std::vector<LineRecord> lines;  ///< in the order in which lines were first carried out
+  std::vector<LineRecord> lines;  ///< in the order in which they were first carried out
   std::optional<Deviation> deviation;
   std::uint64_t moves = 0, poses = 0;
   double seconds = 0, rapid_seconds = 0;
@@ -147,10 +147,14 @@ class Simulation {
   [[nodiscard]] int line_of(std::uint32_t cut) const { return cut < line_of_cut_.size() ? std::abs(line_of_cut_[cut]) : 0; }
   [[nodiscard]] const SimulationSetup& setup() const { return setup_; }
   [[nodiscard]] const SimulationReport& report() const { return report_; }
+  /// The file that was carried out last.
+  [[nodiscard]] const std::filesystem::path& program() const { return program_; }
   /// Of the finished stock; after finish().
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   /// The program's line that made each vertex; 0 where it is the stock's first surface.
   [[nodiscard]] const std::vector<int>& lines_of_vertices() const { return vertex_lines_; }
+  /// And the tool that did; 0 where it is the stock's first surface.
+  [[nodiscard]] const std::vector<int>& tools_of_vertices() const { return vertex_tools_; }
 
  private:
   friend class SimulationRun;
@@ -159,9 +163,10 @@ class Simulation {
   std::optional<Stock> fixture_;
   std::optional<Playback> playback_;
   SimulationReport report_;
-  std::vector<int> line_of_cut_{0};
+  std::filesystem::path program_;
+  std::vector<int> line_of_cut_{0}, tool_of_cut_{0};
   TriangleMesh mesh_;
-  std::vector<int> vertex_lines_;
+  std::vector<int> vertex_lines_, vertex_tools_;
 };
 
 }  // namespace fieldfab::cam
