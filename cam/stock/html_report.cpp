@@ -112,6 +112,7 @@ class HtmlReport {
       std::map<SimulationEvent::Kind, int> counts;
       for (const SimulationEvent& e : report_.events) ++counts[e.kind];
       std::vector<std::string> kinds;
+      kinds.reserve(counts.size());
       for (const auto& [kind, count] : counts) kinds.push_back(fmt::format("{} &times; {}", count, to_string(kind)));
       out_ += fmt::format("<p class=\"verdict bad\">{} {} wrong: {}.", report_.events.size(),
                           report_.events.size() == 1 ? "thing is" : "things are", fmt::join(kinds, ", "));
@@ -176,8 +177,8 @@ class HtmlReport {
     switch (default_colouring(simulation_)) {
       case StockColouring::deviation: {
         const DeviationScale scale = DeviationScale::of(simulation_);
-        std::vector<Colour> colours;
-        for (int i = 0; i < 80; ++i) colours.push_back(scale.colour(scale.full * (i + 0.5 - 40) / 40));
+        std::vector<Colour> colours(80);
+        for (std::size_t i = 0; i < 80; ++i) colours[i] = scale.colour(scale.full * (static_cast<double>(i) + 0.5 - 40) / 40);
         text += fmt::format(
             "Colours are deviations from the target: too deep by {0:.3g} mm or more {1} as much left over; grey is within "
             "&minus;{2:.3g} to +{3:.3g} mm.",
@@ -186,8 +187,8 @@ class HtmlReport {
       }
       case StockColouring::tool: text += "Colours are the tools' (below); the stock's first surface is grey."; break;
       case StockColouring::line: {
-        std::vector<Colour> colours;
-        for (int i = 0; i < 60; ++i) colours.push_back(colour_of_line(i / 59.0));
+        std::vector<Colour> colours(60);
+        for (std::size_t i = 0; i < 60; ++i) colours[i] = colour_of_line(static_cast<double>(i) / 59);
         text += "Colours are the program's lines: the first ones " + colour_bar(colours, 180) +
                 " the last ones; the stock's first surface is grey.";
         break;
@@ -260,7 +261,7 @@ class HtmlReport {
       std::string name = found != setup_.tools.end() ? tool_text(found->second) : "none";
       if (coloured && found != setup_.tools.end()) {
         const Colour c = colour_of_tool(place);
-        name = fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span>", c[0], c[1], c[2]) + name;
+        name = fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span>{}", c[0], c[1], c[2], name);
       }
       out_ += fmt::format(
           "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f} m</td><td class=\"n\">{:.2f} "
