@@ -545,7 +545,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, StockOracle,
                                            Case{7, "flat", true, "ball", 16, true}, Case{8, "ball", false, "bored", 64, false},
                                            Case{9, "bull", true, "block", 0, false}, Case{10, "v", false, "block", 16, true},
                                            Case{11, "form", true, "bored", 64, true},
-                                           Case{12, "tapered", false, "ball", 64, false}),
+                                           Case{12, "tapered", false, "ball", 64, false},
+                                           Case{409, "bull", true, "block", 0, false}),
                          [](const auto& of) {
                            return fmt::format("{}_{}_{}_{}", of.param.seed, of.param.shape, of.param.jagged ? "jagged" : "smooth",
                                               of.param.start);
