@@ -102,7 +102,7 @@ void Sweep::build(double tolerance, const Box& domain) {
             return {zone.r0 + t * (zone.r1 - zone.r0), zone.z0 + t * (zone.z1 - zone.z0), (zone.z1 - zone.z0) / length,
                     (zone.r0 - zone.r1) / length};
           },
-          turns ? 4 : 1);
+          turns ? 4 : 1, infinity, tolerance);
     } else {
       add_disc(zone.z0 - zone.r1, zone.r0, tolerance, domain);
       if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance, domain);
@@ -111,7 +111,7 @@ void Sweep::build(double tolerance, const Box& domain) {
             const double angle = std::numbers::pi / 2 * t, c = std::sin(angle), sine = -std::cos(angle);
             return {zone.r0 + zone.r1 * c, zone.z0 + zone.r1 * sine, c, sine};
           },
-          std::max(3, parts_of_circle(zone.r1, tolerance) / 4));
+          std::max(3, parts_of_circle(zone.r1, tolerance) / 4), zone.r1, tolerance);
     }
   }
 }
@@ -195,54 +195,105 @@ void Sweep::add_disc(double height, double radius, double tolerance, const Box& 
 
 /// Both grazing curves along a part of the half section, given from 0 to 1: at each height, the places round the axis where the
 /// normal is across the motion. Where a circle has none, its place nearest to that: there the curve closes. Where the curves turn
-/// quickly round the axis, as they do before they close, there are more points than `parts`.
-void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts) {
+/// quickly round the axis, as they do before they close, or what they sweep is twisted, there are more points than `parts`.
+void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance) {
   const Vec3 like = any_across(from_.axis), motion = to_.tip - from_.tip, turning = to_.axis - from_.axis;
-  struct Grazing {
-    double t = 0;
-    std::array<double, 4> angles{};  ///< about the axis: both sides at the start, both at the end
-    std::array<Vec3, 4> places;
+  const auto pose_at = [&](double time) -> ToolPose {
+    if (time <= 0 || time >= 1) return time <= 0 ? from_ : to_;
+    return {from_.tip + time * motion, (from_.axis + time * turning).normalized()};
   };
-  const auto grazing = [&](double t) {
-    const auto [distance, height, out, up] = section(t);
-    Grazing result;
-    result.t = t;
-    for (const bool last : {false, true}) {
-      const ToolPose& pose = last ? to_ : from_;
-      const auto [one, other] = across(pose.axis, like);
-      const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
-      // normal . velocity = p . (cos, sin) + q  at the angle about the axis.
-      const Vec3 p = out * motion + (height * out - distance * up) * swing;
-      const double q = up * motion.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
-      const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
-      for (std::size_t side = 0; side < 2; ++side) {
-        const std::size_t i = side + (last ? 2 : 0);
-        result.angles[i] = middle + (side ? half : -half);
-        result.places[i] =
-            pose.tip + height * pose.axis + distance * (std::cos(result.angles[i]) * one + std::sin(result.angles[i]) * other);
-      }
+  /// The places of one height in one pose: on both sides, with their angles about the axis and their normals.
+  struct Pair {
+    std::array<double, 2> angles{};
+    std::array<Vec3, 2> places, normals;
+    bool closed = false;  ///< the circle has no such places
+  };
+  const auto pair = [&](const SectionPoint& point, const ToolPose& pose) {
+    const auto [distance, height, out, up] = point;
+    const auto [one, other] = across(pose.axis, like);
+    const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
+    // normal . velocity = p . (cos, sin) + q  at the angle about the axis.
+    const Vec3 p = out * motion + (height * out - distance * up) * swing;
+    const double q = up * motion.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
+    const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
+    Pair result;
+    result.closed = std::abs(q) > length;
+    for (std::size_t side = 0; side < 2; ++side) {
+      result.angles[side] = middle + (side ? half : -half);
+      const Vec3 outwards = std::cos(result.angles[side]) * one + std::sin(result.angles[side]) * other;
+      result.places[side] = pose.tip + height * pose.axis + distance * outwards;
+      result.normals[side] = out * outwards + up * pose.axis;
     }
     return result;
   };
-  std::vector<Grazing> curve{grazing(0)};
-  const auto add = [&](const auto& self, const Grazing& to, int depth) -> void {
-    double turn = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      turn = std::max(turn, std::abs(std::remainder(to.angles[i] - curve.back().angles[i], 2 * std::numbers::pi)));
-    if (turn > 0.1 && depth < 10) {
-      const Grazing middle = grazing(0.5 * (curve.back().t + to.t));
-      self(self, middle, depth + 1);
-      self(self, to, depth + 1);
+  /// The strips between the curves at two times.
+  struct Grazing {
+    double t = 0;
+    std::array<Pair, 2> ends;
+  };
+  const auto add_strips = [&](const std::array<ToolPose, 2>& poses) {
+    const auto grazing = [&](double t) -> Grazing {
+      const SectionPoint point = section(t);
+      return {t, {pair(point, poses[0]), pair(point, poses[1])}};
+    };
+    std::vector<Grazing> curve{grazing(0)};
+    const auto add = [&](const auto& self, const Grazing& to, int depth) -> void {
+      const Grazing& back = curve.back();
+      double turn = 0, twist = 0;
+      for (std::size_t side = 0; side < 2; ++side) {
+        for (std::size_t end = 0; end < 2; ++end)
+          turn = std::max(
+              turn, std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
+        const Vec3 ways =
+            to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
+        twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
+      }
+      // Two triangles in the place of a twisted surface are off by a quarter of the twist.
+      if ((turn > 0.1 || twist > 4 * tolerance) && depth < 10) {
+        const Grazing middle = grazing(0.5 * (curve.back().t + to.t));
+        self(self, middle, depth + 1);
+        self(self, to, depth + 1);
+        return;
+      }
+      curve.push_back(to);
+    };
+    for (int i = 1; i <= parts; ++i) add(add, grazing(static_cast<double>(i) / parts), 0);
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::vector<Vec3> start, end;
+      for (const Grazing& g : curve) start.push_back(g.ends[0].places[side]), end.push_back(g.ends[1].places[side]);
+      add_strip(start, end);
+    }
+  };
+  // How far the curve in the middle of a time lies above the strip between its ends. What is that near to the piece in its first
+  // or last pose does not lie above that one, either: a step along a surface of radius r leaves it by step^2 / 2 r.
+  const auto off = [&](double begin, double end) {
+    const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
+    const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
+    const int samples = parts * (std::isfinite(sharpest) ? 16 : 2);  // on a corner curves may run along a small share of it only
+    double most = 0;
+    for (int i = 0; i <= samples; ++i) {
+      const SectionPoint point = section(static_cast<double>(i) / samples);
+      const double step = to_stamp * (motion.norm() + std::hypot(point[0], point[1]) * turning.norm());
+      if (step * step <= 2 * tolerance * std::min(point[0], sharpest)) continue;
+      const Pair middle = pair(point, poses[1]);
+      if (middle.closed) continue;
+      const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
+      for (std::size_t side = 0; side < 2; ++side)
+        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
+    }
+    return most;
+  };
+  const bool turns = turning.squaredNorm() > 1e-24;
+  const auto divide = [&](const auto& self, double begin, double end, int depth) -> void {
+    if (turns && depth < 5 && off(begin, end) > tolerance) {
+      const double middle = 0.5 * (begin + end);
+      self(self, begin, middle, depth + 1);
+      self(self, middle, end, depth + 1);
       return;
     }
-    curve.push_back(to);
+    add_strips({pose_at(begin), pose_at(end)});
   };
-  for (int i = 1; i <= parts; ++i) add(add, grazing(static_cast<double>(i) / parts), 0);
-  for (std::size_t side = 0; side < 2; ++side) {
-    std::vector<Vec3> start, end;
-    for (const Grazing& g : curve) start.push_back(g.places[side]), end.push_back(g.places[side + 2]);
-    add_strip(start, end);
-  }
+  divide(divide, 0, 1, 0);
 }
 
 namespace {

@@ -34,8 +34,10 @@ struct Window {
 /// The volume that a piece sweeps while its pose goes evenly from one to another. Its boundary lies on the piece at both ends
 /// (stamps), on the ways of its edges, and on the grazing curves (Hahn 2.2): the points of the piece where it moves along itself,
 /// of which a circle about the axis has at most two. Curves become strips of triangles, nowhere farther from them than
-/// `tolerance`; balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept volume is
-/// taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between` makes them.
+/// `tolerance`: where grazing curves wander over a piece that turns, as they do when it moves along its axis, they are found at
+/// times in between as well. Balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept
+/// volume is taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between`
+/// makes them.
 class Sweep {
  public:
   /// Poses in the lattice's frame, mm from its corner. It knows where it is; fill() wants it built.
@@ -68,7 +70,8 @@ class Sweep {
   void add_disc(double height, double radius, double tolerance, const Box& domain);
   /// A point of the half section, and its normal's two parts: distance from the axis, height, outwards, upwards.
   using SectionPoint = std::array<double, 4>;
-  void add_grazing(const std::function<SectionPoint(double)>& section, int parts);
+  /// `sharpest`: the least radius that the section itself bends with.
+  void add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance);
 
   const ToolPiece* piece_;
   ToolPose from_, to_;

@@ -1,6 +1,6 @@
 // Figures of docs/simulation.md: the thesis's examples (Hahn 6.1) rebuilt from their pictures, subdivisions by rules (Tables 6.2
-// to 6.4), time and memory (6.5, 6.6), and the closest-point error (6.7). With an argument, only the part of that name: splits,
-// time, error.
+// to 6.4), time and memory (6.5, 6.6), and the closest-point error (6.7), beside the thesis's own numbers; cutsim's job; how time
+// and memory grow with density. With an argument, only the part of that name: splits, time, error, tilted, growth.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -116,40 +116,133 @@ double pointer_grid(const Stock& stock) {
   return 8 * points + samples / 2 * 3 * 8;
 }
 
+/// Rules, and how many subdivisions the thesis has with them (Table 6.2).
+struct Rules {
+  std::string names;
+  std::vector<double> theirs;
+};
+
 void splits(double density) {
-  const std::vector<std::string> rules{
-      "RS", "CTD, RS", "SPT, RS", "FFS, RS", "FEFS, CTD, SPT, RS", "FEFS-FFS, CTD, SPT, RS", "FEFS-FFS, SPT, CTD, RS"};
+  const std::vector<Rules> table{{"RS", {2893, 528, 508, 2448, 911, 707, 321, 31, 4, 16, 1}},
+                                 {"CTD, RS", {4143, 4928, 4642, 16816, 10946, 683, 150, 43, 3, 14, 1}},
+                                 {"SPT, RS", {1390, 276, 269, 1547, 843, 584, 147, 22, 1, 11, 1}},
+                                 {"FFS, RS", {282, 159, 132, 1246, 286, 562, 224, 12, 10, 5, 2}},
+                                 {"FEFS, CTD, SPT, RS", {358, 120, 96, 1163, 307, 560, 128, 12, 1, 12, 1}},
+                                 {"FEFS-FFS, CTD, SPT, RS", {314, 103, 81, 1109, 293, 550, 163, 12, 1, 12, 1}},
+                                 {"FEFS-FFS, SPT, CTD, RS", {379, 131, 125, 1059, 289, 547, 158, 10, 1, 15, 1}}};
   fmt::print("Subdivisions at density {}, one direction a cell and one cell at first, as in the thesis\n{:24}", density, "");
   const auto all = examples();
   for (const Example& e : all) fmt::print("{:>7}", e.name);
   fmt::print("\n");
-  for (const std::string& rule : rules) {
-    fmt::print("{:24}", rule);
+  std::vector<double> chance;
+  for (const Rules& rules : table) {
+    fmt::print("{:24}", rules.names);
+    std::vector<double> ours;
     for (const Example& e : all) {
       StockSettings settings;
-      settings.cell = 1 / density, settings.brick = 0, settings.both_ends = false, settings.rules = parse_split_rules(rule);
+      settings.cell = 1 / density, settings.brick = 0, settings.both_ends = false,
+      settings.rules = parse_split_rules(rules.names);
       double seconds = 0;
-      fmt::print("{:>7}", machined(e, settings, seconds).statistics().splits);
+      ours.push_back(static_cast<double>(machined(e, settings, seconds).statistics().splits));
+      fmt::print("{:>7}", ours.back());
       std::fflush(stdout);
     }
+    if (chance.empty()) chance = ours;
+    const auto line = [&](const std::string& name, const auto& value) {
+      fmt::print("\n  {:22}", name);
+      for (std::size_t i = 0; i < ours.size(); ++i) fmt::print("{:>7}", value(i));
+    };
+    line("thesis", [&](std::size_t i) { return fmt::format("{}", rules.theirs[i]); });
+    line("ours / thesis", [&](std::size_t i) { return fmt::format("{:.2f}", ours[i] / rules.theirs[i]); });
+    // Tables 6.3: what a rule needs, of what chance needs.
+    const auto share = [](double part, double whole) { return whole > 0 ? fmt::format("{:.0f}", 100 * part / whole) : "-"; };
+    line("% of RS, ours", [&](std::size_t i) { return share(ours[i], chance[i]); });
+    line("% of RS, thesis", [&](std::size_t i) { return share(rules.theirs[i], table[0].theirs[i]); });
     fmt::print("\n");
   }
 }
 
 void time_and_memory(double density) {
-  fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n{:5}{:>9}{:>9}{:>9}{:>12}{:>8}\n", density,
-             "", "splits", "cut s", "mesh s", "bytes", "grid %");
-  for (const Example& e : examples()) {
+  // FEFS-FFS, CTD, SPT, RS: seconds in all without rendering (Table 6.5), share of a 3D pointer grid (Table 6.6).
+  const std::vector<double> seconds_of_thesis{197.83, 24.02, 12.88, 40.38, 27.77, 20.39, 17.06, 1.42, 3.23, 19.63, 7.45};
+  const std::vector<double> share_of_thesis{31.82, 5.92, 2.13, 5.38, 4.22, 24.62, 22.90, 6.92, 6.24, 4.66, 6.35};
+  fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n", density);
+  fmt::print("{:5}{:>8}{:>9}{:>9}{:>10}{:>16}{:>11}{:>8}{:>10}{:>15}\n", "", "splits", "cut s", "mesh s", "thesis s",
+             "thesis / ours", "bytes", "grid %", "thesis %", "ours / thesis");
+  const auto all = examples();
+  for (std::size_t i = 0; i < all.size(); ++i) {
     StockSettings settings;
     settings.cell = 1 / density;
     double seconds = 0;
-    const Stock stock = machined(e, settings, seconds);
+    const Stock stock = machined(all[i], settings, seconds);
     const double start = now();
     (void)stock.mesh();
     const double meshing = now() - start;
     const StockStatistics s = stock.statistics();
-    fmt::print("{:5}{:>9}{:>9.3f}{:>9.3f}{:>12}{:>8.2f}\n", e.name, s.splits, seconds, meshing, s.bytes,
-               100 * static_cast<double>(s.bytes) / pointer_grid(stock));
+    const double share = 100 * static_cast<double>(s.bytes) / pointer_grid(stock);
+    fmt::print("{:5}{:>8}{:>9.3f}{:>9.3f}{:>10.2f}{:>16.0f}{:>11}{:>8.2f}{:>10.2f}{:>15.2f}\n", all[i].name, s.splits, seconds,
+               meshing, seconds_of_thesis[i], seconds_of_thesis[i] / (seconds + meshing), s.bytes, share, share_of_thesis[i],
+               share / share_of_thesis[i]);
+  }
+}
+
+/// cutsim's job: 7381 poses of a 6 mm cutter that leans, in rows 1 mm apart over a block of 60 x 60 x 20 mm.
+Stock milled(const std::string& shape, double cell, double& cutting, double& meshing) {
+  Tool tool;
+  tool.shape = shape;
+  tool.diameter = 6;
+  tool.flute = 30;
+  const ToolSolid solid = tool_solid(tool);
+  const double a = 25 * pi / 180, c = 20 * pi / 180;
+  const Vec3 axis(std::sin(a) * std::sin(c), -std::sin(a) * std::cos(c), std::cos(a));
+  std::vector<Stroke> strokes;
+  ToolPose last;
+  for (int row = 0; row <= 60; ++row)
+    for (int step = 0; step <= 120; ++step) {
+      const double x = row % 2 ? 60 - 0.5 * step : 0.5 * step;
+      const ToolPose pose{{x, static_cast<double>(row), -4 + 2 * std::sin(x / 8) * std::cos(row / 9.0)}, axis};
+      if (row || step) strokes.push_back({&solid.pieces[0], last, pose, static_cast<std::uint32_t>(strokes.size() + 1), true});
+      last = pose;
+    }
+  StockSettings settings;
+  settings.cell = cell;
+  Stock stock(Box{{0, 0, -20}, {60, 60, 0}}, settings);
+  const double start = now();
+  stock.cut(strokes);
+  cutting = now() - start;
+  (void)stock.mesh();
+  meshing = now() - start - cutting;
+  return stock;
+}
+
+void tilted() {
+  struct Rival {
+    std::string shape;
+    double cell, seconds, bytes;
+  };
+  fmt::print("7381 poses of a leaning 6 mm cutter, cutsim's job\n{:6}{:>8}{:>8}{:>8}{:>10}{:>9}{:>15}{:>10}{:>15}\n", "", "cell",
+             "cut s", "mesh s", "cutsim s", "ratio", "bytes", "cutsim", "cutsim / ours");
+  for (const Rival& rival : {Rival{"flat", 0.156, 31, 2.9e9}, Rival{"ball", 0.313, 9.2, 0.74e9}}) {
+    double cutting = 0, meshing = 0;
+    const auto bytes = static_cast<double>(milled(rival.shape, rival.cell, cutting, meshing).statistics().bytes);
+    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", rival.shape, rival.cell, cutting, meshing,
+               rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
+  }
+}
+
+/// The same job at doubling density: a surface grows with the square, a grid of points with the cube.
+void growth() {
+  fmt::print("The same job with a flat cutter as density doubles\n{:>8}{:>9}{:>9}{:>12}{:>9}{:>12}\n", "cell", "cut s", "mesh s",
+             "bytes", "time x", "bytes x");
+  double last_time = 0, last_bytes = 0;
+  for (const double cell : {0.8, 0.4, 0.2, 0.1, 0.05}) {
+    double cutting = 0, meshing = 0;
+    const auto bytes = static_cast<double>(milled("flat", cell, cutting, meshing).statistics().bytes);
+    const auto times = [](double now, double before) { return before > 0 ? fmt::format("{:.2f}", now / before) : ""; };
+    fmt::print("{:>8}{:>9.3f}{:>9.3f}{:>12}{:>9}{:>12}\n", cell, cutting, meshing, bytes, times(cutting + meshing, last_time),
+               times(bytes, last_bytes));
+    std::fflush(stdout);
+    last_time = cutting + meshing, last_bytes = bytes;
   }
 }
 
@@ -159,7 +252,8 @@ void error() {
   const double lean = 25 * pi / 180, radius = 0.15, major = 1.69;
   const Vec3 centre(2, 2, 0.6748);
   const std::vector<double> theirs{0.1082255, 0.0278254, 0.0069804, 0.0020188, 0.0005377, 0.0001459};
-  fmt::print("Closest-point error of Table 6.7\n{:>8}{:>12}{:>12}{:>8}\n", "density", "3-map", "ours", "ratio");
+  fmt::print("Closest-point error of Table 6.7\n{:>8}{:>12}{:>12}{:>15}{:>12}\n", "density", "3-map", "ours", "ours / thesis",
+             "a doubling");
   double last = 0;
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     const double density = 4 << i;
@@ -187,7 +281,8 @@ void error() {
       const double along = std::max((p - a).dot(way) / way.squaredNorm(), 0.0);
       worst = std::max(worst, std::abs((p - a - along * way).norm() - radius));
     }
-    fmt::print("{:>8}{:>12.7f}{:>12.7f}{:>8}\n", density, theirs[i], worst, last > 0 ? fmt::format("{:.2f}", last / worst) : "");
+    fmt::print("{:>8}{:>12.7f}{:>12.7f}{:>15.2f}{:>12}\n", density, theirs[i], worst, worst / theirs[i],
+               last > 0 ? fmt::format("{:.2f}", last / worst) : "");
     std::fflush(stdout);
     last = worst;
   }
@@ -200,5 +295,7 @@ int main(int argc, char** argv) {
   const double density = argc > 2 ? std::stod(argv[2]) : 100;
   if (part.empty() || part == "error") error();
   if (part.empty() || part == "time") time_and_memory(density);
-  if (part.empty() || part == "splits") splits(density);
+  if (part.empty() || part == "tilted") tilted();
+  if (part.empty() || part == "growth") growth();
+  if (part.empty() || part == "splits") splits(argc > 2 ? density : 50);
 }

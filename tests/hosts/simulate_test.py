@@ -322,6 +322,42 @@ def test_a_wrong_length_offset_is_found(program):
     assert result["code"] == 1 and len(where(result, "gouge")) > 50 and all(program.tool[line - 1] == 2 for line in where(result, "gouge"))
 
 
+BOX = "lower = [-60, -30, -40]\nupper = [60, 30, 0]"
+REAL = {  # of LinuxCNC's five-axis machines: machine, stock, tools, moves, mm3 that are removed, greatest share of feed in air
+    "5ax_boat-xyzac": ("five_axis_ac", BOX, ((10, "flat"), (6, "ball")), 1832, (60e3, 70e3), 0.15),
+    "5ax_boat-xyzbc": ("five_axis_bc", BOX, ((10, "flat"), (6, "ball")), 1821, (50e3, 60e3), 0.05),
+    "5ax_impeller-7bl-xyzac": ("five_axis_ac", "cylinder = [0, 0, 32, 0, 35]", ((4, "ball"),), 4492, (20e3, 112e3), 0.6),
+}
+
+
+def open_edges(path):
+    """How many edges of a binary STL do not belong to two triangles, once in each direction."""
+    records = np.fromfile(path, np.dtype([("normal", "<f4", 3), ("corner", "<f4", (3, 3)), ("rest", "<u2")]), offset=84)
+    corners = records["corner"].reshape(-1, 3)
+    assert len(corners)
+    _, number = np.unique(corners, axis=0, return_inverse=True)
+    triangles = number.reshape(-1, 3).astype(np.int64)
+    starts, ends = triangles.reshape(-1), np.roll(triangles, -1, axis=1).reshape(-1)
+    there, back = starts * len(corners) + ends, ends * len(corners) + starts
+    return len(there) - len(np.unique(there)) + len(np.setdiff1d(there, back))
+
+
+@pytest.mark.parametrize("name", sorted(REAL))
+def test_linuxcnc_five_axis_programs_leave_closed_meshes(name, tmp_path):
+    """Each on its own kinematics. The stocks are larger than what their authors had: rapids may go through them, nothing else is wrong."""
+    machine, stock, tools, moves, removed, air = REAL[name]
+    setup = tmp_path / "setup.toml"
+    setup.write_text(f'cell = 0.5\nmachine = "{machine}"\n[stock]\n{stock}\n' + "".join(
+        f'[[tool]]\nnumber = {n}\nshape = "{shape}"\ndiameter = {d}\nflute = 40\n' for n, (d, shape) in enumerate(tools, 1)))
+    program = ROOT.parent / "shared" / "data" / "gcode" / f"{name}.ngc"
+    done = run("simulate", program, "--setup", setup, "-o", tmp_path / "left.stl", "--report", tmp_path / "report.json")
+    assert done.returncode in (0, 1), done.stderr
+    report = json.loads((tmp_path / "report.json").read_text())
+    assert {e["kind"] for e in report["events"]} <= {"rapid contact"}
+    assert report["moves"] >= moves and removed[0] < report["removed"] < removed[1] and report["air_share"] < air, done.stdout
+    assert open_edges(tmp_path / "left.stl") == 0
+
+
 BAD = {
     "syntax": ("G1 X1 Y\n", ":1"),
     "loop": ("o1 while [1]\no1 endwhile\nM2\n", "no end"),

@@ -228,6 +228,36 @@ TEST(Stock, GrooveOfABallIsExact) {
   EXPECT_LT(sum / static_cast<double>(count), 0.005);
 }
 
+// A tool that goes far along its axis and turns a little: the curves where it grazes wander round it on the way.
+TEST(Stock, SlidingAlongTheAxisWhileTurningLeavesNothing) {
+  Tool tool = cutter("bull");
+  tool.corner_radius = 0.5;
+  tool.flute = 6;
+  const ToolPose a{{0.677, 1.012, 2.723}, Vec3(0.99666, 0.08167, -0.00201).normalized()};
+  const ToolPose b{{3.869, 1.055, 3.142}, Vec3(0.98407, 0.17674, 0.01931).normalized()};
+  const ToolSolid solid = tool_solid(tool);
+  StockSettings settings;
+  settings.cell = 0.2;
+  settings.tolerance = 0.0074;  // what such a turn is divided for
+  Stock stock({{0, 0, 0}, {8, 8, 6}}, settings);
+  stock.cut(strokes_of(solid, {a, b}));
+  const StockLattice& lattice = stock.lattice();
+  std::size_t inside = 0, left = 0;
+  Index3 p;
+  for (p[2] = 0; p[2] <= lattice.cells()[2]; ++p[2])
+    for (p[1] = 0; p[1] <= lattice.cells()[1]; ++p[1])
+      for (p[0] = 0; p[0] <= lattice.cells()[0]; ++p[0]) {
+        const auto near = about(lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2])), 2.5 * settings.tolerance);
+        for (int k = 0; k <= 40; ++k)
+          if (std::all_of(near.begin(), near.end(), [&](const Vec3& q) { return in_tool(tool, between(a, b, k / 40.0), q); })) {
+            ++inside, left += stock.solid(p);
+            break;
+          }
+      }
+  EXPECT_GT(inside, 4000u);
+  EXPECT_EQ(left, 0u);
+}
+
 TEST(Stock, StrokesThatOnlyAskLeaveItAsItIs) {
   const ToolSolid solid = tool_solid(cutter("flat"));
   Stock stock({{0, 0, 0}, {10, 10, 5}}, {});

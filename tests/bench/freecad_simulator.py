@@ -1,0 +1,103 @@
+"""FreeCAD's simulator (PathSimulator, a height field) and ours, on the same jobs, one after the other in one process.
+
+Level: 10,100 level moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm: seconds to cut, and to make the mesh.
+Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second; and how far the middles of
+the groove's triangles are from the true groove, mm.
+
+Figures of one thread: `taskset -c 0 /usr/bin/python3 tests/bench/freecad_simulator.py`."""
+
+import sys
+import time
+
+import numpy as np
+
+import fieldfab as ff
+
+sys.path.append("/usr/lib/freecad-python3/lib")
+import FreeCAD  # noqa: E402
+import Part  # noqa: E402
+import Path  # noqa: E402
+import PathSimulator  # noqa: E402
+
+CELL, RADIUS, REPEATS = 0.1, 3.0, 3
+
+
+def timed(work):
+    start = time.perf_counter()
+    result = work()
+    return time.perf_counter() - start, result
+
+
+def freecad(box, ball, way):
+    """Seconds to cut, seconds to mesh, corners of the triangles."""
+    low, size = FreeCAD.Vector(*box[:3]), [float(b - a) for a, b in zip(box[:3], box[3:])]
+    # Its half section, turned about the axis.
+    v = FreeCAD.Vector
+    if ball:
+        lower = Part.Arc(v(0, 0, 0), v(RADIUS * np.sqrt(0.5), 0, RADIUS * (1 - np.sqrt(0.5))), v(RADIUS, 0, RADIUS)).toShape()
+        rest = Part.makePolygon([v(RADIUS, 0, RADIUS), v(RADIUS, 0, 30), v(0, 0, 30), v(0, 0, 0)])
+        outline = Part.Wire([lower, *rest.Edges])
+        tool = Part.Face(outline).revolve(v(0, 0, 0), v(0, 0, 1), 360)
+    else:
+        tool = Part.makeCylinder(RADIUS, 30)
+    simulator = PathSimulator.PathSim()
+    simulator.BeginSimulation(Part.makeBox(*size, low), CELL)
+    simulator.SetToolShape(tool, 0.05 * CELL)
+    commands = [Path.Command("G1", {"X": x, "Y": y, "Z": z}) for x, y, z in way.tolist()]
+
+    def cut():
+        place = FreeCAD.Placement(v(*way[0].tolist()), FreeCAD.Rotation())
+        for command in commands[1:]:
+            place = simulator.ApplyCommand(place, command)
+
+    cutting, _ = timed(cut)
+    meshing, meshes = timed(simulator.GetResultMesh)
+    corners = np.concatenate([np.array([f.Points for f in mesh.Facets]).reshape(-1, 3, 3) for mesh in meshes if mesh.CountFacets])
+    return cutting, meshing, corners
+
+
+def ours(box, ball, way):
+    stock = ff.stock.Stock(box, cell=CELL)
+    cutting, _ = timed(lambda: stock.cut({"shape": "ball" if ball else "flat", "diameter": 2 * RADIUS, "flute": 30}, way))
+    meshing, mesh = timed(stock.mesh)
+    return cutting, meshing, np.asarray(mesh.vertices)[np.asarray(mesh.triangles)]
+
+
+def best(simulate, *job):
+    """The quickest of some runs, by the sum."""
+    return min((simulate(*job) for _ in range(REPEATS)), key=lambda run: run[0] + run[1])
+
+
+def level():
+    box, rows = [0, 0, -10, 100, 100, 0], []
+    for row in range(101):
+        x = np.arange(0, 101.0) if row % 2 == 0 else np.arange(100.0, -1, -1)
+        rows.append(np.column_stack([x, np.full(101, float(row)), np.full(101, -2 + np.sin(row / 7))]))
+    way = np.concatenate(rows)
+    theirs, mine = best(freecad, box, False, way), best(ours, box, False, way)
+    print(f"level, {len(way) - 1} moves (of which 100 go from row to row): cut s, mesh s, sum s")
+    for name, (cutting, meshing, corners) in (("FreeCAD", theirs), ("ours", mine)):
+        print(f"  {name:8}{cutting:8.3f}{meshing:8.3f}{cutting + meshing:8.3f}   {len(corners)} triangles")
+    print(f"  FreeCAD / ours: cut {theirs[0] / mine[0]:.2f}, mesh {theirs[1] / mine[1]:.2f}, sum {(theirs[0] + theirs[1]) / (mine[0] + mine[1]):.2f}")
+
+
+def groove():
+    box, start, end = [0, 0, 0, 20, 20, 5], np.array([3.3, 2.1, 2.2]), np.array([16.4, 17.9, 3.1])
+    there = start + np.linspace(0, 1, 101)[:, None] * (end - start)
+    way = np.concatenate([there] + [there[::-1][1:], there[1:]] * 50)
+    print(f"groove, {len(way) - 1} moves: moves a second, mean error mm, worst error mm")
+    for name, simulate in (("FreeCAD", freecad), ("ours", ours)):
+        cutting, _, corners = best(simulate, box, True, way)
+        # Those all of whose corners lie inside of the block, beside the way: not those of its faces, nor of the rim.
+        inside = ((corners > np.array(box[:3]) + 1e-3) & (corners < np.array(box[3:]) - 1e-3)).all(axis=(1, 2))
+        middles = corners.mean(axis=1)
+        centre, along = start + [0, 0, RADIUS], end - start
+        t = (middles - centre) @ along / (along @ along)
+        apart = np.linalg.norm(middles - centre - t[:, None] * along, axis=1)
+        chosen = inside & (t >= 0) & (t <= 1) & (apart < RADIUS + 5 * CELL)
+        error = np.abs(apart[chosen] - RADIUS)
+        print(f"  {name:8}{(len(way) - 1) / cutting:10.0f}{error.mean():9.4f}{error.max():9.4f}   of {chosen.sum()} triangles")
+
+
+level()
+groove()
