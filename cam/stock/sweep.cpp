@@ -94,8 +94,8 @@ void Sweep::build(double tolerance, const Box& domain) {
       continue;
     }
     if (zone.shape == Zone::Shape::frustum) {
-      if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance, domain);
-      if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance, domain);
+      if (zone.lower_edge) add_disc(zone.z0, zone.r0, tolerance);
+      if (zone.upper_edge) add_disc(zone.z1, zone.r1, tolerance);
       const double length = std::hypot(zone.z1 - zone.z0, zone.r1 - zone.r0);
       add_grazing(
           [&](double t) -> SectionPoint {
@@ -104,8 +104,8 @@ void Sweep::build(double tolerance, const Box& domain) {
           },
           turns ? 4 : 1, infinity, tolerance);
     } else {
-      add_disc(zone.z0 - zone.r1, zone.r0, tolerance, domain);
-      if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance, domain);
+      add_disc(zone.z0 - zone.r1, zone.r0, tolerance);
+      if (zone.z0 == high) add_disc(zone.z0 + zone.r1, zone.r0, tolerance);
       add_grazing(
           [&](double t) -> SectionPoint {
             const double angle = std::numbers::pi / 2 * t, c = std::sin(angle), sine = -std::cos(angle);
@@ -160,19 +160,13 @@ bool Sweep::near(const Vec3& place, double distance) const {
 }
 
 /// The way of a flat end and its edge.
-void Sweep::add_disc(double height, double radius, double tolerance, const Box& domain) {
+void Sweep::add_disc(double height, double radius, double tolerance) {
   if (radius <= 0) return;
   if ((to_.axis - from_.axis).squaredNorm() <= 1e-24) {
     stamps_.push_back({{Zone::Shape::frustum, height, height, radius, radius, false, false}, from_, true, to_.tip - from_.tip});
     return;
   }
-  int parts = parts_of_circle(radius, tolerance);
-  const Zone disc{Zone::Shape::frustum, height, height, radius, radius, false, false};
-  if (!intersection(hull(box_of(disc, from_), box_of(disc, to_)), domain).valid()) {
-    // All that matters is that lines leave the piece out there: a few parts that hold the whole disc will do.
-    parts = 8;
-    radius /= std::cos(std::numbers::pi / parts);
-  }
+  const int parts = parts_of_circle(radius, tolerance);
   const Vec3 like = any_across(from_.axis);
   const auto circle = [&](const ToolPose& pose) {
     const auto [one, other] = across(pose.axis, like);

@@ -67,7 +67,7 @@ class Sweep {
   };
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
-  void add_disc(double height, double radius, double tolerance, const Box& domain);
+  void add_disc(double height, double radius, double tolerance);
   /// A point of the half section, and its normal's two parts: distance from the axis, height, outwards, upwards.
   using SectionPoint = std::array<double, 4>;
   /// `sharpest`: the least radius that the section itself bends with.
