@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/cam/frames.h"
 #include "fieldfab/cam/simulation.h"
 #include "fieldfab/cam/stock_picture.h"
 #include "fieldfab/cam/stock_report.h"
@@ -39,8 +40,12 @@ class SimulateVerb final : public Verb {
                       "also write the report: an .html page with pictures, or a .json file with what each line did; may be given "
                       "several times");
     verb_->add_option("--picture", picture_, "also a picture of what is left: a .png");
-    verb_->add_option("--size", view_.size, "pixels along the picture's longer side")->check(CLI::Range(16, 8192));
-    verb_->add_option("--alpha", alpha_, "turn about z, degrees; for the picture");
+    verb_->add_option("--frames", frames_,
+                      "also pictures of it while it is machined, for a video: a folder for frame_0001.png, ...");
+    verb_->add_option("--frame-count", frame_settings_.count, "how many of them, at even times; the default is 100")
+        ->check(CLI::Range(1, 100'000));
+    verb_->add_option("--size", size_, "pixels along the pictures' longer side")->check(CLI::Range(16, 8192));
+    verb_->add_option("--alpha", alpha_, "turn about z, degrees; for the pictures");
     verb_->add_option("--beta", beta_, "then tilt about x, degrees; 0 looks from above, -90 from the front");
     verb_
         ->add_option("--colours", colours_,
@@ -57,9 +62,14 @@ class SimulateVerb final : public Verb {
     if (colours_ == "deviation" && !setup.target)
       throw Error(ErrorKind::bad_input, "--colours", "there is no target to tell deviations from");
     cam::Simulation simulation(std::move(setup), progress);
+    if (!frames_.empty()) simulation.remember();
     simulation.run(program_, progress);
     simulation.finish(progress);
     if (!output_.empty()) write_stock(simulation, progress);
+    if (!frames_.empty()) {
+      look_from(frame_settings_);
+      cam::write_frames(simulation, frames_, frame_settings_, progress);
+    }
     return report(simulation, progress);
   }
 
@@ -112,11 +122,18 @@ class SimulateVerb final : public Verb {
     return outcome;
   }
 
-  void write_picture(const cam::Simulation& simulation, Progress& progress) const {
+  /// What was said of the view.
+  template <class View>
+  void look_from(View& view) const {
     constexpr double degree = std::numbers::pi / 180;
-    cam::StockPictureSettings view = view_;
+    if (size_) view.size = *size_;
     if (alpha_) view.alpha = *alpha_ * degree;
     if (beta_) view.beta = *beta_ * degree;
+  }
+
+  void write_picture(const cam::Simulation& simulation, Progress& progress) const {
+    cam::StockPictureSettings view;
+    look_from(view);
     if (!colours_.empty())
       view.colouring = colours_ == "deviation" ? cam::StockColouring::deviation
                        : colours_ == "tool"    ? cam::StockColouring::tool
@@ -124,9 +141,10 @@ class SimulateVerb final : public Verb {
     cam::write_stock_picture(simulation, picture_, view, progress);
   }
 
-  std::string program_, setup_, output_, target_, picture_, colours_;
+  std::string program_, setup_, output_, target_, picture_, colours_, frames_;
   std::vector<std::string> reports_;
-  cam::StockPictureSettings view_;
+  cam::FrameSettings frame_settings_;
+  std::optional<int> size_;
   std::optional<double> cell_, gouge_, alpha_, beta_;
 };
 

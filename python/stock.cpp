@@ -3,9 +3,12 @@
 #include <numbers>
 
 #include "bindings.h"
+#include "fieldfab/cam/frames.h"
+#include "fieldfab/cam/playback.h"
 #include "fieldfab/cam/simulation.h"
 #include "fieldfab/cam/stock_picture.h"
 #include "fieldfab/cam/stock_report.h"
+#include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -98,23 +101,108 @@ void bind_block(py::module_& module) {
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
 }
 
+void bind_surface(py::module_& module) {
+  py::class_<cam::StockSurface>(module, "Surface", "The surface of a stock in pieces, which are made anew only where it was cut.")
+      .def(py::init<>())
+      .def(
+          "update",
+          [](cam::StockSurface& surface, const cam::Stock& stock, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return surface.update(stock, p); });
+          },
+          py::arg("stock"), py::arg("progress") = py::none(),
+          "Brings it up to date; returns the indices of the pieces that have changed.")
+      .def("__len__", &cam::StockSurface::pieces)
+      .def(
+          "piece", [](const cam::StockSurface& surface, std::size_t index) { return surface.piece(index); }, py::arg("index"),
+          "A mesh of one piece, to be drawn with the others.")
+      .def(
+          "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); }, "All of it as one closed mesh.");
+}
+
+/// One number of each move.
+template <class Number, class Of>
+py::array_t<Number> of_moves(const cam::Playback& playback, const Of& of) {
+  py::array_t<Number> out(static_cast<py::ssize_t>(playback.moves()));
+  for (std::size_t i = 0; i < playback.moves(); ++i) out.mutable_data()[i] = of(playback.move(i));
+  return out;
+}
+
+void bind_playback(py::module_& module) {
+  py::class_<cam::Playback>(module, "Playback", "The moves of a program, and the stock at any moment.")
+      .def("__len__", &cam::Playback::moves)
+      .def_property_readonly(
+          "lines",
+          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.line; }); },
+          "The program's line of each move.")
+      .def_property_readonly(
+          "tools",
+          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.tool; }); },
+          "The tool of each move.")
+      .def_property_readonly(
+          "rapid",
+          [](const cam::Playback& playback) { return of_moves<bool>(playback, [](const auto& move) { return move.rapid; }); })
+      .def_property_readonly(
+          "seconds",
+          [](const cam::Playback& playback) { return of_moves<double>(playback, [](const auto& move) { return move.seconds; }); },
+          "Machine time at the end of each move.")
+      .def("done_after_line", &cam::Playback::done_after_line, py::arg("line"), "How many moves are done after a line.")
+      .def("done_after_seconds", &cam::Playback::done_after_seconds, py::arg("seconds"), "How many are done after a time.")
+      .def(
+          "poses",
+          [](const cam::Playback& playback, std::size_t move) {
+            const auto way = playback.poses(move);
+            py::array_t<double> out({static_cast<py::ssize_t>(way.size()), py::ssize_t{6}});
+            auto rows = out.mutable_unchecked<2>();
+            for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+              for (py::ssize_t a = 0; a < 3; ++a) {
+                const cam::ToolPose& pose = way[static_cast<std::size_t>(i)];
+                rows(i, a) = pose.tip[a], rows(i, a + 3) = pose.axis[a];
+              }
+            return out;
+          },
+          py::arg("move"), "Rows of tip and axis that a move's tool passes, part coordinates.")
+      .def(
+          "stock_after",
+          [](cam::Playback& playback, std::size_t moves, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(playback.stock_after(moves, p)); });
+          },
+          py::arg("moves"), py::arg("progress") = py::none(), "The stock when so many moves are done.");
+}
+
 void bind_simulation(py::module_& module) {
   py::class_<cam::Simulation>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
       .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
-                       std::optional<double> cell, const py::object& progress) {
+                       std::optional<double> cell, bool remember, const py::object& progress) {
              const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
              return long_work(progress, [&](Progress& p) {
                cam::SimulationSetup made = cam::read_simulation_setup(setup, p);
                if (wanted) made.target = wanted;
                if (cell) made.sampling.cell = *cell;
                auto simulation = std::make_unique<cam::Simulation>(std::move(made), p);
+               if (remember) simulation->remember();
                simulation->run(program, p);
                simulation->finish(p);
                return simulation;
              });
            }),
            py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
-           py::arg("progress") = py::none())
+           py::arg("remember") = false, py::arg("progress") = py::none())
+      .def_property_readonly(
+          "playback", [](cam::Simulation& s) { return s.playback(); }, py::return_value_policy::reference_internal,
+          "Any moment of it; None where it was not to remember.")
+      .def(
+          "frames",
+          [](cam::Simulation& s, const std::filesystem::path& folder, int count, int size, std::optional<double> alpha,
+             std::optional<double> beta, const py::object& progress) {
+            cam::FrameSettings settings;
+            settings.count = count, settings.size = size;
+            if (alpha) settings.alpha = *alpha;
+            if (beta) settings.beta = *beta;
+            long_work(progress, [&](Progress& p) { cam::write_frames(s, folder, settings, p); });
+          },
+          py::arg("folder"), py::arg("count") = 100, py::arg("size") = 800, py::arg("alpha") = py::none(),
+          py::arg("beta") = py::none(), py::arg("progress") = py::none(),
+          "Writes pictures at even times, for a video; it has to remember.")
       .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
       .def_property_readonly(
           "report",
@@ -189,6 +277,8 @@ void bind_simulation(py::module_& module) {
 void bind_stock(py::module_& parent) {
   py::module_ module = parent.def_submodule("stock", "Simulated stock.");
   bind_block(module);
+  bind_surface(module);
+  bind_playback(module);
   bind_simulation(module);
 }
 

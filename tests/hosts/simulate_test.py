@@ -6,6 +6,7 @@ import os
 import pathlib
 import random
 import re
+import struct
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 
@@ -425,3 +426,44 @@ def test_python_simulates(program):
     assert -0.05 < simulation.deviation.min() < 0.01
     with pytest.raises(ff.Error):
         ff.stock.Simulation(program.job, path, progress=lambda fraction, message: False)
+
+
+def test_python_shows_any_moment(program, tmp_path):
+    """The stock after half of the lines is what half of the program leaves; the surface changes only where it was cut."""
+    import fieldfab as ff
+
+    path = program.folder / f"{program.name}.ngc"
+    simulation = ff.stock.Simulation(program.job, path, cell=0.4, remember=True)
+    playback = simulation.playback
+    assert len(playback) == len(playback.lines) == len(playback.seconds) and (np.diff(playback.seconds) >= 0).all()
+    half = len(program.lines) // 2
+    done = playback.done_after_line(half)
+    (tmp_path / "half.ngc").write_text("\n".join(program.lines[:half]) + "\n")
+    ended = ff.stock.Simulation(program.job, tmp_path / "half.ngc", cell=0.4)
+    assert abs(playback.stock_after(done).volume - ended.stock.volume) < 1e-3
+    assert playback.poses(done - 1).shape[1] == 6 and playback.lines[done - 1] <= half
+    surface = ff.stock.Surface()
+    assert len(surface.update(playback.stock_after(done))) == len(surface)
+    changed = surface.update(playback.stock_after(done + 20))
+    assert 0 < len(changed) < len(surface) or len(surface) < 8
+    assert len(surface.mesh().triangles) == sum(len(surface.piece(i).triangles) for i in range(len(surface)))
+    assert surface.update(playback.stock_after(done + 20)) == []
+    assert ended.playback is None
+
+
+def test_frames_for_videos(program, tmp_path):
+    """Pictures of one size; the first shows a tool and nearly all of the stock, the last what is left."""
+    import fieldfab as ff
+
+    setup, path = program.job, program.folder / f"{program.name}.ngc"
+    done = run("simulate", path, "--setup", setup, "--cell", 0.4, "--frames", tmp_path / "frames", "--frame-count", 3, "--size", 160)
+    assert done.returncode == 0, done.stderr
+    frames = sorted((tmp_path / "frames").iterdir())
+    assert [f.name for f in frames] == ["frame_0001.png", "frame_0002.png", "frame_0003.png"]
+    sizes = {struct.unpack(">II", f.read_bytes()[16:24]) for f in frames}
+    assert len(sizes) == 1 and max(sizes.pop()) == 160
+    assert len({f.read_bytes() for f in frames}) == 3
+    bad = run("simulate", path, "--setup", setup, "--frames", setup)
+    assert bad.returncode != 0 and len(bad.stderr.strip().splitlines()) == 1 and str(setup) in bad.stderr
+    with pytest.raises(ff.Error, match="nothing moved"):
+        ff.stock.Simulation(setup, path, cell=0.8).frames(tmp_path / "none")

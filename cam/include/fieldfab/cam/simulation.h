@@ -143,8 +143,9 @@ class Simulation {
   void finish(Progress& progress = Progress::none());
 
   [[nodiscard]] const Stock& stock() const { return stock_; }
-  /// The program's line of a cut that samples remember; 0 for the stock's first surface.
+  /// The program's line and the tool of a cut that samples remember; 0 for the stock's first surface.
   [[nodiscard]] int line_of(std::uint32_t cut) const { return cut < line_of_cut_.size() ? std::abs(line_of_cut_[cut]) : 0; }
+  [[nodiscard]] int tool_of(std::uint32_t cut) const { return cut < tool_of_cut_.size() ? tool_of_cut_[cut] : 0; }
   [[nodiscard]] const SimulationSetup& setup() const { return setup_; }
   [[nodiscard]] const SimulationReport& report() const { return report_; }
   /// The file that was carried out last.
