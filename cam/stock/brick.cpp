@@ -277,7 +277,7 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
     if (v < r.first(va) || v > r.last(va)) return;
     const int from_u = std::max(first_u - 1, r.first(ua)), to_u = std::min(first_u + count_u, r.last(ua));
     if (from_u <= to_u)
-      load_tops(columns ? &cell.upper.at[cell.column(from_u, v)] : nullptr, to_u - from_u + 1, inverse,
+      load_tops(columns ? &cell.upper.at[cell.column(from_u, v)] : nullptr, to_u - from_u + 1, lattice.spacing()[axis],
                 static_cast<float>(r.last(axis)), row + (from_u - first_u + 1));
   };
   load(first_v - 1), load(first_v);

@@ -36,13 +36,18 @@ __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const flo
   return any;
 }
 
-__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, float inverse, float last,
+__attribute__((target_clones("avx2", "default"))) void load_tops(const float* tops, int count, double spacing, float last,
                                                                  float* points) {
   if (tops == nullptr) {
     std::fill(points, points + count, last);
     return;
   }
-  for (int i = 0; i < count; ++i) points[i] = std::min(std::floor(tops[i] * inverse + 0.01f), last);
+  const auto inverse = static_cast<float>(1 / spacing);
+  for (int i = 0; i < count; ++i) {
+    const float near = std::min(std::floor(tops[i] * inverse + 0.01f), last);
+    // A top that lies at a point leaves that one out.
+    points[i] = static_cast<float>(static_cast<double>(near) * spacing) >= tops[i] ? near - 1 : near;
+  }
 }
 
 }  // namespace fieldfab::cam
