@@ -52,13 +52,19 @@ __attribute__((target_clones("avx2", "default"))) void cone_row(const Row& row, 
 }
 
 /// A cylinder along the lines.
-void parallel_row(const Row& row, const Zone& zone) {
-  const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad, r2 = zone.r0 * zone.r0;
-  const float from = static_cast<float>(row.origin + std::min(s0, s1)), to = static_cast<float>(row.origin + std::max(s0, s1));
+__attribute__((target_clones("avx2", "default"))) void parallel_row(const Row& row, const Zone& zone) {
+  const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad;
+  const auto low = static_cast<float>(row.origin + std::min(s0, s1)), high = static_cast<float>(row.origin + std::max(s0, s1));
+  const auto rest = static_cast<float>(zone.r0 * zone.r0 - row.v * row.v), first = static_cast<float>(row.first_u),
+             step = static_cast<float>(row.step_u);
+  float* const __restrict entry = row.entry;
+  float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
-    const double u = row.first_u + row.step_u * i;
-    if (u * u + row.v * row.v > r2) continue;
-    row.entry[i] = std::min(row.entry[i], from), row.exit[i] = std::max(row.exit[i], to);
+    const float u = first + step * static_cast<float>(i);
+    const bool met = u * u <= rest;
+    const float from = met ? low : std::numeric_limits<float>::infinity(),
+                to = met ? high : -std::numeric_limits<float>::infinity();
+    entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
   }
 }
 
@@ -220,16 +226,24 @@ __attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Ro
 __attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv,
                                                                       double wd) {
   if (std::abs(row.ad) < 1e-9) return;
-  const double level = 1 / row.ad, square = wu * wu + wv * wv + wd * wd, inverse = square > 0 ? 1 / square : 0;
+  const double square = wu * wu + wv * wv + wd * wd;
+  // All linear along the row: height of the line's place, and how far along the way it is.
+  const auto s0 = static_cast<float>(-(row.au * row.first_u + row.av * row.v) / row.ad),
+             s_step = static_cast<float>(-row.au * row.step_u / row.ad);
+  const double share = square > 0 ? 1 / square : 0;
+  const auto t0 = static_cast<float>((row.first_u * wu + row.v * wv + static_cast<double>(s0) * wd) * share),
+             t_step = static_cast<float>((row.step_u * wu - row.au * row.step_u / row.ad * wd) * share);
+  const auto u0 = static_cast<float>(row.first_u), u_step = static_cast<float>(row.step_u), v = static_cast<float>(row.v),
+             du = static_cast<float>(wu), dv = static_cast<float>(wv), dd = static_cast<float>(wd),
+             reach = static_cast<float>(radius * radius), origin = static_cast<float>(row.origin);
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
-    const double u = row.first_u + row.step_u * i, s = -(row.au * u + row.av * row.v) * level;
-    const double t = std::min(std::max((u * wu + row.v * wv + s * wd) * inverse, 0.0), 1.0);
-    const double pu = u - t * wu, pv = row.v - t * wv, pd = s - t * wd;
-    const bool met = pu * pu + pv * pv + pd * pd <= radius * radius;
-    const float from = met ? static_cast<float>(row.origin + s) : std::numeric_limits<float>::infinity();
-    const float to = met ? static_cast<float>(row.origin + s) : -std::numeric_limits<float>::infinity();
+    const float k = static_cast<float>(i), s = s0 + s_step * k, t = std::min(std::max(t0 + t_step * k, 0.0f), 1.0f);
+    const float pu = u0 + u_step * k - t * du, pv = v - t * dv, pd = s - t * dd;
+    const bool met = pu * pu + pv * pv + pd * pd <= reach;
+    const float from = met ? origin + s : std::numeric_limits<float>::infinity(),
+                to = met ? origin + s : -std::numeric_limits<float>::infinity();
     entry[i] = std::min(entry[i], from), exit[i] = std::max(exit[i], to);
   }
 }
