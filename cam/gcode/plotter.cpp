@@ -366,6 +366,7 @@ std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& fil
   gcode::SimpleMachine machine(file, options, sink, progress);
   return machine.run([&] {
     gcode::check_tick(tick);
+    machine.spindle = 1;  // pens, blades and beams have none that could stand still
     gcode::HpglReader reader(machine, tick, up, down);
     gcode::InstructionReader instructions(text, machine);
     gcode::Instruction instruction;

@@ -14,6 +14,11 @@ namespace {
 
 Eigen::Matrix3d turn(const RotaryAxis& axis, double angle) { return Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix(); }
 
+/// A turn about an axis through a point.
+Eigen::Isometry3d turn_about(const RotaryAxis& axis, double angle, const Vec3& point) {
+  return Eigen::Translation3d(point) * Eigen::AngleAxisd(angle, axis.direction) * Eigen::Translation3d(-point);
+}
+
 /// Angles t with a cos t + b sin t = c.
 std::vector<double> solutions(double a, double b, double c) {
   const double length = std::hypot(a, b);
@@ -102,32 +107,34 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
   return {position(tip, *best, length), *best};
 }
 
+/// From the part's coordinates at rest to where its table has turned it.
+Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
+  Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+  for (std::size_t i = k_.kind == "head-head" ? 2 : k_.kind == "head-table" ? 1 : 0; i < k_.axes.size(); ++i)
+    turned = turned * turn_about(k_.axes[i], angles[i], k_.axes[i].centre.value_or(k_.centre));
+  return turned;
+}
+
+/// How far a head's turns take the tip of a tool from where it is when it points straight down.
+Vec3 PoseSolver::swing(const std::array<double, 2>& angles, double length) const {
+  Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
+  const std::size_t of_head = k_.kind == "head-head" ? 2 : k_.kind == "head-table" ? 1 : 0;
+  for (std::size_t i = 0; i < std::min(of_head, k_.axes.size()); ++i)
+    turned =
+        turned * turn_about(k_.axes[i], angles[i], k_.axes[i].centre.value_or(k_.pivot * Vec3::UnitZ()) + length * Vec3::UnitZ());
+  return turned.translation();
+}
+
+// x, y and z move the spindle; they count from where the tip is when the tool points down.
 Vec3 PoseSolver::position(const Vec3& tip, const std::array<double, 2>& angles, double length) const {
   if (k_.tip_mode || !tilts()) return tip;
-  // A head: x, y and z move the pivot; they count from where the tip is when the tool points down.
-  if (k_.kind == "head-head") return tip + (k_.pivot + length) * (tool_axis(angles) - Vec3::UnitZ());
-  if (k_.kind == "table-table") {
-    Eigen::Matrix3d work = turn(k_.axes[0], angles[0]);
-    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], angles[1]);
-    return k_.centre + work * (tip - k_.centre);
-  }
-  Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-  const Vec3 in_bed = work * tool_axis(angles);
-  return k_.centre + work * (tip - k_.centre) + (k_.pivot + length) * (in_bed - Vec3::UnitZ());
+  return table(angles) * tip - swing(angles, length);
 }
 
 std::pair<Vec3, Vec3> PoseSolver::pose(const AxisPose& axes, double length) const {
   const Vec3 axis = tool_axis(axes.angles);
   if (k_.tip_mode || !tilts()) return {axes.position, axis};
-  if (k_.kind == "head-head") return {axes.position - (k_.pivot + length) * (axis - Vec3::UnitZ()), axis};
-  if (k_.kind == "table-table") {
-    Eigen::Matrix3d work = turn(k_.axes[0], axes.angles[0]);
-    if (k_.axes.size() > 1) work = work * turn(k_.axes[1], axes.angles[1]);
-    return {k_.centre + work.transpose() * (axes.position - k_.centre), axis};
-  }
-  Eigen::Matrix3d work = k_.axes.size() > 1 ? turn(k_.axes[1], axes.angles[1]) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-  const Vec3 in_bed = work * axis;
-  return {k_.centre + work.transpose() * (axes.position - (k_.pivot + length) * (in_bed - Vec3::UnitZ()) - k_.centre), axis};
+  return {table(axes.angles).inverse() * (axes.position + swing(axes.angles, length)), axis};
 }
 
 }  // namespace fieldfab::cam

@@ -1,6 +1,7 @@
 /// From tool poses to axis values.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 
@@ -32,6 +33,8 @@ class PoseSolver {
  private:
   [[nodiscard]] std::vector<std::array<double, 2>> angles_for(const Vec3& axis) const;
   [[nodiscard]] Vec3 tool_axis(const std::array<double, 2>& angles) const;
+  [[nodiscard]] Eigen::Isometry3d table(const std::array<double, 2>& angles) const;
+  [[nodiscard]] Vec3 swing(const std::array<double, 2>& angles, double length) const;
   const Kinematics& k_;
 };
 

@@ -14,6 +14,13 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
 
+std::optional<Vec3> read_centre(const TomlTable& table) {
+  const auto centre = table.list("centre");
+  if (!centre) return std::nullopt;
+  if (centre->size() != 3) throw Error(ErrorKind::bad_input, table.place("centre"), "centre must be [x, y, z]");
+  return Vec3((*centre)[0], (*centre)[1], (*centre)[2]);
+}
+
 Kinematics read_kinematics(const TomlTable& table) {
   table.only({"kind", "axis", "centre", "pivot", "tip_mode"});
   Kinematics k;
@@ -23,7 +30,7 @@ Kinematics read_kinematics(const TomlTable& table) {
     throw Error(ErrorKind::bad_input, table.place("kind"),
                 fmt::format("kind is '{}'; it must be one of {}{}", k.kind, fmt::join(kinds, ", "), suggestion(k.kind, kinds)));
   for (const TomlTable& entry : table.tables("axis")) {
-    entry.only({"letter", "direction", "limits"});
+    entry.only({"letter", "direction", "limits", "centre"});
     RotaryAxis axis;
     const std::string letter = entry.text("letter").value_or("A");
     const auto direction = entry.list("direction").value_or(std::vector<double>{1, 0, 0});
@@ -36,14 +43,12 @@ Kinematics read_kinematics(const TomlTable& table) {
     if (!(axis.direction.norm() > 0)) throw Error(ErrorKind::bad_input, entry.place("direction"), "direction must not be zero");
     axis.direction.normalize();
     if (limits) axis.lower = (*limits)[0] * degrees, axis.upper = (*limits)[1] * degrees;
+    axis.centre = read_centre(entry);
     k.axes.push_back(axis);
   }
   if (k.kind != "none" && (k.axes.empty() || k.axes.size() > 2))
     throw Error(ErrorKind::bad_input, table.place(), "a machine that tilts has one or two [[kinematics.axis]]");
-  if (const auto centre = table.list("centre")) {
-    if (centre->size() != 3) throw Error(ErrorKind::bad_input, table.place("centre"), "centre must be [x, y, z]");
-    k.centre = Vec3((*centre)[0], (*centre)[1], (*centre)[2]);
-  }
+  k.centre = read_centre(table).value_or(Vec3::Zero());
   k.pivot = table.number("pivot").value_or(0);
   k.tip_mode = table.flag("tip_mode").value_or(false);
   return k;

@@ -78,7 +78,8 @@ class SetupReader {
     const Job job = Job::read(path_, progress_);
     setup_.machine = job.machine();
     setup_.stock_box = job.stock();
-    if (const Solid* const solid = job.solid(); solid != nullptr && !solid->flat) setup_.target = solid->field;
+    setup_.zero = zero_of(job);
+    setup_.target = target_of(job);
     setup_.sampling.cell = default_cell(setup_.stock_box);
     // What the job itself allows its paths and its model of the part to be off.
     double allowed = 0;
@@ -90,7 +91,7 @@ class SetupReader {
             sum += *number;
       allowed = std::max(allowed, sum);
     }
-    setup_.gouge += allowed;
+    setup_.gouge += allowed + setup_.machine.tick;
     const Plane* lying = nullptr;
     int tool = 0;
     for (const PlannedOperation& op : job.operations()) {
@@ -106,7 +107,35 @@ class SetupReader {
       tool = op.tool.number;
       if (!setup_.first_tool) setup_.first_tool = tool;
     }
+    // A beam goes through the sheet.
+    if (setup_.machine.takes == "flat paths") {
+      const double over = 1;
+      setup_.pen_up = setup_.stock_box.upper.z() + over, setup_.pen_down = setup_.stock_box.lower.z() - over;
+      for (auto& [number, beam] : setup_.tools) beam.flute = setup_.stock_box.size().z() + 3 * over;
+    }
     limits_of_machine();
+  }
+
+  /// Where the machine's settings put the part's zero.
+  static Vec3 zero_of(const Job& job) {
+    Vec3 zero = Vec3::Zero();
+    for (const auto& [key, axis] : {std::pair{"xmin", 0}, std::pair{"ymin", 1}})
+      if (const auto found = job.machine_values().given.find(key); found != job.machine_values().given.end())
+        if (const double* const number = std::get_if<double>(&found->second.value)) zero[axis] = *number;
+    return zero;
+  }
+
+  /// What the job's part says of the stock: all of it for a solid; where it is a drawing and cut out along its outside, what lies
+  /// under that. Other uses of drawings (carving, pockets) say nothing of what should be left.
+  static FieldPtr target_of(const Job& job) {
+    const Solid* const solid = job.solid();
+    if (solid == nullptr || !solid->flat) return solid ? solid->field : nullptr;
+    for (const PlannedOperation& op : job.operations()) {
+      const auto side = op.values.given.find("side");
+      const bool outside = side == op.values.given.end() || op.values.text("side") == "outside";
+      if (op.stages.empty() || op.stages.back()->name != "profile" || !outside || op.own_input) return nullptr;
+    }
+    return intersection(solid->field, box_field(job.stock()));
   }
 
   void read_machine() {

@@ -467,3 +467,14 @@ def test_frames_for_videos(program, tmp_path):
     assert bad.returncode != 0 and len(bad.stderr.strip().splitlines()) == 1 and str(setup) in bad.stderr
     with pytest.raises(ff.Error, match="nothing moved"):
         ff.stock.Simulation(setup, path, cell=0.8).frames(tmp_path / "none")
+
+
+def test_the_slotted_ball_ends_as_it_should(tmp_path):
+    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, nothing off by more than 0.05 mm."""
+    made = subprocess.run(["/usr/bin/python3", str(ROOT / "examples/simulation/slotted_ball.py"), str(tmp_path), "40000"], capture_output=True, text=True)
+    assert made.returncode == 0, made.stderr
+    report = tmp_path / "report.json"
+    done = run("simulate", tmp_path / "slotted_ball.ngc", "--setup", tmp_path / "slotted_ball.toml", "--cell", 0.5, "--report", report)
+    result = json.loads(report.read_text())
+    assert done.returncode == 0 and result["moves"] > 40_000 and not result["events"], done.stderr
+    assert result["deviation"]["deepest_gouge"] < 0.05 and result["deviation"]["highest_excess"] < 0.05

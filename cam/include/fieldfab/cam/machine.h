@@ -18,6 +18,9 @@ struct RotaryAxis {
   char letter = 'A';
   Vec3 direction = Vec3::UnitX();
   double lower = -1e300, upper = 1e300;  ///< radians
+  /// Where it does not run through the common centre (a table's, in the part's coordinates) or pivot (a head's, from the gauge
+  /// line): a point on it while both axes stand at 0, mm.
+  std::optional<Vec3> centre = std::nullopt;
 };
 
 /// How tool and work turn against each other.

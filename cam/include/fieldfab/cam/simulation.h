@@ -53,6 +53,7 @@ struct SimulationSetup {
   double touch = 0.02;       ///< contacts of less than this depth are none, mm
   double floor = -1e300;     ///< deviations below this height do not count, mm: what the next set-up will cut
   Vec3 zero = Vec3::Zero();  ///< machine coordinates of the part's zero
+  double pen_up = 1, pen_down = -1;  ///< heights of pens, blades and beams in programs that do not say them (HPGL), mm
   std::array<AxisValues, 9> work_offsets{};
   std::array<AxisValues, 2> home{};  ///< where G28 and G30 go, machine coordinates
   AxisValues start;
