@@ -9,6 +9,9 @@ namespace {
 
 /// Farther than this is far, mm.
 constexpr double far = 10;
+/// Of a walk: how many steps, and the longest one, mm.
+constexpr int steps = 8;
+constexpr double longest_step = 2;
 
 /// Signed distances of points from a solid: from each, a walk down its slope to the surface. Exact where the Field is a distance,
 /// of second order near the surface of any smooth one; `far` where the walk does not arrive.
@@ -16,7 +19,7 @@ void signed_distances(const Field& target, const std::array<float, 3>* points, s
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
   std::vector<double> left(count, far);
   for (std::size_t i = 0; i < count; ++i) x[i] = points[i][0], y[i] = points[i][1], z[i] = points[i][2];
-  for (int step = 0; step < 8; ++step) {
+  for (int step = 0; step < steps; ++step) {
     target.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
     if (step == 0) first = value;
     for (std::size_t i = 0; i < count; ++i) {
@@ -24,7 +27,7 @@ void signed_distances(const Field& target, const std::array<float, 3>* points, s
       const double steepness = slope.norm();
       left[i] = steepness > 1e-9 && std::isfinite(value[i]) ? std::min(std::abs(value[i]) / steepness, far) : far;
       if (!(steepness > 1e-9) || !slope.allFinite() || !std::isfinite(value[i])) continue;
-      const Vec3 way = slope * (std::clamp(value[i] / steepness, -2.0, 2.0) / steepness);
+      const Vec3 way = slope * (std::clamp(value[i] / steepness, -longest_step, longest_step) / steepness);
       x[i] -= static_cast<float>(way.x()), y[i] -= static_cast<float>(way.y()), z[i] -= static_cast<float>(way.z());
     }
   }
@@ -45,7 +48,12 @@ Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double f
   parallel_for((count + block - 1) / block, [&](std::size_t b) {
     progress.check();
     const std::size_t first = b * block, length = std::min(block, count - first);
-    signed_distances(target, &mesh.vertices[first], length, &result.at_vertex[first]);
+    // Vertices that follow each other lie near each other: what of the target may matter there is little of it.
+    const auto place = [&](std::size_t i) { return Vec3(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]); };
+    Box box{place(first), place(first)};
+    for (std::size_t i = first; i < first + length; ++i) box = hull(box, {place(i), place(i)});
+    const Restriction here = target.restricted(box.grown(steps * longest_step + 0.01));
+    signed_distances(*here.field, &mesh.vertices[first], length, &result.at_vertex[first]);
   });
   for (std::size_t i = 0; i < count; ++i)
     if (mesh.vertices[i][2] < floor) result.at_vertex[i] = 0;

@@ -135,7 +135,7 @@ class SetupReader {
       const bool outside = side == op.values.given.end() || op.values.text("side") == "outside";
       if (op.stages.empty() || op.stages.back()->name != "profile" || !outside || op.own_input) return nullptr;
     }
-    return intersection(solid->field, box_field(job.stock()));
+    return intersect(solid->field, box_field(job.stock()));
   }
 
   void read_machine() {

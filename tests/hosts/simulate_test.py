@@ -193,7 +193,8 @@ def test_gouges_are_found_at_their_line(program):
 
 def test_rapids_through_stock_are_found_at_their_line(program):
     rng = random.Random(2)
-    candidates = [i for i in program.feeds(1) + program.feeds(2) if program.removed.get(i + 1, 0) > 0.5]
+    # Those that take away more than a few of the stock's cells: a ridge thinner than a cell may lie between its points.
+    candidates = [i for i in program.feeds(1) + program.feeds(2) if program.removed.get(i + 1, 0) > 1.5]
 
     def plant(number, i):
         lines = list(program.lines)

@@ -57,7 +57,9 @@ TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Kinds, ::testing::Values("table-table", "head-head", "head-table"), [](const auto& test) {
-  return std::string(test.param).replace(std::string(test.param).find('-'), 1, "_");
+  std::string name = test.param;
+  for (char& c : name) c = c == '-' ? '_' : c;
+  return name;
 });
 
 }  // namespace
