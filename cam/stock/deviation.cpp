@@ -9,34 +9,69 @@ namespace {
 
 /// Farther than this is far, mm.
 constexpr double far = 10;
-/// Of a walk: how many steps, and the longest one, mm.
+/// Of a walk: how many steps, the longest one, and what is left when it has arrived, mm.
 constexpr int steps = 8;
-constexpr double longest_step = 2;
+constexpr double longest_step = 2, arrived = 1e-5;
 
-/// Signed distances of points from a solid: from each, a walk down its slope to the surface. Exact where the Field is a distance,
-/// of second order near the surface of any smooth one; `far` where the walk does not arrive.
-void signed_distances(const Field& target, const std::array<float, 3>* points, std::size_t count, float* out) {
-  std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count), first(count);
-  std::vector<double> left(count, far);
-  for (std::size_t i = 0; i < count; ++i) x[i] = points[i][0], y[i] = points[i][1], z[i] = points[i][2];
-  for (int step = 0; step < steps; ++step) {
-    target.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
-    if (step == 0) first = value;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 slope(dx[i], dy[i], dz[i]);
-      const double steepness = slope.norm();
-      left[i] = steepness > 1e-9 && std::isfinite(value[i]) ? std::min(std::abs(value[i]) / steepness, far) : far;
-      if (!(steepness > 1e-9) || !slope.allFinite() || !std::isfinite(value[i])) continue;
-      const Vec3 way = slope * (std::clamp(value[i] / steepness, -longest_step, longest_step) / steepness);
-      x[i] -= static_cast<float>(way.x()), y[i] -= static_cast<float>(way.y()), z[i] -= static_cast<float>(way.z());
+/// Walks from points down a Field's slope to its surface: signed distances, exact where the Field is a distance, of second order
+/// near the surface of any smooth one; `far` where a walk does not arrive.
+class Walks {
+ public:
+  Walks(const std::array<float, 3>* points, std::size_t count, float* distances)
+      : points_(points), count_(count), distances_(distances), all_(count) {
+    for (std::size_t i = 0; i < count; ++i) all_[i] = i;
+  }
+
+  void run(const Field& target) {
+    // Most of a finished part is near: there, little of the target matters. What walks farther starts again.
+    std::vector<std::size_t> far_ones;
+    go(target, all_, 0.25, &far_ones);
+    if (!far_ones.empty()) go(target, far_ones, steps * longest_step, nullptr);
+  }
+
+ private:
+  [[nodiscard]] Vec3 place(std::size_t i) const { return {points_[i][0], points_[i][1], points_[i][2]}; }
+
+  /// The points that leave their neighbourhood go to `leavers`, where there are such.
+  void go(const Field& target, std::vector<std::size_t> points, double reach, std::vector<std::size_t>* leavers) {
+    Box box{place(points[0]), place(points[0])};
+    for (const std::size_t i : points) box = hull(box, {place(i), place(i)});
+    const Restriction here = target.restricted(box.grown(reach + 0.01));
+    std::vector<float> first(count_);
+    for (const std::size_t i : points) at_.col(i) = place(i).cast<float>();
+    for (int step = 0; step < steps && !points.empty(); ++step) {
+      const std::size_t n = points.size();
+      for (std::size_t k = 0; k < n; ++k) x_[k] = at_(0, points[k]), y_[k] = at_(1, points[k]), z_[k] = at_(2, points[k]);
+      here.field->gradients({x_.data(), y_.data(), z_.data(), n}, value_.data(), {dx_.data(), dy_.data(), dz_.data()});
+      std::size_t on_the_way = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = points[k];
+        if (step == 0) first[i] = value_[k];
+        const Vec3 slope(dx_[k], dy_[k], dz_[k]);
+        const double steepness = slope.norm();
+        const bool leads = steepness > 1e-9 && slope.allFinite() && std::isfinite(value_[k]);
+        const double left = leads ? std::abs(value_[k]) / steepness : far;
+        if (leads)
+          at_.col(i) -= (slope * (std::clamp(value_[k] / steepness, -longest_step, longest_step) / steepness)).cast<float>();
+        const double way = (at_.col(i).cast<double>() - place(i)).norm();
+        if (leavers != nullptr && (way > reach || !leads)) {
+          leavers->push_back(i);
+          continue;
+        }
+        distances_[i] = static_cast<float>(std::copysign(left < 0.1 * way + 1e-3 ? std::min(way, far) : far, first[i]));
+        if (left > arrived && leads) points[on_the_way++] = i;
+      }
+      points.resize(on_the_way);
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec3 way(x[i] - points[i][0], y[i] - points[i][1], z[i] - points[i][2]);
-    const double distance = left[i] < 0.1 * way.norm() + 1e-3 ? std::min(way.norm(), far) : far;
-    out[i] = static_cast<float>(std::copysign(distance, first[i]));
-  }
-}
+
+  const std::array<float, 3>* points_;
+  std::size_t count_;
+  float* distances_;
+  std::vector<std::size_t> all_;
+  Eigen::Matrix3Xf at_{3, static_cast<Eigen::Index>(count_)};
+  std::vector<float> x_ = std::vector<float>(count_), y_ = x_, z_ = x_, value_ = x_, dx_ = x_, dy_ = x_, dz_ = x_;
+};
 
 }  // namespace
 
@@ -48,12 +83,7 @@ Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double f
   parallel_for((count + block - 1) / block, [&](std::size_t b) {
     progress.check();
     const std::size_t first = b * block, length = std::min(block, count - first);
-    // Vertices that follow each other lie near each other: what of the target may matter there is little of it.
-    const auto place = [&](std::size_t i) { return Vec3(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]); };
-    Box box{place(first), place(first)};
-    for (std::size_t i = first; i < first + length; ++i) box = hull(box, {place(i), place(i)});
-    const Restriction here = target.restricted(box.grown(steps * longest_step + 0.01));
-    signed_distances(*here.field, &mesh.vertices[first], length, &result.at_vertex[first]);
+    Walks(&mesh.vertices[first], length, &result.at_vertex[first]).run(target);
   });
   for (std::size_t i = 0; i < count; ++i)
     if (mesh.vertices[i][2] < floor) result.at_vertex[i] = 0;

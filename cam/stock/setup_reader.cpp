@@ -125,17 +125,20 @@ class SetupReader {
     return zero;
   }
 
-  /// What the job's part says of the stock: all of it for a solid; where it is a drawing and cut out along its outside, what lies
-  /// under that. Other uses of drawings (carving, pockets) say nothing of what should be left.
+  /// What the job says should be left at least: its part where that is a solid; with drawings all that no operation may cut.
   static FieldPtr target_of(const Job& job) {
     const Solid* const solid = job.solid();
     if (solid == nullptr || !solid->flat) return solid ? solid->field : nullptr;
+    FieldPtr left = box_field(job.stock());
     for (const PlannedOperation& op : job.operations()) {
-      const auto side = op.values.given.find("side");
-      const bool outside = side == op.values.given.end() || op.values.text("side") == "outside";
-      if (op.stages.empty() || op.stages.back()->name != "profile" || !outside || op.own_input) return nullptr;
+      const auto* const drawing = op.own_input ? std::get_if<Solid>(&*op.own_input) : solid;
+      const Stage& stage = *op.stages.back();
+      if (drawing == nullptr || !drawing->flat || stage.may_cut == nullptr || op.plane.setup) return nullptr;
+      const FieldPtr gone = stage.may_cut(drawing->field, op.values, job.stock());
+      if (!gone) return nullptr;
+      left = subtract(left, gone);
     }
-    return intersect(solid->field, box_field(job.stock()));
+    return left;
   }
 
   void read_machine() {

@@ -11,10 +11,10 @@
 namespace fieldfab::cam {
 namespace {
 
-Depths depths_of(const Values& values, const Context& context) {
+Depths depths_of(const Values& values, const Box& stock) {
   Depths d;
-  d.top = is_set(values, "top") ? values.number("top") : context.stock.upper.z();
-  d.bottom = is_set(values, "depth") ? d.top - values.number("depth") : context.stock.lower.z();
+  d.top = is_set(values, "top") ? values.number("top") : stock.upper.z();
+  d.bottom = is_set(values, "depth") ? d.top - values.number("depth") : stock.lower.z();
   if (is_set(values, "stepdown")) d.step = values.number("stepdown");
   if (!(d.bottom < d.top)) throw Error(ErrorKind::bad_input, values.place("depth"), "give a depth, or a stock with a thickness");
   return d;
@@ -61,14 +61,14 @@ Artifact profile_stage(const Artifact& in, const Values& values, Context& contex
                        side == "outside"  ? Side::outside
                        : side == "inside" ? Side::inside
                                           : Side::on,
-                       cut_of(values, context, depths_of(values, context)), tabs, context.progress);
+                       cut_of(values, context, depths_of(values, context.stock)), tabs, context.progress);
   return cuts;
 }
 
 Artifact isolate_stage(const Artifact& in, const Values& values, Context& context) {
   Cuts cuts;
   cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), stepover_of(values, context),
-                       cut_of(values, context, depths_of(values, context)), context.progress);
+                       cut_of(values, context, depths_of(values, context.stock)), context.progress);
   cuts.inside_first = false;  // nothing comes loose
   return cuts;
 }
@@ -90,7 +90,7 @@ std::function<bool(const Vec3&, const Vec3&)> within(FieldPtr distance, double c
 
 Artifact pocket_stage(const Artifact& in, const Values& values, Context& context) {
   Outline area = std::get<Outline>(in);
-  const CutSettings cut = cut_of(values, context, depths_of(values, context));
+  const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
   if (values.text("side") == "outside") {
     // All of the stock around the part.
     const Rectangle stock = Rectangle::of(context.stock).grown(cut.radius);
@@ -125,7 +125,7 @@ Artifact drill_stage(const Artifact& in, const Values& values, Context& context)
   if (found.empty())
     throw Error(ErrorKind::bad_input, "drill", fmt::format("the part has no round holes of at most {:.4g} mm", most));
   Cuts cuts;
-  cuts.paths = drill(found, is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context));
+  cuts.paths = drill(found, is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context.stock));
   return cuts;
 }
 
@@ -133,7 +133,7 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   if (context.tool.shape != "v") throw Error(ErrorKind::bad_input, "v_carve", "needs a tool of shape v");
   const Outline& outline = std::get<Outline>(in);
   const Loops loops = contours(*outline.distance, outline.bounds, {outline.cell}, context.progress);
-  Depths depths = depths_of(values, context);
+  Depths depths = depths_of(values, context.stock);
   // No deeper than the V is wide.
   depths.bottom = std::max(depths.bottom, depths.top - 0.5 * context.tool.diameter / std::tan(context.tool.angle / 2));
   Cuts cuts;
@@ -142,6 +142,22 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   cuts.inside_first = false;
   cuts.may_reverse = true;
   return cuts;
+}
+
+/// An area over its depth, and all above it.
+FieldPtr over_depth(FieldPtr area, const Values& values, const Box& stock) {
+  const double beyond = 10;  // so that no face of this lies on one of the stock
+  Box reach = stock.grown(beyond);
+  if (const double bottom = depths_of(values, stock).bottom; bottom > stock.lower.z()) reach.lower.z() = bottom;
+  return intersect(std::move(area), box_field(reach));
+}
+FieldPtr inside(const FieldPtr& drawing, const Values& values, const Box& stock) { return over_depth(drawing, values, stock); }
+FieldPtr outside(const FieldPtr& drawing, const Values& values, const Box& stock) {
+  return over_depth(complement(drawing), values, stock);
+}
+FieldPtr at_side(const FieldPtr& drawing, const Values& values, const Box& stock) {
+  const std::string& side = values.text("side");
+  return side == "outside" ? outside(drawing, values, stock) : side == "inside" ? inside(drawing, values, stock) : nullptr;
 }
 
 }  // namespace
@@ -155,24 +171,24 @@ std::vector<Stage> flat_stages() {
                 above_zero(number("tab_width", "mm", 4, "width of a bridge")),
                 above_zero(number("tab_height", "mm", 1, "height of a bridge"))} +
            depth_settings() + cut,
-       profile_stage},
+       profile_stage, at_side},
       {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths, true,
        Settings{at_least(-1, number("offsets", "", 4, "how many; -1 clears everything")),
                 stepover_setting(0.5, "from one offset to the next")} +
            depth_settings(0.1) + cut,
-       isolate_stage},
+       isolate_stage, outside},
       {"pocket", "clears the inside of the part's outline, or the stock around it", Kind::outline, Kind::paths, true,
        Settings{choice("side", {"inside", "outside"}, "what is cleared"), stepover_setting(0.4, "from ring to ring")} +
            clear_settings() + depth_settings() + cut,
-       pocket_stage},
+       pocket_stage, at_side},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is none")),
                 above_zero(number("largest", "mm", unset, "diameter; the default is the tool's"))} +
            depth_settings(),
-       drill_stage},
+       drill_stage, inside},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
        Settings{above_zero(number("stepover", "mm", 0.2, "between passes on a flat floor"))} + depth_settings() + cut,
-       v_carve_stage},
+       v_carve_stage, inside},
   };
 }
 

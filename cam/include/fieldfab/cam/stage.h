@@ -61,6 +61,8 @@ struct Stage {
   bool operation = false;  ///< asked for by name in a job; others are put in where they lead on
   Settings settings;
   std::function<Artifact(const Artifact&, const Values&, Context&)> run;
+  /// Of an operation on a drawing: what of the stock it may take away. Null, or null from it: it does not say.
+  FieldPtr (*may_cut)(const FieldPtr& drawing, const Values&, const Box& stock) = nullptr;
 };
 
 /// All stages there are. To add one, add it to the table of its file in cam/workflow: nothing else has to know.
