@@ -1,9 +1,15 @@
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstring>
+
 #include "bindings.h"
 #include "fieldfab/check/check.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/mesh/bms.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/mesh/detail.h"
+#include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/render/render.h"
 
 namespace fieldfab::python {
@@ -16,10 +22,36 @@ py::array_t<Number> view(Number* data, std::vector<py::ssize_t> shape, const py:
   return array;
 }
 
+template <class Number>
+using Rows = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+
+TriangleMesh mesh_of(const Rows<float>& vertices, const Rows<std::uint32_t>& triangles) {
+  const auto check_rows = [](const py::array& a, const char* name) {
+    if (a.ndim() != 2 || a.shape(1) != 3) throw Error(ErrorKind::bad_input, name, "needs three numbers a row");
+  };
+  check_rows(vertices, "vertices");
+  check_rows(triangles, "triangles");
+  TriangleMesh mesh;
+  mesh.vertices.resize(static_cast<std::size_t>(vertices.shape(0)));
+  mesh.triangles.resize(static_cast<std::size_t>(triangles.shape(0)));
+  if (!mesh.vertices.empty()) std::memcpy(mesh.vertices.data(), vertices.data(), sizeof(float) * 3 * mesh.vertices.size());
+  if (!mesh.triangles.empty())
+    std::memcpy(mesh.triangles.data(), triangles.data(), sizeof(std::uint32_t) * 3 * mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t corner : triangle)
+      if (corner >= mesh.vertices.size()) throw Error(ErrorKind::bad_input, "triangles", "an index is past the last vertex");
+  for (const auto& vertex : mesh.vertices)
+    for (const float number : vertex)
+      if (!std::isfinite(number)) throw Error(ErrorKind::bad_input, "vertices", "a position is not a number");
+  return mesh;
+}
+
 }  // namespace
 
 void bind_results(py::module_& module) {
   py::class_<TriangleMesh>(module, "Mesh", "A triangle mesh; its arrays are views of the kernel's own memory.")
+      .def(py::init(&mesh_of), py::arg("vertices"), py::arg("triangles"),
+           "Of (n, 3) positions in mm and (m, 3) indices, counter-clockwise from outside.")
       .def_property_readonly(
           "vertices",
           [](py::object self) {
@@ -41,7 +73,24 @@ void bind_results(py::module_& module) {
       .def(
           "save", [](const TriangleMesh& mesh, const std::filesystem::path& path) { write_mesh(mesh, path); },
           py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj or .3mf.")
-      .def_static("load", &read_mesh, py::arg("filename"));
+      .def_static("load", &read_mesh, py::arg("filename"))
+      .def(
+          "bms",
+          [](const TriangleMesh& mesh) {
+            std::string bytes;
+            {
+              py::gil_scoped_release release;
+              bytes = to_bms(mesh);
+            }
+            return py::bytes(bytes);
+          },
+          "The bytes of FreeCAD's own mesh file.")
+      .def(
+          "field",
+          [](const TriangleMesh& mesh, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return std::const_pointer_cast<Field>(mesh_field(mesh, p)); });
+          },
+          py::arg("progress") = py::none(), "The solid that it bounds, as a Field: distances; inside is where it winds around.");
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,

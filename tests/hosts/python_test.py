@@ -163,3 +163,29 @@ def test_small_things():
     from fieldfab.shapes import sphere
 
     assert sphere(1) == BALL
+
+
+def test_meshes_of_arrays_are_solids():
+    cube = ff.mesh(ff.parse("max(abs(x) - 1, max(abs(y) - 2, abs(z) - 3))"), voxel=0.25)
+    again = ff.Mesh(cube.vertices, cube.triangles)
+    assert again.volume == cube.volume == pytest.approx(48, rel=1e-3)
+    field = again.field()
+    assert field.value(0, 0, 0) == pytest.approx(-1, abs=1e-3) and field.value(3, 0, 0) == pytest.approx(2, abs=1e-3)
+    for vertices, triangles in (([[0, 0]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 1]]), ([[0, 0, float("nan")]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 7]])):
+        with pytest.raises(ff.Error):
+            ff.Mesh(vertices, triangles)
+
+
+def test_freecads_mesh_bytes_name_all_neighbours():
+    mesh = ff.mesh(ff.parse("sphere(r = 5)"), voxel=0.7)
+    data, n, m = mesh.bms(), len(mesh.vertices), len(mesh.triangles)
+    head = np.frombuffer(data[:8], "<u4")
+    assert list(head) == [0xA0B0C0D0, 0x010000] and list(np.frombuffer(data[264:272], "<u4")) == [n, m]
+    assert len(data) == 272 + 12 * n + 24 * m + 24
+    assert data[272:272 + 12 * n] == mesh.vertices.tobytes()
+    rows = np.frombuffer(data[272 + 12 * n:-24], "<u4").reshape(m, 6)
+    assert (rows[:, :3] == mesh.triangles).all()
+    for t, row in enumerate(rows.tolist()):
+        for i in range(3):
+            other = rows[row[3 + i], :3].tolist()
+            assert row[3 + i] != t and row[i] in other and row[(i + 1) % 3] in other
