@@ -19,9 +19,9 @@ class FieldfabWorkbench(FreeCADGui.Workbench):
     def Initialize(self):
         from fieldfab_workbench import commands
 
-        names = commands.register()
-        self.appendToolbar("Fieldfab", names)
-        self.appendMenu("Fieldfab", names)
+        for title, names in commands.register():
+            self.appendToolbar(title, names)
+            self.appendMenu("Fieldfab" if title == "Fieldfab" else ["Fieldfab", title], names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

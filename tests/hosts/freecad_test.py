@@ -11,34 +11,7 @@ import time
 
 import pytest
 
-from conftest import ROOT
-
-HERE = pathlib.Path(__file__).resolve().parent
-TIMEOUT = 150
-
-
-@pytest.fixture
-def home(tmp_path):
-    """A home folder in which FreeCAD finds the workbench, and starts without its start page."""
-    data = tmp_path / ".local" / "share" / "FreeCAD"
-    (data / "Mod").mkdir(parents=True)
-    (data / "Mod" / "Fieldfab").symlink_to(ROOT / "freecad_workbench")
-    config = tmp_path / ".config" / "FreeCAD"
-    config.mkdir(parents=True)
-    (config / "user.cfg").write_text(
-        """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
-<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
-<FCParamGroup Name="General"><FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/></FCParamGroup></FCParamGroup>
-</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
-"""
-    )
-    return tmp_path
-
-
-def environment(home, **more):
-    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
-    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+from freecad_host import HERE, TIMEOUT, environment, home, screen  # noqa: F401
 
 
 def test_solid_without_window(home):
@@ -60,13 +33,9 @@ def test_solid_without_window(home):
     assert seen["reopened_volume"] == pytest.approx(12, rel=1e-3), "the region still ends at z = 0"
 
 
-def test_real_window(home, tmp_path):
+def test_real_window(home, screen, tmp_path):
     assert shutil.which("freecad") and shutil.which("Xvfb") and shutil.which("import")
-    read, write = os.pipe()
-    screen = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
-    os.close(write)
-    display = ":" + os.read(read, 16).decode().strip()
-    env = environment(home, DISPLAY=display)
+    env = environment(home, DISPLAY=screen)
     freecad = subprocess.Popen(["freecad", str(HERE / "freecad" / "with_window.FCMacro")], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
     try:
         deadline = time.monotonic() + TIMEOUT
@@ -83,7 +52,6 @@ def test_real_window(home, tmp_path):
     finally:
         if freecad.poll() is None:
             os.killpg(freecad.pid, signal.SIGKILL)
-        screen.kill()
     if "FIELDFAB_SCREENSHOT" in os.environ:
         shutil.copy(shot, os.environ["FIELDFAB_SCREENSHOT"])
     assert "error" not in seen, seen["error"]

@@ -8,12 +8,12 @@ import FreeCAD
 
 seen = {}
 try:
-    from fieldfab_workbench import frep_solid
+    from fieldfab_workbench.objects import frep_solid, solid as solids
 
     document = FreeCAD.newDocument("test")
     document.UndoMode = 1
     other = document.addObject("Mesh::Feature", "Other")
-    solid = frep_solid.create(document)
+    solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression = "sphere(r = 10)"
     solid.VoxelSize = "0.5 mm"
     document.recompute()

@@ -1,0 +1,41 @@
+"""Meshes of the kernel and of FreeCAD, each as the other, whole: no loop over triangles in Python. They go through files, since FreeCAD
+0.20 loses parts of what it writes to a Python stream."""
+
+import os
+import tempfile
+
+import Mesh
+import numpy as np
+
+from . import kernel
+
+_HEAD = 272  # bytes of a .bms file before its vertices: magic and version, a comment, two counts
+
+
+def to_freecad(mesh):
+    """A fieldfab.Mesh as a Mesh.Mesh."""
+    result = Mesh.Mesh()
+    if len(mesh.triangles):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh.bms")
+            with open(path, "wb") as file:
+                file.write(mesh.bms())
+            result.read(path)
+    return result
+
+
+def bms_of(mesh):
+    """The bytes of a Mesh.Mesh as a .bms file, in its own coordinates."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "mesh.bms")
+        mesh.write(path)
+        with open(path, "rb") as file:
+            return file.read()
+
+
+def from_bms(data):
+    """A fieldfab.Mesh of the bytes of a .bms file."""
+    points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _HEAD - 8))
+    vertices = np.frombuffer(data, "<f4", 3 * points, _HEAD).reshape(-1, 3)
+    rows = np.frombuffer(data, "<u4", 6 * facets, _HEAD + 12 * points).reshape(-1, 6)
+    return kernel.load().Mesh(vertices, rows[:, :3])

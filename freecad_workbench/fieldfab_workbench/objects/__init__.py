@@ -1,0 +1,1 @@
+"""The document objects. Nothing here needs FreeCAD's window."""

@@ -1,0 +1,51 @@
+"""Two or more solids made one."""
+
+import functools
+
+from .solid import Solid, source_of
+from ..sources import Source
+
+OPERATIONS = ("Union", "Intersection", "Difference", "Blend", "Morph")
+
+
+class Combine(Solid):
+    """Union, intersection, difference (the first without the others), blend (a union with a fillet) and morph of other objects' solids."""
+
+    NAME = "Combine"
+
+    def add_own_properties(self, obj):
+        if "Operation" not in obj.PropertiesList:
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Combine", "What is made of the sources").Operation = list(OPERATIONS)
+        self.add(obj, "LinkList", "Sources", "Combine", "Solids, meshes, Part objects or bodies, in order")
+        self.add(obj, "Length", "Radius", "Combine", "Of a blend's fillet", 2)
+        self.add(obj, "FloatConstraint", "Weight", "Combine", "Of a morph: 0 is the first source, 1 the second", (0.5, 0.0, 1.0, 0.05))
+        self.show_what_matters(obj)
+
+    def onChanged(self, obj, name):
+        if name == "Operation":
+            self.show_what_matters(obj)
+
+    @staticmethod
+    def show_what_matters(obj):
+        for name, operation in (("Radius", "Blend"), ("Weight", "Morph")):
+            if name in obj.PropertiesList:
+                obj.setEditorMode(name, 0 if obj.Operation == operation else 2)
+
+    def source(self, obj):
+        operation, radius, weight = obj.Operation, obj.Radius.Value, obj.Weight
+        if len(obj.Sources) < 2:
+            raise ValueError(f"{obj.Label}: choose at least two Sources")
+        if operation == "Morph" and len(obj.Sources) != 2:
+            raise ValueError(f"{obj.Label}: a morph has two Sources")
+        if operation == "Blend" and not radius > 0:
+            raise ValueError(f"{obj.Label}: the Radius of a blend must be above 0")
+        sources = [source_of(each) for each in obj.Sources]
+        join = {
+            "Union": lambda a, b: a | b,
+            "Intersection": lambda a, b: a & b,
+            "Difference": lambda a, b: a - b,
+            "Blend": lambda a, b: a.blend(b, radius),
+            "Morph": lambda a, b: a.morph(b, weight),
+        }[operation]
+        key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0, *(s.digest for s in sources))
+        return Source(key, lambda progress: functools.reduce(join, (s.field(progress) for s in sources)))

@@ -1,0 +1,89 @@
+"""A solid from a formula, with the formula's numbers as properties."""
+
+import re
+
+import FreeCAD
+
+from .. import kernel
+from ..sources import Source
+from .solid import Solid
+
+DEFAULT = """# a rounded box with a gyroid inside
+size = 40
+wall = 2.4
+period = 14
+outer = rounded_box(size, size, size, 6)
+gyroids = shell(gyroid(period), 1.6)
+window = sphere(r = 0.625 * size)
+difference(shell(outer, wall), window) | (outer & gyroids)
+"""
+
+_PARAMETER = re.compile(r"^([ \t]*)([A-Za-z_]\w*)([ \t]*=[ \t]*)(-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)([ \t]*(?:#[^\n]*|//[^\n]*)?)$", re.MULTILINE)
+GROUP = "Parameters"
+
+
+def parameters(text):
+    """The names that a text gives to plain numbers, in its order: {name: number}."""
+    return {match[2]: float(match[4]) for match in _PARAMETER.finditer(text)}
+
+
+def with_values(text, values):
+    """The text with other numbers for its parameters."""
+    return _PARAMETER.sub(lambda m: f"{m[1]}{m[2]}{m[3]}{values.get(m[2], float(m[4]))!r}{m[5]}", text)
+
+
+def source_of_text(text):
+    """Of .frep text or a prefix math string."""
+    return Source(("frep", text), lambda progress: kernel.load().Field(kernel.load().parse(text)))
+
+
+def property_name(name):
+    """The property for a parameter: its name, but FreeCAD's expressions take `r`, `h` or `min` for units, and so they get a line below."""
+    try:
+        FreeCAD.Units.parseQuantity(f"1 {name}")
+    except Exception:  # not a unit; 0.20 raises OSError
+        return name
+    return name + "_"
+
+
+class FrepSolid(Solid):
+    """Its text, and a property for each line `name = number` of it: that number is then the property's, which expressions may drive."""
+
+    NAME = "FrepSolid"
+
+    def add_own_properties(self, obj):
+        self.add(obj, "String", "FollowedText", "Result", "The text that the parameters were last taken from", mode=4)
+        self.add(obj, "String", "Expression", "F-rep", "The solid as .frep text or as a prefix math string", DEFAULT)
+        self.follow_text(obj)
+
+    def onChanged(self, obj, name):
+        if name == "Expression" and "FollowedText" in obj.PropertiesList and not obj.Document.Restoring:
+            self.follow_text(obj)
+
+    @staticmethod
+    def follow_text(obj):
+        """Gives the object the parameters of its text. A number that the text says anew is taken over; where the text says what it said, the
+        property keeps its value."""
+        if obj.FollowedText == obj.Expression:
+            return
+        before, wanted = parameters(obj.FollowedText), parameters(obj.Expression)
+        own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
+        for name in own - {property_name(n) for n in wanted}:
+            obj.removeProperty(name)
+        for name, value in wanted.items():
+            held = property_name(name)
+            if held not in obj.PropertiesList:
+                obj.addProperty("App::PropertyFloat", held, GROUP, f"{name} of the text")
+                setattr(obj, held, value)
+            elif held in own and before.get(name) != value:
+                setattr(obj, held, value)
+        obj.FollowedText = obj.Expression
+
+    def text(self, obj):
+        """The text with the values of its parameters."""
+        held = {name: property_name(name) for name in parameters(obj.Expression)}
+        own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
+        return with_values(obj.Expression, {name: getattr(obj, prop) for name, prop in held.items() if prop in own})
+
+    def source(self, obj):
+        return source_of_text(self.text(obj))

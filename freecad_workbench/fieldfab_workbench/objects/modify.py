@@ -1,0 +1,128 @@
+"""One solid made into another."""
+
+import functools
+import math
+
+import FreeCAD
+
+from .. import kernel
+from ..sources import Source
+from .solid import Solid, source_of
+
+# What each operation needs.
+OPERATIONS = {
+    "Offset": ("Distance",),
+    "Shell": ("Wall",),
+    "Lattice infill": ("Wall", "Lattice", "Period", "Strut"),
+    "Mirror": ("Direction", "Centre", "KeepOriginal"),
+    "Linear array": ("Step", "Count"),
+    "Polar array": ("Direction", "Centre", "Count", "Angle"),
+    "Transform": ("Factors", "Turn", "Direction", "Centre", "Step"),
+}
+LATTICES = ("gyroid", "schwarz_p", "diamond")
+
+
+def _mirrored(field, normal, centre):
+    return field.translate(*(-centre)).mirror(normal).translate(*centre)
+
+
+def _turned(field, axis, centre, angle):
+    return field.translate(*(-centre)).rotate(axis, angle).translate(*centre)
+
+
+class Modify(Solid):
+    """Offset, shell, lattice infill, mirror, arrays and transforms of another object's solid."""
+
+    NAME = "Modify"
+
+    def add_own_properties(self, obj):
+        if "Operation" not in obj.PropertiesList:
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify", "What is made of the source").Operation = list(OPERATIONS)
+        if "Lattice" not in obj.PropertiesList:
+            obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "What fills it").Lattice = list(LATTICES)
+        add = functools.partial(self.add, obj)
+        add("Link", "Source", "Modify", "A solid, mesh, Part object or body")
+        add("Distance", "Distance", "Modify", "Outwards; below 0 inwards", 1)
+        add("Length", "Wall", "Modify", "Thickness of the wall, inwards", 1.2)
+        add("Length", "Period", "Modify", "Edge of the lattice's cell", 10)
+        add("Length", "Strut", "Modify", "Thickness of the lattice's walls", 1)
+        add("Vector", "Direction", "Modify", "The mirror's normal, or the axis", FreeCAD.Vector(0, 0, 1))
+        add("Vector", "Centre", "Modify", "A point of the mirror or the axis")
+        add("Bool", "KeepOriginal", "Modify", "Both halves", True)
+        add("Vector", "Step", "Modify", "From one copy to the next; of a transform, the way", FreeCAD.Vector(20, 0, 0))
+        add("IntegerConstraint", "Count", "Modify", "Copies, the original among them", (4, 1, 1000, 1))
+        add("Angle", "Angle", "Modify", "From the first copy to where the next round would begin", 360)
+        add("Vector", "Factors", "Modify", "Along x, y and z", FreeCAD.Vector(1, 1, 1))
+        add("Angle", "Turn", "Modify", "About the axis", 0)
+        self.show_what_matters(obj)
+
+    def onChanged(self, obj, name):
+        if name == "Operation":
+            self.show_what_matters(obj)
+
+    @staticmethod
+    def show_what_matters(obj):
+        for name in {name for needed in OPERATIONS.values() for name in needed}:
+            if name in obj.PropertiesList:
+                obj.setEditorMode(name, 0 if name in OPERATIONS[obj.Operation] else 2)
+
+    def source(self, obj):
+        if obj.Source is None:
+            raise ValueError(f"{obj.Label}: choose a Source")
+        source, operation = source_of(obj.Source), obj.Operation
+        values = {name: self._plain(getattr(obj, name)) for name in OPERATIONS[operation]}
+        self.check(obj, values)
+        make = getattr(self, "_" + operation.lower().replace(" ", "_"))
+        return Source(("modify", operation, source.digest, sorted(values.items())), lambda progress: make(source.field(progress), **values))
+
+    @staticmethod
+    def _plain(value):
+        if isinstance(value, FreeCAD.Vector):
+            return tuple(value)
+        return getattr(value, "Value", value)
+
+    @staticmethod
+    def check(obj, values):
+        """Raises ValueError for values that make no solid."""
+        for name in ("Wall", "Period", "Strut"):
+            if name in values and not values[name] > 0:
+                raise ValueError(f"{obj.Label}: {name} must be above 0")
+        if "Direction" in values and not any(values["Direction"]) and (obj.Operation != "Transform" or values["Turn"]):
+            raise ValueError(f"{obj.Label}: Direction has no length")
+        if "Factors" in values and not all(values["Factors"]):
+            raise ValueError(f"{obj.Label}: a factor is 0")
+
+    @staticmethod
+    def _offset(field, Distance):
+        return field.offset(Distance)
+
+    @staticmethod
+    def _shell(field, Wall):
+        return field - field.offset(-Wall)
+
+    @staticmethod
+    def _lattice_infill(field, Wall, Lattice, Period, Strut):
+        shapes = kernel.load().shapes
+        lattice = shapes.shell(getattr(shapes, Lattice)(Period), Strut)
+        return (field - field.offset(-Wall)) | (field & lattice)
+
+    @staticmethod
+    def _mirror(field, Direction, Centre, KeepOriginal):
+        mirrored = _mirrored(field, Direction, FreeCAD.Vector(*Centre))
+        return field | mirrored if KeepOriginal else mirrored
+
+    @staticmethod
+    def _linear_array(field, Step, Count):
+        return functools.reduce(lambda a, b: a | b, (field.translate(*(i * s for s in Step)) for i in range(Count)))
+
+    @staticmethod
+    def _polar_array(field, Direction, Centre, Count, Angle):
+        centre = FreeCAD.Vector(*Centre)
+        copies = (_turned(field, Direction, centre, math.radians(i * Angle / Count)) for i in range(Count))
+        return functools.reduce(lambda a, b: a | b, copies)
+
+    @staticmethod
+    def _transform(field, Factors, Turn, Direction, Centre, Step):
+        scaled = field.scale(*Factors)
+        turned = _turned(scaled, Direction, FreeCAD.Vector(*Centre), math.radians(Turn)) if Turn else scaled
+        return turned.translate(*Step)

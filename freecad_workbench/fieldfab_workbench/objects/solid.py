@@ -1,0 +1,121 @@
+"""What all solids have in common: a mesh in the document that follows a Field."""
+
+import hashlib
+
+import FreeCAD
+
+from .. import kernel, meshes, work
+
+
+class Solid:
+    """Proxy of a Mesh::FeaturePython object. A solid says where it comes from (`source`); the mesh, its resolution and its figures are here.
+    Lengths are mm. The mesh is saved with the document; it is made anew only when what it depends on has changed."""
+
+    NAME = "Solid"  # of new objects, and of the icon
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    # To be told by each kind of solid.
+    def add_own_properties(self, obj):
+        """Adds what this kind of solid is made from, with `add`."""
+
+    def source(self, obj):
+        """A sources.Source of the solid in its own coordinates. Raises ValueError with a line for the user."""
+        raise NotImplementedError
+
+    def default_voxel(self, obj):
+        """Edge of the smallest cell where none is given; None: 1/128 of the longest side."""
+        return None
+
+    # The same for all.
+    @staticmethod
+    def add(obj, kind, name, group, words, value=None, mode=0):
+        """A property, unless a document of an earlier version has it already."""
+        if name in obj.PropertiesList:
+            return
+        obj.addProperty(f"App::Property{kind}", name, group, words, mode)
+        if value is not None:
+            setattr(obj, name, value)
+
+    def add_properties(self, obj):
+        self.add_own_properties(obj)
+        add = self.add
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly 1/128 of the longest side", 0)
+        add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
+        add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
+        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
+        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
+        add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
+        add(obj, "Area", "Area", "Result", "Surface of the mesh", mode=1)
+        add(obj, "Integer", "Triangles", "Result", "Triangles of the mesh", mode=1)
+        add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
+
+    def mesh_settings(self, obj):
+        """The settings of fieldfab.mesh()."""
+        settings = {"voxel": obj.VoxelSize.Value or self.default_voxel(obj), "max_error": obj.MaxError.Value or None}
+        if not obj.AutoBounds:
+            settings["bounds"] = (*obj.Lower, *obj.Upper)
+        return {name: value for name, value in settings.items() if value is not None}
+
+    def execute(self, obj):
+        """Makes the mesh. What goes wrong is raised: FreeCAD then marks the object, which keeps the mesh it had."""
+        fieldfab = kernel.load()
+        try:
+            source, settings = self.source(obj), self.mesh_settings(obj)
+            made_from = hashlib.sha1(repr((source.digest, sorted(settings.items()))).encode()).hexdigest()
+            if obj.MadeFrom == made_from:
+                return
+            mesh = work.run(lambda progress: source.mesh(progress, **settings), obj.Label)
+        except fieldfab.Error as error:
+            raise ValueError(f"{obj.Label}: {error}") from None
+        except work.Cancelled:
+            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+        placement = obj.Placement
+        obj.Mesh = meshes.to_freecad(mesh)
+        obj.Placement = placement
+        obj.Volume, obj.Area, obj.Triangles = mesh.volume, mesh.area, len(mesh.triangles)
+        obj.MadeFrom = made_from
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+
+    # The proxy keeps nothing of its own in the document.
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def is_solid(obj):
+    return isinstance(getattr(obj, "Proxy", None), Solid)
+
+
+def source_of(obj, placed=True):
+    """The Source of any object that bounds a solid: ours, a mesh, a Part shape or body. Placed: where it is in the document; else in
+    its own coordinates. Raises ValueError for others."""
+    if is_solid(obj):
+        source = obj.Proxy.source(obj)
+    else:
+        from .solid_from_object import source_of_geometry
+
+        source = source_of_geometry(obj)
+    if not placed:
+        return source
+    return source.moved(obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement)
+
+
+def create(kind, document, name=None):
+    """Adds a solid of a class to the document; not yet computed."""
+    obj = document.addObject("Mesh::FeaturePython", name or kind.NAME)
+    kind(obj)
+    if FreeCAD.GuiUp:
+        from ..views.solid_view import SolidView
+
+        SolidView(obj.ViewObject)
+    return obj

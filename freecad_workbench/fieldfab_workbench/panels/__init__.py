@@ -1,0 +1,14 @@
+"""The task panels."""
+
+
+def panel_for(obj):
+    """The panel that edits an object."""
+    from ..objects.frep_solid import FrepSolid
+
+    if isinstance(obj.Proxy, FrepSolid):
+        from .frep_panel import FrepPanel
+
+        return FrepPanel(obj)
+    from .property_panel import PropertyPanel
+
+    return PropertyPanel(obj)

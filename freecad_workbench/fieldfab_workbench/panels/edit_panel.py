@@ -1,0 +1,64 @@
+"""What all panels that edit one object share: one undo step, Apply, OK, and a Cancel that takes everything back."""
+
+import FreeCADGui
+
+from ..shim import QtWidgets, flags
+
+
+class EditPanel:
+    """A task panel. `form` is the widget; `take_over()` writes what it holds into the object."""
+
+    def __init__(self, obj, title):
+        self.obj, self.document = obj, obj.Document
+        if not self.document.HasPendingTransaction:
+            self.document.openTransaction(f"Edit {obj.Label}")
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(title)
+        self.form.setWindowIcon(obj.ViewObject.Icon)
+        self.layout = QtWidgets.QVBoxLayout(self.form)
+        self.message = QtWidgets.QLabel()
+        self.message.setWordWrap(True)
+
+    def take_over(self):
+        raise NotImplementedError
+
+    def say(self, text, good=False):
+        self.message.setText(text)
+        self.message.setStyleSheet("color: #2c7a3f" if good else "color: #b3261e")
+
+    def apply(self):
+        """Takes the values over and recomputes; True where the object came out well."""
+        self.take_over()
+        self.document.recompute([self.obj])
+        if self.obj.isValid():
+            self.say("", True)
+            return True
+        self.say(self.obj.getStatusString())
+        return False
+
+    # What FreeCAD asks of a task panel.
+    def getStandardButtons(self):
+        buttons = QtWidgets.QDialogButtonBox
+        return flags(buttons.Ok | buttons.Cancel | buttons.Apply)
+
+    def clicked(self, button):
+        if button == QtWidgets.QDialogButtonBox.Apply:
+            self.apply()
+
+    def accept(self):
+        if not self.apply():
+            return False
+        self.document.commitTransaction()
+        self.close()
+        self.document.recompute()
+        return True
+
+    def reject(self):
+        self.document.abortTransaction()  # first: leaving edit mode would commit what is pending
+        self.close()
+        self.document.recompute()
+        return True
+
+    def close(self):
+        FreeCADGui.getDocument(self.document.Name).resetEdit()
+        FreeCADGui.Control.closeDialog()

@@ -1,0 +1,151 @@
+"""A task panel made from an object's own properties, for solids that are described by a few numbers and choices."""
+
+import FreeCAD
+import FreeCADGui
+
+from ..shim import QtCore, QtWidgets
+from .edit_panel import EditPanel
+
+SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
+HIDDEN = "Hidden"
+
+
+class PropertyPanel(EditPanel):
+    """One row a property that matters now; which those are follows the object's editor modes."""
+
+    def __init__(self, obj):
+        super().__init__(obj, obj.Proxy.NAME)
+        self.rows, self.writers = QtWidgets.QFormLayout(), {}
+        self.layout.addLayout(self.rows)
+        self.layout.addWidget(self.message)
+        self.layout.addStretch()
+        self.fill()
+
+    def names(self):
+        return [name for name in self.obj.PropertiesList
+                if self.obj.getGroupOfProperty(name) not in SHARED and HIDDEN not in self.obj.getEditorMode(name)
+                and self.obj.getTypeIdOfProperty(name) in MAKERS]
+
+    def fill(self):
+        while self.rows.rowCount():
+            self.rows.removeRow(0)
+        self.writers.clear()
+        for name in sorted(self.names(), key=lambda n: (self.obj.getTypeIdOfProperty(n) != "App::PropertyEnumeration" or n != "Operation")):
+            widget, self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
+            widget.setToolTip(self.obj.getDocumentationOfProperty(name))
+            self.rows.addRow(spaced(name), widget)
+
+    def take_over(self):
+        for write in self.writers.values():
+            write()
+
+    # Widgets: each maker returns a widget, and a function that writes its value into the object.
+    def _choice(self, name):
+        box = QtWidgets.QComboBox()
+        box.addItems(self.obj.getEnumerationsOfProperty(name))
+        box.setCurrentText(getattr(self.obj, name))
+
+        def changed():
+            self.take_over()
+            if name == "Operation":
+                QtCore.QTimer.singleShot(0, self.fill)  # not while the box that is about to go still speaks
+
+        box.activated.connect(lambda index: changed())
+        return box, lambda: setattr(self.obj, name, box.currentText())
+
+    def _quantity(self, name):
+        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        box.setProperty("value", getattr(self.obj, name))
+        if hasattr(FreeCADGui, "ExpressionBinding"):
+            FreeCADGui.ExpressionBinding(box).bind(self.obj, name)
+        return box, lambda: self._write_quantity(name, box)
+
+    def _write_quantity(self, name, box):
+        if not any(path == name for path, expression in self.obj.ExpressionEngine):
+            setattr(self.obj, name, box.property("value"))
+
+    def _number(self, name):
+        box = QtWidgets.QDoubleSpinBox()
+        box.setDecimals(3)
+        box.setRange(0, 1)
+        box.setSingleStep(0.05)
+        box.setValue(getattr(self.obj, name))
+        return box, lambda: setattr(self.obj, name, box.value())
+
+    def _count(self, name):
+        box = QtWidgets.QSpinBox()
+        box.setRange(1, 1000)
+        box.setValue(getattr(self.obj, name))
+        return box, lambda: setattr(self.obj, name, box.value())
+
+    def _yes(self, name):
+        box = QtWidgets.QCheckBox()
+        box.setChecked(getattr(self.obj, name))
+        return box, lambda: setattr(self.obj, name, box.isChecked())
+
+    def _vector(self, name):
+        row = QtWidgets.QWidget()
+        layout = QtWidgets.QHBoxLayout(row)
+        layout.setContentsMargins(0, 0, 0, 0)
+        boxes = []
+        for value in getattr(self.obj, name):
+            box = QtWidgets.QDoubleSpinBox()
+            box.setDecimals(4)
+            box.setRange(-1e6, 1e6)
+            box.setValue(value)
+            layout.addWidget(box)
+            boxes.append(box)
+        return row, lambda: setattr(self.obj, name, FreeCAD.Vector(*(box.value() for box in boxes)))
+
+    def _link(self, name):
+        box = QtWidgets.QComboBox()
+        for candidate in candidates(self.obj):
+            box.addItem(candidate.Label, candidate.Name)
+        current = getattr(self.obj, name)
+        box.setCurrentIndex(box.findData(current.Name) if current else -1)
+        return box, lambda: setattr(self.obj, name, self.document.getObject(box.currentData()) if box.currentIndex() >= 0 else None)
+
+    def _links(self, name):
+        """All candidates, those chosen on top; ticked ones are taken, in the list's order, which dragging changes."""
+        box = QtWidgets.QListWidget()
+        box.setDragDropMode(QtWidgets.QAbstractItemView.InternalMove)
+        box.setMaximumHeight(140)
+        chosen = list(getattr(self.obj, name))
+        for candidate in chosen + [c for c in candidates(self.obj) if c not in chosen]:
+            item = QtWidgets.QListWidgetItem(candidate.Label, box)
+            item.setData(QtCore.Qt.UserRole, candidate.Name)
+            item.setCheckState(QtCore.Qt.Checked if candidate in chosen else QtCore.Qt.Unchecked)
+
+        def write():
+            items = [box.item(i) for i in range(box.count())]
+            wanted = [self.document.getObject(i.data(QtCore.Qt.UserRole)) for i in items if i.checkState() == QtCore.Qt.Checked]
+            if wanted != list(getattr(self.obj, name)):
+                setattr(self.obj, name, wanted)
+
+        return box, write
+
+
+MAKERS = {
+    "App::PropertyEnumeration": PropertyPanel._choice,
+    "App::PropertyLength": PropertyPanel._quantity,
+    "App::PropertyDistance": PropertyPanel._quantity,
+    "App::PropertyAngle": PropertyPanel._quantity,
+    "App::PropertyFloatConstraint": PropertyPanel._number,
+    "App::PropertyIntegerConstraint": PropertyPanel._count,
+    "App::PropertyBool": PropertyPanel._yes,
+    "App::PropertyVector": PropertyPanel._vector,
+    "App::PropertyLink": PropertyPanel._link,
+    "App::PropertyLinkList": PropertyPanel._links,
+}
+
+
+def spaced(name):
+    """KeepOriginal: "Keep original"."""
+    words = "".join(f" {c.lower()}" if c.isupper() else c for c in name).strip()
+    return words[:1].upper() + words[1:]
+
+
+def candidates(obj):
+    """What a solid may be made of: whatever bounds something and is not made of it."""
+    return [other for other in obj.Document.Objects
+            if other != obj and obj not in other.OutListRecursive and (hasattr(other, "Mesh") or getattr(getattr(other, "Shape", None), "Solids", None))]

@@ -1,0 +1,50 @@
+"""Where solids come from: a key that tells one from another, and how to make its Field. Fields and meshes that were made are kept for a
+while, so that a panel, a recompute and the solids built on this one share them."""
+
+import hashlib
+import threading
+from collections import OrderedDict
+
+from . import kernel
+
+KEPT = 64
+
+
+class Source:
+    """`key`: plain values that say all that the Field depends on. `make(progress)`: makes it, on any thread; it must not look at the document."""
+
+    def __init__(self, key, make):
+        self.digest = hashlib.sha1(repr(key).encode()).hexdigest()
+        self._make = make
+
+    def field(self, progress=None):
+        """The Field. Raises fieldfab.Error."""
+        return _kept(("field", self.digest), lambda: self._make(progress))
+
+    def mesh(self, progress=None, **settings):
+        """The mesh with these settings of fieldfab.mesh(), and its key."""
+        key = ("mesh", self.digest, *sorted(settings.items()))
+        return _kept(key, lambda: kernel.load().mesh(self.field(progress), progress=progress, **settings))
+
+    def moved(self, placement):
+        """The solid where a FreeCAD placement puts it."""
+        if placement.isIdentity():
+            return self
+        axis, angle, base = tuple(placement.Rotation.Axis), placement.Rotation.Angle, tuple(placement.Base)
+        return Source(("moved", self.digest, axis, angle, base), lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
+
+
+_store, _lock = OrderedDict(), threading.Lock()
+
+
+def _kept(key, make):
+    with _lock:
+        if key in _store:
+            _store.move_to_end(key)
+            return _store[key]
+    made = make()
+    with _lock:
+        _store[key] = made
+        while len(_store) > KEPT:
+            _store.popitem(last=False)
+    return made

@@ -1,0 +1,1 @@
+"""How the objects look, and what a double-click does."""

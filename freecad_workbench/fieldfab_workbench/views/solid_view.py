@@ -1,0 +1,66 @@
+"""How a solid looks in FreeCAD: its icon, its colour, its place in the tree, its task panel."""
+
+import os
+
+import FreeCADGui
+
+ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "icons")
+COLOUR = (0.42, 0.62, 0.86)
+
+
+def icon(name):
+    return os.path.join(ICONS, f"{name}.svg")
+
+
+class SolidView:
+    """View provider of a Solid."""
+
+    def __init__(self, view):
+        view.Proxy = self
+        view.ShapeColor = COLOUR
+        view.Lighting = "Two side"
+        view.CreaseAngle = 30.0  # smooth where the solid is, sharp where it is not
+
+    def attach(self, view):
+        self.Object = view.Object
+
+    def getIcon(self):
+        return icon(self.Object.Proxy.NAME)
+
+    def claimChildren(self):
+        return sources_of(self.Object)
+
+    def setEdit(self, view, mode=0):
+        from ..panels import panel_for
+
+        FreeCADGui.Control.showDialog(panel_for(view.Object))
+        return True
+
+    def unsetEdit(self, view, mode=0):
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, view):
+        view.Document.setEdit(view.Object.Name)
+        return True
+
+    def onDelete(self, view, subelements):
+        """What a solid was made of is seen again once it is gone."""
+        for source in sources_of(view.Object):
+            source.ViewObject.Visibility = True
+        return True
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def sources_of(obj):
+    """The objects that a solid is made of."""
+    listed = list(getattr(obj, "Sources", None) or [])
+    return listed or [source for source in [getattr(obj, "Source", None)] if source is not None]

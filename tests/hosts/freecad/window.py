@@ -1,0 +1,58 @@
+"""For tests that run in FreeCAD's window: waiting while it lives, its buttons, pictures of it."""
+
+import os
+import time
+
+import FreeCADGui
+
+from fieldfab_workbench.shim import QtCore, QtWidgets
+
+
+def wait(until, seconds=30, what="it"):
+    """Lets the window live until the condition holds."""
+    end = time.monotonic() + seconds
+    while not until():
+        assert time.monotonic() < end, f"waited {seconds} s for {what} in vain"
+        QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+        time.sleep(0.005)
+
+
+def live(seconds):
+    end = time.monotonic() + seconds
+    wait(lambda: time.monotonic() > end, seconds + 5)
+
+
+def press(button):
+    """Clicks OK, Cancel or Apply of the task panel that is open."""
+    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible() and box.button(button)]
+    assert len(boxes) == 1, f"{len(boxes)} button boxes are seen"
+    boxes[0].button(button).click()
+    live(0.1)
+
+
+def shot(name):
+    """A picture of the whole window, as a QImage; kept as NAME.png in the folder FIELDFAB_SHOTS, where that is given."""
+    live(0.3)
+    picture = FreeCADGui.getMainWindow().screen().grabWindow(FreeCADGui.getMainWindow().winId()).toImage()
+    if folder := os.environ.get("FIELDFAB_SHOTS"):
+        picture.save(os.path.join(folder, f"{name}.png"))
+    return picture
+
+
+class Heartbeat:
+    """Measures how long the window does not answer, in seconds: `with Heartbeat() as beat: ...; assert beat.longest < 0.1`."""
+
+    def __enter__(self):
+        self.longest, self._last = 0.0, time.monotonic()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._beat)
+        self._timer.start(5)
+        return self
+
+    def _beat(self):
+        now = time.monotonic()
+        self.longest, self._last = max(self.longest, now - self._last), now
+
+    def __exit__(self, *_):
+        self._beat()
+        self._timer.stop()

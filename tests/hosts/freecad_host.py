@@ -1,0 +1,67 @@
+"""FreeCAD, with and without a window, for tests: a home folder of its own, a screen, and tests that run inside it."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+
+import pytest
+from conftest import ROOT
+
+HERE = pathlib.Path(__file__).resolve().parent
+TIMEOUT = 150
+
+
+@pytest.fixture
+def home(tmp_path):
+    """A home folder in which FreeCAD finds the workbench, and starts without its start page."""
+    data = tmp_path / ".local" / "share" / "FreeCAD"
+    (data / "Mod").mkdir(parents=True)
+    (data / "Mod" / "Fieldfab").symlink_to(ROOT / "freecad_workbench")
+    config = tmp_path / ".config" / "FreeCAD"
+    config.mkdir(parents=True)
+    (config / "user.cfg").write_text(
+        """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
+<FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
+<FCParamGroup Name="General"><FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/></FCParamGroup></FCParamGroup>
+</FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
+"""
+    )
+    return tmp_path
+
+
+def environment(home, **more):
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
+    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+
+
+@pytest.fixture
+def screen():
+    """An X server of our own; its DISPLAY."""
+    read, write = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    os.close(write)
+    yield ":" + os.read(read, 16).decode().strip()
+    server.kill()
+    server.wait()
+
+
+def run_inside(home, file, screen=None, timeout=300, **more):
+    """Runs a pytest file inside FreeCAD, in its window where there is a screen; asserts that at least one test ran and all passed.
+    FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a folder for screenshots."""
+    where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}
+    env = environment(home, FIELDFAB_INSIDE=str(file), **where, **more)
+    freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")], env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                               stdin=subprocess.DEVNULL, start_new_session=True)
+    try:
+        said = freecad.communicate(timeout=timeout)[0].decode(errors="replace")
+    except subprocess.TimeoutExpired:
+        os.killpg(freecad.pid, signal.SIGKILL)
+        said = freecad.communicate()[0].decode(errors="replace")
+    left = home / "result.json"
+    assert left.exists(), f"FreeCAD ended with {freecad.returncode} and no result:\n{said[-3000:]}"
+    result = json.loads(left.read_text())
+    print(result["said"])
+    assert result["code"] == 0 and " passed" in result["said"] and " skipped" not in result["said"]

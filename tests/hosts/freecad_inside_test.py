@@ -1,0 +1,16 @@
+"""The workbench, tested from inside the real FreeCAD: inside_*.py without a window, window_*.py in its window."""
+
+import pytest
+from freecad_host import HERE, home, run_inside, screen  # noqa: F401
+
+FOLDER = HERE / "freecad"
+
+
+@pytest.mark.parametrize("file", sorted(FOLDER.glob("inside_*.py")), ids=lambda p: p.stem)
+def test_without_window(home, file):
+    run_inside(home, file)
+
+
+@pytest.mark.parametrize("file", sorted(FOLDER.glob("window_*.py")), ids=lambda p: p.stem)
+def test_in_the_window(home, screen, file):
+    run_inside(home, file, screen)
