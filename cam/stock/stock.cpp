@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <mutex>
 
 #include "brick.h"
 #include "fieldfab/core/error.h"
@@ -241,7 +240,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         if (near[brick].empty()) touched.push_back(brick);
         near[brick].push_back(static_cast<std::uint32_t>(i));
       }
-    std::mutex adding;
+    std::vector<std::vector<StrokeResult>> met(touched.size());  // of each brick's passes
     parallel_for(touched.size(), [&](std::size_t t) {
       std::shared_ptr<Brick>& brick = bricks_[touched[t]];
       if (brick.use_count() > 1) brick = std::make_shared<Brick>(*brick);
@@ -251,15 +250,16 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
       for (std::size_t first = 0; first < passes.size() && !progress.cancelled(); first += 64)
         brick->cut(std::span(passes).subspan(first, std::min<std::size_t>(64, passes.size() - first)), *this);
       changed[touched[t]] = 1;
-      const std::lock_guard lock(adding);
-      for (std::size_t k = 0; k < passes.size(); ++k) {
-        StrokeResult& result = results[begin + near[touched[t]][k]];
-        const StrokeResult& met = passes[k].result;
-        result.volume += met.volume;
-        if (met.points) result.place = met.place + lattice_.box().lower;
-        result.points += met.points;
-      }
+      for (const Brick::Pass& pass : passes) met[t].push_back(pass.result);
     });
+    // One after the other: sums and places are the same for any number of threads.
+    for (std::size_t t = 0; t < touched.size(); ++t)
+      for (std::size_t k = 0; k < met[t].size(); ++k) {
+        StrokeResult& result = results[begin + near[touched[t]][k]];
+        if (met[t][k].points && !result.points) result.place = met[t][k].place + lattice_.box().lower;
+        result.volume += met[t][k].volume;
+        result.points += met[t][k].points;
+      }
     for (const std::size_t brick : touched) near[brick].clear();
     progress.check();
   }

@@ -488,3 +488,16 @@ def test_the_slotted_ball_ends_as_it_should(tmp_path):
     result = json.loads(report.read_text())
     assert done.returncode == 0 and result["moves"] > 40_000 and not result["events"], done.stderr
     assert result["deviation"]["deepest_gouge"] < 0.05 and result["deviation"]["highest_excess"] < 0.05
+
+
+def test_reports_are_the_same_for_any_number_of_threads(program):
+    reports = []
+    for threads in (1, 2, 2, 3):
+        report = program.folder / f"threads{len(reports)}.json"
+        lines = list(program.lines)
+        i = next(i for i in program.feeds(1) if program.removed.get(i + 1, 0) > 5)
+        lines[i] = "G0" + lines[i][2:]
+        (program.folder / "threads.nc").write_text("\n".join(lines))
+        run("simulate", program.folder / "threads.nc", "--setup", program.job, "--report", report, "--threads", threads)
+        reports.append(report.read_text())
+    assert len(set(reports)) == 1
