@@ -1,1 +1,5 @@
-# FreeCAD runs this at every start, with or without a window. Nothing is registered yet: file types come with later versions.
+"""FreeCAD runs this at its start, with or without a window."""
+
+import FreeCAD
+
+FreeCAD.__unit_test__ += ["TestFieldfab"]

@@ -4,7 +4,7 @@ import FreeCADGui
 
 
 class FieldfabWorkbench(FreeCADGui.Workbench):
-    """Solids from formulas."""
+    """Solids from formulas and scans."""
 
     def __init__(self):
         import os
@@ -14,9 +14,16 @@ class FieldfabWorkbench(FreeCADGui.Workbench):
         icons = os.path.join(os.path.dirname(os.path.dirname(fieldfab_workbench.__file__)), "icons")
         self.__class__.Icon = os.path.join(icons, "fieldfab.svg")
         self.__class__.MenuText = "Fieldfab"
-        self.__class__.ToolTip = "Solids from formulas: f-reps and distance fields"
+        self.__class__.ToolTip = "Solids from formulas and scans, machined and simulated"
 
     def Initialize(self):
+        import os
+
+        import fieldfab_workbench
+
+        folder = os.path.dirname(os.path.dirname(fieldfab_workbench.__file__))
+        FreeCADGui.addIconPath(os.path.join(folder, "icons"))
+        FreeCADGui.addPreferencePage(os.path.join(folder, "resources", "preferences.ui"), "Fieldfab")
         from fieldfab_workbench import commands
 
         for title, names in commands.register():

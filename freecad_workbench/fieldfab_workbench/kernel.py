@@ -3,6 +3,8 @@
 import os
 import sys
 
+from . import preferences
+
 
 def load():
     """The module `fieldfab`. Raises ImportError with advice where it is not to be found."""
@@ -15,4 +17,15 @@ def load():
             raise ImportError(f"Fieldfab's kernel is not built: run ./dev build in {os.path.normpath(os.path.join(here, '..', '..'))}") from None
         sys.path.append(built)
         import fieldfab
+    _follow_preferences(fieldfab)
     return fieldfab
+
+
+_threads = 0  # that the kernel was told
+
+
+def _follow_preferences(fieldfab):
+    global _threads
+    if preferences.threads() != _threads:
+        _threads = preferences.threads()
+        fieldfab.set_threads(_threads or os.cpu_count())

@@ -21,10 +21,18 @@ class Source:
         """The Field. Raises fieldfab.Error."""
         return _kept(("field", self.digest), lambda: self._make(progress))
 
-    def mesh(self, progress=None, **settings):
-        """The mesh with these settings of fieldfab.mesh(), and its key."""
-        key = ("mesh", self.digest, *sorted(settings.items()))
-        return _kept(key, lambda: kernel.load().mesh(self.field(progress), progress=progress, **settings))
+    def mesh(self, progress=None, cells=None, **settings):
+        """The mesh with these settings of fieldfab.mesh(), or so many `cells` along the longest side of its bounds."""
+        key = ("mesh", self.digest, cells, *sorted(settings.items()))
+        return _kept(key, lambda: self._meshed(progress, cells, settings))
+
+    def _meshed(self, progress, cells, settings):
+        field, bounds = self.field(progress), settings.get("bounds")
+        if cells and not bounds:
+            bounds = field.bounds()
+        if cells and bounds:
+            settings = {**settings, "voxel": max(bounds[i + 3] - bounds[i] for i in range(3)) / cells}
+        return kernel.load().mesh(field, progress=progress, **settings)
 
     def moved(self, placement):
         """The solid where a FreeCAD placement puts it."""

@@ -45,7 +45,7 @@ class Example:
     def simulate(self, lines, tag="", job=None):
         program, report = self.folder / f"program{tag}{self.suffix}", self.folder / f"report{tag}.json"
         program.write_text("\n".join(lines))
-        done = run("simulate", program, "--setup", job or self.job, "--report", report)
+        done = run("simulate", program, "--setup", job or self.job, "--report", report, "--threads", 1)
         assert done.returncode in (0, 1), done.stderr
         return {**json.loads(report.read_text()), "code": done.returncode}
 

@@ -89,7 +89,7 @@ class Program:
     def simulate(self, lines, setup, tag="", cell=0.3):
         program, report = self.folder / f"{self.name}{tag}.nc", self.folder / f"{self.name}{tag}.json"
         program.write_text("\n".join(lines) + "\n")
-        done = run("simulate", program, "--setup", setup, "--report", report, "--cell", cell)
+        done = run("simulate", program, "--setup", setup, "--report", report, "--cell", cell, "--threads", 1)
         assert done.returncode in (0, 1), done.stderr
         result = json.loads(report.read_text())
         result["code"] = done.returncode

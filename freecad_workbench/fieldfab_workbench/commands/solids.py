@@ -12,7 +12,7 @@ class NewSolid:
 
     def __init__(self, kind, words, tip, needs=0, **properties):
         self.kind, self.words, self.tip, self.needs, self.properties = kind, words, tip, needs, properties
-        self.pixmap = icon(properties.get("Operation", kind.NAME).replace(" ", ""))
+        self.pixmap = icon(properties.get("Operation", kind.NAME))
 
     def GetResources(self):
         return {"Pixmap": self.pixmap, "MenuText": self.words, "ToolTip": self.tip}

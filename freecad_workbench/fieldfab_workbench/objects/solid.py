@@ -4,7 +4,7 @@ import hashlib
 
 import FreeCAD
 
-from .. import kernel, meshes, work
+from .. import kernel, meshes, preferences, work
 
 
 class Solid:
@@ -26,7 +26,7 @@ class Solid:
         raise NotImplementedError
 
     def default_voxel(self, obj):
-        """Edge of the smallest cell where none is given; None: 1/128 of the longest side."""
+        """Edge of the smallest cell where none is given; None: by the preferences' cells along the longest side."""
         return None
 
     # The same for all.
@@ -42,7 +42,7 @@ class Solid:
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly 1/128 of the longest side", 0)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side", 0)
         add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
         add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
@@ -53,8 +53,10 @@ class Solid:
         add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
 
     def mesh_settings(self, obj):
-        """The settings of fieldfab.mesh()."""
+        """The settings of Source.mesh()."""
         settings = {"voxel": obj.VoxelSize.Value or self.default_voxel(obj), "max_error": obj.MaxError.Value or None}
+        if settings["voxel"] is None:
+            settings["cells"] = preferences.cells()
         if not obj.AutoBounds:
             settings["bounds"] = (*obj.Lower, *obj.Upper)
         return {name: value for name, value in settings.items() if value is not None}

@@ -110,6 +110,7 @@ class PropertyPanel(EditPanel):
         box = QtWidgets.QListWidget()
         box.setDragDropMode(QtWidgets.QAbstractItemView.InternalMove)
         box.setMaximumHeight(140)
+        box.setSizePolicy(QtWidgets.QSizePolicy.Ignored, QtWidgets.QSizePolicy.Preferred)  # as wide as there is room
         chosen = list(getattr(self.obj, name))
         for candidate in chosen + [c for c in candidates(self.obj) if c not in chosen]:
             item = QtWidgets.QListWidgetItem(candidate.Label, box)

@@ -4,12 +4,14 @@ import os
 
 import FreeCADGui
 
+from .. import preferences
+
 ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "icons")
-COLOUR = (0.42, 0.62, 0.86)
 
 
 def icon(name):
-    return os.path.join(ICONS, f"{name}.svg")
+    """The file of an icon: "Linear array" is LinearArray.svg."""
+    return os.path.join(ICONS, "".join(word[:1].upper() + word[1:] for word in name.split()) + ".svg")
 
 
 class SolidView:
@@ -17,7 +19,7 @@ class SolidView:
 
     def __init__(self, view):
         view.Proxy = self
-        view.ShapeColor = COLOUR
+        view.ShapeColor = preferences.colour()
         view.Lighting = "Two side"
         view.CreaseAngle = 30.0  # smooth where the solid is, sharp where it is not
 
@@ -25,7 +27,11 @@ class SolidView:
         self.Object = view.Object
 
     def getIcon(self):
-        return icon(self.Object.Proxy.NAME)
+        return icon(getattr(self.Object, "Operation", self.Object.Proxy.NAME))
+
+    def updateData(self, obj, name):
+        if name == "Operation":
+            obj.ViewObject.signalChangeIcon()
 
     def claimChildren(self):
         return sources_of(self.Object)

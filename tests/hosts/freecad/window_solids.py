@@ -46,6 +46,8 @@ def test_a_difference_of_what_is_selected_is_one_step(document):
     made = document.Objects[-1]
     assert made.Operation == "Difference" and made.Sources == [a, b] and made.isValid()
     assert not a.ViewObject.Visibility and not b.ViewObject.Visibility and made.ViewObject.Proxy.claimChildren() == [a, b]
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
     window.shot("difference")
     press(Button.Ok)
     assert document.UndoCount == steps + 1 and not FreeCADGui.Control.activeDialog()
@@ -98,7 +100,7 @@ def test_the_window_answers_during_a_recompute_and_cancel_ends_it(document):
         document.recompute()
     timer.stop()
     assert seen and not a.isValid() and "cancelled" in a.getStatusString() and a.Volume.Value == volume
-    assert beat.longest < 0.1
+    assert beat.answers(), beat.gaps
 
 
 def test_modified_solids_show_their_parameters_only(document):
