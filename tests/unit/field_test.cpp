@@ -61,6 +61,17 @@ void expect_bounds(const FieldPtr& field, const Box& expected) {
   }
 }
 
+TEST(Operations, ABlendIsAUnionAwayFromItsFillet) {
+  const FieldPtr a = box_field({{-1, -1, -1}, {1, 1, 1}}), b = box_field({{9, -1, -1}, {11, 1, 1}}), both = blend(a, b, 2);
+  EXPECT_EQ(both->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field,
+            a->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field);
+  // Between two that nearly touch there is one.
+  const FieldPtr near = blend(a, translate(a, {2.2, 0, 0}), 2);
+  const Box middle{{1.05, -0.5, -0.5}, {1.15, 0.5, 0.5}};
+  EXPECT_LT(near->value({1.1, 0, 0}), 0);
+  EXPECT_EQ(near->restricted(middle).field->value({1.1, 0.1, 0.1}), near->value({1.1, 0.1, 0.1}));
+}
+
 TEST(Bounds, AreFoundNotGuessed) {
   expect_bounds(ball(), {Vec3::Constant(-1), Vec3::Constant(1)});
   expect_bounds(translate(ball(), {1000, -2000, 0}), {{999, -2001, -1}, {1001, -1999, 1}});

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,6 +10,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/field/operations.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/model/model.h"
 
@@ -65,6 +67,29 @@ double trilinear(const Volume& volume, const Vec3& at) {
 
 double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+TEST(VolumeField, StaysSmoothWhereItIsJoinedWithOtherSolids) {
+  // Interpolated noise has a crease at every cell; contouring must not look for edges there, whatever stands beside it.
+  std::mt19937 random(5);
+  std::normal_distribution<double> grain(0, 6);
+  const VolumePtr scan = volume_by(
+      lattice_of(14, 14, 14), [&](const Vec3& p) { return 100 + 20 * (5 - (p - Vec3::Constant(6.5)).norm()) + grain(random); });
+  const FieldPtr noise = scale(volume_field(*scan, {100, false, 0.02}), Vec3::Constant(0.8));
+  EXPECT_TRUE(noise->sampled());
+  EXPECT_TRUE(offset(noise, 0.1)->sampled());
+  const FieldPtr ball = offset(translate(box_field({Vec3::Constant(-0.5), Vec3::Constant(0.5)}), {30, 0, 0}), 1);
+  const Box bounds{{-1, -1, -1}, {34, 12, 12}};
+  const auto triangles = [&](const FieldPtr& field) {
+    const TriangleMesh mesh = contour(*field, bounds, {0.4});
+    return std::count_if(mesh.triangles.begin(), mesh.triangles.end(),
+                         [&](const auto& t) { return mesh.vertices[t[0]][0] < 20; });
+  };
+  const auto alone = triangles(noise);
+  EXPECT_GT(alone, 1000);
+  // Curves on cells' faces are bent as for any solid; edges would be three times as many.
+  EXPECT_LT(triangles(unite(noise, ball)), 1.4 * static_cast<double>(alone));
+  EXPECT_LT(triangles(blend(noise, ball, 0.5)), 1.4 * static_cast<double>(alone));
 }
 
 TEST(VolumeField, IsTrilinearBetweenSamplesAndEmptyOutside) {

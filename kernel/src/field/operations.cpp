@@ -80,12 +80,18 @@ struct Blend {
     if (least(a, b) <= ra + rb - root) return Union{}.weights(a, b);
     return {ra > 0 ? std::copysign(0.5F / ra, a) : 0, rb > 0 ? std::copysign(0.5F / rb, b) : 0};
   }
-  Interval range(const Interval& a, const Interval& b) const {
-    return least(least(a, b), plus(plus(root_of_magnitude(a), root_of_magnitude(b)), Interval::of(-root)));
-  }
+  Interval range(const Interval& a, const Interval& b) const { return least(least(a, b), fillet(a, b)); }
   static constexpr bool signs_are_enough = false;
-  Only decides(const Interval&, const Interval&) const { return Only::both; }
+  // Away from the fillet it is a union.
+  Only decides(const Interval& a, const Interval& b) const {
+    return fillet(a, b).lower >= least(a, b).upper ? Union{}.decides(a, b) : Only::both;
+  }
   Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
+
+ private:
+  [[nodiscard]] Interval fillet(const Interval& a, const Interval& b) const {
+    return plus(plus(root_of_magnitude(a), root_of_magnitude(b)), Interval::of(-root));
+  }
 };
 
 struct Morph {
@@ -198,6 +204,7 @@ class Linear final : public Field {
     if (inner.field == a_) return Field::framed(purpose);
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
+  [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
  private:
