@@ -29,6 +29,10 @@ class Solid:
         """Edge of the smallest cell where none is given; None: 1/128 of the longest side."""
         return None
 
+    def icon_name(self, obj):
+        """Of the icon in the tree."""
+        return self.NAME
+
     # The same for all.
     @staticmethod
     def add(obj, kind, name, group, words, value=None, mode=0):

@@ -25,7 +25,7 @@ class SolidView:
         self.Object = view.Object
 
     def getIcon(self):
-        return icon(self.Object.Proxy.NAME)
+        return icon(self.Object.Proxy.icon_name(self.Object))
 
     def claimChildren(self):
         return sources_of(self.Object)
