@@ -1,1 +1,5 @@
-# FreeCAD runs this at every start, with or without a window. Nothing is registered yet: file types come with later versions.
+"""FreeCAD runs this at every start, with or without a window: it learns of the files that can come and go."""
+
+from fieldfab_workbench import files
+
+files.register()
