@@ -34,8 +34,8 @@ def register():
 
 def open(filename):  # noqa: A001: the name that FreeCAD calls
     """A new document with the file's solid."""
-    document = FreeCAD.newDocument(_name(filename))
-    document.Label = _name(filename)
+    document = FreeCAD.newDocument(name_of(filename))
+    document.Label = name_of(filename)
     return insert(filename, document.Name)
 
 
@@ -54,7 +54,7 @@ def insert(filename, docname):
         values = {"File": whole_stack(os.path.abspath(filename))}
     else:
         raise ValueError(f"{filename}: Fieldfab reads no .{ending} files")
-    return add(document, Kind, _name(filename), **values)
+    return add(document, Kind, name_of(filename), **values)
 
 
 def add(document, kind, label, **values):
@@ -208,6 +208,7 @@ def _ending(filename):
     return "nii.gz" if name.endswith(".nii.gz") else os.path.splitext(name)[1][1:]
 
 
-def _name(filename):
+def name_of(filename):
+    """What to call the solid of a file or folder."""
     name = os.path.basename(os.path.normpath(filename))
     return (name[: -len(_ending(filename)) - 1] if _ending(filename) else name) or "Solid"

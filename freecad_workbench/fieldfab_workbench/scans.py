@@ -6,12 +6,16 @@ import os
 import threading
 import weakref
 
-from . import kernel
+import numpy as np
+
+from . import kernel, work
 from .sources import Source
 
 SAMPLE_TYPES = ("as the file says", "uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64")
 DENOISING = ("none", "median", "gaussian", "anisotropic")
 FIELDS_KEPT = 2  # each may hold a whole volume in memory
+OVERVIEW_SAMPLES = 300_000
+SLAB_SAMPLES = 1 << 17  # of the coarse volume, at a time
 BYTES_A_TRIANGLE = 120  # with its share of vertices, in the kernel and in FreeCAD
 
 
@@ -116,11 +120,54 @@ class AsdfSource(ScanSource):
         return kernel.load().Asdf.load(self.file.path).voxel
 
 
-def estimate(volume, cut, triangles, halvings):
-    """(bytes of memory, triangles) that the solid will roughly take at full resolution, by the triangles of a volume halved some times:
-    a surface has four times the triangles at half the cell."""
-    triangles *= 4**halvings
-    return math.prod(cut.cropped(volume).size) * (14 if cut.cleaned() else 4) + triangles * BYTES_A_TRIANGLE, triangles
+class Overview:
+    """A volume in few enough samples to be shown while someone tries thresholds. `threshold` is the automatic one, of these samples;
+    surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
+
+    def __init__(self, file, progress=None):
+        self.volume = file.open(progress)
+        self.halvings, coarse = 0, self.volume
+        while math.prod(coarse.size) > OVERVIEW_SAMPLES:
+            self.halvings, coarse = self.halvings + 1, coarse.half()
+        self._densities = _read(coarse, progress)
+        plain = self._plain(self.volume.spacing)
+        self.counts, self.edges = plain.histogram()
+        # The kernel takes a level set's own surface, which a plain array has lost: they alone have densities on either side of 0 in .vdb files.
+        level_set = file.path.lower().endswith(".vdb") and self.edges[0] < 0 < self.edges[-1]
+        self.threshold = 0.0 if level_set else plain.threshold("halfway")
+
+    def _plain(self, spacing):
+        return kernel.load().Volume(self._densities, spacing=[s * 2**self.halvings for s in spacing])
+
+    def surface(self, cut, spacing=None, progress=None):
+        """The coarse mesh of a Cut, whose crop counts the whole volume's samples, and the edge of its cells in mm."""
+        spacing = spacing or self.volume.spacing
+        step, plain = 2**self.halvings, self._plain(spacing)
+        cut = dataclasses.replace(cut, threshold=self.threshold if cut.threshold is None else cut.threshold)
+        if cut.crop:
+            first = [n // step for n in cut.crop[:3]]
+            last = [min(max(-(-n // step), a + 1), size - 1) for n, a, size in zip(cut.crop[3:], first, plain.size)]
+            cut = dataclasses.replace(cut, crop=(*first, *last))
+        cell = math.prod(plain.spacing) ** (1 / 3)
+        return kernel.load().mesh(cut.solid(plain, progress), voxel=cell, features=False, progress=progress), cell
+
+
+def _read(volume, progress):
+    """All densities, some slices at a time, so that it can be cancelled."""
+    across, along, deep = volume.size
+    layers, step = [], max(1, SLAB_SAMPLES // (across * along))
+    for first in range(0, deep, step):
+        last = min(first + step, deep) - 1
+        layers.append(volume.crop((0, 0, first), (across - 1, along - 1, last)).densities())
+        if progress is not None and progress(first / deep, "reading") is False:
+            raise work.Cancelled()
+    return np.concatenate(layers)
+
+
+def estimate(samples, cleaned, triangles, finer):
+    """(bytes of memory, triangles) that a solid will roughly take, by the triangles of its overview, whose cells are `finer` times larger."""
+    triangles = round(triangles * finer**2)
+    return samples * (14 if cleaned else 4) + triangles * BYTES_A_TRIANGLE, triangles
 
 
 _lock = threading.Lock()

@@ -1,0 +1,182 @@
+"""Runs inside FreeCAD's window: the panel of a scan, from the import to the solid."""
+
+import os
+import pathlib
+import time
+
+import FreeCAD
+import FreeCADGui
+import pytest
+import window
+from window import Heartbeat, live, press, wait
+
+from fieldfab_workbench import files
+from fieldfab_workbench.commands import scans as commands
+from fieldfab_workbench.objects import scan
+from fieldfab_workbench.panels import scan_panel
+from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
+
+CT = pathlib.Path(__file__).resolve().parents[2] / "data" / "ct"
+Button = QtWidgets.QDialogButtonBox
+
+
+@pytest.fixture
+def document():
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    made = FreeCAD.newDocument()
+    live(0.2)
+    yield made
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    for name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def opened(monkeypatch):
+    """The scan panels that were opened, newest last."""
+    made = []
+    real = scan_panel.ScanPanel.__init__
+    monkeypatch.setattr(scan_panel.ScanPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
+    return made
+
+
+def brought(opened, document, path):
+    """The panel of an imported file, with its picture."""
+    files.insert(str(path), document.Name)
+    wait(lambda: opened and opened[-1].overview is not None and opened[-1].work.idle(), what="the overview")
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    live(0.2)
+    return opened[-1]
+
+
+def drag(histogram, share):
+    """Moves the mouse, pressed, to a place of the histogram."""
+    at = QtCore.QPointF(share * histogram.width(), histogram.height() / 2)
+    for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonRelease):
+        QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
+
+
+def pixels(picture, colour, reach=40):
+    """How many pixels are near a colour: every second one of every second row."""
+    return sum(abs(c.red() - colour[0]) + abs(c.green() - colour[1]) + abs(c.blue() - colour[2]) < reach
+               for y in range(0, picture.height(), 2) for x in range(0, picture.width(), 2) for c in [picture.pixelColor(x, y)])
+
+
+def test_from_import_to_solid(document, opened):
+    steps = document.UndoCount
+    panel = brought(opened, document, CT / "cthead")
+    obj = document.Objects[0]
+    assert obj.Mesh.CountFacets == 0, "nothing is computed before OK"
+    assert "256 × 256 × 99" in panel.told.text() and "triangles" in panel.estimate.text()
+    assert panel.threshold.value() == pytest.approx(43.2, abs=0.5) and not panel.threshold.isEnabled()
+    seen = window.shot("scan_automatic")
+    assert pixels(seen, (77, 144, 214)) > 100, "what is solid is blue in the histogram"
+    shown = panel.estimate.text()
+    for step in range(20):
+        drag(panel.histogram, 0.2 + 0.02 * step)
+        live(0.02)
+    wait(panel.work.idle)
+    assert not panel.automatic.isChecked() and panel.threshold.value() == pytest.approx(panel.histogram.density_at(0.58 * panel.histogram.width()), abs=1)
+    assert panel.estimate.text() != shown, "the picture follows"
+    window.shot("scan_bone")
+    panel.cropping.setChecked(True)
+    panel.crop[3].setValue(128)
+    wait(panel.work.idle)
+    window.shot("scan_cropped")
+    panel.voxel.setValue(3)
+    threshold = panel.threshold.value()
+    press(Button.Ok)
+    assert obj.isValid() and obj.Triangles > 1000 and obj.Crop == [0, 0, 0, 128, 255, 98] and obj.Threshold == pytest.approx(threshold)
+    assert obj.Mesh.BoundBox.XMax < 129 and document.UndoCount == steps + 1 and obj.FileState == scan.AS_READ
+    window.shot("scan_solid")
+    document.undo()
+    assert not document.Objects
+
+
+def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(document, opened):
+    panel = brought(opened, document, CT / "cthead")
+    with Heartbeat() as drawing:  # what it takes to draw the picture once, which no thread can take off the window
+        FreeCADGui.ActiveDocument.ActiveView.viewTop()
+        live(0.5)
+    panel._read_as = None
+    with Heartbeat() as reading:
+        panel._changed_file()
+        wait(lambda: panel.overview is not None and panel.work.idle())
+    with Heartbeat() as dragging:
+        for step in range(20):
+            drag(panel.histogram, 0.2 + 0.02 * step)
+            live(0.05)
+        wait(panel.work.idle)
+    asked = time.monotonic()
+    before = panel.estimate.text()
+    drag(panel.histogram, 0.3)
+    wait(lambda: panel.estimate.text() != before)
+    seen = time.monotonic() - asked
+    print(f"longest silence: reading {1000 * reading.longest:.0f} ms, dragging {1000 * dragging.longest:.0f} ms, drawing alone {1000 * drawing.longest:.0f} ms; threshold to surface {1000 * seen:.0f} ms")
+    assert reading.longest < 0.1 + drawing.longest and dragging.longest < 0.1 + drawing.longest and seen < 1
+    press(Button.Cancel)
+
+
+def test_cancel_takes_it_back(document, opened):
+    panel = brought(opened, document, CT / "engine.nii.gz")
+    root = document.Objects[0].ViewObject.RootNode
+    before = root.getNumChildren()
+    panel.denoise.setCurrentText("median")
+    press(Button.Cancel)
+    assert not document.Objects and root.getNumChildren() == before - 1
+
+
+def test_a_missing_file_is_found_again(document, opened, tmp_path):
+    path = tmp_path / "pitch.nii.gz"
+    path.write_bytes((CT / "CT_pitch.nii.gz").read_bytes())
+    panel = brought(opened, document, path)
+    panel.voxel.setValue(4)
+    press(Button.Ok)
+    obj = document.Objects[0]
+    triangles = obj.Triangles
+    document.saveAs(str(tmp_path / "part.FCStd"))
+    name, made = obj.Name, document.Name
+    FreeCAD.closeDocument(made)
+    os.rename(path, tmp_path / "found.nii.gz")
+    again = FreeCAD.openDocument(str(tmp_path / "part.FCStd"))
+    obj = again.getObject(name)
+    live(0.3)
+    assert obj.FileState == scan.MISSING and obj.Triangles == triangles == obj.Mesh.CountFacets
+    assert obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg")
+    FreeCADGui.getDocument(again.Name).setEdit(name)
+    live(0.3)
+    panel = opened[-1]
+    assert "missing" in panel.message.text()
+    window.shot("scan_missing")
+    panel.choose(str(tmp_path / "found.nii.gz"))
+    wait(lambda: panel.overview is not None and panel.work.idle())
+    press(Button.Ok)
+    assert obj.isValid() and obj.FileState == scan.AS_READ and not obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg")
+
+
+def test_a_file_that_is_no_volume_is_told(document, opened, tmp_path):
+    (tmp_path / "nothing.nrrd").write_text("nonsense")
+    files.insert(str(tmp_path / "nothing.nrrd"), document.Name)
+    wait(lambda: opened and opened[-1].message.text(), what="the message")
+    assert "nothing.nrrd" in opened[-1].message.text()
+    press(Button.Cancel)
+    assert not document.Objects
+
+
+def test_a_script_runs_only_after_yes(document, tmp_path, monkeypatch):
+    script = tmp_path / "part.py"
+    script.write_text("import pathlib, fieldfab as ff\npathlib.Path(__file__).with_suffix('.ran').touch()\nsolid = ff.shapes.sphere(5)\n")
+    monkeypatch.setattr(QtWidgets.QFileDialog, "getOpenFileName", lambda *_: (str(script), ""))
+    asked = []
+    for answer, ran in ((QtWidgets.QMessageBox.No, False), (QtWidgets.QMessageBox.Yes, True)):
+        monkeypatch.setattr(QtWidgets.QMessageBox, "question", lambda *a, answer=answer: asked.append(a[2]) or answer)
+        FreeCADGui.runCommand("Fieldfab_RunScript")
+        assert (tmp_path / "part.ran").exists() == ran
+    assert len(asked) == 2 and str(script) in asked[0] and document.Objects[0].Volume.Value == pytest.approx(523.6, rel=0.02)
+    script.write_text("import fieldfab\nsolid = 1 / 0\n")
+    with pytest.raises(ValueError, match=r"part.py:2: ZeroDivisionError"):
+        commands.add_script(str(script))
+
+
