@@ -287,8 +287,7 @@ class ScanPanel(EditPanel):
     def _show_box(self, crop):
         volume, spacing = self.overview.volume, self._spacing() or self.overview.volume.spacing
         first, last = (crop[:3], crop[3:]) if crop else ((0, 0, 0), [n - 1 for n in volume.size])
-        self.preview.place(volume.origin, volume.axes)
-        self.preview.show_box([n * s for n, s in zip(first, spacing)], [n * s for n, s in zip(last, spacing)])
+        self.preview.show_box(volume, [n * s for n, s in zip(first, spacing)], [n * s for n, s in zip(last, spacing)])
 
     def _failed(self, error):
         self.say(str(error))

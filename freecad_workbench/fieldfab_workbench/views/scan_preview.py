@@ -14,11 +14,8 @@ class ScanPreview:
         for part in (self._frame, self._surface, self._box):
             self._root.addChild(part)
         self._parent.addChild(self._root)
+        self._shown = None
         self._own = self._switch.whichChild.getValue()
-
-    def place(self, origin, axes):
-        """Where the first sample is, and where the samples' axes point."""
-        self._root.replaceChild(0, frame_node(origin, axes))
 
     def show_surface(self, vertices, triangles, normals):
         """In lattice coordinates, mm from the first sample."""
@@ -27,7 +24,13 @@ class ScanPreview:
             self._surface.addChild(mesh_node(vertices, triangles, normals))
         self._switch.whichChild = -1
 
-    def show_box(self, lower, upper):
+    def show_box(self, volume, lower, upper):
+        """The box of what is kept of a volume, in lattice coordinates; all that is shown goes where the volume's file places it."""
+        shown = (volume, *lower, *upper)
+        if shown == self._shown:
+            return  # each change draws the view anew
+        self._shown = shown
+        self._root.replaceChild(0, frame_node(volume.origin, volume.axes))
         self._box.removeAllChildren()
         self._box.addChild(box_node(lower, upper))
 
