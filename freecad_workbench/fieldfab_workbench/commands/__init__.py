@@ -2,7 +2,7 @@
 
 import importlib
 
-TOOLBARS = ("solids", "scans")
+TOOLBARS = ("solids", "scans", "exchange")
 
 
 def register():
