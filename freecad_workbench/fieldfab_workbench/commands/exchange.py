@@ -1,9 +1,10 @@
-"""From solids to the other kinds of FreeCAD's objects."""
+"""Solids checked, and made into the other kinds of FreeCAD's objects."""
 
 import FreeCAD
 import FreeCADGui
 
 from ..objects import part_shape
+from ..objects.solid import is_solid
 from ..views.solid_view import icon
 
 
@@ -59,5 +60,23 @@ class ToPartShape(_Conversion):
         return part_shape.create(document, source)
 
 
-TITLE = "Exchange"
-COMMANDS = {"Fieldfab_ToMesh": ToMesh(), "Fieldfab_ToPartShape": ToPartShape()}
+class CrossCheck:
+    def GetResources(self):
+        return {"Pixmap": icon("CrossCheck"), "MenuText": "Cross-check",
+                "ToolTip": "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates"}
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and len(_chosen_solids()) == 1
+
+    def Activated(self):
+        from ..panels.check_panel import CheckPanel
+
+        FreeCADGui.Control.showDialog(CheckPanel(_chosen_solids()[0]))
+
+
+def _chosen_solids():
+    return [obj for obj in FreeCADGui.Selection.getSelection() if is_solid(obj) and obj.Mesh.CountFacets]
+
+
+TITLE = "Check and exchange"
+COMMANDS = {"Fieldfab_CrossCheck": CrossCheck(), "Fieldfab_ToMesh": ToMesh(), "Fieldfab_ToPartShape": ToPartShape()}

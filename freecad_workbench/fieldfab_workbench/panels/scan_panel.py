@@ -3,6 +3,7 @@
 import os
 
 import FreeCAD
+import FreeCADGui
 
 from .. import scans
 from ..newest import Newest
@@ -22,6 +23,7 @@ class ScanPanel(EditPanel):
         self.overview = self._read_as = None
         self.unread = False  # whether the file was refused as it is
         self._had_crop = bool(obj.Crop)
+        FreeCADGui.Selection.clearSelection()  # its green would cover the picture
         self.preview = ScanPreview(obj)
         self.work = Newest(self._failed, self._show_progress)
         self._add_file_rows()

@@ -5,14 +5,15 @@ import numpy as np
 from pivy import coin
 
 
-def mesh_node(vertices, triangles, normals, colour=(0.42, 0.62, 0.86), colours=None):
-    """A separator with the triangles, smooth, that clicks pass through. `normals`: smooth_normals(), which another thread may make; `colours`: one a vertex, rows of red, green, blue in 0 to 1."""
+def mesh_node(vertices, triangles, normals, flat=False, colour=(0.42, 0.62, 0.86), colours=None):
+    """A separator with the triangles that clicks pass through. `normals`: of smooth_normals() or flat_normals(), which another thread may make.
+    `colours`: one a vertex, rows of red, green, blue in 0 to 1."""
     root = coin.SoSeparator()
     pick, hints = coin.SoPickStyle(), coin.SoShapeHints()
     pick.style = coin.SoPickStyle.UNPICKABLE
     hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: lit from both sides
     corners, material = coin.SoNormalBinding(), coin.SoMaterial()
-    corners.value = coin.SoNormalBinding.PER_VERTEX_INDEXED
+    corners.value = coin.SoNormalBinding.PER_FACE if flat else coin.SoNormalBinding.PER_VERTEX_INDEXED
     material.diffuseColor = colour
     binding = coin.SoMaterialBinding()
     if colours is not None:
@@ -22,7 +23,7 @@ def mesh_node(vertices, triangles, normals, colour=(0.42, 0.62, 0.86), colours=N
     index[:, :3] = triangles
     for node in (pick, hints, material, binding, corners,
                  _node(b"Coordinate3", b"point", np.asarray(vertices, ">f4"), len(vertices)),
-                 _node(b"Normal", b"vector", np.asarray(normals, ">f4"), len(vertices)),
+                 _node(b"Normal", b"vector", np.asarray(normals, ">f4"), len(normals)),
                  _node(b"IndexedFaceSet", b"coordIndex", index, index.size)):
         root.addChild(node)
     return root
@@ -52,14 +53,23 @@ def frame_node(origin, axes):
     return node
 
 
+def flat_normals(vertices, triangles):
+    """Of each triangle, of unit length: edges look sharp."""
+    a, b, c = (vertices[triangles[:, i]] for i in range(3))
+    return _unit(np.cross(b - a, c - a))
+
+
 def smooth_normals(vertices, triangles):
-    """Of each vertex the mean direction of its triangles, by their areas; not of unit length."""
+    """Of each vertex the mean direction of its triangles, by their areas: edges look round."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     faces = np.cross(b - a, c - a)
     corners = triangles.ravel()
     sums = [np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)]
-    normals = np.stack(sums, 1)
-    return normals / np.maximum(np.linalg.norm(normals, axis=1), 1e-30)[:, None]
+    return _unit(np.stack(sums, 1))
+
+
+def _unit(rows):
+    return rows / np.maximum(np.linalg.norm(rows, axis=1), 1e-30)[:, None]
 
 
 def _node(kind, field, values, count):
