@@ -103,7 +103,7 @@ class CheckPanel:
                     item.setForeground(QtGui.QColor("#2c7a3f" if row.passed else "#b3261e"))
                 self.table.setItem(i, column, item)
         self.save.setEnabled(True)
-        self.table.resizeRowsToContents()
+        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)  # once the columns have their widths
 
     def _show_colours(self, *_):
         if self.shown is not None:

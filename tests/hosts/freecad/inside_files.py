@@ -78,6 +78,14 @@ def test_texts_and_fields_come_in_and_go_out(document, tmp_path):
     assert made.radius == 4 and made.Volume.Value == pytest.approx(SPHERE * 64 / 125, rel=0.02)
 
 
+def test_freecad_itself_takes_them(document, tmp_path):
+    """As its Open does it, by the file's name alone."""
+    (tmp_path / "ball.frep").write_text("sphere(r = 5)")
+    FreeCAD.loadFile(str(tmp_path / "ball.frep"))
+    made = FreeCAD.ActiveDocument.Objects[0]
+    assert FreeCAD.ActiveDocument.Label == "ball" and made.isValid() and made.Volume.Value == pytest.approx(SPHERE, rel=0.02)
+
+
 @pytest.mark.parametrize("ending", files.MESHES)
 def test_solids_go_out_as_meshes(document, tmp_path, ending):
     a, b = frep(document, "sphere(r = 5)"), frep(document, "sphere(r = 5)", at=(20, 0, 0))

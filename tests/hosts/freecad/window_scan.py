@@ -120,7 +120,8 @@ def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(docum
     seen = time.monotonic() - asked
     least = {name: min(times) for name, times in silence.items()}
     print(f"longest silence: {least}, drawing alone {drawing.longest:.3f} s; threshold to surface {seen:.3f} s")
-    assert all(time < 0.1 + drawing.longest for time in least.values()) and seen < 1
+    # Between two beats the panel and the view may both be drawn, by software here.
+    assert all(time < 0.1 + 2 * drawing.longest for time in least.values()) and seen < 1
     press(Button.Cancel)
 
 
@@ -131,6 +132,31 @@ def test_cancel_takes_it_back(document, opened):
     panel.denoise.setCurrentText("median")
     press(Button.Cancel)
     assert not document.Objects and root.getNumChildren() == before - 1
+
+
+def drop(*paths):
+    """What the window sees when files are dropped on it."""
+    data = QtCore.QMimeData()
+    data.setUrls([QtCore.QUrl.fromLocalFile(str(path)) for path in paths])
+    at = QtCore.QPoint(700, 400)
+    for event in (QtGui.QDragEnterEvent(at, QtCore.Qt.CopyAction, data, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier),
+                  QtGui.QDropEvent(at, QtCore.Qt.CopyAction, data, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier)):
+        QtWidgets.QApplication.sendEvent(FreeCADGui.getMainWindow(), event)
+    live(0.3)
+
+
+def test_files_can_be_dropped(document, opened, tmp_path):
+    drop(CT / "CT_pitch.nii.gz")
+    wait(lambda: opened and opened[-1].overview is not None and opened[-1].work.idle(), what="the panel of what was dropped")
+    opened[-1].voxel.setValue(5)
+    press(Button.Ok)
+    assert [obj.Label for obj in document.Objects] == ["CT_pitch"] and document.Objects[0].isValid()
+    (tmp_path / "ball.frep").write_text("sphere(r = 10)")
+    (tmp_path / "script.py").write_text(f"open({str(tmp_path / 'ran')!r}, 'w')")
+    drop(tmp_path / "ball.frep")
+    assert document.Objects[-1].Label == "ball" and document.Objects[-1].isValid() and len(document.Objects) == 2
+    document.undo()
+    assert len(document.Objects) == 1
 
 
 def test_a_missing_file_is_found_again(document, opened, tmp_path):
@@ -159,6 +185,36 @@ def test_a_missing_file_is_found_again(document, opened, tmp_path):
     wait(lambda: panel.overview is not None and panel.work.idle())
     press(Button.Ok)
     assert obj.isValid() and obj.FileState == scan.AS_READ and not obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg")
+
+
+def test_a_cancelled_recompute_keeps_the_solid(document, opened):
+    panel = brought(opened, document, CT / "engine.nii.gz")
+    panel.voxel.setValue(6)
+    press(Button.Ok)
+    obj = document.Objects[0]
+    volume, triangles = obj.Volume.Value, obj.Triangles
+    obj.Denoise, obj.VoxelSize = "anisotropic", 0.5
+    seen = []
+
+    def look():
+        for dialog in FreeCADGui.getMainWindow().findChildren(QtWidgets.QProgressDialog):
+            if dialog.isVisible() and not dialog.wasCanceled():
+                seen.append(time.monotonic())
+                dialog.cancel()
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(800)
+    with Heartbeat() as beat:
+        document.recompute()
+    ended = time.monotonic()
+    timer.stop()
+    assert seen and not obj.isValid() and "cancelled" in obj.getStatusString()
+    assert obj.Volume.Value == volume and obj.Triangles == triangles == obj.Mesh.CountFacets
+    print(f"cancelled within {1000 * (ended - seen[0]):.0f} ms, longest silence {1000 * beat.longest:.0f} ms")
+    obj.Denoise, obj.VoxelSize = "none", 6
+    document.recompute()
+    assert obj.isValid() and obj.Triangles == triangles
 
 
 def test_a_file_that_is_no_volume_is_told(document, opened, tmp_path):
