@@ -34,15 +34,12 @@ def register():
 
 def open(filename):  # noqa: A001: the name that FreeCAD calls
     """A new document with the file's solid."""
-    document = FreeCAD.newDocument(name_of(filename))
-    document.Label = name_of(filename)
-    return insert(filename, document.Name)
+    return insert(filename, "")
 
 
 def insert(filename, docname):
-    """Adds the file's solid to a document; in the window a scan's panel opens, and nothing is computed before its OK. Returns the object.
-    Raises ValueError with a line for the user, and then adds nothing."""
-    document = FreeCAD.getDocument(docname)
+    """Adds the file's solid to a document, a new one where there is none of that name; in the window a scan's panel opens, and nothing is
+    computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
     ending = _ending(filename)
     if ending in TEXTS:
         from .objects.frep_solid import FrepSolid as Kind
@@ -54,7 +51,13 @@ def insert(filename, docname):
         values = {"File": whole_stack(os.path.abspath(filename))}
     else:
         raise ValueError(f"{filename}: Fieldfab reads no .{ending} files")
-    return add(document, Kind, name_of(filename), **values)
+    name = name_of(values.get("File", filename))
+    if docname in FreeCAD.listDocuments():
+        document = FreeCAD.getDocument(docname)
+    else:
+        document = FreeCAD.newDocument(docname or name)
+        document.Label = docname or name
+    return add(document, Kind, name, **values)
 
 
 def add(document, kind, label, **values):
@@ -131,7 +134,7 @@ def export(objects, filename):
 
 def whole_stack(path):
     """The folder of a slice that alone is no volume; else the path as it is."""
-    if _ending(path) not in SLICES:
+    if _ending(path) not in SLICES or not os.path.isfile(path):
         return path
     try:
         kernel.load().Volume.open(path)

@@ -34,8 +34,8 @@ class ImportScan:
 
 def add_scan(path):
     """A scan of a file, of the stack that a slice belongs to, or of a folder; its panel opens."""
-    document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
-    return files.add(document, Scan, files.name_of(path), File=files.whole_stack(path))
+    stack = files.whole_stack(path)
+    return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), Scan, files.name_of(stack), File=stack)
 
 
 class RunScript:
