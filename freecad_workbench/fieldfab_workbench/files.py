@@ -82,14 +82,12 @@ def add(document, kind, label, **values):
 
 
 def _edited(obj):
-    """Opens the panel of a new object, unless another is open; FreeCAD must first be done with the import."""
+    """Opens the panel of a new object, unless another is open; it goes on with the undo step, which would else end with FreeCAD's command."""
     import FreeCADGui
-
-    from .shim import QtCore
 
     if FreeCADGui.Control.activeDialog():
         return False
-    QtCore.QTimer.singleShot(0, lambda: FreeCADGui.getDocument(obj.Document.Name).setEdit(obj.Name))
+    FreeCADGui.getDocument(obj.Document.Name).setEdit(obj.Name)
     return True
 
 

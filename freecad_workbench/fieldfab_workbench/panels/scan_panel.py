@@ -22,6 +22,7 @@ class ScanPanel(ScanForm):
         self.overview = self._read_as = None
         self.unread = False  # whether the file was refused as it is
         self._had_crop = bool(obj.Crop)
+        self._unseen = obj.Mesh.CountFacets == 0
         FreeCADGui.Selection.clearSelection()  # its green would cover the picture
         self.preview = ScanPreview(obj)
         self.work = Newest(self._failed, self._show_progress)
@@ -136,6 +137,9 @@ class ScanPanel(ScanForm):
     def _made(self, result):
         vertices, triangles, normals, cell, cut = result
         self.preview.show_surface(vertices, triangles, normals)
+        if self._unseen and len(triangles):
+            self._unseen = False
+            FreeCADGui.SendMsgToActiveView("ViewFit")
         spacing = self.spacing_asked() or self.overview.volume.spacing
         full = self.voxel.value() or min(spacing)
         samples = math.prod(cut.cropped(self.overview.volume).size)
@@ -167,6 +171,17 @@ class ScanPanel(ScanForm):
             self.say("Choose a file first, or Cancel.")
             return False
         return super().accept()
+
+    def reject(self):
+        """A scan that was never computed goes: FreeCAD's import may have ended its undo step before the panel could take it back."""
+        document, name = self.document, self.obj.Name
+        document.abortTransaction()
+        self.close()
+        left = document.getObject(name)
+        if left is not None and not left.MadeFrom:
+            document.removeObject(name)
+        document.recompute()
+        return True
 
     def close(self):
         self.work.stop()

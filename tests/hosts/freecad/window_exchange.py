@@ -4,10 +4,11 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from window import live
+from window import live, press
 
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.objects import solid as solids
+from fieldfab_workbench.shim import QtWidgets
 
 RED = (0.8, 0.2, 0.1, 0.0)
 
@@ -58,3 +59,17 @@ def test_colour_and_visibility_stay_through_recomputes(solid):
     solid.Expression = "box(10, 10, 11)"
     solid.Document.recompute()
     assert not solid.ViewObject.Visibility and solid.Volume.Value == pytest.approx(1100)
+
+
+def test_a_shape_is_edited_in_its_panel(solid):
+    FreeCADGui.runCommand("Fieldfab_ToPartShape")
+    live(0.2)
+    made = solid.Document.Objects[-1]
+    FreeCADGui.ActiveDocument.setEdit(made.Name)
+    live(0.3)
+    labels = [w.text() for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible()]
+    assert "Most triangles" in labels and "Merge faces" in labels
+    box = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QSpinBox) if w.isVisible() and w.value() == 2000][0]
+    box.setValue(500)
+    press(QtWidgets.QDialogButtonBox.Ok)
+    assert made.MostTriangles == 500 and made.isValid() and made.Shape.isValid()
