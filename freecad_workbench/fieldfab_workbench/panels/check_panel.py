@@ -11,7 +11,7 @@ from ..deviations import colours, deviations, nice_reach
 from ..newest import Newest
 from ..objects.solid import source_of
 from ..shim import QtCore, QtGui, QtWidgets, flags
-from ..views.coin_mesh import flat_normals
+from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..views.solid_view import icon
 
@@ -71,7 +71,7 @@ class CheckPanel:
             vertices, triangles = shape.vertices, shape.triangles
             off = deviations(source.field(progress), vertices, triangles)
             reach = nice_reach(off)
-            return vertices, triangles, flat_normals(vertices, triangles), colours(off / reach), reach, off
+            return MeshBytes(vertices, triangles, flat=True, colours=colours(off / reach)), reach, off
 
         def check(progress):
             if "voxel" not in settings and hasattr(source, "voxel"):

@@ -9,7 +9,7 @@ from .. import scans
 from ..newest import Newest
 from ..objects.scan import MISSING
 from ..shim import QtWidgets
-from ..views.coin_mesh import smooth_normals
+from ..views.coin_mesh import MeshBytes
 from ..views.scan_preview import ScanPreview
 from .scan_form import ScanForm, set_quietly
 
@@ -119,7 +119,7 @@ class ScanPanel(ScanForm):
 
         def make(progress):
             mesh, cell = overview.surface(cut, spacing, progress)
-            return mesh.vertices, mesh.triangles, smooth_normals(mesh.vertices, mesh.triangles), cell, cut
+            return MeshBytes(mesh.vertices, mesh.triangles), cell, cut
 
         self.work.ask(make, self._made)
 
@@ -135,17 +135,17 @@ class ScanPanel(ScanForm):
         self.cleaning.setVisible(not name.endswith(".asdf"))
 
     def _made(self, result):
-        vertices, triangles, normals, cell, cut = result
-        self.preview.show_surface(vertices, triangles, normals)
-        if self._unseen and len(triangles):
+        surface, cell, cut = result
+        self.preview.show_surface(surface)
+        if self._unseen and surface.count:
             self._unseen = False
             FreeCADGui.SendMsgToActiveView("ViewFit")
         spacing = self.spacing_asked() or self.overview.volume.spacing
         full = self.voxel.value() or min(spacing)
         samples = math.prod(cut.cropped(self.overview.volume).size)
-        memory, count = scans.estimate(samples, cut.cleaned(), len(triangles), cell / full)
+        memory, count = scans.estimate(samples, cut.cleaned(), surface.count, cell / full)
         self.estimate.setText(f"About {_rounded(count)} triangles, {_rounded(memory / 1e6)} MB")
-        self.say("" if len(triangles) else "Nothing is solid at this threshold.", bool(len(triangles)))
+        self.say("" if surface.count else "Nothing is solid at this threshold.", surface.count > 0)
 
     def _show_box(self, crop):
         volume, spacing = self.overview.volume, self.spacing_asked() or self.overview.volume.spacing

@@ -5,28 +5,36 @@ import numpy as np
 from pivy import coin
 
 
-def mesh_node(vertices, triangles, normals, flat=False, colour=(0.42, 0.62, 0.86), colours=None):
-    """A separator with the triangles that clicks pass through. `normals`: of smooth_normals() or flat_normals(), which another thread may make.
-    `colours`: one a vertex, rows of red, green, blue in 0 to 1."""
-    root = coin.SoSeparator()
-    pick, hints = coin.SoPickStyle(), coin.SoShapeHints()
-    pick.style = coin.SoPickStyle.UNPICKABLE
-    hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: lit from both sides
-    corners, material = coin.SoNormalBinding(), coin.SoMaterial()
-    corners.value = coin.SoNormalBinding.PER_FACE if flat else coin.SoNormalBinding.PER_VERTEX_INDEXED
-    material.diffuseColor = colour
-    binding = coin.SoMaterialBinding()
-    if colours is not None:
-        material = _node(b"Material", b"diffuseColor", np.asarray(colours, ">f4"), len(colours))
-        binding.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
-    index = np.full((len(triangles), 4), -1, ">i4")
-    index[:, :3] = triangles
-    for node in (pick, hints, material, binding, corners,
-                 _node(b"Coordinate3", b"point", np.asarray(vertices, ">f4"), len(vertices)),
-                 _node(b"Normal", b"vector", np.asarray(normals, ">f4"), len(normals)),
-                 _node(b"IndexedFaceSet", b"coordIndex", index, index.size)):
-        root.addChild(node)
-    return root
+class MeshBytes:
+    """Triangles ready for Coin: made on any thread, `node()` in the window's. Flat: edges look sharp; else all looks smooth. `colours`: one
+    a vertex, rows of red, green, blue in 0 to 1."""
+
+    def __init__(self, vertices, triangles, flat=False, colours=None):
+        self.count, self.flat = len(triangles), flat
+        normals = (_flat_normals if flat else _smooth_normals)(vertices, triangles)
+        index = np.full((len(triangles), 4), -1, ">i4")
+        index[:, :3] = triangles
+        self._material = None if colours is None else _bytes_of(b"Material", b"diffuseColor", np.asarray(colours, ">f4"), len(colours))
+        self._rest = [_bytes_of(b"Coordinate3", b"point", np.asarray(vertices, ">f4"), len(vertices)),
+                      _bytes_of(b"Normal", b"vector", np.asarray(normals, ">f4"), len(normals)),
+                      _bytes_of(b"IndexedFaceSet", b"coordIndex", index, index.size)]
+
+    def node(self, colour=(0.42, 0.62, 0.86)):
+        """A separator that clicks pass through. The colour is taken where the vertices have none."""
+        root, pick, hints = coin.SoSeparator(), coin.SoPickStyle(), coin.SoShapeHints()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: lit from both sides
+        normals, colours = coin.SoNormalBinding(), coin.SoMaterialBinding()
+        normals.value = coin.SoNormalBinding.PER_FACE if self.flat else coin.SoNormalBinding.PER_VERTEX_INDEXED
+        if self._material is None:
+            material = coin.SoMaterial()
+            material.diffuseColor = colour
+        else:
+            material = _read(self._material)
+            colours.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        for node in (pick, hints, material, colours, normals, *map(_read, self._rest)):
+            root.addChild(node)
+        return root
 
 
 def box_node(lower, upper, colour=(1.0, 0.75, 0.1)):
@@ -53,14 +61,14 @@ def frame_node(origin, axes):
     return node
 
 
-def flat_normals(vertices, triangles):
-    """Of each triangle, of unit length: edges look sharp."""
+def _flat_normals(vertices, triangles):
+    """Of each triangle."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     return _unit(np.cross(b - a, c - a))
 
 
-def smooth_normals(vertices, triangles):
-    """Of each vertex the mean direction of its triangles, by their areas: edges look round."""
+def _smooth_normals(vertices, triangles):
+    """Of each vertex the mean direction of its triangles, by their areas."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
     faces = np.cross(b - a, c - a)
     corners = triangles.ravel()
@@ -72,12 +80,15 @@ def _unit(rows):
     return rows / np.maximum(np.linalg.norm(rows, axis=1), 1e-30)[:, None]
 
 
-def _node(kind, field, values, count):
-    """A node with one long field, from the bytes of a binary Inventor file: flags, number of fields, field, values, flags."""
+def _bytes_of(kind, field, values, count):
+    """A binary Inventor file of one node with one long field: flags, number of fields, field, values, flags."""
     def text(word):
         return len(word).to_bytes(4, "big") + word + bytes(-len(word) % 4)
 
-    whole = b"#Inventor V2.1 binary  \n" + text(kind) + bytes(4) + b"\0\0\0\1" + text(field) + count.to_bytes(4, "big") + values.tobytes() + bytes(4)
+    return b"".join((b"#Inventor V2.1 binary  \n", text(kind), bytes(4), b"\0\0\0\1", text(field), count.to_bytes(4, "big"), values.tobytes(), bytes(4)))
+
+
+def _read(whole):
     source = coin.SoInput()
     source.setBuffer(whole)
     return coin.SoDB.readAll(source).getChild(0)

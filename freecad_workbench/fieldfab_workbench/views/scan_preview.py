@@ -2,7 +2,7 @@
 
 from pivy import coin
 
-from .coin_mesh import box_node, frame_node, mesh_node
+from .coin_mesh import box_node, frame_node
 
 
 class ScanPreview:
@@ -17,11 +17,11 @@ class ScanPreview:
         self._shown = None
         self._own = self._switch.whichChild.getValue()
 
-    def show_surface(self, vertices, triangles, normals):
-        """In lattice coordinates, mm from the first sample."""
+    def show_surface(self, surface):
+        """MeshBytes in lattice coordinates, mm from the first sample."""
         self._surface.removeAllChildren()
-        if len(triangles):
-            self._surface.addChild(mesh_node(vertices, triangles, normals))
+        if surface.count:
+            self._surface.addChild(surface.node())
         self._switch.whichChild = -1
 
     def show_box(self, volume, lower, upper):
