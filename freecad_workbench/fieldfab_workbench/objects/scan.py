@@ -122,7 +122,7 @@ class _Places:
         for obj in document.Objects:
             if isinstance(getattr(obj, "Proxy", None), Scan):
                 path = obj.Proxy.path(obj)
-                if path and os.path.exists(path):
+                if path and os.path.exists(path) and os.path.splitdrive(path)[0] == os.path.splitdrive(folder)[0]:
                     obj.FileBeside = os.path.relpath(path, folder)
 
 
