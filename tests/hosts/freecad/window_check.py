@@ -1,6 +1,7 @@
 """Runs inside FreeCAD's window: the cross-check's table, its colours and its legend."""
 
 import csv
+import time
 
 import FreeCAD
 import FreeCADGui
@@ -82,14 +83,21 @@ def test_the_table_the_colours_and_the_legend(document, monkeypatch, tmp_path):
 
 
 def test_closing_ends_a_long_check(document, monkeypatch):
-    frep(document, "sphere(r = 20)", 0.25)
+    frep(document, "sphere(r = 20)", 0.2)
+    made = []
+    real = check_panel.CheckPanel.__init__
+    monkeypatch.setattr(check_panel.CheckPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
     FreeCADGui.runCommand("Fieldfab_CrossCheck")
-    live(0.5)
+    wait(lambda: made[0].coloured is not None, what="the colours, which come first")
     with Heartbeat() as beat:
-        live(1)
+        live(0.3)
+    task = made[0].work._task
+    assert made[0].report is None and task.is_alive()
     press(QtWidgets.QDialogButtonBox.Close)
-    assert not FreeCADGui.Control.activeDialog()
-    print(f"longest silence {1000 * beat.longest:.0f} ms")
+    closed = time.monotonic()
+    wait(lambda: not task.is_alive(), 10, "the thread's end")
+    print(f"longest silence {1000 * beat.longest:.0f} ms, ended after {1000 * (time.monotonic() - closed):.0f} ms")
+    assert not FreeCADGui.Control.activeDialog() and task.error.kind == "cancelled"
 
 
 def test_deviations_are_those_that_were_planted():
