@@ -1,5 +1,7 @@
-"""FreeCAD runs this at its start, with or without a window."""
+"""FreeCAD runs this at every start, with or without a window: it learns of the files that can come and go, and of our test."""
 
 import FreeCAD
+from fieldfab_workbench import files
 
+files.register()
 FreeCAD.__unit_test__ += ["TestFieldfab"]

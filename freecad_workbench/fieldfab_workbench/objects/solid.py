@@ -29,6 +29,10 @@ class Solid:
         """Edge of the smallest cell where none is given; None: by the preferences' cells along the longest side."""
         return None
 
+    def icon_name(self, obj):
+        """Of the icon in the tree."""
+        return getattr(obj, "Operation", self.NAME)
+
     # The same for all.
     @staticmethod
     def add(obj, kind, name, group, words, value=None, mode=0):

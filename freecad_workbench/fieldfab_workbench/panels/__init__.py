@@ -9,6 +9,10 @@ def panel_for(obj):
         from .frep_panel import FrepPanel
 
         return FrepPanel(obj)
+    if obj.Proxy.NAME == "Scan":
+        from .scan_panel import ScanPanel
+
+        return ScanPanel(obj)
     from .property_panel import PropertyPanel
 
     return PropertyPanel(obj)

@@ -74,7 +74,7 @@ class PropertyPanel(EditPanel):
 
     def _count(self, name):
         box = QtWidgets.QSpinBox()
-        box.setRange(1, 1000)
+        box.setRange(1, 1_000_000)  # the property has its own limits
         box.setValue(getattr(self.obj, name))
         return box, lambda: setattr(self.obj, name, box.value())
 

@@ -27,7 +27,7 @@ class SolidView:
         self.Object = view.Object
 
     def getIcon(self):
-        return icon(getattr(self.Object, "Operation", self.Object.Proxy.NAME))
+        return icon(self.Object.Proxy.icon_name(self.Object))
 
     def updateData(self, obj, name):
         if name == "Operation":

@@ -1,0 +1,92 @@
+"""Scans and other files as solids."""
+
+import os
+import shutil
+import subprocess
+import tempfile
+
+import FreeCAD
+import FreeCADGui
+
+from .. import files, kernel, work
+from ..objects.frep_solid import FrepSolid
+from ..objects.scan import Scan
+from ..shim import QtWidgets
+from ..views.solid_view import icon
+
+ASKED = "A script can do on this computer whatever you can: read, change and delete your files. Run it only if you trust whoever wrote it."
+
+
+class ImportScan:
+    def GetResources(self):
+        return {"Pixmap": icon("ImportScan"), "MenuText": "Import scan", "ToolTip": "Make a solid from a CT volume: a file, or any slice of a stack"}
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        patterns = " ".join(f"*.{extension}" for extension in (*files.VOLUMES, *files.SLICES, "asdf"))
+        path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), "Import scan: a volume, or any slice of a stack", "",
+                                                     f"Volumes and slices ({patterns});;All files (*)")[0]
+        if path:
+            add_scan(path)
+
+
+def add_scan(path):
+    """A scan of a file, of the stack that a slice belongs to, or of a folder; its panel opens."""
+    stack = files.whole_stack(path)
+    return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), Scan, files.name_of(stack), File=stack)
+
+
+class RunScript:
+    def GetResources(self):
+        return {"Pixmap": icon("RunScript"), "MenuText": "Run script", "ToolTip": "Run a Python script that makes a solid, after asking, and keep the solid's formula"}
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog()
+
+    def Activated(self):
+        window = FreeCADGui.getMainWindow()
+        path = QtWidgets.QFileDialog.getOpenFileName(window, "Run script", "", "Python scripts (*.py)")[0]
+        buttons = QtWidgets.QMessageBox
+        if path and buttons.question(window, "Run script", f"Run {path}?\n\n{ASKED}", buttons.Yes | buttons.No, buttons.No) == buttons.Yes:
+            try:
+                add_script(path)
+            except (ValueError, work.Cancelled) as error:
+                buttons.warning(window, "Run script", str(error) or "The script was stopped.")
+
+
+def add_script(path):
+    """Runs a script, in a process of its own, and adds the solid that it makes; the document keeps the formula, not the script. Raises
+    ValueError with the script's line, and work.Cancelled."""
+    text = work.run(lambda progress: _formula_of(path, progress), f"Running {os.path.basename(path)}")
+    return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), FrepSolid, files.name_of(path), Expression=text)
+
+
+def _formula_of(path, progress):
+    fieldfab = kernel.load()
+    python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)), os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
+    with tempfile.TemporaryFile() as said:
+        process = subprocess.Popen([shutil.which("python3") or "python3", "-m", "fieldfab.script", path], env={**os.environ, "PYTHONPATH": python_path},
+                                   stdin=subprocess.DEVNULL, stdout=said, stderr=subprocess.DEVNULL)
+        try:
+            while process.poll() is None:
+                if progress(0, "") is False:
+                    raise work.Cancelled()
+                try:
+                    process.wait(0.05)
+                except subprocess.TimeoutExpired:
+                    pass
+        finally:
+            process.kill()
+            process.wait()
+        said.seek(0)
+        answer = said.read().decode(errors="replace")
+    if answer.startswith("ok\n"):
+        return fieldfab.parse_vm(answer[3:]).math()
+    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", "it ended without an answer")
+    raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
+
+
+TITLE = "Scans"
+COMMANDS = {"Fieldfab_ImportScan": ImportScan(), "Fieldfab_RunScript": RunScript()}

@@ -1,0 +1,40 @@
+"""How far a mesh is from the Field that it should follow, and the colours of that."""
+
+import numpy as np
+
+STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])  # inside to outside
+
+
+def deviations(field, vertices, triangles):
+    """Of each vertex the distance to the surface, mm, above 0 outside of the solid: its own or that of the middle of a triangle around it,
+    whichever is farther. Distances are values by slopes: of first order, right near the surface, where values are not distances, too."""
+    triangles = np.asarray(triangles, dtype=np.int64)
+    farthest = distances(field, vertices)
+    of_middles = distances(field, vertices[triangles].mean(axis=1, dtype=np.float32))
+    order = np.argsort(np.abs(of_middles))  # so that the farthest is written last
+    around = np.zeros(len(vertices), np.float32)
+    for corner in range(3):
+        here = np.zeros(len(vertices), np.float32)
+        here[triangles[order, corner]] = of_middles[order]
+        around = np.where(np.abs(here) > np.abs(around), here, around)
+    return np.where(np.abs(around) > np.abs(farthest), around, farthest)
+
+
+def distances(field, points):
+    """Signed distances of points near the surface, mm."""
+    values, slopes = field.gradients(np.ascontiguousarray(points, np.float32))
+    steepness = np.linalg.norm(slopes, axis=1)
+    return np.where(steepness > 1e-3, values / np.maximum(steepness, 1e-3), values)
+
+
+def colours(shares):
+    """Red, green, blue of numbers from -1 (inside) by 0 to 1 (outside)."""
+    at = (np.clip(np.nan_to_num(shares), -1, 1) + 1) / 2 * (len(STOPS) - 1)
+    return np.stack([np.interp(at, np.arange(len(STOPS)), STOPS[:, channel]) for channel in range(3)], axis=-1)
+
+
+def nice_reach(deviation):
+    """The end of the scale: the largest deviation, rounded up to 1, 2 or 5 times a power of ten."""
+    most = max(float(np.abs(deviation).max(initial=0)), 1e-6)
+    power = 10 ** np.floor(np.log10(most))
+    return float(next(step * power for step in (1, 2, 5, 10) if step * power >= most * 0.999))

@@ -1,0 +1,215 @@
+"""File > Open, Import and Export, and dropping files on the window: FreeCAD calls `open`, `insert` and `export` here.
+
+Models come in as parametric objects; what goes out is made anew from them, never cut down to the mesh on the screen. Scripts (.py) do not
+come in here: commands/scans.py runs them, once their user has said so."""
+
+import os
+import pathlib
+import tempfile
+
+import FreeCAD
+
+from . import kernel, work
+
+VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom", "ima", "vdb")
+SLICES = ("tif", "tiff", "png")
+TEXTS = ("frep", "math", "vm")
+MESHES = ("stl", "ply", "off", "obj", "3mf")
+MODULE = "fieldfab_workbench.files"
+
+
+def register():
+    """Tells FreeCAD of the file types, at its start."""
+
+    def pattern(extensions):
+        return " ".join(f"*.{extension}" for extension in extensions)
+
+    FreeCAD.addImportType(f"CT volume ({pattern(VOLUMES)})", MODULE)
+    FreeCAD.addImportType(f"F-rep ({pattern(TEXTS)})", MODULE)
+    FreeCAD.addImportType("Distance field (*.asdf)", MODULE)
+    FreeCAD.addExportType("Distance field (*.asdf)", MODULE)
+    FreeCAD.addExportType("F-rep (*.frep *.math *.vm)", MODULE)
+    FreeCAD.addExportType(f"Mesh by Fieldfab ({pattern(MESHES)})", MODULE)
+
+
+def open(filename):  # noqa: A001: the name that FreeCAD calls
+    """A new document with the file's solid."""
+    return insert(filename, "")
+
+
+def insert(filename, docname):
+    """Adds the file's solid to a document, a new one where there is none of that name; in the window a scan's panel opens, and nothing is
+    computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
+    ending = _ending(filename)
+    if ending in TEXTS:
+        from .objects.frep_solid import FrepSolid as Kind
+
+        values = {"Expression": _text_of(filename)}
+    elif ending == "asdf" or ending in VOLUMES or ending in SLICES or os.path.isdir(filename):
+        from .objects.scan import Scan as Kind
+
+        values = {"File": whole_stack(os.path.abspath(filename))}
+    else:
+        raise ValueError(f"{filename}: Fieldfab reads no .{ending} files")
+    name = name_of(values.get("File", filename))
+    if docname in FreeCAD.listDocuments():
+        document = FreeCAD.getDocument(docname)
+    else:
+        document = FreeCAD.newDocument(docname or name)
+        document.Label = docname or name
+    return add(document, Kind, name, **values)
+
+
+def add(document, kind, label, **values):
+    """A solid of a class, with values, in one undo step."""
+    from .objects import solid
+
+    began = not document.HasPendingTransaction
+    if began:
+        document.openTransaction(f"Import {label}")
+    obj = solid.create(kind, document)
+    obj.Label = label
+    for name, value in values.items():
+        setattr(obj, name, value)
+    if FreeCAD.GuiUp and kind.NAME == "Scan" and _edited(obj):
+        return obj
+    document.recompute([obj])
+    if began:
+        document.commitTransaction()
+    if FreeCAD.GuiUp:
+        _show_all(document)
+    return obj
+
+
+def _edited(obj):
+    """Opens the panel of a new object, unless another is open; it goes on with the undo step, which would else end with FreeCAD's command."""
+    import FreeCADGui
+
+    if FreeCADGui.Control.activeDialog():
+        return False
+    FreeCADGui.getDocument(obj.Document.Name).setEdit(obj.Name)
+    return True
+
+
+def _show_all(document):
+    import FreeCADGui
+
+    view = FreeCADGui.getDocument(document.Name).activeView()
+    if view is not None and hasattr(view, "viewIsometric"):
+        view.viewIsometric()
+        view.fitAll()
+
+
+def export(objects, filename):
+    """Writes what the objects bound, united, where they are in the document. The file is written whole or not at all. Raises ValueError."""
+    from .objects.solid import source_of
+
+    ending = _ending(filename)
+    objects = [obj for obj in objects if hasattr(obj, "Mesh") or hasattr(obj, "Shape")]
+    if not objects:
+        raise ValueError(f"{filename}: nothing that was chosen bounds a solid")
+    if ending in TEXTS:
+        return _write_text(filename, _united_texts(objects, ending))
+    fieldfab = kernel.load()
+    sources, settings = [source_of(obj) for obj in objects], _settings(objects)
+
+    def write(progress):
+        field = sources[0].field(progress)
+        for source in sources[1:]:
+            field = field | source.field(progress)
+        made = (fieldfab.build if ending == "asdf" else fieldfab.mesh)(field, progress=progress, **settings)
+        made.save(filename)
+
+    if ending not in ("asdf", *MESHES):
+        raise ValueError(f"{filename}: Fieldfab writes no .{ending} files")
+    try:
+        work.run(write, f"Writing {os.path.basename(filename)}")
+    except fieldfab.Error as error:
+        raise ValueError(str(error)) from None
+    except work.Cancelled:
+        raise ValueError(f"{filename}: cancelled, not written") from None
+
+
+def whole_stack(path):
+    """The folder of a slice that alone is no volume; else the path as it is."""
+    if _ending(path) not in SLICES or not os.path.isfile(path):
+        return path
+    try:
+        kernel.load().Volume.open(path)
+        return path
+    except kernel.load().Error:
+        return os.path.dirname(path)
+
+
+def _settings(objects):
+    """The finest resolution that any of the objects asks for."""
+    asked = [obj.Proxy.mesh_settings(obj) for obj in objects if hasattr(getattr(obj, "Proxy", None), "mesh_settings")]
+    for obj in objects:
+        source = obj.Proxy.source(obj) if hasattr(getattr(obj, "Proxy", None), "source") else None
+        if hasattr(source, "voxel"):
+            asked.append({"voxel": obj.VoxelSize.Value or source.voxel(None)})
+    finest = {name: min(values) for name in ("voxel", "max_error") if (values := [s[name] for s in asked if name in s])}
+    if len(objects) == 1 and asked and "bounds" in asked[0] and objects[0].Placement.isIdentity():
+        finest["bounds"] = asked[0]["bounds"]
+    return finest
+
+
+def _united_texts(objects, ending):
+    """The objects' formulas as one text. Raises ValueError for what has none."""
+    from .objects.frep_solid import FrepSolid
+
+    fieldfab = kernel.load()
+    for obj in objects:
+        if not isinstance(getattr(obj, "Proxy", None), FrepSolid):
+            raise ValueError(f"{obj.Label} has no formula: export it as .asdf or as a mesh")
+    if ending == "frep" and len(objects) == 1 and _placement(objects[0]).isIdentity():
+        return objects[0].Proxy.text(objects[0])
+    united = None
+    for obj in objects:
+        expression = _moved(fieldfab.parse(obj.Proxy.text(obj)), _placement(obj))
+        united = expression if united is None else united | expression
+    if ending == "frep":
+        raise ValueError("one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are")
+    return united.math() if ending == "math" else united.vm()
+
+
+def _placement(obj):
+    return obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
+
+
+def _moved(expression, placement):
+    """An expression where a placement puts its solid: coordinates are taken back."""
+    if placement.isIdentity():
+        return expression
+    fieldfab, m = kernel.load(), placement.inverse().toMatrix()
+    rows = ((m.A11, m.A12, m.A13, m.A14), (m.A21, m.A22, m.A23, m.A24), (m.A31, m.A32, m.A33, m.A34))
+    return expression.map(*(a * fieldfab.X + b * fieldfab.Y + c * fieldfab.Z + d for a, b, c, d in rows))
+
+
+def _text_of(filename):
+    fieldfab = kernel.load()
+    try:
+        text = pathlib.Path(filename).read_text(encoding="utf-8")
+        if _ending(filename) == "vm":
+            return fieldfab.parse_vm(text).math()
+        fieldfab.parse(text)
+    except (OSError, UnicodeError, fieldfab.Error) as error:
+        raise ValueError(f"{filename}: {error}") from None
+    return text
+
+
+def _write_text(filename, text):
+    with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=os.path.dirname(os.path.abspath(filename)), delete=False) as file:
+        file.write(text if text.endswith("\n") else text + "\n")
+    os.replace(file.name, filename)
+
+
+def _ending(filename):
+    name = os.path.basename(filename).lower()
+    return "nii.gz" if name.endswith(".nii.gz") else os.path.splitext(name)[1][1:]
+
+
+def name_of(filename):
+    """What to call the solid of a file or folder."""
+    name = os.path.basename(os.path.normpath(filename))
+    return (name[: -len(_ending(filename)) - 1] if _ending(filename) else name) or "Solid"

@@ -1,0 +1,122 @@
+"""A Part shape that follows a solid, for Part, Part Design and TechDraw."""
+
+import hashlib
+
+import FreeCAD
+import numpy as np
+import Part
+
+from .. import meshes
+from .solid import Solid
+
+SEWING = 1e-4  # mm
+
+
+class PartShape:
+    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, where the Source is. Making one takes about a
+    millisecond a triangle, and more than in proportion beyond some thousands; so triangles are first reduced to MostTriangles, and then
+    those that lie in a plane become one face. Curved surfaces stay facets."""
+
+    NAME = "PartShape"
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self.add_properties(obj)
+
+    @staticmethod
+    def add_properties(obj):
+        add = Solid.add
+        add(obj, "Link", "Source", "Shape", "A solid or a mesh")
+        add(obj, "IntegerConstraint", "MostTriangles", "Shape", "The mesh is reduced to about as many; above some thousands all that is done with the shape is slow",
+            (2000, 12, 50000, 500))
+        add(obj, "Bool", "MergeFaces", "Shape", "Make one face of triangles that lie in a plane", True)
+        add(obj, "Integer", "Faces", "Result", "Faces of the shape", mode=1)
+        add(obj, "Float", "VolumeChange", "Result", "How many percent the shape's volume is above the solid's", mode=1)
+        add(obj, "String", "MadeFrom", "Result", "What the shape was made from: it is made anew when this changes", mode=4)
+
+    def icon_name(self, obj):
+        return self.NAME
+
+    def execute(self, obj):
+        """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
+        if obj.Source is None or not hasattr(obj.Source, "Mesh"):
+            raise ValueError(f"{obj.Label}: choose a solid or a mesh as its Source")
+        if not obj.Source.isValid():
+            raise ValueError(f"{obj.Label}: {obj.Source.Label} has failed; the shape is still what it was")
+        made_from = hashlib.sha1(repr((_content(obj.Source), obj.MostTriangles, obj.MergeFaces)).encode()).hexdigest()
+        if obj.MadeFrom != made_from:
+            mesh = obj.Source.Mesh.copy()
+            mesh.Placement = FreeCAD.Placement()
+            volume = mesh.Volume
+            shape = shape_of(mesh, obj.MostTriangles, obj.MergeFaces, obj.Label)
+            obj.Shape = shape
+            obj.Faces, obj.VolumeChange, obj.MadeFrom = len(shape.Faces), 100 * (shape.Volume / volume - 1), made_from
+        obj.Placement = obj.Source.getGlobalPlacement()
+
+    def onDocumentRestored(self, obj):
+        self.add_properties(obj)
+
+    # The proxy keeps nothing of its own in the document.
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def _content(source):
+    return getattr(source, "MadeFrom", "") or hashlib.sha1(meshes.bms_of(source.Mesh)).hexdigest()
+
+
+def shape_of(mesh, most_triangles, merge_faces, label):
+    """The Part solids of a Mesh.Mesh, which is reduced. Raises ValueError where none can be made."""
+    if mesh.CountFacets == 0:
+        raise ValueError(f"{label}: the mesh is empty")
+    if mesh.CountFacets > most_triangles:
+        mesh.decimate(mesh.BoundBox.DiagonalLength / 1000, 1 - most_triangles / mesh.CountFacets)
+        if mesh.CountFacets > 1.5 * most_triangles:
+            raise ValueError(f"{label}: {mesh.CountFacets} triangles remain where MostTriangles allows {most_triangles}; allow more, or make the solid coarser")
+    pieces, cavities = [], []
+    for piece in mesh.getSeparateComponents():
+        shape = Part.Shape()
+        shape.makeShapeFromMesh(piece.Topology, SEWING)
+        (pieces if _signed_volume(piece) > 0 else cavities).extend(Part.Solid(shell) for shell in shape.Shells)
+    made = _hollowed(pieces, cavities)
+    if made is None or not made.isValid():
+        raise ValueError(f"{label}: the {mesh.CountFacets} triangles bound no valid Part solid; allow more triangles, or make the solid coarser")
+    if merge_faces:
+        merged = made.removeSplitter()
+        made = merged if merged.isValid() and merged.Solids else made
+    return made
+
+
+def _signed_volume(mesh):
+    """Below 0 where the triangles face inwards, as those around a cavity do."""
+    points, facets = mesh.Topology
+    corners = np.array([tuple(p) for p in points])[np.array(facets)]
+    return np.einsum("ni,ni->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+
+
+def _hollowed(pieces, cavities):
+    """Solids as one shape, each cavity taken out of the piece around it."""
+    for cavity in cavities:
+        for i, piece in enumerate(pieces):
+            if piece.BoundBox.isInside(cavity.BoundBox) and piece.isInside(cavity.Vertexes[0].Point, SEWING, False):
+                pieces[i] = piece.cut(cavity)
+                break
+    return Part.makeCompound(pieces) if len(pieces) > 1 else pieces[0] if pieces else None
+
+
+def create(document, source):
+    """Adds the shape of a source to the document; not yet computed."""
+    obj = document.addObject("Part::FeaturePython", PartShape.NAME)
+    PartShape(obj)
+    obj.Label, obj.Source = f"{source.Label} shape", source
+    if FreeCAD.GuiUp:
+        from ..views.part_shape_view import PartShapeView
+
+        PartShapeView(obj.ViewObject)
+    return obj

@@ -1,0 +1,130 @@
+"""A solid from a CT volume, or from an .asdf file."""
+
+import functools
+import os
+
+import FreeCAD
+
+from ..scans import DENOISING, SAMPLE_TYPES, AsdfSource, Cut, ScanFile, ScanSource
+from .solid import Solid
+
+OUTPUT = 8 | 16  # neither a reason to recompute nor a change of the object
+READ_ONLY, HIDDEN = 1, 4
+MISSING, CHANGED, AS_READ, UNREAD = "missing", "changed since it was read", "as it was read", "not read yet"
+
+
+class Scan(Solid):
+    """What is denser than a threshold in a CT volume. The file stays outside of the document, which remembers where it is (beside the
+    document, where it is there) and what it was like when it was read."""
+
+    NAME = "Scan"
+
+    def add_own_properties(self, obj):
+        add = functools.partial(self.add, obj)
+        add("File", "File", "Scan", "The volume's file, or the folder of its slices")
+        add("String", "FileBeside", "Scan", "The same, from the document's folder", mode=HIDDEN | OUTPUT)
+        add("String", "FileRead", "Scan", "Size and time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
+        add("String", "FileState", "Scan", "Whether the file is there, and what it was when it was read", UNREAD, mode=READ_ONLY | OUTPUT)
+        add("Bool", "AutoThreshold", "Scan", "Solid is what is denser than halfway between the two commonest densities", True)
+        add("Float", "Threshold", "Scan", "Solid is what is denser than this, where it is not automatic", 0)
+        add("Bool", "Below", "Scan", "Solid is what is less dense", False)
+        add("Vector", "Spacing", "Scan", "Distances of the samples along x, y and z, mm; 0 0 0: as the file says")
+        add("IntegerList", "Crop", "Scan", "First sample along x, y and z, then last; none: the whole volume")
+        self._add_choice(obj, "Denoise", "Clean-up", "Filter against noise", DENOISING)
+        add("Bool", "KeepLargest", "Clean-up", "Keep the largest piece only", False)
+        add("Volume", "SmallestIsland", "Clean-up", "Smaller pieces go", 0)
+        add("Volume", "SmallestHole", "Clean-up", "Smaller cavities are filled", 0)
+        add("IntegerList", "Samples", "Raw file", "Samples along x, y and z; none: as the file or its name says")
+        self._add_choice(obj, "SampleType", "Raw file", "Type of the samples", SAMPLE_TYPES)
+        add("String", "Series", "Raw file", "Of a DICOM folder with several series: which")
+
+    @staticmethod
+    def _add_choice(obj, name, group, words, choices):
+        if name not in obj.PropertiesList:
+            obj.addProperty("App::PropertyEnumeration", name, group, words)
+            setattr(obj, name, list(choices))
+
+    def onChanged(self, obj, name):
+        if name == "File" and not obj.Document.Restoring and "FileState" in obj.PropertiesList:
+            obj.FileBeside = ""
+            self.look(obj)
+
+    def path(self, obj):
+        """Where the file is: beside the document if it was there and still is, else where it was. "" where none is named."""
+        folder = os.path.dirname(obj.Document.FileName)
+        beside = os.path.join(folder, obj.FileBeside) if folder and obj.FileBeside else ""
+        return os.path.normpath(beside) if beside and os.path.exists(beside) else obj.File
+
+    def file(self, obj):
+        """The scans.ScanFile. Raises ValueError."""
+        path = self.path(obj)
+        if not path:
+            raise ValueError(f"{obj.Label}: choose the File of a scan")
+        if len(obj.Samples) not in (0, 3):
+            raise ValueError(f"{obj.Label}: Samples are three numbers, or none")
+        raw = obj.getEnumerationsOfProperty("SampleType").index(obj.SampleType)
+        return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "", tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
+
+    def cut(self, obj):
+        """The scans.Cut. Raises ValueError."""
+        crop = tuple(obj.Crop)
+        if crop and (len(crop) != 6 or min(crop) < 0 or any(a >= b for a, b in zip(crop, crop[3:]))):
+            raise ValueError(f"{obj.Label}: Crop is the first sample along x, y and z, then the last, or nothing")
+        return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None, "" if obj.Denoise == "none" else obj.Denoise,
+                   obj.KeepLargest, obj.SmallestIsland.Value, obj.SmallestHole.Value)
+
+    def source(self, obj):
+        file, cut = self.file(obj), self.cut(obj)
+        try:
+            return (AsdfSource if file.path.lower().endswith(".asdf") else ScanSource)(file, cut)
+        except ValueError as error:
+            raise ValueError(f"{obj.Label}: {error}; double-click it to find the file") from None
+
+    def execute(self, obj):
+        self.look(obj)
+        source = self.source(obj)
+        super().execute(obj)
+        obj.FileRead = source.stamp
+        self.look(obj)
+
+    def mustExecute(self, obj):
+        self.look(obj)
+        return obj.FileState == CHANGED
+
+    def icon_name(self, obj):
+        return {MISSING: "ScanMissing", CHANGED: "ScanChanged"}.get(obj.FileState, "Scan")
+
+    def look(self, obj):
+        """Notices whether the file is there and what it was. Reads nothing of it."""
+        path = self.path(obj)
+        try:
+            stamp = ScanFile(path).stamp() if path else ""
+            state = UNREAD if not obj.FileRead else AS_READ if stamp == obj.FileRead else CHANGED
+        except ValueError:
+            state = MISSING
+        if obj.FileState != state:
+            obj.FileState = state
+            if FreeCAD.GuiUp:
+                obj.ViewObject.signalChangeIcon()
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        self.look(obj)
+        if obj.FileState in (MISSING, CHANGED):
+            FreeCAD.Console.PrintWarning(f"{obj.Label}: the scan {self.path(obj)} is {obj.FileState}; the mesh is what it was\n")
+
+
+class _Places:
+    """Remembers, whenever a document is saved, where its scans are from there."""
+
+    def slotStartSaveDocument(self, document, filename):
+        folder = os.path.dirname(os.path.abspath(filename))
+        for obj in document.Objects:
+            if isinstance(getattr(obj, "Proxy", None), Scan):
+                path = obj.Proxy.path(obj)
+                if path and os.path.exists(path) and os.path.splitdrive(path)[0] == os.path.splitdrive(folder)[0]:
+                    obj.FileBeside = os.path.relpath(path, folder)
+
+
+_places = _Places()
+FreeCAD.addDocumentObserver(_places)

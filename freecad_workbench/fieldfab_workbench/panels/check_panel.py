@@ -1,0 +1,152 @@
+"""The cross-check of a solid against OpenVDB and CGAL: its rows as a table, and the mesh's deviations in colours."""
+
+import csv
+import io
+
+import FreeCADGui
+import numpy as np
+
+from .. import kernel, meshes
+from ..deviations import colours, deviations, nice_reach
+from ..newest import Newest
+from ..objects.solid import source_of
+from ..shim import QtCore, QtGui, QtWidgets, flags
+from ..views.coin_mesh import MeshBytes
+from ..views.deviation_view import DeviationView
+from ..views.solid_view import icon
+
+HEADINGS = ("", "Measured, and its bound")
+
+
+class CheckPanel:
+    """Checks while it is open, beside the window; changes nothing of the document."""
+
+    def __init__(self, obj):
+        self.obj, self.report, self.coloured, self.shown = obj, None, None, None
+        FreeCADGui.Selection.clearSelection()  # its green would cover the colours
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle("Cross-check")
+        self.form.setWindowIcon(QtGui.QIcon(icon("CrossCheck")))
+        layout = QtWidgets.QVBoxLayout(self.form)
+        self.verdict = QtWidgets.QLabel(f"Checking {obj.Label} against OpenVDB and CGAL…")
+        self.verdict.setWordWrap(True)
+        self.progress = QtWidgets.QProgressBar()
+        self.progress.setRange(0, 1000)
+        self.table = QtWidgets.QTableWidget(0, len(HEADINGS))
+        self.table.setHorizontalHeaderLabels(HEADINGS)
+        self.table.verticalHeader().hide()
+        self.table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        self.table.horizontalHeader().setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeToContents)
+        self.table.horizontalHeader().setSectionResizeMode(1, QtWidgets.QHeaderView.Stretch)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
+        self.table.setMinimumHeight(260)
+        self.colour = QtWidgets.QCheckBox("Deviations in colours")
+        self.colour.setChecked(True)
+        self.colour.setEnabled(False)
+        self.colour.toggled.connect(self._show_colours)
+        self.figures = QtWidgets.QLabel()
+        self.figures.setWordWrap(True)
+        self.save = QtWidgets.QPushButton("Save table…")
+        self.save.setEnabled(False)
+        self.save.clicked.connect(self._save)
+        for widget in (self.verdict, self.progress, self.table, self.colour, self.figures, self.save):
+            layout.addWidget(widget)
+        self.work = Newest(self._failed, self._show_progress)
+        self.form.destroyed.connect(self.work.stop)
+        self._start()
+
+    def _start(self):
+        fieldfab, obj = kernel.load(), self.obj
+        try:
+            source, settings = source_of(obj, placed=False), obj.Proxy.mesh_settings(obj)
+        except ValueError as error:
+            self._failed(error)
+            return
+        mesh = obj.Mesh.copy()
+        mesh.Placement = type(mesh.Placement)()
+        data = meshes.bms_of(mesh)
+
+        def colour(progress):
+            shape = meshes.from_bms(data)
+            vertices, triangles = shape.vertices, shape.triangles
+            off = deviations(source.field(progress), vertices, triangles)
+            reach = nice_reach(off)
+            return MeshBytes(vertices, triangles, flat=True, colours=colours(off / reach)), reach, off
+
+        def check(progress):
+            if "voxel" not in settings and hasattr(source, "voxel"):
+                settings["voxel"] = source.voxel(progress)
+            return fieldfab.check(source.field(progress), progress=progress, **settings)
+
+        def coloured(result):
+            self.work.ask(check, self._checked)
+            self.coloured = result
+            off = result[-1]
+            self.figures.setText(f"Mesh to solid: {np.abs(off).mean():.3g} mm on average, {np.abs(off).max():.3g} mm at most.")
+            self.colour.setEnabled(True)
+            self._show_colours()
+
+        self.work.ask(colour, coloured)
+
+    def _checked(self, report):
+        self.report = report
+        broken = [row for row in report.rows if not row.passed]
+        self.verdict.setText(f"All {len(report.rows)} checks are passed." if not broken else f"{len(broken)} of {len(report.rows)} checks are broken.")
+        self.verdict.setStyleSheet("color: #2c7a3f" if not broken else "color: #b3261e")
+        self.table.setRowCount(len(report.rows))
+        for i, row in enumerate(report.rows):
+            texts = ("✓" if row.passed else "✗", f"{row.name}\n{row.measured:.4g} of {row.bound:.4g} {row.unit}")
+            for column, text in enumerate(texts):
+                item = QtWidgets.QTableWidgetItem(text.strip())
+                item.setToolTip(row.name)
+                if column == 0:
+                    item.setForeground(QtGui.QColor("#2c7a3f" if row.passed else "#b3261e"))
+                self.table.setItem(i, column, item)
+        self.save.setEnabled(True)
+        QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)  # once the columns have their widths
+
+    def _show_colours(self, *_):
+        if self.shown is not None:
+            self.shown.close()
+            self.shown = None
+        if self.coloured is not None and self.colour.isChecked():
+            self.shown = DeviationView(self.obj, *self.coloured[:-1])
+
+    def _failed(self, error):
+        self.verdict.setText(str(error))
+        self.verdict.setStyleSheet("color: #b3261e")
+
+    def _show_progress(self, fraction, message):
+        self.progress.setVisible(fraction is not None)
+        if fraction is not None:
+            self.progress.setValue(round(1000 * fraction))
+            self.progress.setFormat(message or "%p %")
+
+    def text(self):
+        """The table as comma-separated values."""
+        out = io.StringIO()
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(("check", "measured", "bound", "unit", "passed"))
+        for row in self.report.rows:
+            writer.writerow((row.name, repr(row.measured), repr(row.bound), row.unit, "yes" if row.passed else "no"))
+        return out.getvalue()
+
+    def _save(self):
+        path = QtWidgets.QFileDialog.getSaveFileName(self.form, "Save table", f"{self.obj.Label}.csv", "Comma-separated values (*.csv);;Text (*.txt)")[0]
+        if path:
+            try:
+                with open(path, "w", encoding="utf-8", newline="") as file:
+                    file.write(self.text())
+            except OSError as error:
+                self._failed(error)
+
+    # What FreeCAD asks of a task panel.
+    def getStandardButtons(self):
+        return flags(QtWidgets.QDialogButtonBox.Close)
+
+    def reject(self):
+        self.work.stop()
+        self.coloured = None
+        self._show_colours()
+        FreeCADGui.Control.closeDialog()
+        return True

@@ -1,0 +1,192 @@
+"""The widgets of a scan's panel, and what they hold."""
+
+import FreeCAD
+
+from .. import scans
+from ..shim import QtWidgets
+from .edit_panel import EditPanel
+from .histogram import Histogram
+
+
+class ScanForm(EditPanel):
+    """File, histogram and threshold, lattice, clean-up, outcome: from top to bottom."""
+
+    def __init__(self, obj):
+        super().__init__(obj, "Scan")
+        self._add_file_rows()
+        self._add_threshold_rows()
+        self._add_lattice_rows()
+        self._add_cleaning_rows()
+        self._add_outcome_rows()
+        self.fill()
+
+    def _add_file_rows(self):
+        self.path = QtWidgets.QLineEdit()
+        self.path.setPlaceholderText("file, or folder of slices")
+        file, folder = QtWidgets.QPushButton("File…"), QtWidgets.QPushButton("Folder…")
+        file.clicked.connect(self.browse_file)
+        folder.clicked.connect(self.browse_folder)
+        self.layout.addWidget(self.path)
+        self.layout.addWidget(_in_a_row([file, folder]))
+        self.told = QtWidgets.QLabel()
+        self.told.setWordWrap(True)
+        self.layout.addWidget(self.told)
+        self.layout.addWidget(self.message)
+        self.raw, form = self._group("Raw file")
+        self.samples = [_count_box(0, 100000) for _ in range(3)]
+        self.type = QtWidgets.QComboBox()
+        self.type.addItems(scans.SAMPLE_TYPES)
+        self.type.setMinimumContentsLength(8)
+        self.type.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.series = QtWidgets.QLineEdit()
+        form.addRow(QtWidgets.QLabel("Samples along x, y, z"))
+        form.addRow(_in_a_row(self.samples))
+        form.addRow("Type", self.type)
+        form.addRow("Series", self.series)
+
+    def _add_threshold_rows(self):
+        self.histogram = Histogram()
+        self.layout.addWidget(self.histogram)
+        self.automatic, self.below = QtWidgets.QCheckBox("Automatic"), QtWidgets.QCheckBox("Below it")
+        self.automatic.setToolTip("Halfway between the two commonest densities, air and material")
+        self.below.setToolTip("What is less dense than the threshold is solid")
+        self.threshold = _number_box(-1e9, 1e9, 3)
+        self.layout.addWidget(_in_a_row([QtWidgets.QLabel("Threshold"), self.threshold]))
+        self.layout.addWidget(_in_a_row([self.automatic, self.below]))
+
+    def _add_lattice_rows(self):
+        form = QtWidgets.QFormLayout()
+        self.own_spacing = QtWidgets.QCheckBox("Other spacing (mm)")
+        self.spacing = [_number_box(1e-6, 1e6, 4) for _ in range(3)]
+        self.cropping = QtWidgets.QCheckBox("Crop (first, last sample)")
+        self.crop = [_count_box(0, 100000) for _ in range(6)]
+        self.voxel = _number_box(0, 1e6, 4)
+        self.voxel.setSpecialValueText("as the samples")
+        self.voxel.setSuffix(" mm")
+        form.addRow(self.own_spacing)
+        self.spacing_row = _in_a_row(self.spacing)
+        form.addRow(self.spacing_row)
+        form.addRow(self.cropping)
+        self.crop_rows = [_in_a_row(self.crop[:3]), _in_a_row(self.crop[3:])]
+        for row in self.crop_rows:
+            form.addRow(row)
+        form.addRow("Smallest cell", self.voxel)
+        self.layout.addLayout(form)
+
+    def _add_cleaning_rows(self):
+        self.cleaning, form = self._group("Clean-up")
+        self.denoise = QtWidgets.QComboBox()
+        self.denoise.addItems(scans.DENOISING)
+        self.largest = QtWidgets.QCheckBox("Largest piece only")
+        self.island, self.hole = _number_box(0, 1e9, 2), _number_box(0, 1e9, 2)
+        for box in (self.island, self.hole):
+            box.setSpecialValueText("all")
+            box.setSuffix(" mm³")
+        self.island.setToolTip("Smaller pieces go")
+        self.hole.setToolTip("Smaller cavities are filled")
+        form.addRow("Denoise", self.denoise)
+        form.addRow("Islands from", self.island)
+        form.addRow("Holes from", self.hole)
+        form.addRow(self.largest)
+
+    def _add_outcome_rows(self):
+        self.estimate = QtWidgets.QLabel()
+        self.estimate.setWordWrap(True)
+        self.progress = QtWidgets.QProgressBar()
+        self.progress.setRange(0, 1000)
+        self.progress.setTextVisible(True)
+        room = self.progress.sizePolicy()
+        room.setRetainSizeWhenHidden(True)
+        self.progress.setSizePolicy(room)
+        self.progress.hide()
+        for widget in (self.estimate, self.progress):
+            self.layout.addWidget(widget)
+        self.layout.addStretch()
+
+    def _group(self, title):
+        group = QtWidgets.QGroupBox(title)
+        self.layout.addWidget(group)
+        return group, QtWidgets.QFormLayout(group)
+
+    # From the object into the widgets, and back.
+    def fill(self):
+        obj = self.obj
+        self.path.setText(obj.Proxy.path(obj))
+        for box, value in zip(self.samples, list(obj.Samples) or (0, 0, 0)):
+            box.setValue(value)
+        self.type.setCurrentText(obj.SampleType)
+        self.series.setText(obj.Series)
+        self.automatic.setChecked(obj.AutoThreshold)
+        self.threshold.setValue(obj.Threshold)
+        self.below.setChecked(obj.Below)
+        self.own_spacing.setChecked(obj.Spacing.Length > 0)
+        for box, value in zip(self.spacing, obj.Spacing if obj.Spacing.Length else (1, 1, 1)):
+            box.setValue(value)
+        self.cropping.setChecked(bool(obj.Crop))
+        for box, value in zip(self.crop, list(obj.Crop)):
+            box.setValue(value)
+        self.voxel.setValue(obj.VoxelSize.Value)
+        self.denoise.setCurrentText(obj.Denoise)
+        self.largest.setChecked(obj.KeepLargest)
+        self.island.setValue(obj.SmallestIsland.Value)
+        self.hole.setValue(obj.SmallestHole.Value)
+
+    def take_over(self):
+        wanted = {
+            "File": self.path.text(), "Samples": list(self.dims() or ()), "SampleType": self.type.currentText(), "Series": self.series.text(),
+            "AutoThreshold": self.automatic.isChecked(), "Threshold": self.threshold.value(), "Below": self.below.isChecked(),
+            "Spacing": FreeCAD.Vector(*(self.spacing_asked() or (0, 0, 0))), "Crop": list(self.cut().crop or ()), "VoxelSize": self.voxel.value(),
+            "Denoise": self.denoise.currentText(), "KeepLargest": self.largest.isChecked(), "SmallestIsland": self.island.value(), "SmallestHole": self.hole.value(),
+        }
+        if wanted["File"] == self.obj.Proxy.path(self.obj):
+            del wanted["File"]
+        for name, value in wanted.items():
+            if getattr(getattr(self.obj, name), "Value", getattr(self.obj, name)) != value:
+                setattr(self.obj, name, value)
+
+    def file(self):
+        raw = self.type.currentIndex()
+        return scans.ScanFile(self.path.text(), self.dims(), scans.SAMPLE_TYPES[raw] if raw else "", None, self.series.text())
+
+    def cut(self):
+        crop = tuple(box.value() for box in self.crop) if self.cropping.isChecked() else ()
+        return scans.Cut(None if self.automatic.isChecked() else self.threshold.value(), self.below.isChecked(), crop if any(crop) else None,
+                         self.denoise.currentText() if self.denoise.currentIndex() else "", self.largest.isChecked(), self.island.value(), self.hole.value())
+
+    def dims(self):
+        values = tuple(box.value() for box in self.samples)
+        return values if all(values) else None
+
+    def spacing_asked(self):
+        return tuple(box.value() for box in self.spacing) if self.own_spacing.isChecked() else None
+
+
+def _number_box(low, high, decimals):
+    box = QtWidgets.QDoubleSpinBox()
+    box.setMinimumWidth(60)  # a task panel is narrow
+    box.setDecimals(decimals)
+    box.setRange(low, high)
+    return box
+
+
+def _count_box(low, high):
+    box = QtWidgets.QSpinBox()
+    box.setMinimumWidth(50)
+    box.setRange(low, high)
+    return box
+
+
+def _in_a_row(widgets):
+    row = QtWidgets.QWidget()
+    layout = QtWidgets.QHBoxLayout(row)
+    layout.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        layout.addWidget(widget)
+    return row
+
+
+def set_quietly(boxes, values):
+    for box, value in zip(boxes, values):
+        box.blockSignals(True)
+        box.setValue(value)
+        box.blockSignals(False)

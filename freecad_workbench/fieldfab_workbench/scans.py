@@ -1,0 +1,174 @@
+"""CT volumes on disk: which file, how it is read, and what a solid at a threshold of it is. Nothing here looks at a document."""
+
+import dataclasses
+import math
+import os
+import threading
+import weakref
+
+import numpy as np
+
+from . import kernel, work
+from .sources import Source
+
+SAMPLE_TYPES = ("as the file says", "uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64")
+DENOISING = ("none", "median", "gaussian", "anisotropic")
+FIELDS_KEPT = 2  # each may hold a whole volume in memory
+OVERVIEW_SAMPLES = 300_000
+SLAB_SAMPLES = 1 << 17  # of the coarse volume, at a time
+BYTES_A_TRIANGLE = 120  # with its share of vertices, in the kernel and in FreeCAD
+
+
+@dataclasses.dataclass(frozen=True)
+class ScanFile:
+    """A volume's file or folder of slices, and how to read it. `spacing` in mm; None: as the file says."""
+
+    path: str
+    dims: tuple = None
+    type: str = ""
+    spacing: tuple = None
+    series: str = ""
+
+    def stamp(self):
+        """Size and time of last change, of a folder those of its files together: another stamp, another content. Raises ValueError where
+        there is no such file."""
+        try:
+            if os.path.isdir(self.path):
+                with os.scandir(self.path) as entries:
+                    seen = sorted((e.name, e.stat().st_size, e.stat().st_mtime_ns) for e in entries if e.is_file())
+                return f"{len(seen)} {sum(size for _, size, _ in seen)} {max((time for *_, time in seen), default=0)}"
+            seen = os.stat(self.path)
+            return f"1 {seen.st_size} {seen.st_mtime_ns}"
+        except OSError:
+            raise ValueError(f"the scan {self.path} is not there") from None
+
+    def open(self, progress=None):
+        """The fieldfab.Volume. Those in use are shared. Raises fieldfab.Error."""
+        key = (self, self.stamp())
+        with _lock:
+            volume = _open.get(key)
+        if volume is None:
+            volume = kernel.load().Volume.open(self.path, dims=self.dims, type=self.type, spacing=self.spacing, series=self.series, progress=progress)
+            with _lock:
+                _open[key] = volume
+        return volume
+
+
+@dataclasses.dataclass(frozen=True)
+class Cut:
+    """What of a volume is solid. `threshold`: a density, None: halfway between the two commonest. `crop`: first sample along x, y, z, then
+    last, or None. Islands and holes in mm3: smaller ones go; 0 keeps all."""
+
+    threshold: float = None
+    below: bool = False
+    crop: tuple = None
+    denoise: str = ""
+    keep_largest: bool = False
+    smallest_island: float = 0
+    smallest_hole: float = 0
+
+    def cropped(self, volume):
+        return volume.crop(self.crop[:3], self.crop[3:]) if self.crop else volume
+
+    def cleaned(self):
+        """Whether it needs the whole volume in memory."""
+        return bool(self.denoise or self.keep_largest or self.smallest_island or self.smallest_hole)
+
+    def solid(self, volume, progress=None):
+        """The fieldfab.Field, where the volume's file places it. Raises fieldfab.Error."""
+        return self.cropped(volume).solid(self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
+                                          min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
+
+
+class ScanSource(Source):
+    """The solid of a scan. Its mesh has the samples' distance as its smallest cell where none is given, and is not kept: the document has it."""
+
+    def __init__(self, file, cut):
+        self.file, self.cut, self.stamp = file, cut, file.stamp()
+        super().__init__(("scan", dataclasses.astuple(file), self.stamp, dataclasses.astuple(cut)), None)
+
+    def field(self, progress=None):
+        with _lock:
+            for digest, field, _ in _fields:
+                if digest == self.digest:
+                    return field
+        field, holder = self._made(progress)
+        with _lock:
+            _fields[:] = [(self.digest, field, holder), *_fields][:FIELDS_KEPT]
+        return field
+
+    def _made(self, progress):
+        volume = self.file.open(progress)
+        return self.cut.solid(volume, progress), volume
+
+    def voxel(self, progress):
+        return min(self.file.open(progress).spacing)
+
+    def mesh(self, progress=None, **settings):
+        settings.setdefault("voxel", self.voxel(progress))
+        return kernel.load().mesh(self.field(progress), progress=progress, **settings)
+
+
+class AsdfSource(ScanSource):
+    """The solid of an .asdf file: it is a distance field as it stands."""
+
+    def _made(self, progress):
+        asdf = kernel.load().Asdf.load(self.file.path)
+        return asdf.placed(), asdf
+
+    def voxel(self, progress):
+        return kernel.load().Asdf.load(self.file.path).voxel
+
+
+class Overview:
+    """A volume in few enough samples to be shown while someone tries thresholds. `threshold` is the automatic one, of these samples;
+    surfaces are in lattice coordinates: mm from the first sample along the lattice's axes."""
+
+    def __init__(self, file, progress=None):
+        self.volume = file.open(progress)
+        self.halvings, coarse = 0, self.volume
+        while math.prod(coarse.size) > OVERVIEW_SAMPLES:
+            self.halvings, coarse = self.halvings + 1, coarse.half()
+        self._densities = _read(coarse, progress)
+        plain = self._plain(self.volume.spacing)
+        self.counts, self.edges = plain.histogram()
+        # The kernel takes a level set's own surface, which a plain array has lost: they alone have densities on either side of 0 in .vdb files.
+        level_set = file.path.lower().endswith(".vdb") and self.edges[0] < 0 < self.edges[-1]
+        self.threshold = 0.0 if level_set else plain.threshold("halfway")
+
+    def _plain(self, spacing):
+        return kernel.load().Volume(self._densities, spacing=[s * 2**self.halvings for s in spacing])
+
+    def surface(self, cut, spacing=None, progress=None):
+        """The coarse mesh of a Cut, whose crop counts the whole volume's samples, and the edge of its cells in mm."""
+        spacing = spacing or self.volume.spacing
+        step, plain = 2**self.halvings, self._plain(spacing)
+        cut = dataclasses.replace(cut, threshold=self.threshold if cut.threshold is None else cut.threshold)
+        if cut.crop:
+            first = [n // step for n in cut.crop[:3]]
+            last = [min(max(-(-n // step), a + 1), size - 1) for n, a, size in zip(cut.crop[3:], first, plain.size)]
+            cut = dataclasses.replace(cut, crop=(*first, *last))
+        cell = math.prod(plain.spacing) ** (1 / 3)
+        return kernel.load().mesh(cut.solid(plain, progress), voxel=cell, features=False, progress=progress), cell
+
+
+def _read(volume, progress):
+    """All densities, some slices at a time, so that it can be cancelled."""
+    across, along, deep = volume.size
+    layers, step = [], max(1, SLAB_SAMPLES // (across * along))
+    for first in range(0, deep, step):
+        last = min(first + step, deep) - 1
+        layers.append(volume.crop((0, 0, first), (across - 1, along - 1, last)).densities())
+        if progress is not None and progress(first / deep, "reading") is False:
+            raise work.Cancelled()
+    return np.concatenate(layers)
+
+
+def estimate(samples, cleaned, triangles, finer):
+    """(bytes of memory, triangles) that a solid will roughly take, by the triangles of its overview, whose cells are `finer` times larger."""
+    triangles = round(triangles * finer**2)
+    return samples * (14 if cleaned else 4) + triangles * BYTES_A_TRIANGLE, triangles
+
+
+_lock = threading.Lock()
+_open, _fields = weakref.WeakValueDictionary(), []  # volumes in use; (digest, field, what it reads), newest first

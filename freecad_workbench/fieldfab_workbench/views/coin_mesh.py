@@ -1,0 +1,94 @@
+"""Meshes and boxes as Coin nodes: what panels show in the 3D view beside the objects. Arrays go into Coin whole, as the bytes of a
+binary Inventor file."""
+
+import numpy as np
+from pivy import coin
+
+
+class MeshBytes:
+    """Triangles ready for Coin: made on any thread, `node()` in the window's. Flat: edges look sharp; else all looks smooth. `colours`: one
+    a vertex, rows of red, green, blue in 0 to 1."""
+
+    def __init__(self, vertices, triangles, flat=False, colours=None):
+        self.count, self.flat = len(triangles), flat
+        normals = (_flat_normals if flat else _smooth_normals)(vertices, triangles)
+        index = np.full((len(triangles), 4), -1, ">i4")
+        index[:, :3] = triangles
+        self._material = None if colours is None else _bytes_of(b"Material", b"diffuseColor", np.asarray(colours, ">f4"), len(colours))
+        self._rest = [_bytes_of(b"Coordinate3", b"point", np.asarray(vertices, ">f4"), len(vertices)),
+                      _bytes_of(b"Normal", b"vector", np.asarray(normals, ">f4"), len(normals)),
+                      _bytes_of(b"IndexedFaceSet", b"coordIndex", index, index.size)]
+
+    def node(self, colour=(0.42, 0.62, 0.86)):
+        """A separator that clicks pass through. The colour is taken where the vertices have none."""
+        root, pick, hints = coin.SoSeparator(), coin.SoPickStyle(), coin.SoShapeHints()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # without a shape type: lit from both sides
+        normals, colours = coin.SoNormalBinding(), coin.SoMaterialBinding()
+        normals.value = coin.SoNormalBinding.PER_FACE if self.flat else coin.SoNormalBinding.PER_VERTEX_INDEXED
+        if self._material is None:
+            material = coin.SoMaterial()
+            material.diffuseColor = colour
+        else:
+            material = _read(self._material)
+            colours.value = coin.SoMaterialBinding.PER_VERTEX_INDEXED
+        for node in (pick, hints, material, colours, normals, *map(_read, self._rest)):
+            root.addChild(node)
+        return root
+
+
+def box_node(lower, upper, colour=(1.0, 0.75, 0.1)):
+    """The twelve edges of a box."""
+    root, material, style, model = coin.SoSeparator(), coin.SoBaseColor(), coin.SoDrawStyle(), coin.SoLightModel()
+    material.rgb = colour
+    style.lineWidth = 2
+    model.model = coin.SoLightModel.BASE_COLOR
+    points, lines = coin.SoCoordinate3(), coin.SoIndexedLineSet()
+    corners = [[(lower, upper)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)]
+    points.point.setValues(0, 8, corners)
+    edges = [i for a in range(8) for axis in range(3) if not a >> axis & 1 for i in (a, a | 1 << axis, -1)]
+    lines.coordIndex.setValues(0, len(edges), edges)
+    for node in (model, material, style, points, lines):
+        root.addChild(node)
+    return root
+
+
+def frame_node(origin, axes):
+    """A transform from a lattice's own coordinates to where its axes lie."""
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = axes
+    node = coin.SoMatrixTransform()
+    node.matrix = coin.SbMatrix(ax, ay, az, 0, bx, by, bz, 0, cx, cy, cz, 0, *origin, 1)
+    return node
+
+
+def _flat_normals(vertices, triangles):
+    """Of each triangle."""
+    a, b, c = (vertices[triangles[:, i]] for i in range(3))
+    return _unit(np.cross(b - a, c - a))
+
+
+def _smooth_normals(vertices, triangles):
+    """Of each vertex the mean direction of its triangles, by their areas."""
+    a, b, c = (vertices[triangles[:, i]] for i in range(3))
+    faces = np.cross(b - a, c - a)
+    corners = triangles.ravel()
+    sums = [np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)]
+    return _unit(np.stack(sums, 1))
+
+
+def _unit(rows):
+    return rows / np.maximum(np.linalg.norm(rows, axis=1), 1e-30)[:, None]
+
+
+def _bytes_of(kind, field, values, count):
+    """A binary Inventor file of one node with one long field: flags, number of fields, field, values, flags."""
+    def text(word):
+        return len(word).to_bytes(4, "big") + word + bytes(-len(word) % 4)
+
+    return b"".join((b"#Inventor V2.1 binary  \n", text(kind), bytes(4), b"\0\0\0\1", text(field), count.to_bytes(4, "big"), values.tobytes(), bytes(4)))
+
+
+def _read(whole):
+    source = coin.SoInput()
+    source.setBuffer(whole)
+    return coin.SoDB.readAll(source).getChild(0)

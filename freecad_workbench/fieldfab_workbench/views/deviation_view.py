@@ -1,0 +1,21 @@
+"""A solid's mesh in the colours of its deviations, in place of its own."""
+
+from .legend import Legend
+
+
+class DeviationView:
+    """Under the object's own placement; `close()` leaves the view as it was."""
+
+    def __init__(self, obj, surface, reach):
+        """`surface`: MeshBytes in the object's own coordinates; `reach`: the end of the colours' scale, mm."""
+        self._parent, self._switch = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode
+        self._own = self._switch.whichChild.getValue()
+        self._node = surface.node()
+        self._parent.addChild(self._node)
+        self._switch.whichChild = -1
+        self._legend = Legend("Deviation, mm", reach)
+
+    def close(self):
+        self._parent.removeChild(self._node)
+        self._switch.whichChild = self._own
+        self._legend.close()

@@ -1,0 +1,13 @@
+"""How a Part shape of a solid looks in FreeCAD."""
+
+from .solid_view import SolidView
+
+
+class PartShapeView(SolidView):
+    def __init__(self, view):
+        view.Proxy = self
+        if view.Object.Source is not None:
+            view.ShapeColor = view.Object.Source.ViewObject.ShapeColor
+
+    def claimChildren(self):
+        return []  # the solid goes on as it is

@@ -1,0 +1,75 @@
+"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and visibility."""
+
+import FreeCAD
+import FreeCADGui
+import pytest
+import window
+from window import live, press
+
+from fieldfab_workbench.objects import frep_solid
+from fieldfab_workbench.objects import solid as solids
+from fieldfab_workbench.shim import QtWidgets
+
+RED = (0.8, 0.2, 0.1, 0.0)
+
+
+@pytest.fixture
+def solid():
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    document = FreeCAD.newDocument()
+    live(0.2)
+    made = solids.create(frep_solid.FrepSolid, document)
+    made.Expression, made.VoxelSize = "difference(box(20, 20, 20), cylinder(r = 5, h = 30))", 1
+    made.Placement = FreeCAD.Placement(FreeCAD.Vector(5, 0, 0), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 45))
+    document.recompute()
+    made.ViewObject.ShapeColor = RED
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(made)
+    yield made
+    for name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+
+
+@pytest.mark.parametrize("command, kind", [("Fieldfab_ToMesh", "Mesh::Feature"), ("Fieldfab_ToPartShape", "Part::FeaturePython")])
+def test_conversions_keep_place_and_colour_and_are_one_step(solid, command, kind):
+    document, steps = solid.Document, solid.Document.UndoCount
+    FreeCADGui.runCommand(command)
+    live(0.2)
+    made = document.Objects[-1]
+    assert made.TypeId == kind and made.isValid() and document.UndoCount == steps + 1
+    assert made.ViewObject.ShapeColor == pytest.approx(RED, abs=0.01) and made.Placement == solid.Placement
+    assert made.ViewObject.Visibility and not solid.ViewObject.Visibility
+    bounds, own = (made.Mesh if hasattr(made, "Mesh") else made.Shape).BoundBox, solid.Mesh.BoundBox
+    assert bounds.XLength == pytest.approx(own.XLength, abs=0.05) and bounds.Center.distanceToPoint(own.Center) < 0.05
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    picture = window.shot(command)
+    seen = sum(c.red() > 100 > 1.5 * c.blue() for y in range(150, 560, 5) for x in range(300, 1200, 5) for c in [picture.pixelColor(x, y)])
+    assert seen > 500, "it is seen in its colour"
+    document.undo()
+    assert document.Objects == [solid]
+
+
+def test_colour_and_visibility_stay_through_recomputes(solid):
+    solid.ViewObject.Transparency = 40
+    solid.Expression = "box(10, 10, 10)"
+    solid.Document.recompute()
+    assert solid.ViewObject.ShapeColor == pytest.approx(RED, abs=0.01) and solid.ViewObject.Transparency == 40
+    solid.ViewObject.Visibility = False
+    solid.Expression = "box(10, 10, 11)"
+    solid.Document.recompute()
+    assert not solid.ViewObject.Visibility and solid.Volume.Value == pytest.approx(1100)
+
+
+def test_a_shape_is_edited_in_its_panel(solid):
+    FreeCADGui.runCommand("Fieldfab_ToPartShape")
+    live(0.2)
+    made = solid.Document.Objects[-1]
+    FreeCADGui.ActiveDocument.setEdit(made.Name)
+    live(0.3)
+    labels = [w.text() for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible()]
+    assert "Most triangles" in labels and "Merge faces" in labels
+    box = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QSpinBox) if w.isVisible() and w.value() == 2000][0]
+    box.setValue(500)
+    press(QtWidgets.QDialogButtonBox.Ok)
+    assert made.MostTriangles == 500 and made.isValid() and made.Shape.isValid()
