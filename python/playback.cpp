@@ -7,42 +7,38 @@
 #include "fieldfab/cam/stock.h"
 #include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab::python {
 namespace {
 
-template <class Number>
-py::array_t<Number> array_of(const std::vector<Number>& values) {
-  return py::array_t<Number>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-/// The arrays that Coin, and others, draw a mesh from. Normals are weighed by area.
-py::tuple drawn(const TriangleMesh& mesh) {
-  const auto vertices = static_cast<py::ssize_t>(mesh.vertices.size()),
-             triangles = static_cast<py::ssize_t>(mesh.triangles.size());
-  py::array_t<float> places({vertices, py::ssize_t{3}}), normals({vertices, py::ssize_t{3}});
-  py::array_t<std::int32_t> corners({triangles, py::ssize_t{4}});
-  float *const place = places.mutable_data(), *const normal = normals.mutable_data();
-  std::int32_t* const corner = corners.mutable_data();
-  std::optional<py::gil_scoped_release> without_lock(std::in_place);
-  if (vertices) std::memcpy(place, mesh.vertices.data(), sizeof(float) * 3 * mesh.vertices.size());
-  std::vector<Eigen::Vector3f> sums(mesh.vertices.size(), Eigen::Vector3f::Zero());
-  const auto at = [&](std::uint32_t v) { return Eigen::Map<const Eigen::Vector3f>(place + 3 * static_cast<std::size_t>(v)); };
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto& t = mesh.triangles[i];
-    const Eigen::Vector3f area = (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
-    for (std::size_t k = 0; k < 3; ++k) sums[t[k]] += area, corner[4 * i + k] = static_cast<std::int32_t>(t[k]);
-    corner[4 * i + 3] = -1;
+/// (vertices, normals, corners, cuts); corners end with -1, as Coin has them.
+py::tuple arrays_of(const cam::DrawnSurface& surface) {
+  const auto rows = [](const std::vector<std::array<float, 3>>& vectors) {
+    py::array_t<float> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
+    if (!vectors.empty()) std::memcpy(out.mutable_data(), vectors.data(), sizeof(float) * 3 * vectors.size());
+    return out;
+  };
+  py::array_t<std::int32_t> corners({static_cast<py::ssize_t>(surface.triangles.size()), py::ssize_t{4}});
+  std::int32_t* corner = corners.mutable_data();
+  for (const auto& t : surface.triangles) {
+    for (const std::uint32_t v : t) *corner++ = static_cast<std::int32_t>(v);
+    *corner++ = -1;
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) Eigen::Map<Eigen::Vector3f>(normal + 3 * i) = sums[i].normalized();
-  without_lock.reset();
-  return py::make_tuple(places, normals, corners);
+  py::array_t<std::uint32_t> cuts(static_cast<py::ssize_t>(surface.cuts.size()), surface.cuts.data());
+  return py::make_tuple(rows(surface.vertices), rows(surface.normals), corners, cuts);
 }
 
 void bind_surface(py::module_& module) {
-  module.def("to_draw", &drawn, py::arg("mesh"),
-             "A mesh's arrays for drawing: (n, 3) float32 vertices and their normals, (m, 4) int32 corners that end with -1.");
+  module.def(
+      "to_draw",
+      [](const TriangleMesh& mesh) {
+        const auto surface = long_work(py::none(), [&](Progress&) { return cam::drawn(mesh); });
+        return py::tuple(arrays_of(surface)[py::slice(0, 3, 1)]);
+      },
+      py::arg("mesh"),
+      "A mesh's arrays for drawing: (n, 3) float32 vertices, their normals, (m, 4) int32 corners that end with -1.");
   py::class_<cam::StockSurface>(module, "Surface", "The surface of a stock in pieces, which are made anew only where it was cut.")
       .def(py::init<>())
       .def(
@@ -58,12 +54,20 @@ void bind_surface(py::module_& module) {
           "A mesh of one piece, to be drawn with the others.")
       .def(
           "to_draw",
-          [](const cam::StockSurface& surface, std::size_t index) {
-            std::vector<std::uint32_t> cuts;
-            const TriangleMesh piece = surface.piece(index, &cuts);
-            return py::tuple(drawn(piece) + py::make_tuple(array_of(cuts)));
+          [](const cam::StockSurface& surface, const std::vector<std::size_t>& indices, int coarse) {
+            if (coarse < 1 || coarse > 64) throw Error(ErrorKind::bad_input, "coarse", "it is 1 to 64 cells");
+            std::vector<cam::DrawnSurface> pieces(indices.size());
+            long_work(py::none(), [&](Progress&) {
+              parallel_for(indices.size(), [&](std::size_t i) { pieces[i] = surface.drawn_piece(indices[i], coarse); });
+            });
+            py::list out;
+            for (const cam::DrawnSurface& piece : pieces) out.append(arrays_of(piece));
+            return out;
           },
-          py::arg("index"), "Like to_draw(piece(index)), and for each vertex the cut that made it.")
+          py::arg("indices"), py::arg("coarse") = 1,
+          "Pieces for drawing: for each one (n, 3) float32 vertices, their normals, (m, 4) int32 corners that end with -1, and "
+          "the "
+          "cut that made each vertex. Flats have few triangles; where coarse is above 1, blocks of so many cells become one.")
       .def(
           "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); }, "All of it as one closed mesh.");
 }
