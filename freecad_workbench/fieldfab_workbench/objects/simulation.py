@@ -113,8 +113,8 @@ class Simulation(Solid):
         add("StringList", "Events", "Result", "What went wrong, worst first: a JSON object a line", mode=1)
         add("StringList", "Notes", "Result", "What the program's reader passed over", mode=1)
         add("Volume", "Removed", "Result", "Material removed", mode=1)
-        add("Time", "Time", "Result", "On the machine", mode=1)
-        add("Time", "RapidTime", "Result", "Of it rapids", mode=1)
+        add("Float", "Seconds", "Result", "On the machine", mode=1)
+        add("Float", "RapidSeconds", "Result", "Of them rapids", mode=1)
         add("Percent", "AirShare", "Result", "Share of the feed that meets no material", mode=1)
         for name, words in (("Contacts", "Lines that touch what they must not"), ("Gouges", "Lines that cut into the target"), ("OverTravels", "Lines that leave the machine's limits")):
             add("Integer", name, "Result", words, mode=1)
@@ -148,6 +148,9 @@ class Simulation(Solid):
         if obj.Program is None and not obj.ProgramFile:
             raise ValueError(f"{obj.Label}: choose a program")
         program = programs.program_of(obj.Program) if obj.Program is not None else programs.program_from_file(obj.ProgramFile)
+        for link in (obj.Target, obj.Stock):
+            if link is not None and not link.isValid():
+                raise ValueError(f"{obj.Label}: {link.Label} could not be computed")
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
         return Task(program, self.setup(obj), target, stock, obj.Cell.Value)
 
@@ -172,6 +175,10 @@ class Simulation(Solid):
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
         return set_ups.text(tools, lower, upper, machine, tolerances, obj.MoreOfSetup).encode(), "setup.toml", None
 
+    def kept_run(self, obj):
+        """The Run of what the object shows, where it was carried out in this session; else None. Raises as task() does."""
+        return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
+
     def execute(self, obj):
         """Carries the program out. What goes wrong is raised: FreeCAD then marks the object, which keeps the result that it had."""
         fieldfab = kernel.load()
@@ -195,7 +202,7 @@ class Simulation(Solid):
         obj.Verdict = "good" if not events else f"{len(events)} events, the worst: {events[0]['kind']} at line {events[0]['line']}"
         obj.Events = [json.dumps(event) for event in events]
         obj.Notes = [f"line {note['line']}: {note['message']}" for note in report["notes"]]
-        obj.Removed, obj.Time, obj.RapidTime, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])
+        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])
         obj.Contacts, obj.Gouges, obj.OverTravels = sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel")
         deviation = report.get("deviation", {})
         obj.DeepestGouge, obj.HighestExcess = deviation.get("deepest_gouge", 0), deviation.get("highest_excess", 0)

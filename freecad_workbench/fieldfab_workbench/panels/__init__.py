@@ -9,6 +9,12 @@ def panel_for(obj):
         from .frep_panel import FrepPanel
 
         return FrepPanel(obj)
+    from ..objects.simulation import Simulation
+
+    if isinstance(obj.Proxy, Simulation):
+        from .simulation_panel import SimulationPanel
+
+        return SimulationPanel(obj)
     from .property_panel import PropertyPanel
 
     return PropertyPanel(obj)
