@@ -41,32 +41,42 @@ class Simplifier {
     const std::vector<unsigned> ways = ways_of_triangles();
     std::unordered_map<Key, Cluster, Hash> found(cluster_.size() / 8);
     std::vector<Key> keys(cluster_.size());
+    Cluster* cluster = nullptr;
+    const Key* last = nullptr;
     for (std::uint32_t v = 0; v < cluster_.size(); ++v) {
       if (ways[v] >= tilted || at_border(v)) continue;
       const auto level = static_cast<Eigen::Index>(ways[v] / 2);
       keys[v] = {ways[v], surface_.cuts[v], std::bit_cast<std::uint32_t>(surface_.vertices[v][ways[v] / 2])};
       for (Eigen::Index a = 0, k = 3; a < 3; ++a)
         if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]), flat_block);
-      ++found[keys[v]].count;
+      if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];  // vertices come row by row
+      ++cluster->count;
     }
+    cluster = nullptr;
     for (std::uint32_t v = 0; v < cluster_.size(); ++v)
       if (keys[v] != Key{}) {
-        Cluster& cluster = found[keys[v]];
-        if (cluster.count != flat_block * flat_block) continue;  // some of it is no flat
-        if (cluster.number == alone) cluster.number = clusters_++;
-        cluster_[v] = cluster.number;
+        if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];
+        if (cluster->count != flat_block * flat_block) continue;  // some of it is no flat
+        if (cluster->number == alone) cluster->number = clusters_++;
+        cluster_[v] = cluster->number;
       }
   }
 
   void unite_blocks(int size) {
-    std::unordered_map<Key, std::uint32_t, Hash> found(cluster_.size() / 2);
+    // A way to face and three numbers of a block, 20 bits each.
+    std::unordered_map<std::uint64_t, std::uint32_t> found(cluster_.size() / 2);
+    std::uint64_t last = ~std::uint64_t{0};
+    std::uint32_t number = alone;
     for (std::uint32_t v = 0; v < cluster_.size(); ++v) {
       if (cluster_[v] != alone || at_border(v)) continue;
-      Key key{nearest_way(vector(surface_.normals[v])), 0, 0};
-      for (Eigen::Index a = 0; a < 3; ++a) key[static_cast<std::size_t>(a) + 2] = block(places_[v][a], size);
-      const auto [at, fresh] = found.try_emplace(key, clusters_);
-      if (fresh) ++clusters_;
-      cluster_[v] = at->second;
+      std::uint64_t key = nearest_way(vector(surface_.normals[v]));
+      for (Eigen::Index a = 0; a < 3; ++a) key = key << 20 | (block(places_[v][a], size) & 0xFFFFF);
+      if (key != last) {  // vertices come row by row
+        const auto [at, fresh] = found.try_emplace(key, clusters_);
+        if (fresh) ++clusters_;
+        last = key, number = at->second;
+      }
+      cluster_[v] = number;
     }
   }
 

@@ -23,14 +23,15 @@ KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
 
 
 class Run:
-    """A simulation that was carried out and remembers it; it can be played back. `simulation`: fieldfab.stock.Simulation; `lines`: the
-    program's text."""
+    """A simulation that was carried out and remembers it; it can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its
+    report; `lines`: the program's text."""
 
     def __init__(self, task, progress):
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
         setup, program = (self._file(*given) for given in (task.setup, task.program))
         target, stock = (source and source.field(progress) for source in (task.target, task.stock))
         self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, cell=task.cell or None, remember=True, progress=progress)
+        self.report = self.simulation.report
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
     def _file(self, text, name, path):
@@ -186,13 +187,13 @@ class Simulation(Solid):
             task = self.task(obj)
             if obj.MadeFrom == task.digest:
                 return
-            simulation = work.run(task.run, obj.Label).simulation
+            run = work.run(task.run, obj.Label)
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
             raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
-        self.put_mesh(obj, simulation.mesh)
-        self.put_report(obj, simulation.report)
+        self.put_mesh(obj, run.simulation.mesh)
+        self.put_report(obj, run.report)
         obj.MadeFrom = task.digest
 
     @staticmethod

@@ -155,7 +155,7 @@ class SimulationPanel(EditPanel):
     def _play(self, run):
         self.run = run
         self.obj.ViewObject.Visibility = False  # the playback is in its place
-        self.playback.show(run, run.simulation.report["events"])
+        self.playback.show(run, run.report["events"])
         self._allow(True)
         self.say(f"{self.obj.Label}: {self.obj.Verdict}", not self.obj.Events)
 

@@ -41,13 +41,13 @@ class PartView:
         camera.position = coin.SbVec3f(*(float(v) for v in place)) - ahead * camera.focalDistance.getValue()
 
     def ray(self, x, y):
-        """Origin and direction of what lies below a pixel, counted from the lower left."""
+        """Origin and direction of what lies below a pixel of the screen, counted from the lower left."""
         width, height = self.view.getSize()
         near, far = (np.array(p.getValue()) for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
         return near, (far - near) / np.linalg.norm(far - near)
 
     def pixel_of(self, place):
-        """Where a place is seen, pixels from the lower left."""
+        """Where a place is seen, pixels of the screen from the lower left."""
         width, height = self.view.getSize()
         seen = self._volume().projectToScreen(coin.SbVec3f(*(float(v) for v in place)))
         return seen[0] * width, seen[1] * height

@@ -91,8 +91,9 @@ def simulated(document, opened, tmp_path, text=PROGRAM, target=True):
 def view_pixels(panel, name):
     """The 3D view as (height, width, 3) numbers."""
     picture, view = window.shot(name), panel.playback.view.widget()
-    at = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    picture = picture.copy(QtCore.QRect(at, view.size())).convertToFormat(picture.Format_RGB888)
+    at, (width, height) = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0)), panel.playback.view.view.getSize()
+    scale = width / view.width()  # pixels of the screen in one of Qt's
+    picture = picture.copy(round(at.x() * scale), round(at.y() * scale), width, height).convertToFormat(picture.Format_RGB888)
     rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
     return rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
 
@@ -114,7 +115,7 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     playback.see_holder.click()
     live(0.3)
     without = view_pixels(panel, "simulation_without_tool")
-    x, y = (playback.view.pixel_of(np.array(playback._moment["tip"]) + [0, 0, 20]))
+    x, y = (playback.view.pixel_of(np.array(playback._moment["tip"]) + [0, 0, 6]))
     row, column = without.shape[0] - int(y), int(x)
     assert np.abs(at_end - without)[row - 4 : row + 4, column - 4 : column + 4].mean() > 20
     playback.see_tool.click()
@@ -128,7 +129,8 @@ def test_a_program_is_simulated_played_and_judged(document, opened, tmp_path):
     assert np.abs(begin - at_end).max(axis=2).mean() > 1
     playback.speed.setCurrentIndex(playback.speed.findText("5\N{MULTIPLICATION SIGN}"))
     shown, began = playback.shown, time.monotonic()
-    with Heartbeat() as beat:
+    with Heartbeat() as beat, Heartbeat() as busy:
+        busy.clock = time.thread_time
         playback.buttons["play"].click()
         live(2.5)
         playback.buttons["play"].click()
@@ -167,8 +169,7 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
     playback.line.setValue(8)
     wait(lambda: playback.player.idle)
     assert playback.program.line() == 8 and math.dist(playback._moment["tip"][:2], (-12, -8)) < 30
-    index = playback.program.model().index(6, 0)
-    playback.program.clicked.emit(index)
+    playback.program.clicked.emit(playback.program.model().index(6, 0))
     wait(lambda: playback.player.idle)
     live(0.1)
     assert math.dist(playback._moment["tip"], (12, -12, -3)) < 1e-3 and playback.line.value() == 7
@@ -180,11 +181,111 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
     for place, line in (((-4, -10, -3), 7), ((-8, 8.5, -3), PROGRAM.split("\n").index("G1 Y8 F900") + 3)):
         x, y = playback.view.pixel_of(place)
         widget = playback.view.widget().viewport()
-        at = QtCore.QPoint(int(x), int(widget.height() - y))
+        scale = playback.view.view.getSize()[0] / widget.width()  # pixels of the screen in one of Qt's
+        at = QtCore.QPoint(round(x / scale), round(widget.height() - y / scale))
         for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
             buttons = QtCore.Qt.LeftButton if kind == QtCore.QEvent.MouseButtonPress else QtCore.Qt.NoButton
             QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier))
         live(0.2)
+        view_pixels(panel, f"simulation_click_{line}")
         assert f"line {line} cut this place" in panel.message.text() and playback.program.line() == line
     press(Button.Cancel)
     assert len(document.Objects) == 1
+
+
+def test_results_are_written_and_kept(document, opened, tmp_path):
+    panel = simulated(document, opened, tmp_path, target=False)
+    playback = panel.playback
+    assert playback.legend is None and not playback.see_deviation.isVisible()
+    panel.write_report(str(tmp_path / "report.html"))
+    wait(lambda: panel.task is None)
+    assert "rapid contact" in (tmp_path / "report.html").read_text() and "written" in panel.message.text()
+    panel.write_frames(str(tmp_path / "frames"), 3)
+    wait(lambda: panel.task is None)
+    assert sorted(p.name for p in (tmp_path / "frames").iterdir()) == [f"frame_000{i}.png" for i in (1, 2, 3)]
+    playback.line.setValue(7)
+    wait(lambda: playback.player.idle)
+    button("Keep as object").click()
+    wait(lambda: panel.task is None)
+    kept = document.Objects[-1]
+    assert kept.Mesh.isSolid() and kept.Mesh.Volume == pytest.approx(50 * 40 * 12 - 3 * (24 * 6 + math.pi * 9), rel=1e-3) and "line 7" in kept.Label
+    press(Button.Ok)
+
+
+def test_a_reopened_document_shows_events_and_plays_when_asked(document, opened, tmp_path):
+    panel = simulated(document, opened, tmp_path)
+    name, verdict = panel.obj.Name, panel.obj.Verdict
+    press(Button.Ok)
+    path = str(tmp_path / "saved.FCStd")
+    document.saveCopy(path)
+    simulation._runs.clear()
+    again = FreeCAD.openDocument(path)
+    live(0.3)
+    try:
+        FreeCADGui.getDocument(again.Name).setEdit(name)
+        live(0.3)
+        panel = opened[-1]
+        window.shot("simulation_reopened")
+        assert panel.run is None and panel.playback.events.topLevelItemCount() == len(panel.obj.Events) > 1 and verdict in panel.message.text()
+        button("Simulate").click()
+        wait(lambda: panel.run is not None and panel.playback.shown > 0)
+        assert panel.obj.Verdict == verdict
+        press(Button.Cancel)
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
+    long = HEAD + "".join(f"G1 X{x / 10} Y{y / 10} Z{-3 + 0.01 * (x % 50)} F900\n" for y in range(-120, 120, 2) for x in range(-120, 120, 1)) + "M2\n"
+    path = tmp_path / "long.ngc"
+    path.write_text(long)
+    FreeCADGui.runCommand("Fieldfab_SimulateProgram")
+    live(0.3)
+    panel, form = opened[-1], opened[-1].setup
+    button("Simulate").click()
+    assert "choose a program" in panel.message.text()
+    form.program.line.setText(str(path))
+    form.program.line.editingFinished.emit()
+    assert [box.value() for box in form.lower + form.upper] == pytest.approx([-17, -17, -8, 16.9, 16.8, 0])  # around the program
+    form.tools.item(0, 2).setText("wide")
+    button("Simulate").click()
+    assert "Diameter is a number" in panel.message.text()
+    form.tools.item(0, 2).setText("1")
+    form.cell.setValue(0.05)
+    button("Simulate").click()
+    live(0.7)
+    assert panel.task is not None and panel.bar.value() >= 0
+    button("Stop").click()
+    wait(lambda: panel.task is None, 5)
+    assert "stopped" in panel.message.text() and not panel.obj.Mesh.CountFacets
+    press(Button.Cancel)
+    assert not document.Objects
+
+
+def test_five_axes_are_shown_turning(document, opened, tmp_path):
+    import gzip
+
+    program = tmp_path / "knob.ngc"
+    program.write_bytes(gzip.decompress((ROOT / "docs/cam/knob_five_axis.ngc.gz").read_bytes()))
+    obj = solids.create(simulation.Simulation, document)
+    obj.ProgramFile, obj.SetupFile, obj.Cell = str(program), str(ROOT / "examples/cam/knob_five_axis.toml"), 0.6
+    document.recompute()
+    assert obj.isValid(), obj.getStatusString()
+    FreeCADGui.ActiveDocument.setEdit(obj.Name)
+    panel = opened[-1]
+    playback = panel.playback
+    wait(lambda: playback.shown > 0 and playback.player.idle)
+    assert list(playback.axes) == list(panel.run.simulation.axes) and len(playback.axes) == 5
+    # Somewhere where the tool leans.
+    times = np.linspace(0, playback.player.length, 200)
+    leaning = [t for t in times if playback.player.at(t)["axis"][2] < 0.9]
+    playback.go_to(leaning[len(leaning) // 2])
+    wait(lambda: playback.player.idle)
+    still = view_pixels(panel, "simulation_five_axes")
+    playback.turning.click()
+    live(0.3)
+    turned = view_pixels(panel, "simulation_five_axes_turned")
+    assert np.abs(still - turned).max(axis=2).mean() > 1
+    # In the machine the tool stands upright.
+    assert playback._matrix()[:3, :3] @ playback._moment["axis"] == pytest.approx([0, 0, 1], abs=1e-6)
+    press(Button.Cancel)
