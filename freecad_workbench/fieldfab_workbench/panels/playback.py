@@ -156,8 +156,7 @@ class Playback(QtWidgets.QWidget):
         self.view.tell_clicks(None)
         self.view.remove(self.scene.root)
         if self.legend is not None:
-            self.legend.setParent(None)
-            self.legend.deleteLater()
+            self.legend.remove()
         self.player = self.scene = self.legend = None
 
     def _make_axes(self, letters):

@@ -20,6 +20,11 @@ class DeviationLegend(QtWidgets.QWidget):
         over.installEventFilter(self)
         self._place()
 
+    def remove(self):
+        self.parent().removeEventFilter(self)
+        self.hide()
+        self.deleteLater()
+
     def eventFilter(self, watched, event):
         if event.type() == QtCore.QEvent.Resize:
             self._place()
