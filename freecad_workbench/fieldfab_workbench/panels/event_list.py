@@ -61,6 +61,8 @@ class EventList(QtWidgets.QTreeWidget):
     def set_events(self, events):
         self.clear()
         self.events = sorted(events, key=event_order)
+        if not self.events:
+            self.addTopLevelItem(QtWidgets.QTreeWidgetItem(["nothing went wrong"]))
         signs = {kind: sign(kind) for kind in {event["kind"] for event in self.events}}
         for event in self.events[:MOST]:
             unit = UNITS.get(event["kind"], "mm\N{SUPERSCRIPT THREE}")

@@ -78,7 +78,7 @@ class SetupForm(QtWidgets.QWidget):
         self.target = self._objects(obj.Target, candidates(obj), "none, or the set-up's")
         rows.addRow("Program of", self.of_object)
         rows.addRow("Program", self.program)
-        rows.addRow("Set-up", self.setup)
+        rows.addRow("Set-up file", self.setup)
         rows.addRow("Target", self.target)
         rows.addRow("Cell", self.cell)
         layout.addLayout(rows)

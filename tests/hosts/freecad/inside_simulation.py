@@ -183,3 +183,30 @@ def test_programs_of_other_objects(document, slot):
     document.recompute()
     assert obj.isValid(), obj.getStatusString()
     assert obj.Volume.Value == pytest.approx(BLOCK - 480, rel=1e-4) and obj.Seconds == pytest.approx((50 + 7) / 5, rel=0.3)
+
+
+def test_freecads_own_jobs(document):
+    from PathScripts import PathCustom, PathJob
+
+    part = document.addObject("Part::Box", "Part")
+    part.Length, part.Width, part.Height = 40, 30, 10
+    document.recompute()
+    job = PathJob.Create("Job", [part], None)
+    tool = job.Tools.Group[0]
+    tool.Tool.Diameter, tool.HorizFeed, tool.VertFeed = 6, 10, 5
+    slot = PathCustom.Create("Custom")
+    slot.ToolController = tool
+    slot.Gcode = ["G0 X-5 Y15 Z20", "G1 Z8 F5", "G1 X45 F10", "G0 Z20"]
+    document.recompute()
+    assert programs.is_job(job) and programs.offers_program(job) and programs.offers_program(slot)
+    text = programs.program_of(job).text.decode()
+    assert "M6 T1" in text and "F600" in text and text.index("M6") < text.index("X-5")
+    tools = programs.tools_of(job)
+    assert tools[0]["diameter"] == 6 and tools[0]["shape"] == "flat" and tools == programs.tools_of(slot)
+    box = simulation.bounds_of(job.Stock)
+    obj = simulated(document, "", Program=job, Tools=[set_ups.tool_to_line(t) for t in tools], StockLower=FreeCAD.Vector(box.XMin, box.YMin, box.ZMin),
+                    StockUpper=FreeCAD.Vector(box.XMax, box.YMax, box.ZMax), Target=part, Gouge=0.1)
+    assert obj.isValid(), obj.getStatusString()
+    cut = box.XLength * 6 * (box.ZMax - 8)
+    assert box.XLength * box.YLength * box.ZLength - obj.Volume.Value == pytest.approx(cut, rel=0.02)
+    assert obj.Gouges == 1 and obj.DeepestGouge.Value == pytest.approx(2, abs=0.05) and json.loads(obj.Events[-1])["kind"] == "gouge"
