@@ -133,10 +133,12 @@ class Simulation(Solid):
 
     @staticmethod
     def show_what_matters(obj):
-        for name in ("Machine", "Tools", "Stock", "Gouge", "Excess", "Touch", "MoreOfSetup", "StockLower", "StockUpper"):
-            if name in obj.PropertiesList:
-                given = bool(obj.SetupFile) and name != "Stock" or name.startswith("Stock") and name != "Stock" and obj.Stock is not None
-                obj.setEditorMode(name, 2 if given else 0)
+        if not hasattr(obj, "Stock") or not hasattr(obj, "MoreOfSetup"):
+            return  # a document that is being opened
+        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
+            corner = name in ("StockLower", "StockUpper")
+            counts = not (corner and obj.Stock is not None) and (not obj.SetupFile or name == "Stock")
+            obj.setEditorMode(name, 0 if counts else 2)
 
     def source(self, obj):
         """What is left, as a solid."""

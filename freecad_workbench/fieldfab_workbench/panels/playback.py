@@ -24,10 +24,18 @@ def clock(seconds):
     return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
 
 
-class Playback(QtWidgets.QWidget):
-    """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user."""
+def is_open(document):
+    try:
+        return bool(document.Name)
+    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
+        return False
 
-    said = QtCore.Signal(str)
+
+class Playback(QtWidgets.QWidget):
+    """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user, and whether they are
+    good news."""
+
+    said = QtCore.Signal(str, bool)
 
     def __init__(self, document):
         super().__init__()
@@ -124,6 +132,7 @@ class Playback(QtWidgets.QWidget):
         """Plays an objects.simulation.Run from now on, its end first."""
         self.end()
         self.player, self.scene, self.view = Player(run), StockScene(), PartView(self.document)
+        self.destroyed.connect(self.player.close)  # as when the document is closed
         self._tool_shown = self._moment = self._asked_line = None
         self._fitted = False
         self.view.add(self.scene.root)
@@ -209,7 +218,7 @@ class Playback(QtWidgets.QWidget):
             self.go_to_line(event["line"])
         self.scene.set_mark(event["place"], self.size / 60)
         self.view.look_at(self._turned(event["place"]))
-        self.said.emit(f"line {event['line']}: {event['message']}")
+        self.said.emit(f"line {event['line']}: {event['message']}", False)
 
     def _clicked(self, origin, direction):
         back = np.linalg.inv(self._matrix())
@@ -221,20 +230,24 @@ class Playback(QtWidgets.QWidget):
         self.scene.set_mark(place, self.size / 120)
         if line:
             self._show_line(line)
-            self.said.emit(f"line {line} cut this place, with tool {tool}")
+            self.said.emit(f"line {line} cut this place, with tool {tool}", True)
         else:
-            self.said.emit("nothing has cut this place")
+            self.said.emit("nothing has cut this place", True)
 
     # Showing.
     def _start_clock(self):
         self._began = (time.monotonic(), self.seconds)
 
     def _tick(self):
+        if not is_open(self.document):
+            self.timer.stop()
+            self.player.close()
+            return
         try:
             frame = self.player.take()
         except Exception as error:  # of the thread
             self.timer.stop()
-            self.said.emit(str(error))
+            self.said.emit(str(error), False)
             return
         if frame is not None:
             self._show(frame)
@@ -260,7 +273,8 @@ class Playback(QtWidgets.QWidget):
         self._place()
         if not self._fitted:
             self._fitted = True
-            self.view.fit(alone=not any(o.ViewObject.Visibility for o in self.document.Objects))
+            if not any(o.ViewObject.Visibility for o in self.document.Objects):
+                self.view.fit()  # else the user looks at something already
         self._show_numbers(frame.seconds)
         self._show_line(self._asked_line or self._moment["line"])
 

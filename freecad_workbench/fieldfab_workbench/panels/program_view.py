@@ -37,13 +37,20 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
         self.setSelectionMode(self.SingleSelection)
         self.setEditTriggers(self.NoEditTriggers)
         self.setStyleSheet("QTableView::item:selected { background: #ffe08a; color: #1d1d1f }")
+        self.text_width = 0
         self.setToolTip("The program. Click a line to go to where it is done")
         self.clicked.connect(lambda index: self.asked.emit(index.row() + 1))
 
     def set_lines(self, lines):
         self.setModel(Lines(lines, self))
         longest = max(map(len, lines), default=0) + len(str(len(lines))) + 4
-        self.setColumnWidth(0, min(longest, 400) * self.fontMetrics().averageCharWidth())
+        self.text_width = min(longest, 400) * self.fontMetrics().averageCharWidth()
+        self.resizeEvent(None)
+
+    def resizeEvent(self, event):
+        if event is not None:
+            super().resizeEvent(event)
+        self.setColumnWidth(0, max(self.text_width, self.viewport().width()))
 
     def line(self):
         """The marked line, from 1; 0: none."""

@@ -3,13 +3,12 @@
 import json
 import os
 
-import FreeCAD
 import FreeCADGui
 
 from .. import kernel, meshes, work
 from ..shim import QtCore, QtWidgets, flags
 from .edit_panel import EditPanel
-from .playback import Playback
+from .playback import Playback, is_open
 from .setup_form import SetupForm
 
 FRAMES = 200  # pictures of a film
@@ -32,7 +31,7 @@ class SimulationPanel(EditPanel):
         self.layout.addLayout(self._start_row())
         self.layout.addWidget(self.message)
         QtCore.QTimer.singleShot(0, self._widen)
-        self.playback.said.connect(lambda text: self.say(text, True))
+        self.playback.said.connect(self.say)
         self.seen_before = obj.ViewObject.Visibility
         obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # a new one is not drawn twice
         self.timer = QtCore.QTimer(self.form)
@@ -110,9 +109,15 @@ class SimulationPanel(EditPanel):
         self.task, self.done = work.Task(function), done
         self.start_button.setText("Stop")
         self.say("", True)
+        self.form.destroyed.connect(self.task.cancel)  # as when the document is closed
         self.task.start()
 
     def _watch(self):
+        if not is_open(self.document):
+            self.timer.stop()
+            if self.task is not None:
+                self.task.cancel()
+            return
         if self.task is None:
             return
         self.bar.setValue(round(1000 * self.task.fraction))
@@ -221,6 +226,6 @@ class SimulationPanel(EditPanel):
         if self.task is not None:
             self.task.cancel()
         self.playback.end()
-        if FreeCAD.ActiveDocument is not None and self.obj in self.document.Objects:
+        if self.obj in self.document.Objects:
             self.obj.ViewObject.Visibility = self.seen_before
         super().close()

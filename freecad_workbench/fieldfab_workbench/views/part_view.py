@@ -28,10 +28,9 @@ class PartView:
         seen = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QGraphicsView) if w.isVisible()]
         return min(seen, key=lambda w: abs(w.width() - wanted[0]) + abs(w.height() - wanted[1]))
 
-    def fit(self, alone):
-        """Brings everything into view; from above and aside where nothing else was seen yet."""
-        if alone:
-            self.view.viewIsometric()
+    def fit(self):
+        """Brings everything into view, from above and aside."""
+        self.view.viewIsometric()
         self.view.fitAll()
 
     def look_at(self, place):

@@ -13,16 +13,10 @@ from fieldfab_workbench import meshes
 from fieldfab_workbench.objects import simulation
 
 
-def test_results_are_written_and_kept(document, opened, tmp_path):
+def test_the_stock_of_a_moment_is_kept(document, opened, tmp_path):
     panel = simulated(document, opened, tmp_path, target=False, cell=0.5)
     playback = panel.playback
     assert playback.legend is None and not playback.see_deviation.isVisible()
-    panel.write_report(str(tmp_path / "report.html"))
-    wait(lambda: panel.task is None)
-    assert "rapid contact" in (tmp_path / "report.html").read_text() and "written" in panel.message.text()
-    panel.write_frames(str(tmp_path / "frames"), 3)
-    wait(lambda: panel.task is None)
-    assert sorted(p.name for p in (tmp_path / "frames").iterdir()) == [f"frame_000{i}.png" for i in (1, 2, 3)]
     playback.line.setValue(7)
     wait(lambda: playback.player.idle)
     button("Keep as object").click()
@@ -82,3 +76,18 @@ def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
     assert "stopped" in panel.message.text() and not panel.obj.Mesh.CountFacets
     press(Button.Cancel)
     assert not document.Objects
+
+
+def test_a_document_may_be_closed_while_it_plays(opened, tmp_path):
+    other = FreeCAD.newDocument()
+    panel = simulated(other, opened, tmp_path, cell=0.5)
+    playback = panel.playback
+    player = playback.player
+    playback.buttons["first"].click()
+    playback.buttons["play"].click()
+    live(0.5)
+    assert player.task.is_alive()
+    FreeCAD.closeDocument(other.Name)
+    wait(lambda: not player.task.is_alive(), 5)
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
