@@ -10,7 +10,7 @@ from collections import OrderedDict
 
 import FreeCAD
 
-from .. import kernel, work
+from .. import kernel, meshes, work
 from . import programs, set_ups
 from .solid import Solid, source_of
 from .solid_from_object import source_of_geometry
@@ -32,6 +32,7 @@ class Run:
         target, stock = (source and source.field(progress) for source in (task.target, task.stock))
         self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, cell=task.cell or None, remember=True, progress=progress)
         self.report = self.simulation.report
+        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
     def _file(self, text, name, path):
@@ -194,7 +195,7 @@ class Simulation(Solid):
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
             raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
-        self.put_mesh(obj, run.simulation.mesh)
+        self.put_mesh(obj, run.simulation.mesh, meshes.read_bms(run.mesh_file))
         self.put_report(obj, run.report)
         obj.MadeFrom = task.digest
 

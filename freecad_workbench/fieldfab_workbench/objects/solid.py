@@ -80,10 +80,10 @@ class Solid:
         obj.MadeFrom = made_from
 
     @staticmethod
-    def put_mesh(obj, mesh):
-        """Gives the object a fieldfab.Mesh of its own coordinates; it stays where it is."""
+    def put_mesh(obj, mesh, made=None):
+        """Gives the object a fieldfab.Mesh of its own coordinates, `made` FreeCAD's where there is one already; it stays where it is."""
         placement = obj.Placement
-        obj.Mesh = meshes.to_freecad(mesh)
+        obj.Mesh = meshes.to_freecad(mesh) if made is None else made
         obj.Placement = placement
         obj.Volume, obj.Area, obj.Triangles = mesh.volume, mesh.area, len(mesh.triangles)
 
