@@ -9,7 +9,7 @@ namespace fieldfab::cam {
 namespace {
 
 using Vec3f = Eigen::Vector3f;
-constexpr int flat_block = 8;              // cells along the edge of what is united on flats
+constexpr int flat_block = 6;              // cells along the edge of what is united on flats
 constexpr std::uint32_t alone = ~0u;       // of a vertex that stays what it is
 constexpr unsigned tilted = 6, mixed = 7;  // ways to face; below them 2 * axis, and 1 more for backwards
 
@@ -48,7 +48,7 @@ class Simplifier {
       const auto level = static_cast<Eigen::Index>(ways[v] / 2);
       keys[v] = {ways[v], surface_.cuts[v], std::bit_cast<std::uint32_t>(surface_.vertices[v][ways[v] / 2])};
       for (Eigen::Index a = 0, k = 3; a < 3; ++a)
-        if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]), flat_block);
+        if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]) - inside(a), flat_block);
       if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];  // vertices come row by row
       ++cluster->count;
     }
@@ -124,6 +124,11 @@ class Simplifier {
   /// Never 0, so that keys that were set are not empty ones.
   static std::uint32_t block(float place, int size) {
     return static_cast<std::uint32_t>(std::floor(place / static_cast<float>(size))) + 0x40000000u;
+  }
+
+  /// Where what is no border begins, so that blocks of flats do as well.
+  [[nodiscard]] float inside(Eigen::Index axis) const {
+    return region_.lower[axis] < -1 ? 0 : static_cast<float>(region_.lower[axis]) + 2;
   }
 
   [[nodiscard]] bool at_border(std::uint32_t v) const {

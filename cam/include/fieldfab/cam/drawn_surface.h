@@ -20,7 +20,7 @@ struct DrawnSurface {
 /// All of a mesh. `cuts` may be empty.
 DrawnSurface drawn(const TriangleMesh& mesh, std::vector<std::uint32_t> cuts = {});
 
-/// The same with fewer triangles: vertices in the middle of level flats that one cut left are united, eight by eight; then, where
+/// The same with fewer triangles: vertices in the middle of level flats that one cut left are united, six by six; then, where
 /// `coarse` is above 1, all vertices that share a block of so many lattice cells and face about the same way. What lies within a
 /// cell of the faces of `region` (in cells from the lattice's first point) stays as it is, so that pieces still meet.
 DrawnSurface simplified(const DrawnSurface& surface, const StockLattice& lattice, const Box& region, int coarse);
