@@ -50,13 +50,13 @@ class Simplifier {
       for (Eigen::Index a = 0, k = 3; a < 3; ++a)
         if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]) - inside(a), flat_block);
       if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];  // vertices come row by row
-      ++cluster->count;
+      if (cluster->count++ == 0) cluster->whole = points_of_block(v, level);
     }
     cluster = nullptr;
     for (std::uint32_t v = 0; v < cluster_.size(); ++v)
       if (keys[v] != Key{}) {
         if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];
-        if (cluster->count != flat_block * flat_block) continue;  // some of it is no flat
+        if (cluster->count != cluster->whole) continue;  // some of it is no flat
         if (cluster->number == alone) cluster->number = clusters_++;
         cluster_[v] = cluster->number;
       }
@@ -118,7 +118,7 @@ class Simplifier {
     }
   };
   struct Cluster {
-    std::uint32_t count = 0, number = alone;
+    std::uint32_t count = 0, whole = 0, number = alone;
   };
 
   /// Never 0, so that keys that were set are not empty ones.
@@ -129,6 +129,18 @@ class Simplifier {
   /// Where what is no border begins, so that blocks of flats do as well.
   [[nodiscard]] float inside(Eigen::Index axis) const {
     return region_.lower[axis] < -1 ? 0 : static_cast<float>(region_.lower[axis]) + 2;
+  }
+
+  /// How many lattice points the block of a flat has, where the flat goes all through it; fewer at its region's end.
+  [[nodiscard]] std::uint32_t points_of_block(std::uint32_t v, Eigen::Index level) const {
+    float points = 1;
+    for (Eigen::Index a = 0; a < 3; ++a) {
+      if (a == level) continue;
+      const float first = inside(a), size = flat_block, place = std::round(places_[v][a]) - first;
+      const auto end = static_cast<float>(std::min(region_.upper[a], lattice_.cells()[static_cast<std::size_t>(a)] + 1.0));
+      points *= std::min(size, end - first - size * std::floor(place / size));
+    }
+    return static_cast<std::uint32_t>(points);
   }
 
   [[nodiscard]] bool at_border(std::uint32_t v) const {
