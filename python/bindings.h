@@ -21,6 +21,7 @@ void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);
 void bind_cam(py::module_& parent);
 void bind_stock(py::module_& parent);
+void bind_playback(py::module_& module);
 
 /// A Progress that asks a Python callable, or nobody; also looks for Ctrl-C. The callable gets (fraction, message) and returns
 /// False to cancel. Made with the lock held; used without it.

@@ -8,7 +8,6 @@
 #include "fieldfab/cam/simulation.h"
 #include "fieldfab/cam/stock_picture.h"
 #include "fieldfab/cam/stock_report.h"
-#include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -101,82 +100,31 @@ void bind_block(py::module_& module) {
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
 }
 
-void bind_surface(py::module_& module) {
-  py::class_<cam::StockSurface>(module, "Surface", "The surface of a stock in pieces, which are made anew only where it was cut.")
-      .def(py::init<>())
-      .def(
-          "update",
-          [](cam::StockSurface& surface, const cam::Stock& stock, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return surface.update(stock, p); });
-          },
-          py::arg("stock"), py::arg("progress") = py::none(),
-          "Brings it up to date; returns the indices of the pieces that have changed.")
-      .def("__len__", &cam::StockSurface::pieces)
-      .def(
-          "piece", [](const cam::StockSurface& surface, std::size_t index) { return surface.piece(index); }, py::arg("index"),
-          "A mesh of one piece, to be drawn with the others.")
-      .def(
-          "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); }, "All of it as one closed mesh.");
+/// Three lengths, three angles in degrees, three lengths.
+cam::AxisValues axes_of(const std::array<double, 9>& given) {
+  cam::AxisValues axes;
+  for (std::size_t a = 0; a < 9; ++a) axes.at[a] = given[a] * (a >= 3 && a < 6 ? std::numbers::pi / 180 : 1);
+  return axes;
 }
 
-/// One number of each move.
-template <class Number, class Of>
-py::array_t<Number> of_moves(const cam::Playback& playback, const Of& of) {
-  py::array_t<Number> out(static_cast<py::ssize_t>(playback.moves()));
-  for (std::size_t i = 0; i < playback.moves(); ++i) out.mutable_data()[i] = of(playback.move(i));
+/// One number of each cut.
+template <class Of>
+py::array_t<int> of_cuts(const cam::Simulation& simulation, const Of& of) {
+  py::array_t<int> out(static_cast<py::ssize_t>(simulation.cuts()));
+  for (std::size_t i = 0; i < simulation.cuts(); ++i) out.mutable_data()[i] = of(static_cast<std::uint32_t>(i));
   return out;
-}
-
-void bind_playback(py::module_& module) {
-  py::class_<cam::Playback>(module, "Playback", "The moves of a program, and the stock at any moment.")
-      .def("__len__", &cam::Playback::moves)
-      .def_property_readonly(
-          "lines",
-          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.line; }); },
-          "The program's line of each move.")
-      .def_property_readonly(
-          "tools",
-          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.tool; }); },
-          "The tool of each move.")
-      .def_property_readonly(
-          "rapid",
-          [](const cam::Playback& playback) { return of_moves<bool>(playback, [](const auto& move) { return move.rapid; }); })
-      .def_property_readonly(
-          "seconds",
-          [](const cam::Playback& playback) { return of_moves<double>(playback, [](const auto& move) { return move.seconds; }); },
-          "Machine time at the end of each move.")
-      .def("done_after_line", &cam::Playback::done_after_line, py::arg("line"), "How many moves are done after a line.")
-      .def("done_after_seconds", &cam::Playback::done_after_seconds, py::arg("seconds"), "How many are done after a time.")
-      .def(
-          "poses",
-          [](const cam::Playback& playback, std::size_t move) {
-            const auto way = playback.poses(move);
-            py::array_t<double> out({static_cast<py::ssize_t>(way.size()), py::ssize_t{6}});
-            auto rows = out.mutable_unchecked<2>();
-            for (py::ssize_t i = 0; i < rows.shape(0); ++i)
-              for (py::ssize_t a = 0; a < 3; ++a) {
-                const cam::ToolPose& pose = way[static_cast<std::size_t>(i)];
-                rows(i, a) = pose.tip[a], rows(i, a + 3) = pose.axis[a];
-              }
-            return out;
-          },
-          py::arg("move"), "Rows of tip and axis that a move's tool passes, part coordinates.")
-      .def(
-          "stock_after",
-          [](cam::Playback& playback, std::size_t moves, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(playback.stock_after(moves, p)); });
-          },
-          py::arg("moves"), py::arg("progress") = py::none(), "The stock when so many moves are done.");
 }
 
 void bind_simulation(py::module_& module) {
   py::class_<cam::Simulation>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
       .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
-                       std::optional<double> cell, bool remember, const py::object& progress) {
+                       std::optional<double> cell, bool remember, const py::object& stock, const py::object& progress) {
              const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
+             const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
              return long_work(progress, [&](Progress& p) {
                cam::SimulationSetup made = cam::read_simulation_setup(setup, p);
                if (wanted) made.target = wanted;
+               if (block) made.stock = block;
                if (cell) made.sampling.cell = *cell;
                auto simulation = std::make_unique<cam::Simulation>(std::move(made), p);
                if (remember) simulation->remember();
@@ -186,7 +134,8 @@ void bind_simulation(py::module_& module) {
              });
            }),
            py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
-           py::arg("remember") = false, py::arg("progress") = py::none())
+           py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("progress") = py::none(),
+           "`target` and `stock` take the place of the set-up's; the stock's shape counts within the set-up's stock box.")
       .def_property_readonly(
           "playback", [](cam::Simulation& s) { return s.playback(); }, py::return_value_policy::reference_internal,
           "Any moment of it; None where it was not to remember.")
@@ -203,6 +152,52 @@ void bind_simulation(py::module_& module) {
           py::arg("folder"), py::arg("count") = 100, py::arg("size") = 800, py::arg("alpha") = py::none(),
           py::arg("beta") = py::none(), py::arg("progress") = py::none(),
           "Writes pictures at even times, for a video; it has to remember.")
+      .def_property_readonly(
+          "stock_box", [](const cam::Simulation& s) { return bounds_to_python(s.setup().stock_box); },
+          "Of the material at first, part coordinates.")
+      .def_property_readonly(
+          "axes",
+          [](const cam::Simulation& s) {
+            std::string letters = "XYZ";
+            for (const cam::RotaryAxis& axis : s.setup().machine.kinematics.axes) letters += axis.letter;
+            return letters;
+          },
+          "The letters of the machine's axes.")
+      .def(
+          "turn_of_work",
+          [](const cam::Simulation& s, const std::array<double, 9>& axes) {
+            const Eigen::Matrix4d turn = cam::turn_of_work(s.setup().machine, axes_of(axes)).matrix();
+            py::array_t<double> out({4, 4});
+            for (int i = 0; i < 16; ++i) out.mutable_data()[i] = turn(i / 4, i % 4);
+            return out;
+          },
+          py::arg("axes"), "The (4, 4) matrix from part coordinates to where the table has turned the part.")
+      .def_property_readonly(
+          "lines_of_cuts", [](const cam::Simulation& s) { return of_cuts(s, [&](auto cut) { return s.line_of(cut); }); },
+          "The program's line of each cut that Surface.to_draw() tells.")
+      .def_property_readonly(
+          "tools_of_cuts", [](const cam::Simulation& s) { return of_cuts(s, [&](auto cut) { return s.tool_of(cut); }); },
+          "And its tool; 0 for the stock's first surface.")
+      .def_property_readonly(
+          "colours_of_tools",
+          [](const cam::Simulation& s) {
+            std::map<int, Colour> colours{{0, cam::colour_of_tool(0)}};
+            for (const auto& [number, tool] : s.setup().tools) colours.try_emplace(number, cam::colour_of_tool(colours.size()));
+            return colours;
+          },
+          "Red, green and blue by tool number, as pictures have them; 0: the stock's first surface.")
+      .def_property_readonly(
+          "deviation_scale",
+          [](const cam::Simulation& s) -> py::object {
+            if (!s.report().deviation) return py::none();
+            const auto scale = cam::DeviationScale::of(s);
+            return py::dict(py::arg("gouge") = scale.gouge, py::arg("excess") = scale.excess, py::arg("full") = scale.full);
+          },
+          "Tolerances, and from where on a colour is full, mm. None without a target.")
+      .def(
+          "colour_of_deviation",
+          [](const cam::Simulation& s, double deviation) { return cam::DeviationScale::of(s).colour(deviation); },
+          py::arg("deviation"), "Red, green and blue.")
       .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
       .def_property_readonly(
           "report",
@@ -277,7 +272,6 @@ void bind_simulation(py::module_& module) {
 void bind_stock(py::module_& parent) {
   py::module_ module = parent.def_submodule("stock", "Simulated stock.");
   bind_block(module);
-  bind_surface(module);
   bind_playback(module);
   bind_simulation(module);
 }

@@ -107,7 +107,6 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
   return {position(tip, *best, length), *best};
 }
 
-/// From the part's coordinates at rest to where its table has turned it.
 Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
   for (std::size_t i = k_.kind == "head-head" ? 2 : k_.kind == "head-table" ? 1 : 0; i < k_.axes.size(); ++i)

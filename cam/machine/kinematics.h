@@ -29,11 +29,12 @@ class PoseSolver {
   [[nodiscard]] Vec3 position(const Vec3& tip, const std::array<double, 2>& angles, double length) const;
   /// The other way round: tip and axis of a pose.
   [[nodiscard]] std::pair<Vec3, Vec3> pose(const AxisPose& axes, double length) const;
+  /// From the part's coordinates at rest to where its table has turned it.
+  [[nodiscard]] Eigen::Isometry3d table(const std::array<double, 2>& angles) const;
 
  private:
   [[nodiscard]] std::vector<std::array<double, 2>> angles_for(const Vec3& axis) const;
   [[nodiscard]] Vec3 tool_axis(const std::array<double, 2>& angles) const;
-  [[nodiscard]] Eigen::Isometry3d table(const std::array<double, 2>& angles) const;
   [[nodiscard]] Vec3 swing(const std::array<double, 2>& angles, double length) const;
   const Kinematics& k_;
 };

@@ -68,8 +68,7 @@ class Film {
   }
 
   Image frame(double seconds, Progress& progress) {
-    const std::size_t done = playback_.done_after_seconds(seconds);
-    surface_.update(playback_.stock_after(done, progress), progress);
+    surface_.update(playback_.stock_after(playback_.done_after_seconds(seconds), progress), progress);
     std::vector<std::uint32_t> cuts;
     TriangleMesh mesh = std::as_const(surface_).mesh(&cuts);
     std::vector<Colour> colours;
@@ -78,7 +77,7 @@ class Film {
       const auto found = colour_of_.find(simulation_.tool_of(cut));
       colours.push_back(found == colour_of_.end() ? colour_of_tool(0) : found->second);
     }
-    add_tool(std::min(done, playback_.moves() - 1), seconds, mesh, colours);
+    add_tool(seconds, mesh, colours);
     return render({mesh.vertices, mesh.triangles, colours}, view_, progress).image;
   }
 
@@ -94,19 +93,12 @@ class Film {
   }
 
   /// The tool of a move that is going on.
-  void add_tool(std::size_t move, double seconds, TriangleMesh& mesh, std::vector<Colour>& colours) const {
-    const double begin = move > 0 ? playback_.move(move - 1).seconds : 0, end = playback_.move(move).seconds;
-    const double share = end > begin ? std::clamp((seconds - begin) / (end - begin), 0.0, 1.0) : 1;
-    const std::span<const ToolPose> way = playback_.poses(move);
-    const double at = share * static_cast<double>(way.size() - 1);
-    const auto i = std::min(static_cast<std::size_t>(at), way.size() - 1), next = std::min(i + 1, way.size() - 1);
-    const double rest = at - static_cast<double>(i);
-    const ToolPose pose{way[i].tip + rest * (way[next].tip - way[i].tip),
-                        (way[i].axis + rest * (way[next].axis - way[i].axis)).normalized()};
+  void add_tool(double seconds, TriangleMesh& mesh, std::vector<Colour>& colours) const {
+    const Playback::Moment moment = playback_.at(seconds);
     constexpr std::array<std::pair<ToolRole, Colour>, 3> looks{
         {{ToolRole::cutting, {196, 202, 210}}, {ToolRole::shank, {128, 134, 142}}, {ToolRole::holder, {74, 78, 86}}}};
     for (const auto& [role, colour] : looks) {
-      const TriangleMesh part = tool_mesh(playback_.tool(move), role, pose);
+      const TriangleMesh part = tool_mesh(playback_.tool(moment.move), role, moment.pose);
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
       for (const auto& t : part.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});

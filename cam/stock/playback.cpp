@@ -61,8 +61,31 @@ void Playback::thin_out() {
   }
 }
 
-void Playback::add_removing(std::size_t index, std::vector<Stroke>& strokes) const {
-  const std::span<const ToolPose> way = poses(index);
+Playback::Moment Playback::at(double seconds) const {
+  Moment moment;
+  moment.move = std::min(done_after_seconds(seconds), moves_.size() - 1);
+  const Move &move = moves_.at(moment.move), &before = moves_[moment.move > 0 ? moment.move - 1 : 0];
+  const double begin = moment.move > 0 ? before.seconds : 0;
+  if (move.seconds > begin) moment.share = std::clamp((seconds - begin) / (move.seconds - begin), 0.0, 1.0);
+  const std::span<const ToolPose> way = poses(moment.move);
+  const double place = moment.share * static_cast<double>(way.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(place), way.size() - 1), next = std::min(i + 1, way.size() - 1);
+  const double rest = place - static_cast<double>(i);
+  moment.pose = {way[i].tip + rest * (way[next].tip - way[i].tip),
+                 (way[i].axis + rest * (way[next].axis - way[i].axis)).normalized()};
+  bool straight = false;
+  for (std::size_t a = 0; a < 9; ++a) {
+    moment.axes.at[a] = before.axes.at[a] + moment.share * (move.axes.at[a] - before.axes.at[a]);
+    straight |= a >= 3 && a < 6 && (before.axes.at[a] != 0 || move.axes.at[a] != 0);
+  }
+  if (straight || way.size() < 3) return moment;
+  // An arc: the axes are as far from the straight way as the tip is.
+  const Vec3 off = moment.pose.tip - way.front().tip - moment.share * (way.back().tip - way.front().tip);
+  for (std::size_t a = 0; a < 3; ++a) moment.axes.at[a] += off[static_cast<Eigen::Index>(a)];
+  return moment;
+}
+
+void Playback::add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const {
   for (std::size_t k = 0; k < way.size(); ++k) {
     if (k + 1 == way.size() && k > 0) break;
     const ToolPose &from = way[k], &to = way[std::min(k + 1, way.size() - 1)];
@@ -81,7 +104,7 @@ const Stock& Playback::stock_after(std::size_t moves, Progress& progress) {
   const std::size_t begin = shown_.moves;
   try {
     for (std::size_t i = begin; i < moves; ++i) {
-      add_removing(i, strokes);
+      add_removing(i, poses(i), strokes);
       if (strokes.size() < most_at_once && i + 1 < moves) continue;
       shown_.stock.cut(strokes, progress);
       shown_.moves = i + 1;
@@ -93,6 +116,21 @@ const Stock& Playback::stock_after(std::size_t moves, Progress& progress) {
     throw;
   }
   return shown_.stock;
+}
+
+Stock Playback::stock_at(double seconds, Progress& progress) {
+  const std::size_t done = done_after_seconds(seconds);
+  Stock stock = stock_after(done, progress);
+  if (done >= moves_.size()) return stock;
+  const Moment moment = at(seconds);
+  const std::span<const ToolPose> whole = poses(moment.move);
+  const auto passed = static_cast<std::ptrdiff_t>(moment.share * static_cast<double>(whole.size() - 1)) + 1;
+  std::vector<ToolPose> way(whole.begin(), whole.begin() + passed);
+  way.push_back(moment.pose);
+  std::vector<Stroke> strokes;
+  add_removing(moment.move, way, strokes);
+  stock.cut(strokes, progress);
+  return stock;
 }
 
 }  // namespace fieldfab::cam

@@ -33,6 +33,14 @@ void PoseMaker::check(const Motion& motion) const {
   }
 }
 
+Eigen::Isometry3d turn_of_work(const Machine& machine, const AxisValues& axes) {
+  std::array<double, 2> angles{0, 0};
+  const std::vector<RotaryAxis>& rotary = machine.kinematics.axes;
+  for (std::size_t i = 0; i < std::min<std::size_t>(rotary.size(), 2); ++i)
+    angles[i] = axes.at[static_cast<std::size_t>(rotary[i].letter - 'A') + 3];
+  return PoseSolver(machine.kinematics).table(angles);
+}
+
 ToolPose PoseMaker::pose(const AxisValues& axes, ControlMode mode, double lengthened, double length,
                          const Placement& placement) const {
   AxisPose at{axes.xyz() - setup_.zero, {0, 0}};

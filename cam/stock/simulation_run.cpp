@@ -122,7 +122,7 @@ void SimulationRun::move(const Motion& motion) {
   if (way.size() == 1 && !known_) add(way[0], way[0], motion, cut, 0);
   for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, cut, (way[i].tip - way[i - 1].tip).norm());
   if (s_.playback_)
-    s_.playback_->add({motion.line, tool.number, rapid, s_.report_.seconds}, {mounted_, &mounted_->solid}, cut, way);
+    s_.playback_->add({motion.line, tool.number, rapid, s_.report_.seconds, motion.end}, {mounted_, &mounted_->solid}, cut, way);
   s_.report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;

@@ -451,6 +451,20 @@ TriangleMesh StockSurface::piece(std::size_t index, std::vector<std::uint32_t>* 
   return mesh;
 }
 
+DrawnSurface StockSurface::drawn_piece(std::size_t index, int coarse) const {
+  std::vector<std::uint32_t> cuts;
+  const TriangleMesh mesh = piece(index, &cuts);
+  const Region& own = pieces_[index]->region;
+  Box region;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    // Where the stock ends, no piece follows.
+    region.lower[i] = own.lower[a] < 0 ? -1e9 : own.lower[a];
+    region.upper[i] = own.upper[a] >= lattice_.cells()[a] ? 1e9 : own.upper[a] + 1;
+  }
+  return simplified(drawn(mesh, std::move(cuts)), lattice_, region, coarse);
+}
+
 TriangleMesh StockSurface::mesh(std::vector<std::uint32_t>* cuts) const& {
   return collected(
       *this, cuts, [](const Piece&) {}, [](const Piece&) {});

@@ -14,13 +14,24 @@ _HEAD = 272  # bytes of a .bms file before its vertices: magic and version, a co
 
 def to_freecad(mesh):
     """A fieldfab.Mesh as a Mesh.Mesh."""
+    with tempfile.TemporaryDirectory() as folder:
+        return read_bms(write_bms(mesh, os.path.join(folder, "mesh.bms")))
+
+
+def write_bms(mesh, path):
+    """Writes a fieldfab.Mesh for read_bms(), on any thread; returns the path, or None for an empty mesh."""
+    if not len(mesh.triangles):
+        return None
+    with open(path, "wb") as file:
+        file.write(mesh.bms())
+    return path
+
+
+def read_bms(path):
+    """A Mesh.Mesh of what write_bms() returned."""
     result = Mesh.Mesh()
-    if len(mesh.triangles):
-        with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, "mesh.bms")
-            with open(path, "wb") as file:
-                file.write(mesh.bms())
-            result.read(path)
+    if path is not None:
+        result.read(path)
     return result
 
 

@@ -2,7 +2,7 @@
 
 import importlib
 
-TOOLBARS = ("solids", "scans", "exchange")
+TOOLBARS = ("solids", "scans", "exchange", "simulation")
 
 
 def register():

@@ -51,6 +51,10 @@ class Solid:
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
         add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
         add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
+        self.add_results(obj)
+
+    def add_results(self, obj):
+        add = self.add
         add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
         add(obj, "Area", "Area", "Result", "Surface of the mesh", mode=1)
         add(obj, "Integer", "Triangles", "Result", "Triangles of the mesh", mode=1)
@@ -78,11 +82,16 @@ class Solid:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
             raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+        self.put_mesh(obj, mesh)
+        obj.MadeFrom = made_from
+
+    @staticmethod
+    def put_mesh(obj, mesh, made=None):
+        """Gives the object a fieldfab.Mesh of its own coordinates, `made` FreeCAD's where there is one already; it stays where it is."""
         placement = obj.Placement
-        obj.Mesh = meshes.to_freecad(mesh)
+        obj.Mesh = meshes.to_freecad(mesh) if made is None else made
         obj.Placement = placement
         obj.Volume, obj.Area, obj.Triangles = mesh.volume, mesh.area, len(mesh.triangles)
-        obj.MadeFrom = made_from
 
     def onDocumentRestored(self, obj):
         self.add_properties(obj)

@@ -13,6 +13,12 @@ def panel_for(obj):
         from .scan_panel import ScanPanel
 
         return ScanPanel(obj)
+    from ..objects.simulation import Simulation
+
+    if isinstance(obj.Proxy, Simulation):
+        from .simulation_panel import SimulationPanel
+
+        return SimulationPanel(obj)
     from .property_panel import PropertyPanel
 
     return PropertyPanel(obj)

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "fieldfab/cam/motion.h"
 #include "fieldfab/cam/stock.h"
 
 namespace fieldfab::cam {
@@ -17,6 +18,14 @@ class Playback {
     int tool = 0;  ///< its number
     bool rapid = false;
     double seconds = 0;  ///< on the machine, from the program's beginning to this move's end
+    AxisValues axes{};   ///< where the machine's axes stand at its end
+  };
+  /// What the machine does at a moment.
+  struct Moment {
+    std::size_t move = 0;  ///< the move that is going on; after the last one, that
+    double share = 1;      ///< how much of it is done, from 0 to 1
+    ToolPose pose;         ///< part coordinates
+    AxisValues axes;       ///< on an arc while rotary axes are turned: as if it were straight
   };
 
   /// Begins with a stock that nothing has cut yet. Copies take up to `most_bytes` besides.
@@ -33,8 +42,13 @@ class Playback {
   /// The whole tool of a move.
   [[nodiscard]] const ToolSolid& tool(std::size_t index) const { return *tools_[strokes_.at(index).tool]; }
 
+  /// Where the tool and the axes are so many seconds after the program's beginning. There has to be a move.
+  [[nodiscard]] Moment at(double seconds) const;
+
   /// The stock when so many moves are done; it stays until the next call. Throws cancelled.
   const Stock& stock_after(std::size_t moves, Progress& progress = Progress::none());
+  /// The stock at a moment, in the middle of a move mostly. Throws cancelled.
+  Stock stock_at(double seconds, Progress& progress = Progress::none());
 
   /// Remembers a move that is carried out now. `cut`: what samples remember of it; of its shank, one more.
   void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t cut, std::span<const ToolPose> poses);
@@ -51,7 +65,7 @@ class Playback {
     Stock stock;
   };
   void thin_out();
-  void add_removing(std::size_t index, std::vector<Stroke>& strokes) const;
+  void add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const;
 
   std::vector<Move> moves_;
   std::vector<Strokes> strokes_;  ///< of each move

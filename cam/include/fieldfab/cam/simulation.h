@@ -1,6 +1,7 @@
 /// Simulating a program on a stock: what it leaves, and what goes wrong on the way (docs/simulation.md).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -47,12 +48,12 @@ struct SimulationSetup {
   FieldPtr stock;      ///< its shape; null: all of the box
   FieldPtr fixture;    ///< null: none
   Box fixture_box;
-  FieldPtr target;           ///< what should come out; null: not known
-  double gouge = 0.05;       ///< how deep a cut into the target is one, mm
-  double excess = 0;         ///< how much may be left over it, mm; 0: any amount
-  double touch = 0.02;       ///< contacts of less than this depth are none, mm
-  double floor = -1e300;     ///< deviations below this height do not count, mm: what the next set-up will cut
-  Vec3 zero = Vec3::Zero();  ///< machine coordinates of the part's zero
+  FieldPtr target;                   ///< what should come out; null: not known
+  double gouge = 0.05;               ///< how deep a cut into the target is one, mm
+  double excess = 0;                 ///< how much may be left over it, mm; 0: any amount
+  double touch = 0.02;               ///< contacts of less than this depth are none, mm
+  double floor = -1e300;             ///< deviations below this height do not count, mm: what the next set-up will cut
+  Vec3 zero = Vec3::Zero();          ///< machine coordinates of the part's zero
   double pen_up = 1, pen_down = -1;  ///< heights of pens, blades and beams in programs that do not say them (HPGL), mm
   std::array<AxisValues, 9> work_offsets{};
   std::array<AxisValues, 2> home{};  ///< where G28 and G30 go, machine coordinates
@@ -68,6 +69,10 @@ struct SimulationSetup {
 /// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE,
 /// io.
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none());
+
+/// From the part's coordinates to where the machine's table has turned it, while the axes stand there; nothing but tables turns
+/// it.
+Eigen::Isometry3d turn_of_work(const Machine& machine, const AxisValues& axes);
 
 /// Something that should not happen.
 struct SimulationEvent {
@@ -144,6 +149,8 @@ class Simulation {
   void finish(Progress& progress = Progress::none());
 
   [[nodiscard]] const Stock& stock() const { return stock_; }
+  /// How many cuts samples can remember, the stock's first surface among them.
+  [[nodiscard]] std::size_t cuts() const { return line_of_cut_.size(); }
   /// The program's line and the tool of a cut that samples remember; 0 for the stock's first surface.
   [[nodiscard]] int line_of(std::uint32_t cut) const { return cut < line_of_cut_.size() ? std::abs(line_of_cut_[cut]) : 0; }
   [[nodiscard]] int tool_of(std::uint32_t cut) const { return cut < tool_of_cut_.size() ? tool_of_cut_[cut] : 0; }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "fieldfab/cam/drawn_surface.h"
 #include "fieldfab/cam/stock.h"
 
 namespace fieldfab::cam {
@@ -24,6 +25,8 @@ class StockSurface {
   /// One piece for drawing: all pieces together show the surface without gaps, but share no vertices. `cuts`, where asked for,
   /// gets the cut that made each vertex.
   [[nodiscard]] TriangleMesh piece(std::size_t index, std::vector<std::uint32_t>* cuts = nullptr) const;
+  /// One piece as it is drawn, simplified; `coarse`: 1, or the edge of the blocks of cells that become one.
+  [[nodiscard]] DrawnSurface drawn_piece(std::size_t index, int coarse = 1) const;
   /// All of it as one closed mesh, outwards.
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) const&;
   /// The same from a surface that is not needed any more, which takes less memory.

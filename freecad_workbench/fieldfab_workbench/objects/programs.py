@@ -1,0 +1,120 @@
+"""Where machine programs come from: files, and objects of the document that have one. Of FreeCAD's own Path Jobs also tools, stock and part."""
+
+import os
+import re
+from collections import namedtuple
+
+# text: bytes; name: of the file that it is, or would be, which tells its language; path: where it is, or None.
+Program = namedtuple("Program", "text name path")
+
+_FEED = re.compile(r"\bF(-?[0-9.]+)")
+SHAPES = {"endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "chamfer": "v", "drill": "drill"}
+
+
+def is_job(obj):
+    return hasattr(obj, "Operations") and hasattr(obj.Operations, "Group") and hasattr(obj, "Stock")
+
+
+def offers_program(obj):
+    """Whether program_of() may find one: a machine program with its file, a Path operation, a Path Job."""
+    return bool(getattr(obj, "ProgramFile", "")) or is_job(obj) or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode"))
+
+
+def program_from_file(path):
+    """Raises ValueError with a line for the user."""
+    try:
+        with open(path, "rb") as file:
+            return Program(file.read(), os.path.basename(path), path)
+    except OSError as error:
+        raise ValueError(f"the program {path} cannot be read: {error.strerror}") from None
+
+
+def program_of(obj):
+    """The Program of an object. Raises ValueError with a line for the user."""
+    if getattr(obj, "ProgramFile", ""):
+        return program_from_file(obj.ProgramFile)
+    if is_job(obj):
+        text = _text_of_job(obj)
+    elif hasattr(obj, "Path"):
+        text = _text_of(obj)
+    else:
+        raise ValueError(f"{obj.Label} has no program")
+    if not text.strip():
+        raise ValueError(f"the program of {obj.Label} is empty")
+    return Program(f"(from {obj.Label})\nG17 G21 G40 G90\n{text}M2\n".encode(), f"{obj.Name}.ngc", None)
+
+
+def _text_of(operation):
+    """G-code of a Path object. FreeCAD's feeds are mm/s, a program's mm/min."""
+    text = operation.Path.toGCode()
+    return _FEED.sub(lambda feed: f"F{60 * float(feed[1]):.6g}", text)
+
+
+def _text_of_job(job):
+    """All active operations in their order, the tool of each before it where it changes."""
+    text, tool = [], None
+    for operation in job.Operations.Group:
+        if not getattr(operation, "Active", True) or not hasattr(operation, "Path"):
+            continue
+        controller = controller_of(operation)
+        if controller is not None and controller != tool:
+            text.append(_text_of(controller))
+            tool = controller
+        text.append(f"({operation.Label})\n{_text_of(operation)}")
+    return "".join(part if part.endswith("\n") else part + "\n" for part in text)
+
+
+def controller_of(operation):
+    """The tool controller of a Path operation; a dress-up has that of what it dresses. None where there is none."""
+    while operation is not None:
+        if getattr(operation, "ToolController", None) is not None:
+            return operation.ToolController
+        operation = getattr(operation, "Base", None)
+        operation = operation if hasattr(operation, "PropertiesList") else None
+    return None
+
+
+def tools_of(obj):
+    """The tools of a Path Job or operation as tables of a set-up: [{"number": 1, "shape": "flat", "diameter": 6, ...}], mm and degrees."""
+    controllers = obj.Tools.Group if is_job(obj) else [controller_of(obj)]
+    return [_tool(c) for c in controllers if c is not None and getattr(c, "Tool", None) is not None]
+
+
+def _tool(controller):
+    bit = controller.Tool
+
+    def length(name):
+        value = getattr(bit, name, 0)
+        return round(float(getattr(value, "Value", value)), 6)
+
+    shape = SHAPES.get(str(getattr(bit, "ShapeName", "")).lower(), "flat")
+    tool = {"number": controller.ToolNumber, "name": bit.Label, "shape": shape, "diameter": length("Diameter")}
+    if shape == "bull":
+        tool["corner_radius"] = length("FlatRadius")
+    if shape == "v":
+        tool.update(angle=length("CuttingEdgeAngle"), tip_diameter=length("TipDiameter"))
+    if shape == "drill":
+        tool["angle"] = length("TipAngle") or 118
+    flute, whole, shank = length("CuttingEdgeHeight"), length("Length"), length("ShankDiameter")
+    if flute:
+        tool["flute"] = flute
+    if whole:
+        tool["length"] = max(whole, flute)
+    if shank:
+        tool["shank"] = shank
+    return tool
+
+
+def extent(program):
+    """The corners ((x, y, z), (x, y, z)) that a G-code program's X, Y and Z words span, mm; None where there are not all three. A first
+    guess at its stock: words of G91, of offsets and of subroutines count as places, too."""
+    text = program.text.decode("latin-1").upper()
+    text = re.sub(r"\([^)\n]*\)|;[^\n]*", "", text)
+    unit = 25.4 if re.search(r"\bG0*20(?!\d)", re.sub(r"(?=[GM])", " ", text)) else 1.0
+    spans = []
+    for letter in "XYZ":
+        values = [float(v) * unit for v in re.findall(letter + r"\s*([-+]?(?:\d+\.?\d*|\.\d+))", text)]
+        if not values:
+            return None
+        spans.append((min(values), max(values)))
+    return tuple(s[0] for s in spans), tuple(s[1] for s in spans)

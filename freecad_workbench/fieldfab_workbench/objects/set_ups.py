@@ -1,0 +1,42 @@
+"""Set-ups for simulations from plain values: the text of docs/simulation.md."""
+
+import json
+
+TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length", "shank", "holder_diameter", "holder_length", "profile")
+DEFAULT_TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40, "shank": 6, "holder_diameter": 30, "holder_length": 30}
+
+
+def tool_to_line(tool):
+    """A tool's table as a line for a property."""
+    return json.dumps(tool, ensure_ascii=False)
+
+
+def tool_from_line(line):
+    """Raises ValueError with a line for the user."""
+    try:
+        tool = json.loads(line)
+    except ValueError:
+        tool = None
+    if not isinstance(tool, dict):
+        raise ValueError(f'a tool is like {{"number": 1, "shape": "flat", "diameter": 6}}, not {line!r}')
+    unknown = [key for key in tool if key not in TOOL_KEYS]
+    if unknown:
+        raise ValueError(f"a tool has no {unknown[0]!r}; it has {', '.join(TOOL_KEYS)}")
+    return tool
+
+
+def text(tools, lower, upper, machine="", tolerances=None, more=""):
+    """The text of a set-up. `tools`: tables; `lower`, `upper`: the stock's corners, mm; `machine`: an id, or nothing for three axes;
+    `tolerances`: gouge, excess and touch, mm; `more`: further lines for its top, and tables of their own."""
+    top = [f"machine = {_value(machine)}"] if machine else []
+    stock = {"lower": [float(v) for v in lower], "upper": [float(v) for v in upper]}
+    tables = [_table("[stock]", stock), _table("[target]", tolerances or {}), *(_table("[[tool]]", tool) for tool in tools)]
+    return "\n".join([*top, more.rstrip(), "", *tables])
+
+
+def _table(head, values):
+    return "\n".join([head, *(f"{key} = {_value(value)}" for key, value in values.items()), ""])
+
+
+def _value(value):
+    return json.dumps(value, ensure_ascii=False)  # as TOML has it

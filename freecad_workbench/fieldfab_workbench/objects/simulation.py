@@ -1,0 +1,212 @@
+"""A machine program carried out on a stock: what is left is a solid, what went wrong on the way is told."""
+
+import functools
+import hashlib
+import json
+import os
+import re
+import tempfile
+from collections import OrderedDict
+
+import FreeCAD
+
+from .. import kernel, meshes, work
+from . import programs, set_ups
+from .solid import Solid, source_of
+from .solid_from_object import source_of_geometry
+
+THREE_AXES = "three axes"
+# Worst first.
+KINDS = ("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess")
+CONTACTS = KINDS[:4]
+KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
+
+
+class Run:
+    """A simulation that was carried out and remembers it; it can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its
+    report; `lines`: the program's text."""
+
+    def __init__(self, task, progress):
+        self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
+        setup, program = (self._file(*given) for given in (task.setup, task.program))
+        target, stock = (source and source.field(progress) for source in (task.target, task.stock))
+        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, cell=task.cell or None, remember=True, progress=progress)
+        self.report = self.simulation.report
+        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
+        self.lines = task.program[0].decode("utf-8", "replace").splitlines()
+
+    def _file(self, text, name, path):
+        """Where a file is; one that is nowhere is written beside the run."""
+        if path is None:
+            path = os.path.join(self.folder.name, name)
+            with open(path, "wb") as file:
+                file.write(text)
+        return path
+
+
+class Task:
+    """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
+    (bytes, name, path or None); `target` and `stock` Sources or None; `cell` mm, 0 for automatic."""
+
+    def __init__(self, program, setup, target=None, stock=None, cell=0.0):
+        self.program, self.setup, self.target, self.stock, self.cell = program, setup, target, stock, cell
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock)), cell)
+        self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
+
+    def run(self, progress=None):
+        """The Run: one that was kept, or a new one. Raises fieldfab.Error."""
+        if self.digest not in _runs:
+            _runs[self.digest] = Run(self, progress)
+        _runs.move_to_end(self.digest)
+        while len(_runs) > KEPT_RUNS:
+            _runs.popitem(last=False)
+        return _runs[self.digest]
+
+
+_runs = OrderedDict()
+
+
+def _models_of(setup):
+    """Sizes and times of the files that a set-up file names."""
+    text, _, path = setup
+    if path is None:
+        return ()
+    names = re.findall(r'"([^"\n]+\.\w+)"', text.decode("utf-8", "replace"))
+    files = [os.path.join(os.path.dirname(path), name) for name in names]
+    return tuple((f, os.stat(f).st_size, os.stat(f).st_mtime_ns) for f in files if os.path.isfile(f))
+
+
+def bounds_of(obj):
+    """The box of an object's mesh or shape in the document."""
+    box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).BoundBox
+    return box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix()) if hasattr(obj, "getGlobalPlacement") else box
+
+
+def event_order(event):
+    """For sorting events, the worst first."""
+    return (KINDS.index(event["kind"]) if event["kind"] in KINDS else len(KINDS), -abs(event["amount"]))
+
+
+class Simulation(Solid):
+    """What a program leaves of its stock. Its coordinates are the part's, which are the document's. The stock's mesh, the figures and the
+    events are saved with the document."""
+
+    NAME = "Simulation"
+
+    def add_own_properties(self, obj):
+        add = functools.partial(self.add, obj)
+        add("File", "ProgramFile", "Program", "The machine's program: G-code, .sbp, .rml, .hpgl")
+        add("Link", "Program", "Program", "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
+        add("File", "SetupFile", "Set-up", "A set-up or job file (docs/simulation.md); none: what the properties below say")
+        if "Machine" not in obj.PropertiesList:
+            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
+        add("StringList", "Tools", "Set-up", "A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
+            [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])
+        add("Vector", "StockLower", "Set-up", "Lower corner of the stock")
+        add("Vector", "StockUpper", "Set-up", "Upper corner of the stock")
+        add("Link", "Stock", "Set-up", "The stock as a solid: what an earlier simulation left, say. Then the corners do not count")
+        add("Link", "Target", "Set-up", "What should come out: any solid")
+        add("Length", "Gouge", "Set-up", "Deeper cuts into the target are faults", 0.05)
+        add("Length", "Excess", "Set-up", "More than this left over it is a fault; 0: any amount may be left", 0)
+        add("Length", "Touch", "Set-up", "Contacts of less than this depth are none", 0.02)
+        add("String", "MoreOfSetup", "Set-up", "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
+        add("Length", "Cell", "Sampling", "Distance of samples; 0 means automatic: a 300th of the stock, at most 0.2 mm", 0)
+        add("String", "Verdict", "Result", "What came of it", mode=1)
+        add("StringList", "Events", "Result", "What went wrong, worst first: a JSON object a line", mode=1)
+        add("StringList", "Notes", "Result", "What the program's reader passed over", mode=1)
+        add("Volume", "Removed", "Result", "Material removed", mode=1)
+        add("Float", "Seconds", "Result", "On the machine", mode=1)
+        add("Float", "RapidSeconds", "Result", "Of them rapids", mode=1)
+        add("Percent", "AirShare", "Result", "Share of the feed that meets no material", mode=1)
+        for name, words in (("Contacts", "Lines that touch what they must not"), ("Gouges", "Lines that cut into the target"), ("OverTravels", "Lines that leave the machine's limits")):
+            add("Integer", name, "Result", words, mode=1)
+        add("Length", "DeepestGouge", "Result", "Of all the surface", mode=1)
+        add("Length", "HighestExcess", "Result", "Of all the surface", mode=1)
+
+    def add_properties(self, obj):
+        self.add_own_properties(obj)
+        self.add_results(obj)
+        self.show_what_matters(obj)
+
+    def onChanged(self, obj, name):
+        if name in ("SetupFile", "Stock"):
+            self.show_what_matters(obj)
+
+    @staticmethod
+    def show_what_matters(obj):
+        if not hasattr(obj, "Stock") or not hasattr(obj, "MoreOfSetup"):
+            return  # a document that is being opened
+        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
+            corner = name in ("StockLower", "StockUpper")
+            counts = not (corner and obj.Stock is not None) and (not obj.SetupFile or name == "Stock")
+            obj.setEditorMode(name, 0 if counts else 2)
+
+    def source(self, obj):
+        """What is left, as a solid."""
+        if not obj.Mesh.CountFacets:
+            raise ValueError(f"{obj.Label} was not carried out yet")
+        return source_of_geometry(obj)
+
+    def task(self, obj):
+        """The Task that the properties describe. Raises ValueError with a line for the user."""
+        if obj.Program is None and not obj.ProgramFile:
+            raise ValueError(f"{obj.Label}: choose a program")
+        program = programs.program_of(obj.Program) if obj.Program is not None else programs.program_from_file(obj.ProgramFile)
+        for link in (obj.Target, obj.Stock):
+            if link is not None and not link.isValid():
+                raise ValueError(f"{obj.Label}: {link.Label} could not be computed")
+        target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value)
+
+    def setup(self, obj):
+        """The set-up as (bytes, name, path or None)."""
+        path = obj.SetupFile or getattr(obj.Program, "SetupFile", "")
+        if path:
+            try:
+                with open(path, "rb") as file:
+                    return file.read(), os.path.basename(path), path
+            except OSError as error:
+                raise ValueError(f"{obj.Label}: the set-up {path} cannot be read: {error.strerror}") from None
+        lower, upper = obj.StockLower, obj.StockUpper
+        if obj.Stock is not None:
+            box = bounds_of(obj.Stock)
+            room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)  # so that no face of it lies in the box's own
+            lower, upper = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room, FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room
+        if min(upper - lower) <= 0:
+            raise ValueError(f"{obj.Label}: the stock has no size: give its corners, or a solid as Stock")
+        tools = [set_ups.tool_from_line(line) for line in obj.Tools if line.strip()]
+        tolerances = {"gouge": obj.Gouge.Value, "excess": obj.Excess.Value, "touch": obj.Touch.Value}
+        machine = "" if obj.Machine == THREE_AXES else obj.Machine
+        return set_ups.text(tools, lower, upper, machine, tolerances, obj.MoreOfSetup).encode(), "setup.toml", None
+
+    def kept_run(self, obj):
+        """The Run of what the object shows, where it was carried out in this session; else None. Raises as task() does."""
+        return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
+
+    def execute(self, obj):
+        """Carries the program out. What goes wrong is raised: FreeCAD then marks the object, which keeps the result that it had."""
+        fieldfab = kernel.load()
+        try:
+            task = self.task(obj)
+            if obj.MadeFrom == task.digest:
+                return
+            run = work.run(task.run, obj.Label)
+        except fieldfab.Error as error:
+            raise ValueError(f"{obj.Label}: {error}") from None
+        except work.Cancelled:
+            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+        self.put_mesh(obj, run.simulation.mesh, meshes.read_bms(run.mesh_file))
+        self.put_report(obj, run.report)
+        obj.MadeFrom = task.digest
+
+    @staticmethod
+    def put_report(obj, report):
+        events = sorted(report["events"], key=event_order)
+        kinds = [event["kind"] for event in events]
+        obj.Verdict = "good" if not events else f"{len(events)} events, the worst: {events[0]['kind']} at line {events[0]['line']}"
+        obj.Events = [json.dumps(event) for event in events]
+        obj.Notes = [f"line {note['line']}: {note['message']}" for note in report["notes"]]
+        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])
+        obj.Contacts, obj.Gouges, obj.OverTravels = sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel")
+        deviation = report.get("deviation", {})
+        obj.DeepestGouge, obj.HighestExcess = deviation.get("deepest_gouge", 0), deviation.get("highest_excess", 0)

@@ -1,0 +1,328 @@
+"""Playing a simulation in the 3D view: stock, tool and axes at any moment, the program beside it, and what went wrong."""
+
+import math
+import time
+
+import numpy as np
+
+from ..player import Player
+from ..shim import QtCore, QtGui, QtWidgets
+from ..views.stock_legend import DeviationLegend
+from ..views.part_view import PartView
+from ..views.stock_scene import StockScene
+from .event_list import EventList
+from .program_view import ProgramView
+
+TICK = 20  # ms
+STEPS = 100000  # of the slider
+SPEEDS = (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000)
+ABOUT = 40  # seconds that a program lasts at the speed that is chosen at first
+
+
+def clock(seconds):
+    """Minutes and seconds: 1:02.3"""
+    return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
+
+
+def is_open(document):
+    try:
+        return bool(document.Name)
+    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
+        return False
+
+
+class Playback(QtWidgets.QWidget):
+    """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user, and whether they are
+    good news."""
+
+    said = QtCore.Signal(str, bool)
+
+    def __init__(self, document):
+        super().__init__()
+        self.document, self.player, self.scene, self.legend = document, None, None, None
+        self.seconds, self.playing, self.shown = 0.0, False, 0
+        self.layout_ = QtWidgets.QVBoxLayout(self)
+        self.layout_.setContentsMargins(0, 4, 0, 0)
+        self._add_transport()
+        self._add_places()
+        self._add_choices()
+        self.program, self.events = ProgramView(), EventList()
+        both = QtWidgets.QSplitter(QtCore.Qt.Vertical)
+        both.addWidget(self.program)
+        both.addWidget(self.events)
+        both.setSizes([230, 150])
+        self.layout_.addWidget(both, 1)
+        self.program.asked.connect(self.go_to_line)
+        self.events.chosen.connect(self.go_to_event)
+        self.timer = QtCore.QTimer(self)
+        self.timer.timeout.connect(self._tick)
+
+    # Widgets.
+    def _add_transport(self):
+        row, style = QtWidgets.QHBoxLayout(), self.style()
+        self.buttons = {}
+        for name, picture, tip, function in (
+            ("first", "SP_MediaSkipBackward", "To the beginning", lambda: self.go_to(0)),
+            ("back", "SP_MediaSeekBackward", "Back by one move", lambda: self.step(-1)),
+            ("play", "SP_MediaPlay", "Play or pause", self.toggle),
+            ("on", "SP_MediaSeekForward", "On by one move", lambda: self.step(1)),
+            ("last", "SP_MediaSkipForward", "To the end", lambda: self.go_to(self.player.length)),
+        ):
+            button = QtWidgets.QToolButton()
+            button.setIcon(style.standardIcon(getattr(QtWidgets.QStyle, picture)))
+            button.setToolTip(tip)
+            button.setAutoRaise(True)
+            button.clicked.connect(function)
+            row.addWidget(button)
+            self.buttons[name] = button
+        self.speed = QtWidgets.QComboBox()
+        for speed in SPEEDS:
+            self.speed.addItem(f"{speed}\N{MULTIPLICATION SIGN}", speed)
+        self.speed.setToolTip("How much faster than the machine")
+        self.speed.currentIndexChanged.connect(lambda index: self._start_clock())
+        row.addWidget(self.speed)
+        row.addStretch()
+        self.time = QtWidgets.QLabel()
+        row.addWidget(self.time)
+        self.layout_.addLayout(row)
+        self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setRange(0, STEPS)
+        self.slider.setPageStep(STEPS // 50)
+        self.slider.valueChanged.connect(self._slid)
+        self.slider.sliderReleased.connect(lambda: self.go_to(self.seconds))
+        self.layout_.addWidget(self.slider)
+
+    def _add_places(self):
+        row = QtWidgets.QHBoxLayout()
+        row.addWidget(QtWidgets.QLabel("Line"))
+        self.line = QtWidgets.QSpinBox()
+        self.line.setKeyboardTracking(False)
+        self.line.setMinimumWidth(90)
+        self.line.setToolTip("Go to a line of the program")
+        self.line.valueChanged.connect(self.go_to_line)
+        row.addWidget(self.line)
+        self.doing = QtWidgets.QLabel()
+        row.addWidget(self.doing)
+        row.addStretch()
+        self.layout_.addLayout(row)
+        self.axes, self.axes_row = {}, QtWidgets.QGridLayout()
+        self.axes_row.setHorizontalSpacing(6)
+        self.axes_row.setVerticalSpacing(2)
+        self.layout_.addLayout(self.axes_row)
+
+    def _add_choices(self):
+        grid = QtWidgets.QGridLayout()
+
+        def choice(words, tip, on, function, row, column):
+            box = QtWidgets.QCheckBox(words)
+            box.setToolTip(tip)
+            box.setChecked(on)
+            box.toggled.connect(function)
+            grid.addWidget(box, row, column)
+            return box
+
+        self.see_tool = choice("Tool", "Show the cutter", True, self._show_roles, 0, 0)
+        self.see_holder = choice("Shank and holder", "Show what must not touch anything", True, self._show_roles, 0, 1)
+        self.see_deviation = choice("Deviation at the end", "Colour the finished stock by its distance from the target", True, lambda on: self.go_to(self.seconds), 1, 0)
+        self.turning = choice("Table turns", "Show the stock as the machine's table turns it", False, lambda on: self._place(), 1, 1)
+        self.layout_.addLayout(grid)
+
+    # Beginning and ending.
+    def show(self, run, events):
+        """Plays an objects.simulation.Run from now on, its end first."""
+        self.end()
+        self.player, self.scene, self.view = Player(run), StockScene(), PartView(self.document)
+        self.destroyed.connect(self.player.close)  # as when the document is closed
+        self._tool_shown = self._moment = self._asked_line = None
+        self._fitted = False
+        self.view.add(self.scene.root)
+        self.view.tell_clicks(self._clicked)
+        simulation = run.simulation
+        self.turned = len(simulation.axes) > 3
+        self.turning.setVisible(self.turned)
+        self.see_deviation.setVisible(simulation.deviation_scale is not None)
+        if simulation.deviation_scale is not None:
+            self.legend = DeviationLegend(self.view.widget(), simulation.deviation_scale, simulation.colour_of_deviation)
+        self._make_axes(simulation.axes)
+        self.program.set_lines(run.lines)
+        self.events.set_events(events)
+        self.line.blockSignals(True)
+        self.line.setRange(1, max(1, len(run.lines)))
+        self.line.blockSignals(False)
+        self.speed.setCurrentIndex(min(range(len(SPEEDS)), key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / max(self.player.length, 1.0)))))
+        box = simulation.stock_box
+        self.size = math.dist(box[:3], box[3:])
+        self._show_roles()
+        self.go_to(self.player.length)
+        self.timer.start(TICK)
+
+    def end(self):
+        self.timer.stop()
+        self.playing = False
+        if self.player is None:
+            return
+        self.player.close()
+        self.view.tell_clicks(None)
+        self.view.remove(self.scene.root)
+        if self.legend is not None:
+            self.legend.remove()
+        self.player = self.scene = self.legend = None
+
+    def _make_axes(self, letters):
+        for label in self.axes.values():
+            label.setParent(None)
+        self.axes, fixed = {}, QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont)
+        for i, letter in enumerate(letters):
+            self.axes[letter] = label = QtWidgets.QLabel()
+            label.setFont(fixed)
+            label.setFrameShape(QtWidgets.QFrame.StyledPanel)
+            label.setToolTip(f"Where axis {letter} stands, {'mm' if i < 3 else 'degrees'}")
+            self.axes_row.addWidget(label, i // 3, i % 3)
+
+    # What the user does.
+    def toggle(self):
+        self.playing = not self.playing
+        if self.playing and self.seconds >= self.player.length:
+            self.seconds = 0.0
+        self._start_clock()
+        self._show_button()
+        if not self.playing:
+            self.go_to(self.seconds)
+
+    def go_to(self, seconds):
+        """Stops at a moment."""
+        if self.player is None:
+            return
+        self.playing, self.seconds, self._asked_line = False, min(max(seconds, 0.0), self.player.length), None
+        self._show_button()
+        self.scene.set_mark()
+        self.player.want(self.seconds)
+
+    def step(self, moves):
+        self.go_to(self.player.step(self.seconds, moves))
+
+    def go_to_line(self, line):
+        """Stops where a line has just been done."""
+        if self.player is None:
+            return
+        self.go_to(float(np.nextafter(self.player.end_of_line(line), 0)))  # the move that ends, not the one that begins
+        self._asked_line = line
+        self._show_line(line)
+
+    def go_to_event(self, event):
+        if event["kind"] in ("gouge", "excess") and self.see_deviation.isChecked():
+            self.go_to(self.player.length)  # where the colours tell it
+            self._asked_line = event["line"]
+            self._show_line(event["line"])
+        else:
+            self.go_to_line(event["line"])
+        self.scene.set_mark(event["place"], self.size / 60)
+        self.view.look_at(self._turned(event["place"]))
+        self.said.emit(f"line {event['line']}: {event['message']}", False)
+
+    def _clicked(self, origin, direction):
+        back = np.linalg.inv(self._matrix())
+        hit = self.scene.cut_hit_by((back @ [*origin, 1.0])[:3], back[:3, :3] @ direction)
+        if hit is None:
+            return
+        place, cut = hit
+        line, tool = int(self.player.lines_of_cuts[cut]), int(self.player.tools_of_cuts[cut])
+        self.scene.set_mark(place, self.size / 120)
+        if line:
+            self._show_line(line)
+            self.said.emit(f"line {line} cut this place, with tool {tool}", True)
+        else:
+            self.said.emit("nothing has cut this place", True)
+
+    # Showing.
+    def _start_clock(self):
+        self._began = (time.monotonic(), self.seconds)
+
+    def _tick(self):
+        if not is_open(self.document):
+            self.timer.stop()
+            self.player.close()
+            return
+        try:
+            frame = self.player.take()
+        except Exception as error:  # of the thread
+            self.timer.stop()
+            self.said.emit(str(error), False)
+            return
+        if frame is not None:
+            self._show(frame)
+        if self.playing:
+            began, first = self._began
+            wanted = first + (time.monotonic() - began) * self.speed.currentData()
+            if wanted >= self.player.length:
+                self.go_to(self.player.length)
+            else:
+                self.player.want(wanted, moving=True)
+
+    def _show(self, frame):
+        self.shown += 1
+        self.scene.show_pieces(frame.pieces)
+        deviation = frame.whole is not None and self.see_deviation.isChecked()
+        if deviation:
+            self.scene.show_whole(*(frame.whole if self.scene.whole.arrays is not frame.whole[0] else ()))
+        if self.legend is not None:
+            self.legend.setVisible(deviation)
+        self._moment = self.player.at(frame.seconds)
+        if self.playing:
+            self.seconds = frame.seconds
+        self._place()
+        if not self._fitted:
+            self._fitted = True
+            if not any(o.ViewObject.Visibility for o in self.document.Objects):
+                self.view.fit()  # else the user looks at something already
+        self._show_numbers(frame.seconds)
+        self._show_line(self._asked_line or self._moment["line"])
+
+    def _place(self):
+        """Puts tool and stock where they are."""
+        if self._moment is None:
+            return
+        if (move_tool := self._moment["tool"]) != self._tool_shown:
+            self.scene.show_tool(self.player.tool_parts(self._moment["move"]))
+            self._tool_shown = move_tool
+        self.scene.move_tool(self._moment["tip"], self._moment["axis"])
+        self.scene.set_turn(self._matrix())
+
+    def _matrix(self):
+        if self.turned and self.turning.isChecked() and self._moment is not None:
+            return self.player.simulation.turn_of_work(self._moment["axes"])
+        return np.eye(4)
+
+    def _turned(self, place):
+        return (self._matrix() @ [*place, 1.0])[:3]
+
+    def _show_numbers(self, seconds):
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(STEPS * seconds / max(self.player.length, 1e-9)))
+        self.slider.blockSignals(False)
+        self.time.setText(f"{clock(seconds)} / {clock(self.player.length)}")
+        for letter, label in self.axes.items():
+            value = self._moment["axes"]["XYZABC".index(letter)]
+            label.setText(f"{letter} {value:9.3f}" + ("" if letter in "XYZ" else "\N{DEGREE SIGN}"))
+        self.doing.setText(f"tool {self._moment['tool']}" + (", rapid" if self._moment["rapid"] else ""))
+
+    def _show_line(self, line):
+        self.program.mark(line)
+        self.line.blockSignals(True)
+        self.line.setValue(line)
+        self.line.blockSignals(False)
+
+    def _show_roles(self):
+        if self.scene is not None:
+            self.scene.set_seen("cutting", self.see_tool.isChecked())
+            for role in ("shank", "holder"):
+                self.scene.set_seen(role, self.see_holder.isChecked())
+
+    def _show_button(self):
+        picture = QtWidgets.QStyle.SP_MediaPause if self.playing else QtWidgets.QStyle.SP_MediaPlay
+        self.buttons["play"].setIcon(self.style().standardIcon(picture))
+
+    def _slid(self, value):
+        self.go_to(self.player.length * value / STEPS)
+        if self.slider.isSliderDown():
+            self.player.want(self.seconds, moving=True)

@@ -1,0 +1,242 @@
+"""The form of a simulation's program, stock, tools and target."""
+
+import FreeCAD
+
+from ..objects import programs, set_ups
+from ..objects.simulation import bounds_of
+from ..shim import QtCore, QtWidgets
+from .property_panel import candidates
+
+TOOL_COLUMNS = (("number", "No."), ("shape", "Shape"), ("diameter", "Diameter"), ("corner_radius", "Corner"), ("angle", "Angle"), ("flute", "Flute"),
+                ("length", "Length"), ("shank", "Shank"), ("holder_diameter", "Holder \N{DIAMETER SIGN}"), ("holder_length", "Holder length"))
+SHAPES = ("flat", "ball", "bull", "v", "tapered", "drill", "form")
+PROGRAMS = "Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"
+SET_UPS = "Set-ups and jobs (*.toml)"
+MARGIN = 5.0  # mm of stock around what a program reaches, where nothing else is known
+
+
+class FileBox(QtWidgets.QWidget):
+    """A line for a file's name, and a button that looks for one."""
+
+    def __init__(self, path, words, kinds):
+        super().__init__()
+        row = QtWidgets.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.line = QtWidgets.QLineEdit(path)
+        self.line.setPlaceholderText(words)
+        button = QtWidgets.QToolButton()
+        button.setText("\N{HORIZONTAL ELLIPSIS}")
+        button.clicked.connect(lambda: self._ask(kinds))
+        row.addWidget(self.line)
+        row.addWidget(button)
+
+    def _ask(self, kinds):
+        path = QtWidgets.QFileDialog.getOpenFileName(self, "Fieldfab", self.line.text(), kinds)[0]
+        if path:
+            self.line.setText(path)
+            self.line.editingFinished.emit()
+
+
+def corner_boxes(values):
+    boxes = []
+    for value in values:
+        box = QtWidgets.QDoubleSpinBox()
+        box.setDecimals(3)
+        box.setRange(-1e6, 1e6)
+        box.setButtonSymbols(box.NoButtons)
+        box.setMinimumWidth(60)
+        box.setValue(value)
+        boxes.append(box)
+    return boxes
+
+
+def length_box(value, zero=""):
+    box = QtWidgets.QDoubleSpinBox()
+    box.setDecimals(4)
+    box.setRange(0, 1e6)
+    box.setSingleStep(0.01)
+    box.setSuffix(" mm")
+    if zero:
+        box.setSpecialValueText(zero)
+    box.setValue(value)
+    return box
+
+
+class SetupForm(QtWidgets.QWidget):
+    """Shows what a Simulation object is to carry out; `write()` puts it into the object."""
+
+    def __init__(self, obj):
+        super().__init__()
+        self.obj = obj
+        layout = QtWidgets.QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        rows = QtWidgets.QFormLayout()
+        self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], "a file")
+        self.program = FileBox(obj.ProgramFile, "the machine's program", PROGRAMS)
+        self.setup = FileBox(obj.SetupFile, "none: as below", SET_UPS)
+        self.cell = length_box(obj.Cell.Value, "automatic")
+        self.target = self._objects(obj.Target, candidates(obj), "none, or the set-up's")
+        rows.addRow("Program of", self.of_object)
+        rows.addRow("Program", self.program)
+        rows.addRow("Set-up file", self.setup)
+        rows.addRow("Target", self.target)
+        rows.addRow("Cell", self.cell)
+        layout.addLayout(rows)
+        self.by_hand = QtWidgets.QGroupBox("Set-up")
+        layout.addWidget(self.by_hand)
+        self._add_by_hand(QtWidgets.QVBoxLayout(self.by_hand))
+        layout.addStretch()
+        self.of_object.activated.connect(lambda index: self._chosen())
+        self.program.line.editingFinished.connect(self._guess_where_nothing_is)
+        self.setup.line.textChanged.connect(lambda text: self._follow())
+        self.stock.activated.connect(lambda index: self._follow())
+        self._follow()
+        if obj.Program is not None and not obj.MadeFrom:
+            self.take_from(obj.Program)
+
+    @staticmethod
+    def _objects(current, offered, none):
+        box = QtWidgets.QComboBox()
+        box.addItem(none, "")
+        for each in offered:
+            box.addItem(each.Label, each.Name)
+        box.setCurrentIndex(max(0, box.findData(current.Name)) if current is not None else 0)
+        return box
+
+    def _add_by_hand(self, layout):
+        obj, rows = self.obj, QtWidgets.QFormLayout()
+        self.machine = QtWidgets.QComboBox()
+        self.machine.addItems(obj.getEnumerationsOfProperty("Machine"))
+        self.machine.setCurrentText(obj.Machine)
+        self.stock = self._objects(obj.Stock, candidates(obj), "a box")
+        self.lower, self.upper = corner_boxes(obj.StockLower), corner_boxes(obj.StockUpper)
+        self.gouge, self.excess, self.touch = length_box(obj.Gouge.Value), length_box(obj.Excess.Value, "any"), length_box(obj.Touch.Value)
+        rows.addRow("Machine", self.machine)
+        rows.addRow("Stock", self.stock)
+        self.corners = QtWidgets.QWidget()
+        grid = QtWidgets.QGridLayout(self.corners)
+        grid.setContentsMargins(0, 0, 0, 0)
+        for row, (words, boxes) in enumerate((("from", self.lower), ("to", self.upper))):
+            grid.addWidget(QtWidgets.QLabel(words), row, 0)
+            for column, box in enumerate(boxes):
+                grid.addWidget(box, row, column + 1)
+        guess = QtWidgets.QPushButton("Around the program")
+        guess.setToolTip("A box about all places that the program names")
+        guess.clicked.connect(self.guess_stock)
+        grid.addWidget(guess, 2, 1, 1, 3)
+        rows.addRow("", self.corners)
+        rows.addRow("Gouge from", self.gouge)
+        rows.addRow("Left over from", self.excess)
+        rows.addRow("Contact from", self.touch)
+        layout.addLayout(rows)
+        self.tools = QtWidgets.QTableWidget(0, len(TOOL_COLUMNS))
+        self.tools.setHorizontalHeaderLabels([words for _, words in TOOL_COLUMNS])
+        self.tools.verticalHeader().hide()
+        self.tools.setMinimumHeight(110)
+        for line in obj.Tools:
+            self._add_tool(set_ups.tool_from_line(line))
+        layout.addWidget(self.tools)
+        row = QtWidgets.QHBoxLayout()
+        for words, function in (("Add tool", self._new_tool), ("Remove", lambda: self.tools.removeRow(self.tools.currentRow()))):
+            button = QtWidgets.QPushButton(words)
+            button.clicked.connect(function)
+            row.addWidget(button)
+        row.addStretch()
+        layout.addLayout(row)
+
+    def _new_tool(self):
+        numbers = [self._tool(row).get("number", 0) for row in range(self.tools.rowCount())]
+        self._add_tool({**set_ups.DEFAULT_TOOL, "number": max(numbers, default=0) + 1})
+
+    def _add_tool(self, tool):
+        row = self.tools.rowCount()
+        self.tools.insertRow(row)
+        for column, (key, _) in enumerate(TOOL_COLUMNS):
+            if key == "shape":
+                box = QtWidgets.QComboBox()
+                box.addItems(SHAPES)
+                box.setCurrentText(tool.get("shape", "flat"))
+                self.tools.setCellWidget(row, column, box)
+            else:
+                self.tools.setItem(row, column, QtWidgets.QTableWidgetItem(f"{tool[key]:g}" if tool.get(key) else ""))
+        self.tools.item(row, 0).setData(QtCore.Qt.UserRole, set_ups.tool_to_line(tool))  # with what has no column
+        self.tools.resizeColumnsToContents()
+
+    def _tool(self, row):
+        """Raises ValueError with a line for the user."""
+        tool = set_ups.tool_from_line(self.tools.item(row, 0).data(QtCore.Qt.UserRole) or "{}")
+        for column, (key, words) in enumerate(TOOL_COLUMNS):
+            if key == "shape":
+                tool[key] = self.tools.cellWidget(row, column).currentText()
+                continue
+            text = self.tools.item(row, column).text().strip().replace(",", ".")
+            tool.pop(key, None)
+            if text:
+                try:
+                    tool[key] = int(text) if key == "number" else float(text)
+                except ValueError:
+                    raise ValueError(f"tool {row + 1}: {words} is a number, not {text!r}") from None
+        return tool
+
+    def _follow(self):
+        """Only what counts is seen."""
+        self.by_hand.setVisible(not self.setup.line.text())
+        self.program.setEnabled(not self.of_object.currentData())
+        self.corners.setVisible(not self.stock.currentData())
+
+    def _chosen(self):
+        """Tools, stock and target of a Path Job are taken over."""
+        source = self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
+        self._follow()
+        if source is not None:
+            self.take_from(source)
+
+    def take_from(self, source):
+        tools = programs.tools_of(source) if programs.is_job(source) or hasattr(source, "Path") else []
+        if tools:
+            self.tools.setRowCount(0)
+            for tool in tools:
+                self._add_tool(tool)
+        if programs.is_job(source) and source.Stock is not None:
+            box = bounds_of(source.Stock)
+            self._set_corners((box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax))
+            parts = source.Model.Group
+            if len(parts) == 1:
+                self.target.setCurrentIndex(max(0, self.target.findData(parts[0].Name)))
+        else:
+            self._guess_where_nothing_is()
+
+    def _guess_where_nothing_is(self):
+        if not self.setup.line.text() and all(box.value() == 0 for box in self.lower + self.upper):
+            self.guess_stock()
+
+    def guess_stock(self):
+        try:
+            name = self.of_object.currentData()
+            program = programs.program_of(self.obj.Document.getObject(name)) if name else programs.program_from_file(self.program.line.text())
+        except ValueError:
+            return
+        if (found := programs.extent(program)) is not None:
+            (x0, y0, z0), (x1, y1, z1) = found
+            top = 0.0 if z0 < 0 else z1  # mostly z = 0 is the stock's upper side
+            self._set_corners((x0 - MARGIN, y0 - MARGIN, min(z0, top) - MARGIN), (x1 + MARGIN, y1 + MARGIN, top))
+
+    def _set_corners(self, lower, upper):
+        for boxes, values in ((self.lower, lower), (self.upper, upper)):
+            for box, value in zip(boxes, values):
+                box.setValue(value)
+
+    def write(self):
+        """Raises ValueError with a line for the user."""
+        obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
+        find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
+        values = {
+            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "SetupFile": self.setup.line.text(), "Target": find(self.target),
+            "Cell": self.cell.value(), "Machine": self.machine.currentText(), "Stock": find(self.stock), "Tools": tools,
+            "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)), "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
+            "Gouge": self.gouge.value(), "Excess": self.excess.value(), "Touch": self.touch.value(),
+        }
+        for name, value in values.items():
+            held = getattr(obj, name)
+            if getattr(held, "Value", held) != value:
+                setattr(obj, name, value)

@@ -1,0 +1,231 @@
+"""The task panel of a simulation: its set-up, and playing it back."""
+
+import json
+import os
+
+import FreeCADGui
+
+from .. import kernel, meshes, work
+from ..shim import QtCore, QtWidgets, flags
+from .edit_panel import EditPanel
+from .playback import Playback, is_open
+from .setup_form import SetupForm
+
+FRAMES = 200  # pictures of a film
+WIDTH, LEAST_HEIGHT = 430, 480  # pixels
+AROUND = 190  # pixels of a dock's height that are not the panel's
+
+
+class SimulationPanel(EditPanel):
+    def __init__(self, obj):
+        super().__init__(obj, "Simulation")
+        self.setup, self.playback, self.run, self.task = SetupForm(obj), Playback(self.document), None, None
+        self.tabs = QtWidgets.QTabWidget()
+        scroll = QtWidgets.QScrollArea()
+        scroll.setWidget(self.setup)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(scroll.NoFrame)
+        self.tabs.addTab(scroll, "Set-up")
+        self.tabs.addTab(self._playback_page(), "Playback")
+        self.layout.addWidget(self.tabs, 1)
+        self.layout.addLayout(self._start_row())
+        self.layout.addWidget(self.message)
+        QtCore.QTimer.singleShot(0, self._widen)
+        self.playback.said.connect(self.say)
+        self.seen_before = obj.ViewObject.Visibility
+        obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # a new one is not drawn twice
+        self.timer = QtCore.QTimer(self.form)
+        self.timer.timeout.connect(self._watch)
+        self.timer.start(30)
+        if obj.Verdict:
+            self.playback.events.set_events([json.loads(line) for line in obj.Events])
+            self.say(f"{obj.Label}: {obj.Verdict}", not obj.Events)
+        if obj.MadeFrom:
+            self.tabs.setCurrentIndex(1)
+            self._show_kept()
+
+    # Widgets.
+    def _playback_page(self):
+        page = QtWidgets.QWidget()
+        layout = QtWidgets.QVBoxLayout(page)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.addWidget(self.playback, 1)
+        row = QtWidgets.QHBoxLayout()
+        self.exports = []
+        for words, tip, function in (
+            ("Report\N{HORIZONTAL ELLIPSIS}", "Write the report as an HTML page with pictures", self.ask_for_report),
+            ("Frames\N{HORIZONTAL ELLIPSIS}", "Write pictures for a film", self.ask_for_frames),
+            ("Keep as object", "Keep the stock as it is at this moment as a mesh of the document", self.keep),
+        ):
+            button = QtWidgets.QPushButton(words)
+            button.setToolTip(tip)
+            button.clicked.connect(function)
+            row.addWidget(button)
+            self.exports.append(button)
+        layout.addLayout(row)
+        self._allow(False)
+        return page
+
+    def _widen(self):
+        """Gives the panel the room that a program and its numbers need, and takes what there is."""
+        window = FreeCADGui.getMainWindow()
+        docks = [dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.objectName() in ("Combo View", "Tasks")]
+        for dock in docks:
+            if dock.width() < WIDTH:
+                window.resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
+            self.form.setMinimumHeight(max(LEAST_HEIGHT, dock.height() - AROUND))
+
+    def _start_row(self):
+        row = QtWidgets.QHBoxLayout()
+        self.start_button = QtWidgets.QPushButton("Simulate")
+        self.start_button.clicked.connect(self.start_or_stop)
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        row.addWidget(self.start_button)
+        row.addWidget(self.bar, 1)
+        return row
+
+    def _allow(self, playing):
+        self.playback.setEnabled(playing)
+        for button in self.exports:
+            button.setEnabled(playing)
+
+    # Work beside the window.
+    def start_or_stop(self):
+        """Carries the program out beside the window; the second press stops it."""
+        if self.task is not None:
+            self.task.cancel()
+            return
+        try:
+            self.take_over()
+            wanted = self.obj.Proxy.task(self.obj)
+        except ValueError as error:
+            self.say(str(error))
+            return
+        self._begin(wanted.run, self._simulated)
+
+    def _begin(self, function, done):
+        self.task, self.done = work.Task(function), done
+        self.start_button.setText("Stop")
+        self.say("", True)
+        self.form.destroyed.connect(self.task.cancel)  # as when the document is closed
+        self.task.start()
+
+    def _watch(self):
+        if not is_open(self.document):
+            self.timer.stop()
+            if self.task is not None:
+                self.task.cancel()
+            return
+        if self.task is None:
+            return
+        self.bar.setValue(round(1000 * self.task.fraction))
+        if self.task.is_alive():
+            if self.task.message:
+                self.say(self.task.message, True)
+            return
+        task, self.task = self.task, None
+        self.bar.setValue(0)
+        self.start_button.setText("Simulate")
+        try:
+            result = task.outcome()
+        except work.Cancelled:
+            self.say("stopped; it is still what it was")
+        except (kernel.load().Error, ValueError, OSError) as error:
+            self.say(str(error))
+        else:
+            self.done(result)
+
+    def _simulated(self, run):
+        self.document.recompute([self.obj])  # takes the kept run
+        if not self.obj.isValid():
+            self.say(self.obj.getStatusString())
+            return
+        self.tabs.setCurrentIndex(1)
+        self._play(run)
+
+    def _show_kept(self):
+        """Plays what was carried out in this session; else the user may have it carried out again."""
+        try:
+            run = self.obj.Proxy.kept_run(self.obj)
+        except ValueError as error:
+            self.say(str(error))
+            return
+        if run is not None:
+            self._play(run)
+        elif not self.obj.Events:
+            self.say("press Simulate to play it", True)
+
+    def _play(self, run):
+        self.run = run
+        self.obj.ViewObject.Visibility = False  # the playback is in its place
+        self.playback.show(run, run.report["events"])
+        self._allow(True)
+        self.say(f"{self.obj.Label}: {self.obj.Verdict}", not self.obj.Events)
+
+    # Results.
+    def ask_for_report(self):
+        path = QtWidgets.QFileDialog.getSaveFileName(self.form, "Report", f"{self.obj.Label}.html", "HTML (*.html)")[0]
+        if path:
+            self.write_report(path)
+
+    def write_report(self, path):
+        simulation = self.run.simulation
+        self._begin(lambda progress: simulation.html(path, progress=progress), lambda result: self.say(f"written: {path}", True))
+
+    def ask_for_frames(self):
+        folder = QtWidgets.QFileDialog.getExistingDirectory(self.form, "Folder for frame_0001.png and so on")
+        if folder:
+            self.write_frames(folder)
+
+    def write_frames(self, folder, count=FRAMES):
+        player, simulation = self.playback.player, self.run.simulation
+
+        def write(progress):
+            with player.busy:
+                simulation.frames(folder, count=count, progress=progress)
+
+        self._begin(write, lambda result: self.say(f"{count} frames are in {os.path.basename(folder)}", True))
+
+    def keep(self):
+        """The stock at the moment that is shown, as a mesh."""
+        player, seconds = self.playback.player, self.playback.seconds
+
+        def make(progress):
+            with player.busy:
+                return player.playback.stock_at(seconds, progress=progress).mesh()
+
+        line = self.playback.program.line()
+        self._begin(make, lambda mesh: self._kept(mesh, line))
+
+    def _kept(self, mesh, line):
+        kept = self.document.addObject("Mesh::Feature", "Stock")
+        kept.Label = f"{self.obj.Label}, stock at line {line}"
+        kept.Mesh = meshes.to_freecad(mesh)
+        kept.ViewObject.Visibility = False
+        self.say(f"kept: {kept.Label}", True)
+
+    # What FreeCAD asks of a task panel.
+    def take_over(self):
+        self.setup.write()
+
+    def apply(self):
+        try:
+            return super().apply()
+        except ValueError as error:
+            self.say(str(error))
+            return False
+
+    def getStandardButtons(self):
+        buttons = QtWidgets.QDialogButtonBox
+        return flags(buttons.Ok | buttons.Cancel)
+
+    def close(self):
+        self.timer.stop()
+        if self.task is not None:
+            self.task.cancel()
+        self.playback.end()
+        if self.obj in self.document.Objects:
+            self.obj.ViewObject.Visibility = self.seen_before
+        super().close()

@@ -1,0 +1,21 @@
+"""Arrays into Coin's fields, whole."""
+
+import ctypes
+
+import numpy as np
+
+
+def fill(field, array):
+    """Gives a multiple-value field the rows of an array, which must have the field's own kind of numbers (float32, int32, uint32)."""
+    array = np.ascontiguousarray(array)
+    field.setNum(len(array))
+    if len(array):
+        values = field.startEditing()
+        ctypes.memmove(int(getattr(values, "this", values)), array.ctypes.data, array.nbytes)
+        field.finishEditing()
+
+
+def packed(rgb):
+    """(n, 3) bytes of red, green and blue as Coin's packed colours."""
+    wide = np.asarray(rgb, np.uint32)
+    return (wide[:, 0] << 24) | (wide[:, 1] << 16) | (wide[:, 2] << 8) | np.uint32(255)

@@ -1,0 +1,78 @@
+"""FreeCAD's 3D view of a document: what a playback needs of it."""
+
+import FreeCADGui
+import numpy as np
+from pivy import coin
+
+from ..shim import QtWidgets
+
+STILL = 4  # pixels that the pointer may move in a click
+
+
+class PartView:
+    """Shows a node in the active view of a document, looks at places, tells clicks as rays."""
+
+    def __init__(self, document):
+        self.view = FreeCADGui.getDocument(document.Name).ActiveView
+        self._clicked, self._pressed = None, None
+
+    def add(self, node):
+        self.view.getSceneGraph().addChild(node)
+
+    def remove(self, node):
+        self.view.getSceneGraph().removeChild(node)
+
+    def widget(self):
+        """The widget that things can be laid over."""
+        wanted = self.view.getSize()
+        seen = [w for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QGraphicsView) if w.isVisible()]
+        return min(seen, key=lambda w: abs(w.width() - wanted[0]) + abs(w.height() - wanted[1]))
+
+    def fit(self):
+        """Brings everything into view, from above and aside."""
+        self.view.viewIsometric()
+        self.view.fitAll()
+
+    def look_at(self, place):
+        """Brings a place into the view's middle."""
+        camera = self.view.getCameraNode()
+        ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
+        camera.position = coin.SbVec3f(*(float(v) for v in place)) - ahead * camera.focalDistance.getValue()
+
+    def ray(self, x, y):
+        """Origin and direction of what lies below a pixel of the screen, counted from the lower left."""
+        width, height = self.view.getSize()
+        near, far = (np.array(p.getValue()) for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
+        return near, (far - near) / np.linalg.norm(far - near)
+
+    def pixel_of(self, place):
+        """Where a place is seen, pixels of the screen from the lower left."""
+        width, height = self.view.getSize()
+        seen = self._volume().projectToScreen(coin.SbVec3f(*(float(v) for v in place)))
+        return seen[0] * width, seen[1] * height
+
+    def _volume(self):
+        width, height = self.view.getSize()
+        volume = self.view.getCameraNode().getViewVolume(width / height)
+        if width < height:
+            volume.scale(height / width)
+        return volume
+
+    def tell_clicks(self, function):
+        """From now on `function(origin, direction)` hears of clicks with the left button that move nothing; None: no more."""
+        kind = coin.SoMouseButtonEvent.getClassTypeId()
+        if self._clicked is not None:
+            self.view.removeEventCallbackPivy(kind, self._callback)
+        self._clicked = function
+        if function is not None:
+            self._callback = self.view.addEventCallbackPivy(kind, self._mouse)
+
+    def _mouse(self, callback):
+        event = callback.getEvent()
+        if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
+            return
+        at = tuple(event.getPosition().getValue())
+        if event.getState() == coin.SoButtonEvent.DOWN:
+            self._pressed = at
+        elif self._pressed and max(abs(a - b) for a, b in zip(at, self._pressed)) <= STILL and self._clicked:
+            self._clicked(*self.ray(*at))

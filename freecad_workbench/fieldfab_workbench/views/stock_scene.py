@@ -1,0 +1,158 @@
+"""What a simulation shows in the 3D view: the stock in pieces, the tool, the place that is looked at."""
+
+import numpy as np
+from pivy import coin
+
+from .coin_fields import fill
+
+TOOL_LOOKS = {"cutting": ((0.80, 0.68, 0.30), 0.0), "shank": ((0.52, 0.54, 0.57), 0.0), "holder": ((0.30, 0.32, 0.36), 0.45)}
+MARK_COLOUR = (0.90, 0.10, 0.35)
+
+
+class Surface:
+    """One face set with a colour a vertex."""
+
+    def __init__(self):
+        self.arrays = None  # what it shows: vertices, normals, corners, cuts
+        self.node = coin.SoSeparator()
+        self.look, self.faces = coin.SoVertexProperty(), coin.SoIndexedFaceSet()
+        self.look.normalBinding = self.look.materialBinding = coin.SoVertexProperty.PER_VERTEX_INDEXED
+        self.faces.vertexProperty = self.look
+        self.node.addChild(self.faces)
+
+    def show(self, arrays, colours):
+        self.arrays = arrays
+        fill(self.look.vertex, arrays[0])
+        fill(self.look.normal, arrays[1])
+        fill(self.look.orderedRGBA, colours)
+        fill(self.faces.coordIndex, arrays[2].reshape(-1))
+
+
+class StockScene:
+    """`root` belongs into a scene graph. Everything is in part coordinates, which `turn` takes to the machine's."""
+
+    def __init__(self):
+        self.root, self.turn = coin.SoSeparator(), coin.SoMatrixTransform()
+        self.root.renderCaching = coin.SoSeparator.OFF
+        self.root.addChild(self.turn)
+        self.stock, self.pieces, self.whole = coin.SoSwitch(), {}, Surface()
+        self.pieces_node = coin.SoGroup()
+        for node in (self.pieces_node, self.whole.node):
+            self.stock.addChild(node)
+        self.root.addChild(self._hints())
+        self.root.addChild(self.stock)
+        self.tool, self.tool_place, self.tool_parts = coin.SoSwitch(), coin.SoTransform(), {}
+        self.root.addChild(self._tool_node())
+        self.mark, self.mark_place, self.mark_size = coin.SoSwitch(), coin.SoTranslation(), coin.SoSphere()
+        self.root.addChild(self._mark_node())
+        self.stock.whichChild, self.tool.whichChild, self.mark.whichChild = 0, -3, -1
+
+    @staticmethod
+    def _hints():
+        hints = coin.SoShapeHints()
+        hints.vertexOrdering, hints.shapeType, hints.faceType = coin.SoShapeHints.COUNTERCLOCKWISE, coin.SoShapeHints.SOLID, coin.SoShapeHints.CONVEX
+        return hints
+
+    def _tool_node(self):
+        self.tool_group = coin.SoSeparator()
+        self.tool_group.addChild(self.tool_place)
+        edges = self._hints()
+        edges.creaseAngle = 0.6  # round along the way round, sharp at edges
+        self.tool_group.addChild(edges)
+        for role, (colour, transparency) in TOOL_LOOKS.items():
+            part, material, points, faces = coin.SoSwitch(), coin.SoMaterial(), coin.SoCoordinate3(), coin.SoIndexedFaceSet()
+            material.diffuseColor, material.specularColor, material.shininess, material.transparency = colour, (0.5, 0.5, 0.5), 0.5, transparency
+            group = coin.SoSeparator()
+            for node in (material, points, faces):
+                group.addChild(node)
+            part.addChild(group)
+            part.whichChild = -3
+            self.tool_parts[role] = (part, points, faces)
+            self.tool_group.addChild(part)
+        self.tool.addChild(self.tool_group)
+        return self.tool
+
+    def _mark_node(self):
+        group, material = coin.SoAnnotation(), coin.SoMaterial()  # seen through whatever is before it
+        material.diffuseColor, material.emissiveColor, material.transparency = MARK_COLOUR, MARK_COLOUR, 0.35
+        for node in (self.mark_place, material, self.mark_size):
+            group.addChild(node)
+        self.mark.addChild(group)
+        return self.mark
+
+    def show_pieces(self, pieces):
+        """`pieces`: {index: (arrays, colours)} of those that have changed."""
+        for index, (arrays, colours) in pieces.items():
+            if index not in self.pieces:
+                self.pieces[index] = Surface()
+                self.pieces_node.addChild(self.pieces[index].node)
+            self.pieces[index].show(arrays, colours)
+        self.stock.whichChild = 0
+
+    def show_whole(self, arrays=None, colours=None):
+        """The finished stock as one surface; what was given last where nothing is given."""
+        if arrays is not None:
+            self.whole.show(arrays, colours)
+        self.stock.whichChild = 1
+
+    def show_tool(self, parts):
+        """`parts`: {role: arrays}, the tip at the origin, the axis along z."""
+        for role, (vertices, _, corners) in parts.items():
+            _, points, faces = self.tool_parts[role]
+            fill(points.point, vertices)
+            fill(faces.coordIndex, corners.reshape(-1))
+
+    def move_tool(self, tip, axis):
+        self.tool_place.translation = tuple(tip)
+        self.tool_place.rotation = coin.SbRotation(coin.SbVec3f(0, 0, 1), coin.SbVec3f(*axis))
+
+    def set_seen(self, role, seen):
+        self.tool_parts[role][0].whichChild = -3 if seen else -1
+
+    def set_turn(self, matrix):
+        """The (4, 4) matrix from part coordinates to the machine's."""
+        self.turn.matrix = coin.SbMatrix(*(float(v) for v in np.asarray(matrix).T.reshape(-1)))  # Coin multiplies rows
+
+    def set_mark(self, place=None, size=1.0):
+        """Marks a place, part coordinates; none without one."""
+        if place is not None:
+            self.mark_place.translation, self.mark_size.radius = tuple(place), size
+        self.mark.whichChild = -1 if place is None else 0
+
+    def cut_hit_by(self, origin, direction):
+        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it does not."""
+        best = None
+        for piece in self.pieces.values():
+            vertices, _, corners, cuts = piece.arrays
+            hit = first_hit(vertices, corners, origin, direction)
+            if hit is not None and (best is None or hit[0] < best[0]):
+                best = (hit[0], int(cuts[hit[1]]))
+        return best and (np.asarray(origin) + best[0] * np.asarray(direction), best[1])
+
+
+def first_hit(vertices, corners, origin, direction):
+    """How far along a ray its first triangle is, and that triangle's corner next to the place; None where there is none."""
+    if not len(corners):
+        return None
+    origin, direction = np.asarray(origin, float), np.asarray(direction, float)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        spans = np.sort(np.stack([vertices.min(0) - origin, vertices.max(0) - origin]) / direction, axis=0)
+    if np.nanmax(spans[0]) > np.nanmin(spans[1]) + 1e-6:
+        return None  # past its box
+    a, b, c = (vertices[corners[:, k]].astype(float) for k in range(3))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ab, ac = b - a, c - a
+        across = np.cross(direction, ac)
+        scale = (ab * across).sum(1)
+        off = origin - a
+        u = (off * across).sum(1) / scale
+        over = np.cross(off, ab)
+        v = (over * direction).sum(1) / scale
+        far = (over * ac).sum(1) / scale
+        met = np.flatnonzero((scale > 0) & (u >= 0) & (v >= 0) & (u + v <= 1))  # from outside only
+    if not len(met):
+        return None
+    nearest = met[np.argmin(far[met])]
+    place = origin + far[nearest] * direction
+    three = corners[nearest, :3]
+    return far[nearest], three[np.argmin(((vertices[three] - place) ** 2).sum(1))]
