@@ -1,17 +1,22 @@
 """The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
+import FreeCADGui
+
 from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
-from ..shim import QtWidgets
+from ..shim import QtCore, QtWidgets
 from ..views.preview import Preview
 from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
 from .parameter_rows import ParameterRow
+
+WIDTH = 420  # of the dock, at least
 
 
 class FrepPanel(EditPanel):
     def __init__(self, obj):
         super().__init__(obj, "F-rep solid")
         self.text = FrepEditor(obj.Expression)
+        self.text.setObjectName("FrepEditor")
         self.text.setMinimumHeight(200)
         self.layout.addWidget(self._tools())
         self.layout.addWidget(self.text, 1)
@@ -23,19 +28,22 @@ class FrepPanel(EditPanel):
         self.preview = Preview(obj, self._told, self.form)
         self.text.checked.connect(self._checked)
         self.text.check()
+        QtCore.QTimer.singleShot(0, self._make_room)
+
+    @staticmethod
+    def _make_room():
+        """Widens the dock of task panels, where a text would hardly be seen."""
+        window = FreeCADGui.getMainWindow()
+        for dock in window.findChildren(QtWidgets.QDockWidget):
+            if dock.isVisible() and dock.width() < WIDTH and dock.findChild(QtWidgets.QPlainTextEdit, "FrepEditor"):
+                window.resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
 
     def _tools(self):
-        row = QtWidgets.QWidget()
-        layout = QtWidgets.QHBoxLayout(row)
-        layout.setContentsMargins(0, 0, 0, 0)
-        gallery = QtWidgets.QPushButton("Shapes…")
-        gallery.setToolTip("Insert a shape of the gallery where the cursor is")
+        gallery = QtWidgets.QPushButton("Insert a shape…")
+        gallery.setToolTip("Choose a shape by its picture; it is inserted where the cursor is")
+        gallery.setAutoDefault(False)
         gallery.clicked.connect(self._open_gallery)
-        hint = QtWidgets.QLabel("Ctrl+Space completes; point at a word to see what it does")
-        hint.setStyleSheet("color: gray")
-        layout.addWidget(gallery)
-        layout.addWidget(hint, 1)
-        return row
+        return gallery
 
     def _open_gallery(self):
         from .gallery import Gallery
@@ -47,8 +55,8 @@ class FrepPanel(EditPanel):
     # Numbers.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        self.voxel = self._length(self.obj.VoxelSize.Value, "automatic: 1/128 of the longest side")
-        self.max_error = self._length(self.obj.MaxError.Value, "automatic: a tenth of the smallest cell")
+        self.voxel = self._length(self.obj.VoxelSize.Value, "1/128 of the longest side")
+        self.max_error = self._length(self.obj.MaxError.Value, "a tenth of the smallest cell")
         numbers.addRow("Smallest cell", self.voxel)
         numbers.addRow("Largest error", self.max_error)
         for box in (self.voxel, self.max_error):
@@ -61,7 +69,8 @@ class FrepPanel(EditPanel):
         box.setDecimals(4)
         box.setRange(0, 1e6)
         box.setSuffix(" mm")
-        box.setSpecialValueText(zero)
+        box.setSpecialValueText("automatic")
+        box.setToolTip(f"0 is automatic: {zero}")
         box.setValue(value)
         return box
 

@@ -27,7 +27,7 @@ class ParameterRow(QtWidgets.QWidget):
         self.box.setRange(-1e9, 1e9)
         self.box.setStepType(QtWidgets.QAbstractSpinBox.AdaptiveDecimalStepType)
         self.box.setKeyboardTracking(True)
-        self.box.setFixedWidth(110)
+        self.box.setFixedWidth(100)
         self.slider = QtWidgets.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, STEPS)
         layout = QtWidgets.QHBoxLayout(self)

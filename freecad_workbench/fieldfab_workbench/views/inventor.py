@@ -53,3 +53,9 @@ def read(data):
     source = coin.SoInput()
     source.setBuffer(data)
     return coin.SoDB.readAll(source)
+
+
+def nothing():
+    from pivy import coin
+
+    return coin.SoSeparator()

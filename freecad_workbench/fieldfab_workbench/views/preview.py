@@ -1,12 +1,14 @@
 """What a solid will look like, shown in its place while a panel is open: computed beside the window, coarse at once, then finer."""
 
 import queue
+import re
 import time
 
 import FreeCAD
 import FreeCADGui
 
 from .. import work
+from ..objects.solid import key_of
 from ..shim import QtCore
 from . import inventor
 from .refinement import ANGLE, Refinement
@@ -16,7 +18,10 @@ TICK = 10  # ms between looks at what the thread has done
 REST = 0.15  # seconds without a change before finer meshes are begun
 STILL = 0.3  # seconds that the camera rests before the solid is refined for it
 FRAME = 0.05  # seconds that a picture may take to draw: as many triangles as that allows are shown
-LEAST, MOST = 20_000, 400_000
+LEAST, MOST = 40_000, 400_000
+PATIENCE = 3  # seconds that the solid's own mesh gets before the eye's wishes come first
+SAID = {"coarse": "Coarse preview: cells of {:.3g} mm", "finer": "Preview: cells of {:.3g} mm", "final": "As it will be",
+        "divided": "Refining where you look", "detail": "Refined where you look"}
 PIXELS = 3  # that a cell may fill
 
 
@@ -24,18 +29,19 @@ class Preview:
     """`show(source, settings)` whenever something has changed; the newest wins. `close()` gives the object its own look back. `say(text, good)`, where
     given, is told what is going on: the error of a solid that cannot be made (the last good one stays), or how fine the picture is."""
 
-    most = 40_000  # triangles that are shown; all previews learn from how long drawing takes
+    most = 60_000  # triangles that are shown; all previews learn from how long drawing takes
 
     def __init__(self, obj, say=None, form=None):
         """`form`: the panel's widget; when it goes, however that happens, the preview goes."""
         self.obj, self.say = obj, say or (lambda text, good: None)
         self.view = obj.ViewObject
         self.cells, self.guess = 20, self._bounds_of_object()
+        self._seen = obj.MadeFrom if obj.isValid() else None
         self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
-        self._coarse, self._ready = False, False  # the first mesh of a change is on its way; the whole is as fine as it gets
-        self._waiting, self._assembly, self._detailed = [], None, set()
+        self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        self._waiting, self._assembly = [], None
         self._drawing, self._undrawn, self._triangles = None, False, 0
         self._eye, self._eye_moved, self._refined_for = None, 0.0, None
         self._put_in_place()
@@ -46,7 +52,12 @@ class Preview:
             form.destroyed.connect(self.close)
 
     def show(self, source, settings):
-        """Starts at once; a first mesh on its way is let through, so that a slider that moves always shows something."""
+        """Starts at once, unless this is what is seen already; a first mesh on its way is let through, so that a slider that moves always shows
+        something."""
+        key = key_of(source, settings)
+        if key == self._seen:
+            return
+        self._seen = key
         self._wanted, self._changed = (source, dict(settings)), time.monotonic()
         self._look()
 
@@ -85,9 +96,9 @@ class Preview:
     def _begin_drawing(self, action):
         from pivy import coin
 
-        self._drawing = time.monotonic() if action.isOfType(coin.SoGLRenderAction.getClassTypeId()) else None
-        if self._drawing:
+        if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             coin.SoCacheElement.invalidate(action.getState())  # else Coin would draw from a cache, without telling us
+            self._drawing = self._drawing or time.monotonic()
 
     def _end_drawing(self):
         if self._drawing is not None:
@@ -124,7 +135,7 @@ class Preview:
             source, settings = self._wanted
             self._wanted, self._began = None, self._changed
             self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most)
-            self._refined_for, self._coarse, self._ready, self._detailed = None, True, False, set()
+            self._refined_for, self._coarse, self._ready = None, True, None
             self._start(self._whole)
         elif self._needs_detail():
             self._task.cancel()
@@ -145,6 +156,8 @@ class Preview:
             try:
                 for step in job(refinement, eye, progress):
                     said.put(step)
+            except work.Cancelled:
+                pass
             except Exception as error:  # the window stays, whatever a solid does
                 if getattr(error, "kind", "") != "cancelled":
                     said.put(("failed", str(error)))
@@ -154,49 +167,41 @@ class Preview:
 
     def _take(self):
         while not self._said.empty():
-            stage, blocks = self._said.get()
+            stage, given = self._said.get()
             if stage == "failed":
                 self._coarse = False
-                self.say(blocks, False)
+                self.say(given, False)
             elif stage == "bounds":
-                self.guess, self._ready = blocks, True
+                self.guess = given
+                self._ready = self._ready or time.monotonic()
             else:
-                self._waiting.append((stage, blocks))
+                self._waiting.append((stage, given))
 
     def _assemble(self):
-        """Takes blocks into the scene for a few milliseconds; those of a whole solid come to light together."""
+        """Takes pieces into the scene for a few milliseconds; those of a whole solid come to light together."""
         from pivy import coin
 
-        end = time.monotonic() + 0.02
+        end = time.monotonic() + 0.015
         while self._waiting and time.monotonic() < end:
-            stage, blocks = self._waiting[0]
+            stage, pieces = self._waiting[0]
             if self._assembly is None:
-                self._assembly = coin.SoSeparator() if stage != "detail" else self._solid
-            if blocks:
-                block, data = blocks.popitem()
-                self._add(block, data, stage)
-            if not blocks:
+                self._assembly = self._solid if stage == "detail" else coin.SoSeparator()
+            if pieces:
+                self._add(*pieces.popitem())
+            if not pieces:
                 self._waiting.pop(0)
                 self._come_to_light(stage)
 
-    def _add(self, block, data, stage):
-        name = "block_%d_%d_%d" % block
-        old = self._child(self._solid, name)
-        if stage == "detail":
-            self._detailed.add(block)
-        elif block in self._detailed and old is not None:  # what is there is finer
-            self._assembly.addChild(old)
-            return
-        node = inventor.read(data) if data else _empty()
+    def _add(self, piece, data):
+        """Adds a piece, or replaces the one of that name."""
+        node = inventor.read(data) if data else inventor.nothing()
+        name = "piece_" + re.sub(r"\W+", "_", str(piece)).strip("_")
         node.setName(name)
-        if stage == "detail" and old is not None:
-            self._solid.replaceChild(old, node)
+        old = [child for child in self._assembly.getChildren() or () if child.getName().getString() == name]
+        if old:
+            self._assembly.replaceChild(old[0], node)
         else:
             self._assembly.addChild(node)
-
-    @staticmethod
-    def _child(parent, name):
-        return next((child for child in parent.getChildren() or () if child.getName().getString() == name), None)
 
     def _come_to_light(self, stage):
         if self._assembly is not self._solid:
@@ -206,7 +211,7 @@ class Preview:
         self._own.whichChild = -1
         if stage == "coarse":
             self._coarse, self._undrawn = False, True
-        self.say(f"{stage}: cells of {self._refinement.voxel:.3g} mm", True)
+        self.say(SAID[stage].format(self._refinement.voxel), True)
 
     def _watch_camera(self):
         eye = self._find_eye()
@@ -228,7 +233,11 @@ class Preview:
     def _needs_detail(self):
         still = time.monotonic() - self._eye_moved > STILL
         ready = self._ready and not self._waiting and self._eye is not None
-        return ready and still and self._refined_for != self._eye and self._refinement.is_coarse_for(self._eye)
+        ready = ready and (not self._task.is_alive() or time.monotonic() - self._ready > PATIENCE)
+        return ready and still and self._refined_for != self._eye and (self._in_blocks() or self._refinement.is_coarse_for(self._eye))
+
+    def _in_blocks(self):
+        return self.stage in ("divided", "detail")
 
     # The thread's side.
     @staticmethod
@@ -239,22 +248,20 @@ class Preview:
             time.sleep(0.01)
             if not progress(0, ""):
                 return
-        for blocks in refinement.finer(progress):
-            yield "finer", blocks
+        for pieces in refinement.finer(progress):
+            yield "finer", pieces
         yield "bounds", refinement.extent
-        for blocks in refinement.final(progress):
-            yield "final", blocks
+        for pieces in refinement.final(progress):
+            yield "final", pieces
         yield "bounds", refinement.extent
 
     @staticmethod
     def _detail(refinement, eye, progress):
-        for blocks in refinement.detail(eye, progress):
-            yield "detail", blocks
-        for blocks in refinement.final(progress):
-            yield "final", blocks
-
-
-def _empty():
-    from pivy import coin
-
-    return coin.SoSeparator()
+        if refinement.is_coarse_for(eye):
+            yield "divided", refinement.divided(progress)
+            for pieces in refinement.detail(eye, progress):
+                yield "detail", pieces
+            refinement.source.mesh(progress, **refinement.settings)  # it will be asked for, and is not shown now
+        else:
+            for pieces in refinement.final(progress):
+                yield "final", pieces

@@ -2,18 +2,19 @@
 
 import numpy as np
 
-from .. import kernel
+from .. import kernel, work
 from . import inventor
 
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
 CELLS = 32  # along each side of a block, which is refined by itself
 BLOCKS = 4  # most blocks along an axis
+PIECE = 20_000  # triangles of a piece
 MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
 
 
 class Refinement:
-    """One solid on its way from coarse to fine; one thread at a time may use it. What it yields is {block: bytes of a binary Inventor file}, where a
-    block is its place (i, j, k) in a grid over the solid; a yield with all blocks stands for the whole solid. Its methods raise fieldfab.Error."""
+    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: bytes of a binary Inventor file}; the solid is
+    in pieces so that none takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000):
         """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
@@ -21,6 +22,7 @@ class Refinement:
         self.source, self.settings, self.guess, self.cells, self.most = source, settings, guess, cells, most
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self.extent = guess  # of the solid, as far as it is known
+        self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
         self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
 
     # The whole solid.
@@ -32,46 +34,55 @@ class Refinement:
             mesh = self._mesh(self._longest() / self.cells, progress)
             if len(mesh.triangles) == 0:  # thinner than the cells
                 mesh = self._mesh(self._longest() / self.cells / 4, progress)
-        blocks = self._blocks(mesh, (1, 1, 1))
         self._fit_region(mesh)
-        return blocks
+        return self._picture(mesh, progress)
 
     def finer(self, progress):
         """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown."""
-        wanted = self.settings.get("voxel") or self._longest() / 128
+        wanted = self._wanted()
         while self.voxel > wanted and self.triangles < 0.6 * self.most:
             step = min(2, (self.most / max(self.triangles, 1)) ** 0.5)
             mesh = self._mesh(max(self.voxel / step, wanted), progress)
-            yield self._blocks(mesh, self.grid())
+            yield self._picture(mesh, progress)
 
     def final(self, progress):
         """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
         mesh = self.source.mesh(progress, **self.settings)
+        self.sharp = True
         if len(mesh.triangles) <= self.most:
-            yield self._blocks(mesh, self.grid())
+            yield self._picture(mesh, progress)
         elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)
 
     # Where the eye is (Keeter, 4.3.3).
     def is_coarse_for(self, eye):
-        return self.voxel is not None and any(self._is_coarse(block, eye) for block in self._all_blocks())
+        return any(self._is_coarse(block, eye) for block in self._blocks())
+
+    def divided(self, progress):
+        """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
+        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
-        """Yields {block: bytes}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown. Blocks are as fine as the whole to
-        begin with: sharp edges of a solid that is thinner than its cells would take long to find."""
-        fieldfab = kernel.load()
-        for block in sorted((b for b in self._all_blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye)):
+        """Yields {block: bytes}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
+        Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
+        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
+        for block in near if self.voxel > cell else ():
             if block not in self.details:
-                lower, upper = self._box(block, self.voxel)
-                self.details[block] = fieldfab.DetailMesh(self.field, (*lower, *upper), cells=CELLS, deepest=6, angle=ANGLE, most_triangles=self.most)
+                yield {block: self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)}
+        for block in near:
             more = True
             while more and sum(self.shown.values()) < self.most:
-                more = self.details[block].refine(eye, progress)
-                parts = self.details[block].parts(eye)
-                self.shown[block] = sum(len(part.triangles) for _, _, part in parts)
-                meshes = [(part.vertices, part.triangles) for _, _, part in parts]
-                yield {block: b"".join(self._written(*one) for one in joined(meshes))}
+                more = self._detail_of(block).refine(eye, progress)
+                meshes = [mesh for _, _, mesh in self._detail_of(block).parts(eye)]
+                self.shown[block] = sum(len(mesh.triangles) for mesh in meshes)
+                yield {block: self._of_block(block, cell, lambda box: meshes, progress)}
+
+    def _detail_of(self, block):
+        if block not in self.details:
+            box = self._box(block, self._wanted())
+            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE, most_triangles=self.most)
+        return self.details[block]
 
     # Steps of these.
     @property
@@ -107,9 +118,14 @@ class Refinement:
         return None
 
     def _mesh(self, cell, progress):
-        mesh = kernel.load().mesh(self.field, bounds=tuple(self.region), voxel=cell, features=False, progress=progress)
-        self.voxel, self.triangles = cell, len(mesh.triangles)
+        self.voxel = cell
+        mesh = self._meshed(tuple(self.region), cell, progress)
+        self.triangles = len(mesh.triangles)
         return mesh
+
+    def _meshed(self, box, cell, progress):
+        """What is in a box. Sharp edges take most of the time; without them all cells are kept, since large ones would cut corners then."""
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if self.sharp else 0, features=self.sharp, progress=progress)
 
     def _fit_region(self, mesh):
         """Fits the region to a mesh, unless it is given; True where it became larger."""
@@ -119,41 +135,56 @@ class Refinement:
         self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
         return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
 
+    def _wanted(self):
+        """Edge of the smallest cell of the solid's own mesh, mm."""
+        return self.settings.get("voxel") or self._longest() / 128
+
     def _longest(self):
         return (self.region[3:] - self.region[:3]).max()
 
     # Blocks.
-    def grid(self):
+    def _grid(self):
         """How many blocks there are along x, y and z."""
-        return tuple(int(n) for n in np.clip(np.ceil((self.region[3:] - self.region[:3]) / (CELLS * self.voxel)), 1, BLOCKS))
+        return np.clip(np.ceil((self.region[3:] - self.region[:3]) / (CELLS * self._wanted())), 1, BLOCKS).astype(int)
 
-    def _all_blocks(self):
-        return [tuple(int(n) for n in block) for block in np.ndindex(*self.grid())]
+    def _blocks(self):
+        return list(np.ndindex(*self._grid())) if self.voxel else []
 
-    def _box(self, block, margin=0.0):
-        size = (self.region[3:] - self.region[:3]) / self.grid()
-        lower = self.region[:3] + np.array(block) * size
-        return lower - margin, lower + size + margin
+    def _box(self, block, reach=0.0):
+        """(x0, y0, z0, x1, y1, z1) of a block; inside the solid it may reach into its neighbours, so that no gap shows."""
+        grid, place = self._grid(), np.array(block)
+        size = (self.region[3:] - self.region[:3]) / grid
+        lower = self.region[:3] + place * size
+        return (*(lower - reach * (place > 0)), *(lower + size + reach * (place + 1 < grid)))
 
     def _distance(self, block, eye):
-        lower, upper = self._box(block)
-        return np.linalg.norm(np.clip(eye, lower, upper) - eye)
+        box = np.array(self._box(block))
+        return np.linalg.norm(np.clip(eye, box[:3], box[3:]) - eye)
 
     def _is_coarse(self, block, eye):
         return self.voxel > ANGLE * max(self._distance(block, eye), self.voxel)
 
-    def _blocks(self, mesh, grid):
-        """The mesh divided among blocks: each triangle is where its first corner is."""
-        size = (self.region[3:] - self.region[:3]) / grid
-        vertices, triangles = mesh.vertices, mesh.triangles
-        if np.prod(grid) == 1:
-            return {(0, 0, 0): self._written(vertices, triangles)} if len(triangles) else {}
-        places = np.clip(((vertices[triangles[:, 0]] - self.region[:3]) / size).astype(int), 0, np.array(grid) - 1)
-        order, numbers = np.lexsort(places.T[::-1]), np.ravel_multi_index(places.T, grid)
-        parts = np.split(order, np.nonzero(np.diff(numbers[order]))[0] + 1)
-        return {tuple(int(n) for n in places[part[0]]): self._written(*compacted(vertices, triangles[part])) for part in parts if len(part)}
+    def _of_block(self, block, cell, make, progress):
+        """The meshes that `make` makes of a block's box as one, without what closes them where the block ends and the solid goes on."""
+        box, place, grid = self._box(block, cell), np.array(block), self._grid()
+        vertices, triangles = joined(make(box))
+        for axis in range(3):
+            for side, goes_on in ((box[axis], place[axis] > 0), (box[axis + 3], place[axis] + 1 < grid[axis])):
+                if goes_on:
+                    at_side = np.abs(vertices[:, axis] - side) < 0.01 * cell
+                    triangles = triangles[~at_side[triangles].all(axis=1)]
+        return self._written(vertices, triangles, progress)
 
-    def _written(self, vertices, triangles):
+    def _picture(self, mesh, progress):
+        """A mesh in pieces."""
+        count = len(mesh.triangles)
+        return {first: self._written(*compacted(mesh.vertices, mesh.triangles[first:first + PIECE]), progress) for first in range(0, count, PIECE)}
+
+    def _written(self, vertices, triangles, progress):
+        if not progress(0, ""):
+            raise work.Cancelled()
+        if not len(triangles):
+            return b""
         _, slopes = self.field.gradients(vertices)
         return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
 
@@ -170,9 +201,8 @@ def compacted(vertices, triangles):
 
 
 def joined(meshes):
-    """Meshes of few triangles as one; [] where there are none at all."""
-    meshes = [mesh for mesh in meshes if len(mesh[1])]
-    if not meshes:
-        return []
-    first = np.cumsum([0] + [len(vertices) for vertices, _ in meshes[:-1]])
-    return [(np.concatenate([v for v, _ in meshes]), np.concatenate([t.astype(np.int32) + n for (_, t), n in zip(meshes, first)]))]
+    """Vertices and triangles of several meshes as one."""
+    first = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
+    vertices = [np.empty((0, 3), np.float32)] + [mesh.vertices for mesh in meshes]
+    triangles = [np.empty((0, 3), np.int32)] + [mesh.triangles.astype(np.int32) + n for mesh, n in zip(meshes, first)]
+    return np.concatenate(vertices), np.concatenate(triangles)
