@@ -134,6 +134,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
     def complete(self, asked=False):
         """Shows the names that begin like the one before the cursor; asked for, also where there is none yet."""
         start = self.word_under_cursor()
+        self.words = {**self.known, **language.defined(self.toPlainText())}
         fitting = [word for name, word in sorted(self.words.items()) if name.lower().startswith(start.lower()) and name != start]
         if not fitting or not (asked or len(start) > 1):
             self.popup.popup().hide()

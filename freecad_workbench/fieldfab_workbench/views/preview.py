@@ -18,7 +18,7 @@ TICK = 10  # ms between looks at what the thread has done
 REST = 0.15  # seconds without a change before finer meshes are begun
 STILL = 0.3  # seconds that the camera rests before the solid is refined for it
 FRAME = 0.05  # seconds that a picture may take to draw: as many triangles as that allows are shown
-LEAST, MOST = 40_000, 400_000
+LEAST, MOST = 25_000, 400_000
 PATIENCE = 3  # seconds that the solid's own mesh gets before the eye's wishes come first
 SAID = {"coarse": "Coarse preview: cells of {:.3g} mm", "finer": "Preview: cells of {:.3g} mm", "final": "As it will be",
         "divided": "Refining where you look", "detail": "Refined where you look"}
@@ -29,7 +29,7 @@ class Preview:
     """`show(source, settings)` whenever something has changed; the newest wins. `close()` gives the object its own look back. `say(text, good)`, where
     given, is told what is going on: the error of a solid that cannot be made (the last good one stays), or how fine the picture is."""
 
-    most = 60_000  # triangles that are shown; all previews learn from how long drawing takes
+    most = 50_000  # triangles that are shown; all previews learn from how long drawing takes
 
     def __init__(self, obj, say=None, form=None):
         """`form`: the panel's widget; when it goes, however that happens, the preview goes."""
@@ -115,7 +115,7 @@ class Preview:
             Preview.most = int(min(MOST, max(LEAST, min(allowed, 4 * Preview.most))))
         if self._undrawn:
             self._undrawn, self.latency = False, now - self._began
-            self.cells = int(min(64, max(10, self.cells * min(1.5, max(0.5, (BUDGET / self.latency) ** 0.5)))))
+            self.cells = int(min(64, max(8, self.cells * min(1.5, max(0.5, (BUDGET / self.latency) ** 0.5)))))
 
     def _bounds_of_object(self):
         mesh = self.obj.Mesh.copy()
@@ -181,7 +181,7 @@ class Preview:
         """Takes pieces into the scene for a few milliseconds; those of a whole solid come to light together."""
         from pivy import coin
 
-        end = time.monotonic() + 0.015
+        end = time.monotonic() + 0.008
         while self._waiting and time.monotonic() < end:
             stage, pieces = self._waiting[0]
             if self._assembly is None:
@@ -197,6 +197,7 @@ class Preview:
         node = inventor.read(data) if data else inventor.nothing()
         name = "piece_" + re.sub(r"\W+", "_", str(piece)).strip("_")
         node.setName(name)
+        node.renderCulling = node.ON  # what is not in the picture is not drawn
         old = [child for child in self._assembly.getChildren() or () if child.getName().getString() == name]
         if old:
             self._assembly.replaceChild(old[0], node)

@@ -8,7 +8,8 @@ from . import inventor
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
 CELLS = 32  # along each side of a block, which is refined by itself
 BLOCKS = 4  # most blocks along an axis
-PIECE = 20_000  # triangles of a piece
+NEAR = 4  # times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the picture
+PIECE = 10_000  # triangles of a piece
 MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
 
 
@@ -31,9 +32,7 @@ class Refinement:
         mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
         if mesh is None:
             self.region = self._bounds(progress)
-            mesh = self._mesh(self._longest() / self.cells, progress)
-            if len(mesh.triangles) == 0:  # thinner than the cells
-                mesh = self._mesh(self._longest() / self.cells / 4, progress)
+            mesh = self._first_mesh(progress)
         self._fit_region(mesh)
         return self._picture(mesh, progress)
 
@@ -72,7 +71,7 @@ class Refinement:
                 yield {block: self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)}
         for block in near:
             more = True
-            while more and sum(self.shown.values()) < self.most:
+            while more and sum(self.shown.values()) < NEAR * self.most:
                 more = self._detail_of(block).refine(eye, progress)
                 meshes = [mesh for _, _, mesh in self._detail_of(block).parts(eye)]
                 self.shown[block] = sum(len(mesh.triangles) for mesh in meshes)
@@ -104,7 +103,7 @@ class Refinement:
         for _ in range(4):
             grown = MARGIN * (high - low).max()
             self.region = np.concatenate([low - grown, high + grown])
-            mesh = self._mesh(self._longest() / self.cells, progress)
+            mesh = self._first_mesh(progress)
             if len(mesh.triangles) == 0:
                 return None
             first, last = extent(mesh)
@@ -112,10 +111,15 @@ class Refinement:
             if not (at_low.any() or at_high.any()):
                 small = 2 * (last - first).max() < self._longest()
                 self._fit_region(mesh)
-                return self._mesh(self._longest() / self.cells, progress) if small else mesh
+                return self._first_mesh(progress) if small else mesh
             size = high - low
             low, high = np.where(at_low, low - size, low), np.where(at_high, high + size, high)
         return None
+
+    def _first_mesh(self, progress):
+        """Of few cells; of more, where a solid is thinner than these."""
+        mesh = self._mesh(self._longest() / self.cells, progress)
+        return mesh if len(mesh.triangles) else self._mesh(self._longest() / self.cells / 4, progress)
 
     def _mesh(self, cell, progress):
         self.voxel = cell
