@@ -94,12 +94,18 @@ class FrepPanel(EditPanel):
 
     def _row(self, name, value):
         row = ParameterRow(value)
-        row.changed.connect(lambda number: self._show())
+        row.changed.connect(lambda number: self._drive(name))
         driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
         row.setEnabled(not driven)
         row.setToolTip(f"{name} is driven by an expression" if driven else f"{name} of the text: a property of the object, too")
         self.sliders.addRow(name, row)
         return row
+
+    def _drive(self, name):
+        """Writes a number into its property, where that is there already, and shows what it makes."""
+        if self.obj.FollowedText == self.text.toPlainText():
+            setattr(self.obj, property_name(name), self.rows[name].value())
+        self._show()
 
     # What it will look like.
     def _checked(self, count, mistake):

@@ -127,6 +127,9 @@ class Preview:
 
     # The window's side: everything here is done within a few ms.
     def _look(self):
+        if not self._is_there():
+            self.close()
+            return
         self._take()
         self._assemble()
         self._watch_camera()
@@ -143,6 +146,12 @@ class Preview:
                 self._stop()
                 self._refined_for = self._eye
                 self._start(self._detail)
+
+    def _is_there(self):
+        try:
+            return bool(self.obj.Name)
+        except ReferenceError:  # deleted, or its document closed
+            return False
 
     def _stop(self):
         if self._task:

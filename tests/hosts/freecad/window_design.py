@@ -81,7 +81,7 @@ def test_sliders_drive_the_properties_and_the_picture(document, panels):
     assert row.box.value() == pytest.approx(10, abs=0.2)
     panel.rows["hole"].box.setValue(5.5)
     shown(panel.preview, "final", "detail")
-    assert solid.size == 20, "only OK writes it"
+    assert solid.size == row.value() and solid.hole == 5.5
     half = silhouette("half_the_size")
     assert half == pytest.approx(whole / 4, rel=0.15)
     wanted = row.value()
@@ -89,7 +89,7 @@ def test_sliders_drive_the_properties_and_the_picture(document, panels):
     assert solid.size == wanted and solid.hole == 5.5 and solid.isValid()
     assert silhouette("after_ok") == pytest.approx(half, rel=0.1)
     document.undo()
-    assert solid.size == 20 and solid.hole == 11
+    assert solid.size == 20 and solid.hole == 11, "one step"
     document.recompute()
     assert silhouette("after_undo") == pytest.approx(whole, rel=0.05)
 

@@ -3,6 +3,7 @@
 import pathlib
 import time
 
+import FreeCAD
 import FreeCADGui
 import pytest
 import window
@@ -58,6 +59,16 @@ def test_cancel_gives_the_object_its_look_back(document, panels):
     FreeCADGui.Control.closeDialog()  # not by its buttons
     live(0.5)
     assert silhouette("look_once_more") == pytest.approx(before, rel=0.02)
+
+
+def test_a_document_may_be_closed_meanwhile(panels):
+    document = FreeCAD.newDocument()
+    edit(frep(document, PART))
+    panels[-1].rows["size"].box.setValue(21)
+    live(0.05)
+    FreeCAD.closeDocument(document.Name)
+    live(0.5)
+    assert not panels[-1].preview._timer.isActive()
 
 
 def test_the_first_picture_comes_within_100_ms(document, panels):
