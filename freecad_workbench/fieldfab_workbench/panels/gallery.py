@@ -4,7 +4,7 @@ from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets
 
 ALL = "All"
-THUMBNAIL = QtCore.QSize(104, 96)
+THUMBNAIL = QtCore.QSize(112, 96)
 SHAPE = QtCore.Qt.UserRole
 
 
@@ -15,7 +15,7 @@ class Gallery(QtWidgets.QDialog):
 
     def __init__(self, parent=None, whole=False):
         super().__init__(parent)
-        self.whole, self.shapes, self.chosen, self.boxes = whole, shapes.shapes(), None, {}
+        self.whole, self.shapes, self.chosen, self.boxes, self.icons = whole, shapes.shapes(), None, {}, {}
         self.setWindowTitle("Shape gallery")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.resize(940, 600)
@@ -47,9 +47,8 @@ class Gallery(QtWidgets.QDialog):
         self.pictures.setViewMode(QtWidgets.QListView.IconMode)
         self.pictures.setResizeMode(QtWidgets.QListView.Adjust)
         self.pictures.setMovement(QtWidgets.QListView.Static)
-        self.pictures.setUniformItemSizes(True)
         self.pictures.setIconSize(THUMBNAIL)
-        self.pictures.setGridSize(THUMBNAIL + QtCore.QSize(28, 44))
+        self.pictures.setGridSize(THUMBNAIL + QtCore.QSize(14, 44))
         self.pictures.setWordWrap(True)
         self.pictures.currentItemChanged.connect(lambda item, before: self._show(item.data(SHAPE)) if item else None)
         self.pictures.itemDoubleClicked.connect(lambda item: self.insert())
@@ -65,14 +64,25 @@ class Gallery(QtWidgets.QDialog):
             said = f"{shape.name} {shape.name.replace('_', ' ')} {shape.group} {shape.meaning}".lower()
             if all(word in said for word in words) and (words or group in (ALL, shape.group)):
                 item = QtWidgets.QListWidgetItem(self._icon(shape), shape.name.replace("_", " "), self.pictures)
+                item.setSizeHint(self.pictures.gridSize())
                 item.setToolTip(f"{shape.signature}\n{shape.meaning}")
                 item.setData(SHAPE, shape)
         if self.pictures.count():
             self.pictures.setCurrentRow(0)
 
-    @staticmethod
-    def _icon(shape):
-        return QtGui.QIcon(shape.picture) if shape.picture else QtGui.QIcon()
+    def _icon(self, shape):
+        """All of one size, so that the names below have the same room."""
+        if shape.name not in self.icons:
+            canvas = QtGui.QPixmap(THUMBNAIL)
+            canvas.fill(QtCore.Qt.transparent)
+            picture = QtGui.QPixmap(shape.picture or "")
+            if not picture.isNull():
+                picture = picture.scaled(THUMBNAIL, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
+                painter = QtGui.QPainter(canvas)
+                painter.drawPixmap((THUMBNAIL.width() - picture.width()) // 2, THUMBNAIL.height() - picture.height(), picture)
+                painter.end()
+            self.icons[shape.name] = QtGui.QIcon(canvas)
+        return self.icons[shape.name]
 
     # Right: the chosen one.
     def _details(self):
