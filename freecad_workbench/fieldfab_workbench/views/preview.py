@@ -244,10 +244,7 @@ class Preview:
         still = time.monotonic() - self._eye_moved > STILL
         ready = self._ready and not self._waiting and self._eye is not None
         ready = ready and (not self._task.is_alive() or time.monotonic() - self._ready > PATIENCE)
-        return ready and still and self._refined_for != self._eye and (self._in_blocks() or self._refinement.is_coarse_for(self._eye))
-
-    def _in_blocks(self):
-        return self.stage in ("divided", "detail")
+        return ready and still and self._refined_for != self._eye and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye))
 
     # The thread's side.
     @staticmethod
@@ -268,7 +265,8 @@ class Preview:
     @staticmethod
     def _detail(refinement, eye, progress):
         if refinement.is_coarse_for(eye):
-            yield "divided", refinement.divided(progress)
+            if not refinement.in_blocks:
+                yield "divided", refinement.divided(progress)
             for pieces in refinement.detail(eye, progress):
                 yield "detail", pieces
             refinement.source.mesh(progress, **refinement.settings)  # it will be asked for, and is not shown now

@@ -24,6 +24,7 @@ class Refinement:
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self.extent = guess  # of the solid, as far as it is known
         self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        self.in_blocks = False  # whether the last picture was one of blocks
         self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
 
     # The whole solid.
@@ -47,7 +48,7 @@ class Refinement:
     def final(self, progress):
         """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
         mesh = self.source.mesh(progress, **self.settings)
-        self.sharp = True
+        self.sharp, self.in_blocks = True, False
         if len(mesh.triangles) <= self.most:
             yield self._picture(mesh, progress)
         elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen
@@ -60,22 +61,28 @@ class Refinement:
 
     def divided(self, progress):
         """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
+        self.in_blocks, self.shown = True, {}
         return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
         """Yields {block: bytes}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
         Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
         cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
+        for block in list(self.shown):  # what another eye wanted may be finer than this one needs
+            yield self._shown(block, eye, progress)
         for block in near if self.voxel > cell else ():
-            if block not in self.details:
+            if block not in self.shown:
                 yield {block: self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)}
         for block in near:
             more = True
             while more and sum(self.shown.values()) < NEAR * self.most:
                 more = self._detail_of(block).refine(eye, progress)
-                meshes = [mesh for _, _, mesh in self._detail_of(block).parts(eye)]
-                self.shown[block] = sum(len(mesh.triangles) for mesh in meshes)
-                yield {block: self._of_block(block, cell, lambda box: meshes, progress)}
+                yield self._shown(block, eye, progress)
+
+    def _shown(self, block, eye, progress):
+        meshes = [mesh for _, _, mesh in self._detail_of(block).parts(eye)]
+        self.shown[block] = sum(len(mesh.triangles) for mesh in meshes)
+        return {block: self._of_block(block, self._wanted(), lambda box: meshes, progress)}
 
     def _detail_of(self, block):
         if block not in self.details:
@@ -128,14 +135,17 @@ class Refinement:
         return mesh
 
     def _meshed(self, box, cell, progress):
-        """What is in a box. Sharp edges take most of the time; without them all cells are kept, since large ones would cut corners then."""
-        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if self.sharp else 0, features=self.sharp, progress=progress)
+        """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
+        merged ones would cut corners then."""
+        sharp = self.sharp and cell <= 1.01 * self._wanted()
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, progress=progress)
 
     def _fit_region(self, mesh):
         """Fits the region to a mesh, unless it is given; True where it became larger."""
         if "bounds" in self.settings or len(mesh.triangles) == 0:
             return False
         before, (first, last) = self.region, extent(mesh)
+        self.details, self.shown = {}, {}  # their blocks are no longer these
         self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
         return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
 
