@@ -52,10 +52,6 @@ def read(data):
 
     source = coin.SoInput()
     source.setBuffer(data)
-    return coin.SoDB.readAll(source)
-
-
-def nothing():
-    from pivy import coin
-
-    return coin.SoSeparator()
+    node = coin.SoDB.readAll(source)
+    node.renderCulling = node.ON  # what is not in the picture is not drawn
+    return node

@@ -41,7 +41,7 @@ class Preview:
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
         self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
-        self._waiting, self._assembly = [], None
+        self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
         self._eye, self._eye_moved, self._refined_for = None, 0.0, None
         self._put_in_place()
@@ -192,26 +192,31 @@ class Preview:
 
         end = time.monotonic() + 0.008
         while self._waiting and time.monotonic() < end:
-            stage, pieces = self._waiting[0]
+            stage, picture = self._waiting[0]
             if self._assembly is None:
-                self._assembly = self._solid if stage == "detail" else coin.SoSeparator()
-            if pieces:
-                self._add(*pieces.popitem())
-            if not pieces:
+                self._assembly, self._piece = self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator()
+            piece, parts = next(iter(picture.items()), (None, None))
+            if parts:
+                self._piece.addChild(inventor.read(parts.pop()))
+            elif piece is not None:
+                self._add(piece, picture)
+            else:
                 self._waiting.pop(0)
                 self._come_to_light(stage)
 
-    def _add(self, piece, data):
-        """Adds a piece, or replaces the one of that name."""
-        node = inventor.read(data) if data else inventor.nothing()
+    def _add(self, piece, picture):
+        """Adds a piece that is complete, or puts it in the place of the one of that name."""
+        from pivy import coin
+
+        del picture[piece]
         name = "piece_" + re.sub(r"\W+", "_", str(piece)).strip("_")
-        node.setName(name)
-        node.renderCulling = node.ON  # what is not in the picture is not drawn
+        self._piece.setName(name)
         old = [child for child in self._assembly.getChildren() or () if child.getName().getString() == name]
         if old:
-            self._assembly.replaceChild(old[0], node)
+            self._assembly.replaceChild(old[0], self._piece)
         else:
-            self._assembly.addChild(node)
+            self._assembly.addChild(self._piece)
+        self._piece = coin.SoSeparator()
 
     def _come_to_light(self, stage):
         if self._assembly is not self._solid:

@@ -14,8 +14,8 @@ MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are 
 
 
 class Refinement:
-    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: bytes of a binary Inventor file}; the solid is
-    in pieces so that none takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
+    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary Inventor file, ...]}, none of
+    which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000):
         """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
@@ -65,7 +65,7 @@ class Refinement:
         return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
-        """Yields {block: bytes}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
+        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
         Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
         cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
@@ -190,15 +190,15 @@ class Refinement:
         return self._written(vertices, triangles, progress)
 
     def _picture(self, mesh, progress):
-        """A mesh in pieces."""
-        count = len(mesh.triangles)
-        return {first: self._written(*compacted(mesh.vertices, mesh.triangles[first:first + PIECE]), progress) for first in range(0, count, PIECE)}
+        return {"whole": self._written(mesh.vertices, mesh.triangles, progress)}
 
     def _written(self, vertices, triangles, progress):
+        """A mesh as several Inventor files."""
+        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress) for first in range(0, len(triangles), PIECE)]
+
+    def _piece(self, vertices, triangles, progress):
         if not progress(0, ""):
             raise work.Cancelled()
-        if not len(triangles):
-            return b""
         _, slopes = self.field.gradients(vertices)
         return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
 
