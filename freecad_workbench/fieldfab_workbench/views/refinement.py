@@ -70,9 +70,12 @@ class Refinement:
         cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
             yield self._shown(block, eye, progress)
+        pieces = 0
         for block in near if self.voxel > cell else ():
-            if block not in self.shown:
-                yield {block: self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)}
+            if block not in self.shown and pieces * PIECE < NEAR * self.most:
+                picture = self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)
+                pieces += len(picture)
+                yield {block: picture}
         for block in near:
             more = True
             while more and sum(self.shown.values()) < NEAR * self.most:
