@@ -5,7 +5,6 @@ import os
 import tempfile
 
 import Mesh
-import numpy as np
 
 from . import kernel
 
@@ -46,6 +45,8 @@ def bms_of(mesh):
 
 def from_bms(data):
     """A fieldfab.Mesh of the bytes of a .bms file."""
+    import numpy as np  # not before it is needed: the workbench must load quickly
+
     points, facets = (int(n) for n in np.frombuffer(data, "<u4", 2, _HEAD - 8))
     vertices = np.frombuffer(data, "<f4", 3 * points, _HEAD).reshape(-1, 3)
     rows = np.frombuffer(data, "<u4", 6 * facets, _HEAD + 12 * points).reshape(-1, 6)

@@ -7,7 +7,7 @@ from collections import OrderedDict
 
 from . import kernel
 
-KEPT = 64
+KEPT, KEPT_BYTES = 64, 400_000_000
 
 
 class Source:
@@ -53,6 +53,11 @@ def _kept(key, make):
     made = make()
     with _lock:
         _store[key] = made
-        while len(_store) > KEPT:
+        while len(_store) > KEPT or (len(_store) > 1 and sum(map(_size, _store.values())) > KEPT_BYTES):
             _store.popitem(last=False)
     return made
+
+
+def _size(made):
+    """Bytes of a mesh; Fields are taken for small."""
+    return made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else 0

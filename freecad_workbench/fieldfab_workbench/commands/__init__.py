@@ -2,7 +2,7 @@
 
 import importlib
 
-TOOLBARS = ("solids", "scans", "exchange", "simulation")
+TOOLBARS = ("solids", "design", "scans", "exchange", "cam", "simulation")
 
 
 def register():

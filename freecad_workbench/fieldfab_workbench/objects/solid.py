@@ -74,7 +74,7 @@ class Solid:
         fieldfab = kernel.load()
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
-            made_from = hashlib.sha1(repr((source.digest, sorted(settings.items()))).encode()).hexdigest()
+            made_from = key_of(source, settings)
             if obj.MadeFrom == made_from:
                 return
             mesh = work.run(lambda progress: source.mesh(progress, **settings), obj.Label)
@@ -105,6 +105,11 @@ class Solid:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def key_of(source, settings):
+    """What tells the mesh of one source and settings of fieldfab.mesh() from another's."""
+    return hashlib.sha1(repr((source.digest, sorted(settings.items()))).encode()).hexdigest()
 
 
 def is_solid(obj):

@@ -1,26 +1,67 @@
-"""The task panel of an f-rep solid: its text, its resolution, and what is wrong with it."""
+"""The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
-from .. import kernel
-from ..shim import QtGui, QtWidgets
+import FreeCADGui
+
+from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
+from ..shim import QtCore, QtWidgets
+from ..views.preview import Preview
 from .edit_panel import EditPanel
+from .frep_editor import FrepEditor
+from .parameter_rows import ParameterRow
+
+WIDTH = 420  # of the dock, at least
 
 
 class FrepPanel(EditPanel):
     def __init__(self, obj):
         super().__init__(obj, "F-rep solid")
-        self.text = QtWidgets.QPlainTextEdit(obj.Expression)
-        self.text.setFont(QtGui.QFontDatabase.systemFont(QtGui.QFontDatabase.FixedFont))
-        self.text.setMinimumHeight(220)
-        self.layout.addWidget(self.text)
+        self.text = FrepEditor(obj.Expression)
+        self.text.setObjectName("FrepEditor")
+        self.text.setMinimumHeight(200)
+        self.layout.addWidget(self._tools())
+        self.layout.addWidget(self.text, 1)
         self.layout.addWidget(self.message)
+        self.sliders = QtWidgets.QFormLayout()
+        self.layout.addLayout(self.sliders)
+        self.layout.addLayout(self._resolution())
+        self.rows, self.numbers = {}, {}  # of each name: its row, and the number that the text says
+        self.preview = Preview(obj, self._told, self.form)
+        self.text.checked.connect(self._checked)
+        self.text.check()
+        QtCore.QTimer.singleShot(0, self._make_room)
+
+    @staticmethod
+    def _make_room():
+        """Widens the dock of task panels, where a text would hardly be seen."""
+        window = FreeCADGui.getMainWindow()
+        for dock in window.findChildren(QtWidgets.QDockWidget):
+            if dock.isVisible() and dock.width() < WIDTH and dock.findChild(QtWidgets.QPlainTextEdit, "FrepEditor"):
+                window.resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
+
+    def _tools(self):
+        gallery = QtWidgets.QPushButton("Insert a shape…")
+        gallery.setToolTip("Choose a shape by its picture; it is inserted where the cursor is")
+        gallery.setAutoDefault(False)
+        gallery.clicked.connect(self._open_gallery)
+        return gallery
+
+    def _open_gallery(self):
+        from .gallery import Gallery
+
+        self.gallery = Gallery(self.form)
+        self.gallery.inserted.connect(self.text.insert)
+        self.gallery.show()
+
+    # Numbers.
+    def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        self.voxel = self._length(obj.VoxelSize.Value, "automatic: 1/128 of the longest side")
-        self.max_error = self._length(obj.MaxError.Value, "automatic: a tenth of the smallest cell")
+        self.voxel = self._length(self.obj.VoxelSize.Value, "1/128 of the longest side")
+        self.max_error = self._length(self.obj.MaxError.Value, "a tenth of the smallest cell")
         numbers.addRow("Smallest cell", self.voxel)
         numbers.addRow("Largest error", self.max_error)
-        self.layout.addLayout(numbers)
-        self.text.textChanged.connect(self.check)
-        self.check()
+        for box in (self.voxel, self.max_error):
+            box.valueChanged.connect(lambda value: self._show())
+        return numbers
 
     @staticmethod
     def _length(value, zero):
@@ -28,20 +69,81 @@ class FrepPanel(EditPanel):
         box.setDecimals(4)
         box.setRange(0, 1e6)
         box.setSuffix(" mm")
-        box.setSpecialValueText(zero)
+        box.setSpecialValueText("automatic")
+        box.setToolTip(f"0 is automatic: {zero}")
         box.setValue(value)
         return box
 
-    def check(self):
-        """Reads the text as it is typed and shows the first mistake."""
-        fieldfab = kernel.load()
-        try:
-            self.say(f"{fieldfab.parse(self.text.toPlainText()).node_count()} operations", True)
-        except fieldfab.Error as error:
-            self.say(str(error))
+    def _follow_text(self):
+        """A row for each number that the text names; a number that the text says anew is taken over, as the object will."""
+        wanted = parameters(self.text.toPlainText())
+        if list(wanted) != list(self.rows):
+            kept = {name: row.value() for name, row in self.rows.items()}
+            while self.sliders.rowCount():
+                self.sliders.removeRow(0)
+            self.rows = {name: self._row(name, kept.get(name, self._held(name, value))) for name, value in wanted.items()}
+        for name, value in wanted.items():
+            if name in self.numbers and self.numbers[name] != value:
+                self.rows[name].set(value)
+        self.numbers = wanted
+
+    def _held(self, name, value):
+        """What the object has for a name, where its text said the same."""
+        same = parameters(self.obj.FollowedText).get(name) == value
+        return getattr(self.obj, property_name(name), value) if same else value
+
+    def _row(self, name, value):
+        row = ParameterRow(value)
+        row.changed.connect(lambda number: self._drive(name))
+        driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
+        row.setEnabled(not driven)
+        row.setToolTip(f"{name} is driven by an expression" if driven else f"{name} of the text: a property of the object, too")
+        self.sliders.addRow(name, row)
+        return row
+
+    def _drive(self, name):
+        """Writes a number into its property, where that is there already, and shows what it makes."""
+        if self.obj.FollowedText == self.text.toPlainText():
+            setattr(self.obj, property_name(name), self.rows[name].value())
+        self._show()
+
+    # What it will look like.
+    def _checked(self, count, mistake):
+        if mistake:
+            self.say(mistake)
+            return
+        self.say(f"{count} operations", True)
+        self._follow_text()
+        self._show()
+
+    def _show(self):
+        """Shows the text with its numbers, where it is in order."""
+        if self.text.mistake:
+            return
+        source, settings = self._source(), self.obj.Proxy.mesh_settings(self.obj)
+        for name, box in (("voxel", self.voxel), ("max_error", self.max_error)):
+            settings.pop(name, None)
+            if box.value():
+                settings[name] = box.value()
+        self.preview.show(source, settings)
+
+    def _source(self):
+        return source_of_text(with_values(self.text.toPlainText(), {name: row.value() for name, row in self.rows.items()}))
+
+    def _told(self, words, good):
+        if not self.text.mistake:
+            self.say(words, good)
 
     def take_over(self):
+        self.text.check()
         if self.obj.Expression != self.text.toPlainText():
             self.obj.Expression = self.text.toPlainText()
-        self.obj.VoxelSize = self.voxel.value()
-        self.obj.MaxError = self.max_error.value()
+        for name, row in self.rows.items():
+            held = property_name(name)
+            if held in self.obj.PropertiesList and row.isEnabled() and getattr(self.obj, held) != row.value():
+                setattr(self.obj, held, row.value())
+        self.obj.VoxelSize, self.obj.MaxError = self.voxel.value(), self.max_error.value()
+
+    def close(self):
+        self.preview.close()
+        super().close()

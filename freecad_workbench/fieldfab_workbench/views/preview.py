@@ -1,0 +1,280 @@
+"""What a solid will look like, shown in its place while a panel is open: computed beside the window, coarse at once, then finer."""
+
+import queue
+import re
+import time
+
+import FreeCAD
+import FreeCADGui
+
+from .. import work
+from ..objects.solid import key_of
+from ..shim import QtCore
+from . import inventor
+from .refinement import ANGLE, Refinement
+
+BUDGET = 0.06  # seconds that the first picture of a change may take
+TICK = 10  # ms between looks at what the thread has done
+REST = 0.15  # seconds without a change before finer meshes are begun
+STILL = 0.3  # seconds that the camera rests before the solid is refined for it
+FRAME = 0.05  # seconds that a picture may take to draw: as many triangles as that allows are shown
+LEAST, MOST = 25_000, 400_000
+PATIENCE = 3  # seconds that the solid's own mesh gets before the eye's wishes come first
+SAID = {"coarse": "Coarse preview: cells of {:.3g} mm", "finer": "Preview: cells of {:.3g} mm", "final": "As it will be",
+        "divided": "Refining where you look", "detail": "Refined where you look"}
+PIXELS = 3  # that a cell may fill
+
+
+class Preview:
+    """`show(source, settings)` whenever something has changed; the newest wins. `close()` gives the object its own look back. `say(text, good)`, where
+    given, is told what is going on: the error of a solid that cannot be made (the last good one stays), or how fine the picture is."""
+
+    most = 50_000  # triangles that are shown; all previews learn from how long drawing takes
+
+    def __init__(self, obj, say=None, form=None):
+        """`form`: the panel's widget; when it goes, however that happens, the preview goes."""
+        self.obj, self.say = obj, say or (lambda text, good: None)
+        self.view = obj.ViewObject
+        self.cells, self.guess = 20, self._bounds_of_object()
+        self._seen = obj.MadeFrom if obj.isValid() else None
+        self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
+        self._wanted, self._changed, self._began = None, 0.0, 0.0
+        self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
+        self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
+        self._drawing, self._undrawn, self._triangles = None, False, 0
+        self._eye, self._eye_moved, self._refined_for = None, 0.0, None
+        self._put_in_place()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+        self._timer.start(TICK)
+        if form is not None:
+            form.destroyed.connect(self.close)
+
+    def show(self, source, settings):
+        """Starts at once, unless this is what is seen already; a first mesh on its way is let through, so that a slider that moves always shows
+        something."""
+        key = key_of(source, settings)
+        if key == self._seen:
+            return
+        self._seen = key
+        self._wanted, self._changed = (source, dict(settings)), time.monotonic()
+        self._look()
+
+    def close(self, *_):
+        if not self._timer.isActive():
+            return
+        self._timer.stop()
+        self._stop()
+        try:
+            self.view.RootNode.removeChild(self._root)
+            if self._own.whichChild.getValue() < 0:
+                self._own.whichChild = self._own_child
+        except (ReferenceError, RuntimeError, AttributeError):
+            pass  # the object is gone, and what it looked like with it
+
+    # Coin.
+    def _put_in_place(self):
+        from pivy import coin
+
+        self._root, self._solid = coin.SoSeparator(), coin.SoSeparator()
+        material, hints, pick = coin.SoMaterial(), coin.SoShapeHints(), coin.SoPickStyle()
+        material.diffuseColor = self.view.ShapeColor[:3]
+        material.transparency = self.view.Transparency / 100
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        before, after = coin.SoCallback(), coin.SoCallback()
+        before.setCallback(lambda data, action: self._begin_drawing(action))
+        after.setCallback(lambda data, action: self._end_drawing())
+        for node in (pick, material, hints, before, self._solid, after):
+            self._root.addChild(node)
+        self.view.RootNode.addChild(self._root)
+        # The switch between an object's display modes; -1 shows none.
+        self._own = next(node for node in self.view.RootNode.getChildren() if isinstance(node, coin.SoSwitch))
+        self._own_child = self._own.whichChild.getValue()
+
+    def _begin_drawing(self, action):
+        from pivy import coin
+
+        if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+            coin.SoCacheElement.invalidate(action.getState())  # else Coin would draw from a cache, without telling us
+            self._drawing = self._drawing or time.monotonic()
+
+    def _end_drawing(self):
+        if self._drawing is not None:
+            QtCore.QTimer.singleShot(0, self._learn)  # once the picture is on the screen
+
+    def _learn(self):
+        """Takes from how long the picture took how many triangles a picture may have."""
+        if self._drawing is None or self._refinement is None:
+            return
+        now, shown = time.monotonic(), self._triangles
+        seconds, self._drawing = now - self._drawing, None
+        allowed = shown * FRAME / seconds
+        if seconds > FRAME or allowed > Preview.most:
+            Preview.most = int(min(MOST, max(LEAST, min(allowed, 4 * Preview.most))))
+        if self._undrawn:
+            self._undrawn, self.latency = False, now - self._began
+            self.cells = int(min(64, max(8, self.cells * min(1.5, max(0.5, (BUDGET / self.latency) ** 0.5)))))
+
+    def _bounds_of_object(self):
+        mesh = self.obj.Mesh.copy()
+        if not mesh.CountFacets:
+            return None
+        mesh.Placement = FreeCAD.Placement()
+        box = mesh.BoundBox
+        return (box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax)
+
+    # The window's side: everything here is done within a few ms.
+    def _look(self):
+        if not self._is_there():
+            self.close()
+            return
+        self._take()
+        self._assemble()
+        self._watch_camera()
+        if self._wanted is not None and not (self._task and self._task.is_alive() and self._coarse):
+            self._stop()
+            source, settings = self._wanted
+            self._wanted, self._began = None, self._changed
+            self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most)
+            self._refined_for, self._coarse, self._ready = None, True, None
+            self._start(self._whole)
+        elif self._needs_detail():
+            self._task.cancel()
+            if not self._task.is_alive():  # parts of a solid are refined by one thread at a time
+                self._stop()
+                self._refined_for = self._eye
+                self._start(self._detail)
+
+    def _is_there(self):
+        try:
+            return bool(self.obj.Name)
+        except ReferenceError:  # deleted, or its document closed
+            return False
+
+    def _stop(self):
+        if self._task:
+            self._task.cancel()
+        self._said, self._waiting, self._assembly = queue.SimpleQueue(), [], None
+
+    def _start(self, job):
+        refinement, eye, said = self._refinement, self._eye, self._said
+
+        def work_on_it(progress):
+            try:
+                for step in job(refinement, eye, progress):
+                    said.put(step)
+            except work.Cancelled:
+                pass
+            except Exception as error:  # the window stays, whatever a solid does
+                if getattr(error, "kind", "") != "cancelled":
+                    said.put(("failed", str(error)))
+
+        self._task = work.Task(work_on_it)
+        self._task.start()
+
+    def _take(self):
+        while not self._said.empty():
+            stage, given = self._said.get()
+            if stage == "failed":
+                self._coarse = False
+                self.say(given, False)
+            elif stage == "bounds":
+                self.guess = given
+                self._ready = self._ready or time.monotonic()
+            else:
+                self._waiting.append((stage, given))
+
+    def _assemble(self):
+        """Takes pieces into the scene for a few milliseconds; those of a whole solid come to light together."""
+        from pivy import coin
+
+        end = time.monotonic() + 0.008
+        while self._waiting and time.monotonic() < end:
+            stage, picture = self._waiting[0]
+            if self._assembly is None:
+                self._assembly, self._piece = self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator()
+            piece, parts = next(iter(picture.items()), (None, None))
+            if parts:
+                self._piece.addChild(inventor.read(parts.pop()))
+            elif piece is not None:
+                self._add(piece, picture)
+            else:
+                self._waiting.pop(0)
+                self._come_to_light(stage)
+
+    def _add(self, piece, picture):
+        """Adds a piece that is complete, or puts it in the place of the one of that name."""
+        from pivy import coin
+
+        del picture[piece]
+        name = "piece_" + re.sub(r"\W+", "_", str(piece)).strip("_")
+        self._piece.setName(name)
+        old = [child for child in self._assembly.getChildren() or () if child.getName().getString() == name]
+        if old:
+            self._assembly.replaceChild(old[0], self._piece)
+        else:
+            self._assembly.addChild(self._piece)
+        self._piece = coin.SoSeparator()
+
+    def _come_to_light(self, stage):
+        if self._assembly is not self._solid:
+            self._root.replaceChild(self._solid, self._assembly)
+            self._solid = self._assembly
+        self._assembly, self.stage, self._triangles = None, stage, self._refinement.triangles
+        self._own.whichChild = -1
+        if stage == "coarse":
+            self._coarse, self._undrawn = False, True
+        self.say(SAID[stage].format(self._refinement.voxel), True)
+
+    def _watch_camera(self):
+        eye = self._find_eye()
+        if eye != self._eye:
+            self._eye, self._eye_moved = eye, time.monotonic()
+
+    def _find_eye(self):
+        """Where the camera is, in the object's own coordinates; for a camera without perspective, where one with would see as much. None: no view."""
+        try:
+            view = FreeCADGui.getDocument(self.obj.Document.Name).ActiveView
+            camera, height = view.getCameraNode(), view.getSize()[1]
+        except (AttributeError, NameError, ReferenceError, RuntimeError):
+            return None
+        at, towards = FreeCAD.Vector(*camera.position.getValue().getValue()), view.getViewDirection()
+        if hasattr(camera, "height"):
+            at = at + towards * camera.focalDistance.getValue() - towards * (PIXELS * camera.height.getValue() / height / ANGLE)
+        return tuple(self.obj.getGlobalPlacement().inverse().multVec(at))
+
+    def _needs_detail(self):
+        still = time.monotonic() - self._eye_moved > STILL
+        ready = self._ready and not self._waiting and self._eye is not None
+        ready = ready and (not self._task.is_alive() or time.monotonic() - self._ready > PATIENCE)
+        return ready and still and self._refined_for != self._eye and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye))
+
+    # The thread's side.
+    @staticmethod
+    def _whole(refinement, eye, progress):
+        yield "coarse", refinement.coarse(progress)
+        end = time.monotonic() + REST
+        while time.monotonic() < end:
+            time.sleep(0.01)
+            if not progress(0, ""):
+                return
+        for pieces in refinement.finer(progress):
+            yield "finer", pieces
+        yield "bounds", refinement.extent
+        for pieces in refinement.final(progress):
+            yield "final", pieces
+        yield "bounds", refinement.extent
+
+    @staticmethod
+    def _detail(refinement, eye, progress):
+        if refinement.is_coarse_for(eye):
+            if not refinement.in_blocks:
+                yield "divided", refinement.divided(progress)
+            for pieces in refinement.detail(eye, progress):
+                yield "detail", pieces
+            refinement.source.mesh(progress, **refinement.settings)  # it will be asked for, and is not shown now
+        else:
+            for pieces in refinement.final(progress):
+                yield "final", pieces

@@ -1,0 +1,225 @@
+"""Meshes of a solid for looking at: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a window."""
+
+import numpy as np
+
+from .. import kernel, work
+from . import inventor
+
+ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
+CELLS = 32  # along each side of a block, which is refined by itself
+BLOCKS = 4  # most blocks along an axis
+NEAR = 4  # times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the picture
+PIECE = 10_000  # triangles of a piece
+MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
+
+
+class Refinement:
+    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary Inventor file, ...]}, none of
+    which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
+
+    def __init__(self, source, settings, guess=None, cells=20, most=100_000):
+        """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
+        first mesh, along its longest side. `most`: triangles that can be shown."""
+        self.source, self.settings, self.guess, self.cells, self.most = source, settings, guess, cells, most
+        self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
+        self.extent = guess  # of the solid, as far as it is known
+        self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        self.in_blocks = False  # whether the last picture was one of blocks
+        self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
+
+    # The whole solid.
+    def coarse(self, progress):
+        """The first mesh, within the guess where that holds the solid: a search for its bounds would take longer than the mesh."""
+        mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
+        if mesh is None:
+            self.region = self._bounds(progress)
+            mesh = self._first_mesh(progress)
+        self._fit_region(mesh)
+        return self._picture(mesh, progress)
+
+    def finer(self, progress):
+        """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown."""
+        wanted = self._wanted()
+        while self.voxel > wanted and self.triangles < 0.6 * self.most:
+            step = min(2, (self.most / max(self.triangles, 1)) ** 0.5)
+            mesh = self._mesh(max(self.voxel / step, wanted), progress)
+            yield self._picture(mesh, progress)
+
+    def final(self, progress):
+        """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
+        mesh = self.source.mesh(progress, **self.settings)
+        self.sharp, self.in_blocks = True, False
+        if len(mesh.triangles) <= self.most:
+            yield self._picture(mesh, progress)
+        elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen
+            self.voxel, self.triangles = self._longest() / self.cells, 0
+            yield from self.finer(progress)
+
+    # Where the eye is (Keeter, 4.3.3).
+    def is_coarse_for(self, eye):
+        return any(self._is_coarse(block, eye) for block in self._blocks())
+
+    def divided(self, progress):
+        """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
+        self.in_blocks, self.shown = True, {}
+        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
+
+    def detail(self, eye, progress):
+        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
+        Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
+        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
+        for block in list(self.shown):  # what another eye wanted may be finer than this one needs
+            yield self._shown(block, eye, progress)
+        pieces = 0
+        for block in near if self.voxel > cell else ():
+            if block not in self.shown and pieces * PIECE < NEAR * self.most:
+                picture = self._of_block(block, cell, lambda box: [self._meshed(box, cell, progress)], progress)
+                pieces += len(picture)
+                yield {block: picture}
+        for block in near:
+            more = True
+            while more and sum(self.shown.values()) < NEAR * self.most:
+                more = self._detail_of(block).refine(eye, progress)
+                yield self._shown(block, eye, progress)
+
+    def _shown(self, block, eye, progress):
+        meshes = [mesh for _, _, mesh in self._detail_of(block).parts(eye)]
+        self.shown[block] = sum(len(mesh.triangles) for mesh in meshes)
+        return {block: self._of_block(block, self._wanted(), lambda box: meshes, progress)}
+
+    def _detail_of(self, block):
+        if block not in self.details:
+            box = self._box(block, self._wanted())
+            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE, most_triangles=self.most)
+        return self.details[block]
+
+    # Steps of these.
+    @property
+    def field(self):
+        return self.source.field()
+
+    def _bounds(self, progress):
+        if "bounds" in self.settings:
+            return np.array(self.settings["bounds"], float)
+        found = self.source.field(progress).bounds()
+        if found is None:  # the mesher says what is wrong with it
+            kernel.load().mesh(self.field, voxel=1e3, progress=progress)
+        return np.array(found, float)
+
+    def _in_the_guess(self, progress):
+        """A mesh in the guess, or where that cuts the solid, in larger boxes; None where it does not help."""
+        self.source.field(progress)
+        low, high = np.array(self.guess[:3], float), np.array(self.guess[3:], float)
+        for _ in range(4):
+            grown = MARGIN * (high - low).max()
+            self.region = np.concatenate([low - grown, high + grown])
+            mesh = self._first_mesh(progress)
+            if len(mesh.triangles) == 0:
+                return None
+            first, last = extent(mesh)
+            at_low, at_high = first <= self.region[:3] + 0.01 * self.voxel, last >= self.region[3:] - 0.01 * self.voxel
+            if not (at_low.any() or at_high.any()):
+                small = 2 * (last - first).max() < self._longest()
+                self._fit_region(mesh)
+                return self._first_mesh(progress) if small else mesh
+            size = high - low
+            low, high = np.where(at_low, low - size, low), np.where(at_high, high + size, high)
+        return None
+
+    def _first_mesh(self, progress):
+        """Of few cells; of more, where a solid is thinner than these."""
+        mesh = self._mesh(self._longest() / self.cells, progress)
+        return mesh if len(mesh.triangles) else self._mesh(self._longest() / self.cells / 4, progress)
+
+    def _mesh(self, cell, progress):
+        self.voxel = cell
+        mesh = self._meshed(tuple(self.region), cell, progress)
+        self.triangles = len(mesh.triangles)
+        return mesh
+
+    def _meshed(self, box, cell, progress):
+        """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
+        merged ones would cut corners then."""
+        sharp = self.sharp and cell <= 1.01 * self._wanted()
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, progress=progress)
+
+    def _fit_region(self, mesh):
+        """Fits the region to a mesh, unless it is given; True where it became larger."""
+        if "bounds" in self.settings or len(mesh.triangles) == 0:
+            return False
+        before, (first, last) = self.region, extent(mesh)
+        self.details, self.shown = {}, {}  # their blocks are no longer these
+        self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
+        return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
+
+    def _wanted(self):
+        """Edge of the smallest cell of the solid's own mesh, mm."""
+        return self.settings.get("voxel") or self._longest() / 128
+
+    def _longest(self):
+        return (self.region[3:] - self.region[:3]).max()
+
+    # Blocks.
+    def _grid(self):
+        """How many blocks there are along x, y and z."""
+        return np.clip(np.ceil((self.region[3:] - self.region[:3]) / (CELLS * self._wanted())), 1, BLOCKS).astype(int)
+
+    def _blocks(self):
+        return list(np.ndindex(*self._grid())) if self.voxel else []
+
+    def _box(self, block, reach=0.0):
+        """(x0, y0, z0, x1, y1, z1) of a block; inside the solid it may reach into its neighbours, so that no gap shows."""
+        grid, place = self._grid(), np.array(block)
+        size = (self.region[3:] - self.region[:3]) / grid
+        lower = self.region[:3] + place * size
+        return (*(lower - reach * (place > 0)), *(lower + size + reach * (place + 1 < grid)))
+
+    def _distance(self, block, eye):
+        box = np.array(self._box(block))
+        return np.linalg.norm(np.clip(eye, box[:3], box[3:]) - eye)
+
+    def _is_coarse(self, block, eye):
+        return self.voxel > ANGLE * max(self._distance(block, eye), self.voxel)
+
+    def _of_block(self, block, cell, make, progress):
+        """The meshes that `make` makes of a block's box as one, without what closes them where the block ends and the solid goes on."""
+        box, place, grid = self._box(block, cell), np.array(block), self._grid()
+        vertices, triangles = joined(make(box))
+        for axis in range(3):
+            for side, goes_on in ((box[axis], place[axis] > 0), (box[axis + 3], place[axis] + 1 < grid[axis])):
+                if goes_on:
+                    at_side = np.abs(vertices[:, axis] - side) < 0.01 * cell
+                    triangles = triangles[~at_side[triangles].all(axis=1)]
+        return self._written(vertices, triangles, progress)
+
+    def _picture(self, mesh, progress):
+        return {"whole": self._written(mesh.vertices, mesh.triangles, progress)}
+
+    def _written(self, vertices, triangles, progress):
+        """A mesh as several Inventor files."""
+        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress) for first in range(0, len(triangles), PIECE)]
+
+    def _piece(self, vertices, triangles, progress):
+        if not progress(0, ""):
+            raise work.Cancelled()
+        _, slopes = self.field.gradients(vertices)
+        return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
+
+
+def extent(mesh):
+    """The lower and the upper corner of its vertices."""
+    return mesh.vertices.min(axis=0).astype(float), mesh.vertices.max(axis=0).astype(float)
+
+
+def compacted(vertices, triangles):
+    """These triangles with only the vertices that they have."""
+    used, places = np.unique(triangles, return_inverse=True)
+    return vertices[used], places.reshape(-1, 3).astype(np.int32)
+
+
+def joined(meshes):
+    """Vertices and triangles of several meshes as one."""
+    first = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
+    vertices = [np.empty((0, 3), np.float32)] + [mesh.vertices for mesh in meshes]
+    triangles = [np.empty((0, 3), np.int32)] + [mesh.triangles.astype(np.int32) + n for mesh, n in zip(meshes, first)]
+    return np.concatenate(vertices), np.concatenate(triangles)

@@ -1,0 +1,166 @@
+"""Runs inside freecadcmd: what the editor, the gallery and the live view know, without a window."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from fieldfab_workbench import kernel, shapes, work
+from fieldfab_workbench.objects import frep_solid
+from fieldfab_workbench.panels import frep_language as language
+from fieldfab_workbench.views import inventor, refinement
+
+WORKBENCH = pathlib.Path(shapes.__file__).resolve().parents[1]
+
+
+def go_on(fraction, message):
+    return True
+
+
+# The language.
+def test_words_say_what_functions_are():
+    words = language.library()
+    assert words["torus"].signature == "torus(R = 1, r = 0.25)" and "a ring" in words["torus"].meaning
+    assert words["union"].signature == "union(a, b, …)" and words["rotate_x"].meaning.endswith("angles in degrees")
+    assert list(words) == [f["name"] for f in kernel.load().library()]
+
+
+def test_names_of_a_text_are_known():
+    words = language.defined("r = 2 # q = 3\npeg(h, k) = cylinder(r, h)\n// z1 = 4\nbox(\n  dx = 3)")
+    assert words["r"].signature == "r" and words["peg"].signature == "peg(h, k)" and words["peg"].meaning == "peg(h, k) = cylinder(r, h)"
+    assert "q" not in words and "z1" not in words
+
+
+@pytest.mark.parametrize("line, word", [("a | rou", "rou"), ("a # rou", ""), ('text("rou', ""), ("1.5e", "e"), ("box(", ""), ("x2 + y_1", "y_1"), ("", "")])
+def test_the_word_before_the_cursor(line, word):
+    assert language.word_before(line) == word
+
+
+def test_places_of_mistakes():
+    fieldfab = kernel.load()
+    for text, place in (("a = 3\nsphere(q)", (1, 7)), ("spheer(3)", (0, 0)), ("sphere(1) )", (0, 10))):
+        with pytest.raises(fieldfab.Error) as raised:
+            fieldfab.parse(text)
+        assert language.place_of(raised.value) == place
+
+
+# The gallery.
+def test_every_shape_has_a_picture_and_a_text():
+    fieldfab, every = kernel.load(), shapes.shapes()
+    assert len(every) > 90 and {s.group for s in every} >= {"Solids", "Flat shapes", "Lattices", "Sets", shapes.DESIGNS}
+    for shape in every:
+        assert shape.picture and os.path.exists(shape.picture), shape.name
+        made = fieldfab.parse(shape.solid(shape.values))
+        assert shape.group not in ("Solids", "Flat shapes") or fieldfab.Field(made).bounds(), f"{shape.name} makes no solid"
+        if not shape.text:
+            fieldfab.parse(shape.before + shape.call(shape.values) + shape.after)
+
+
+def test_numbers_become_parameters():
+    every = {s.name: s for s in shapes.shapes()}
+    box = every["rounded_box"]
+    text = box.solid({**box.values, "dx": "12", "r": "1.5"})
+    assert frep_solid.parameters(text) == {"dx": 12, "dy": 6, "dz": 4, "r": 1.5}
+    assert box.call(box.values) == "rounded_box(dx = 8, dy = 6, dz = 4, r = 1)"
+    # A name that means something already gets another.
+    assert frep_solid.parameters(every["plane"].solid(every["plane"].values)) == {"nx": 1, "ny": 1, "nz": 1, "offset_": 2}
+    assert frep_solid.parameters(every["text"].solid({**every["text"].values, "words": '"Hi"'})) == {"h": 5, "weight": 0.9}
+    assert every["difference"].call(every["difference"].values) == "difference(box(6, 6, 4), cylinder(2, 6))"
+
+
+def test_pictures_are_found_beside_an_installed_workbench(tmp_path, monkeypatch):
+    (tmp_path / "figures" / "shapes").mkdir(parents=True)
+    shutil.copy(shapes.found("figures", "shapes", "box.png"), tmp_path / "figures" / "shapes")
+    monkeypatch.setattr(shapes, "WORKBENCH", str(tmp_path))
+    assert shapes.found("figures", "shapes", "box.png") == str(tmp_path / "figures" / "shapes" / "box.png")
+    assert shapes.found("figures", "shapes", "sphere.png") is None
+
+
+# The live view.
+def pieces(picture):
+    """The triangles of a picture, as (n, 3, 3) points."""
+    corners = []
+    for data in (each for piece in picture.values() for each in piece):
+        node = inventor.read(data)
+        points = np.array([p.getValue() for p in node.getChild(1).point.getValues()])
+        index = np.array(node.getChild(2).coordIndex.getValues()).reshape(-1, 4)
+        assert (index[:, 3] == -1).all() and len(points) == node.getChild(0).vector.getNum()
+        corners.append(points[index[:, :3]])
+    return np.concatenate(corners)
+
+
+def area(corners):
+    return np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+
+
+def test_coin_nodes_hold_the_mesh():
+    fieldfab = kernel.load()
+    mesh = fieldfab.mesh(fieldfab.parse("box(4, 4, 4)"), voxel=0.5)
+    _, slopes = fieldfab.Field(fieldfab.parse("box(4, 4, 4)")).gradients(mesh.vertices)
+    vertices, normals, triangles = inventor.corner_normals(mesh.vertices, mesh.triangles, slopes)
+    assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(6 * 16, rel=1e-5)
+    # At sharp edges each side keeps its own normal.
+    facets = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]], vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
+    facets /= np.linalg.norm(facets, axis=1)[:, None]
+    assert np.einsum("tcx,tx->tc", normals[triangles], facets).min() > inventor.CREASE - 1e-3
+
+
+def test_pictures_get_finer_and_end_with_the_solids_own_mesh():
+    source = frep_solid.source_of_text("sphere(r = 10)")
+    seen = refinement.Refinement(source, {"voxel": 0.5}, guess=(-4, -4, -4, 4, 4, 4), cells=12, most=60_000)
+    first = area(pieces(seen.coarse(go_on)))
+    assert first == pytest.approx(400 * np.pi, rel=0.05), "found in a box that was too small"
+    areas = [area(pieces(picture)) for picture in seen.finer(go_on)]
+    assert abs(areas[-1] - 400 * np.pi) < abs(first - 400 * np.pi) and seen.voxel == 0.5
+    last, = seen.final(go_on)
+    assert area(pieces(last)) == pytest.approx(source.mesh(voxel=0.5).area, rel=1e-4)
+
+
+def test_what_the_guess_missed_is_found_in_the_end():
+    source = frep_solid.source_of_text("sphere(r = 5) | move(sphere(r = 5), dx = 100)")
+    seen = refinement.Refinement(source, {"voxel": 0.5}, guess=(-5, -5, -5, 5, 5, 5), cells=12, most=1000)
+    assert pieces(seen.coarse(go_on)).max() < 6
+    assert [p for p in seen.finer(go_on)] == [] or seen.triangles >= 600
+    assert max(pieces(picture).max() for picture in seen.final(go_on)) > 100
+
+
+def test_blocks_are_refined_where_the_eye_is():
+    source = frep_solid.source_of_text("difference(box(20, 20, 20), sphere(r = 11))")
+    seen = refinement.Refinement(source, {"voxel": 0.6}, cells=16, most=20_000)
+    seen.coarse(go_on)
+    list(seen.finer(go_on)), list(seen.final(go_on))
+    whole = source.mesh(voxel=0.6).area
+    far, near = (1000, 0, 0), (12, 12, 12)
+    assert not seen.is_coarse_for(far) and seen.is_coarse_for(near)
+    picture = seen.divided(go_on)
+    # Blocks overlap by a cell; nothing closes them inside the solid.
+    assert whole < area(pieces(picture)) < 1.25 * whole
+    before = sum(map(len, picture[(1, 1, 1)]))
+    for part in seen.detail(near, go_on):
+        picture.update(part)
+    assert sum(map(len, picture[(1, 1, 1)])) > 4 * before and max(level for _, level, _ in seen.details[(1, 1, 1)].parts(near)) >= 2
+
+
+def test_work_that_nobody_wants_ends():
+    seen = refinement.Refinement(frep_solid.source_of_text(frep_solid.DEFAULT), {}, guess=(-21, -21, -21, 21, 21, 21), cells=16)
+    seen.coarse(go_on)
+    with pytest.raises((work.Cancelled, kernel.load().Error)):
+        list(seen.finer(lambda fraction, message: False))
+
+
+def test_solids_without_bounds_are_told():
+    seen = refinement.Refinement(frep_solid.source_of_text("plane(0, 0, 1)"), {}, guess=(-1, -1, -1, 1, 1, 1))
+    with pytest.raises(kernel.load().Error, match="unbounded"):
+        seen.coarse(go_on)
+
+
+def test_the_workbench_loads_without_what_takes_long():
+    """Neither numpy nor the kernel is imported before something is made."""
+    code = ("import sys; sys.path[:0] = [%r, *%r]; import FreeCAD, FreeCADGui; FreeCADGui.addCommand = lambda *given: None; from fieldfab_workbench import commands; commands.register();"
+            "print(sorted({'numpy', 'fieldfab', 'pivy'} & set(sys.modules)))" % (str(WORKBENCH), [p for p in sys.path if "freecad" in p.lower()]))
+    said = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, timeout=60, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
+    assert said.stdout.strip().endswith("[]"), said.stdout + said.stderr

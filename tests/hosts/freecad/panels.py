@@ -1,0 +1,80 @@
+"""For tests of task panels in FreeCAD's window: a document, the panels that are opened, what is seen."""
+
+import FreeCAD
+import FreeCADGui
+import pytest
+import window
+from window import live, wait
+
+from fieldfab_workbench.objects import frep_solid
+from fieldfab_workbench.objects import solid as solids
+from fieldfab_workbench.panels import gallery
+from fieldfab_workbench.panels.edit_panel import EditPanel
+from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
+
+Button = QtWidgets.QDialogButtonBox
+PART = "size = 20\nhole = 11  # radius\ndifference(box(size, size, size), sphere(r = hole))"
+
+
+@pytest.fixture
+def document():
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    made = FreeCAD.newDocument()
+    live(0.2)
+    yield made
+    for left in QtWidgets.QApplication.topLevelWidgets():
+        if isinstance(left, gallery.Gallery):
+            left.close()
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    FreeCAD.closeDocument(made.Name)
+
+
+@pytest.fixture
+def panels(monkeypatch):
+    """The panels that are opened, newest last."""
+    opened, real = [], EditPanel.__init__
+
+    def remember(self, obj, title):
+        real(self, obj, title)
+        opened.append(self)
+
+    monkeypatch.setattr(EditPanel, "__init__", remember)
+    return opened
+
+
+def frep(document, text, voxel=0.5):
+    solid = solids.create(frep_solid.FrepSolid, document)
+    solid.Expression, solid.VoxelSize = text, voxel
+    document.recompute()
+    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    live(0.2)
+    return solid
+
+
+def edit(obj):
+    FreeCADGui.ActiveDocument.setEdit(obj.Name)
+    live(0.3)
+
+
+def shown(preview, *stages, seconds=40):
+    wait(lambda: preview.stage in stages and not preview._waiting, seconds, f"the preview to be {stages}")
+
+
+def key(widget, text="", code=0, modifiers=QtCore.Qt.NoModifier):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        QtWidgets.QApplication.sendEvent(widget, QtGui.QKeyEvent(kind, code, modifiers, text))
+
+
+def silhouette(name):
+    """How many pixels of the 3D view have the solid's hue; the picture is kept."""
+    picture = window.shot(name).convertToFormat(QtGui.QImage.Format_RGB32)
+    view = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
+    corner = view.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
+    count = 0
+    for y in range(corner.y(), corner.y() + view.height() - 40, 4):
+        for x in range(corner.x(), corner.x() + view.width() - 160, 4):
+            c = picture.pixelColor(x, y)
+            count += c.blue() > c.red() + 40 and c.green() > c.red() + 10
+    return count
