@@ -45,7 +45,7 @@ class Job:
         self.digest = hashlib.sha1(repr((self.text, self.source.digest)).encode()).hexdigest()
 
     def _add(self, name, value, obj, setting=None):
-        self._lines.append(f"{name} = {_toml(value)}")
+        self._lines.append(f"{name} = {toml_value(value)}")
         self.places[len(self._lines)] = (obj.Name, setting or name)
 
     def _head(self, text, obj, setting=""):
@@ -153,7 +153,8 @@ def all_moves(plan):
     return np.vstack(plan.moves) if plan.moves else np.zeros((0, 8))
 
 
-def _toml(value):
+def toml_value(value):
+    """A value as a TOML file has it."""
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_toml(float(v)) for v in value) + "]"
+        return "[" + ", ".join(toml_value(float(v)) for v in value) + "]"
     return json.dumps(value, ensure_ascii=False)  # numbers, texts and truth are written alike

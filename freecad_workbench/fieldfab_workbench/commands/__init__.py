@@ -2,7 +2,7 @@
 
 import importlib
 
-TOOLBARS = ("solids",)
+TOOLBARS = ("solids", "cam")
 
 
 def register():
