@@ -23,7 +23,15 @@ def to_job(program, job=None):
     """Puts the paths of a machine program into a Path job, with their tools: into a new one, whose stock is the set-up's, where none is given.
     Returns (job, paths). Recompute then."""
     paths = path_of_program.create_all(program)
-    job = job or _new_job(program)
+    with path_shim.in_one_step():
+        job = job or _new_job(program)
+        _take_tools(job, program, paths)
+    for path in paths:
+        job.Proxy.addOperation(path)
+    return job, paths
+
+
+def _take_tools(job, program, paths):
     by_number = {tool.Number: tool for tool in program.Setup.Tools}
     sections = path_of_program.sections_of(program)
     for path in paths:
@@ -31,8 +39,6 @@ def to_job(program, job=None):
         tool = by_number.get(section["tool"])
         if tool is not None:
             path.ToolController = _controller(job, tool, section)
-        job.Proxy.addOperation(path)
-    return job, paths
 
 
 def _new_job(program):
@@ -47,8 +53,8 @@ def _new_job(program):
         document.recompute([model])
     FreeCAD.setActiveDocument(document.Name)  # FreeCAD makes its jobs in there
     job = path_shim.jobs().Create("Job", [model])
+    path_shim.show_job(job)
     if FreeCAD.GuiUp:
-        job.ViewObject.Proxy = 0
         model.ViewObject.Visibility = model == setup.Part
     before, job.Stock = job.Stock, path_shim.stocks().CreateBox(job, upper - lower, FreeCAD.Placement(lower, FreeCAD.Rotation()))
     if before is not None:

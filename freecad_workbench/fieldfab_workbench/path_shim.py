@@ -1,7 +1,10 @@
 """FreeCAD's own milling workbench under one set of names: Path in 0.20 (PathScripts.*), CAM later (Path.Main.*, Path.Tool.*). Tried with
 0.20.2; the later names follow FreeCAD's sources."""
 
+import contextlib
 import importlib
+
+import FreeCAD
 
 
 def _first(*names):
@@ -27,6 +30,27 @@ def controllers():
 
 def bits():
     return _first("PathScripts.PathToolBit", "Path.Tool.Bit")
+
+
+@contextlib.contextmanager
+def in_one_step():
+    """While it lasts, FreeCAD's tool bits are made without undo steps of their own, which they have in its window."""
+    module = bits()
+    before = module.Factory
+    if hasattr(module, "ToolBitFactory"):
+        module.Factory = module.ToolBitFactory()
+    try:
+        yield
+    finally:
+        module.Factory = before
+
+
+def show_job(job):
+    """Gives a new job FreeCAD's own place in the tree and panel, where there is a window."""
+    if FreeCAD.GuiUp:
+        job.ViewObject.Proxy = _first("PathScripts.PathJobGui", "Path.Main.Gui.Job").ViewProvider(job.ViewObject)
+        job.ViewObject.addExtension("Gui::ViewProviderGroupExtensionPython")
+        job.ViewObject.Proxy.deleteOnReject = False
 
 
 def utilities():

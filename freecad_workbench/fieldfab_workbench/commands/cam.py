@@ -60,6 +60,7 @@ class NewSetup(Command):
         cam_setup.add_tool(setup, {"diameter": 3, "name": "3 mm end mill"})
         cam_setup.add_operation(setup, "rough")
         document.recompute([setup])
+        FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour
         FreeCADGui.ActiveDocument.setEdit(setup.Name)
 
 

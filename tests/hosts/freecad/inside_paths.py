@@ -113,11 +113,12 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     for command in paths[0].Path.Commands:
         place = simulator.ApplyCommand(place, command)
     outside, inside = simulator.GetResultMesh()
-    points = np.array([(p.x, p.y, p.z) for p in outside.Points + inside.Points])
-    beside = points[np.hypot(*(points[:, :2] - (lower.x + 1.5, lower.y + 1.5)).T) < 1]
-    above = points[np.hypot(*(points[:, :2] - (20, 20)).T) < 4]
-    assert len(beside) and len(above) and above[:, 2].max() == pytest.approx(9, abs=1e-3)
-    assert beside[:, 2].max() == pytest.approx(-8 + 0.3, abs=1e-2), "the part's floor and the allowance"
+
+    def height(x, y):
+        return max(hit[2] for mesh in (outside, inside) for hit in mesh.foraminate((x, y, 100), (0, 0, -1)).values())
+
+    assert height(20.1, 20.2) == pytest.approx(9, abs=1e-3)
+    assert height(lower.x + 1.6, lower.y + 1.7) == pytest.approx(-8 + 0.3, abs=1e-2), "the part's floor and the allowance"
 
 
 def test_a_program_with_a_leaning_tool_is_the_machines_own_words(document):
