@@ -16,9 +16,9 @@ class SetupPanel(EditPanel):
         super().__init__(obj, "CAM set-up")
         self.task, self.operation_form, self.machine_rows = None, None, None
         self.layout.setSpacing(3)
+        self._plan_row()
         for make in (self._part, self._stock, self._tools, self._operations, self._machine):
             self.layout.addWidget(make())
-        self._plan_row()
         self.layout.addStretch()
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self._look)
@@ -160,8 +160,18 @@ class SetupPanel(EditPanel):
         self.layout.addLayout(row)
         self.outcome = QtWidgets.QLabel()
         self.outcome.setWordWrap(True)
+        self.outcome.hide()
+        self.message.hide()
         self.layout.addWidget(self.outcome)
         self.layout.addWidget(self.message)
+
+    def say(self, text, good=False):
+        super().say(text, good)
+        self.message.setVisible(bool(text))
+
+    def _report(self, text):
+        self.outcome.setText(text)
+        self.outcome.setVisible(bool(text))
 
     # What the widgets do.
     def _choice(self, name, then=lambda: None):
@@ -274,7 +284,7 @@ class SetupPanel(EditPanel):
         task = self.task
         self.bar.setValue(round(1000 * task.fraction))
         if task.is_alive():
-            self.outcome.setText(f"Planning: {task.message}" if task.message else "Planning")
+            self._report(f"Planning: {task.message}" if task.message else "Planning")
             return
         self.timer.stop()
         self.task = None
@@ -310,7 +320,8 @@ class SetupPanel(EditPanel):
         """Time, lengths and notes of the plan."""
         program = self.program()
         if self.task or program is None or not program.MadeFrom:
-            self.outcome.setText("" if not self.task else self.outcome.text())
+            if not self.task:
+                self._report("")
             return
         try:
             current = program.MadeFrom == cam_job.Job(self.obj).digest
@@ -318,7 +329,7 @@ class SetupPanel(EditPanel):
             current = False
         lines = [f"<b>About {machine_program.clock(program.Seconds)}</b>" + ("" if current else " <span style='color:gray'>(changed since)</span>"),
                  *map(_escaped, program.Reports), *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
-        self.outcome.setText("<br>".join(lines))
+        self._report("<br>".join(lines))
 
     # What FreeCAD asks of a task panel.
     def accept(self):

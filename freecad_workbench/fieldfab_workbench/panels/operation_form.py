@@ -27,7 +27,7 @@ class OperationForm(QtWidgets.QWidget):
         self.type.activated.connect(lambda index: self._choose(self.type.itemData(index)))
         self.tool = QtWidgets.QComboBox()
         self.tool.activated.connect(lambda index: self._take_tool(self.tool.itemData(index)))
-        self.active = QtWidgets.QCheckBox("done")
+        self.active = QtWidgets.QCheckBox("carried out")
         self.active.setToolTip(obj.getDocumentationOfProperty("Active"))
         self.active.setChecked(obj.Active)
         self.active.clicked.connect(self._activate)
@@ -67,6 +67,7 @@ class OperationForm(QtWidgets.QWidget):
             if setting in rows.rows:
                 self.boxes[name].open()
                 rows.rows[setting].say(words)
+                rows.rows[setting].show()
                 return True
         return False
 

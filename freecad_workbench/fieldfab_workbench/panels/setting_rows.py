@@ -88,6 +88,14 @@ class Row:
         self.problem.setText(words)
         self.problem.setVisible(bool(words))
 
+    def show(self):
+        """Scrolls the panel to this row."""
+        area = self.field.parent()
+        while area is not None and not isinstance(area, QtWidgets.QScrollArea):
+            area = area.parent()
+        if area is not None:
+            QtCore.QTimer.singleShot(0, lambda: area.ensureWidgetVisible(self.field))
+
     def _give(self, value):
         self.obj.Proxy.give(self.obj, self.setting, value)
         self.changed()
@@ -113,6 +121,8 @@ class Row:
     def _choice(self):
         box = QtWidgets.QComboBox()
         box.addItems(["", *self.setting.choices])
+        box.setSizePolicy(QtWidgets.QSizePolicy.Expanding, QtWidgets.QSizePolicy.Fixed)
+        box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         box.activated.connect(lambda index: self._give(None if index == 0 else self.setting.choices[index - 1]))
         return box
 

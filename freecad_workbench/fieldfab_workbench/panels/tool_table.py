@@ -2,8 +2,10 @@
 
 from .. import tool_bits
 from ..objects import cam_setup, cam_tool
-from ..shim import QtCore, QtWidgets
+from ..shim import QtWidgets
+from .property_panel import spaced
 
+MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength", "Flutes", "Feed", "Plunge", "Spindle")
 COLUMNS = ("No.", "Name", "Shape", "\u2300 mm")
 
 
@@ -103,10 +105,9 @@ class ToolTable(QtWidgets.QWidget):
         tool = self.chosen()
         if tool is None:
             return
-        for name in tool.PropertiesList:
-            if tool.getGroupOfProperty(name) not in ("Tool", "Speeds") or name in ("Number", "Shape", "Diameter") or "Hidden" in tool.getEditorMode(name):
-                continue
-            self.more.addRow("".join(f" {c.lower()}" if c.isupper() else c for c in name).strip().capitalize(), self._number(tool, name))
+        for name in MORE:
+            if "Hidden" not in tool.getEditorMode(name):
+                self.more.addRow(spaced(name), self._number(tool, name))
 
     def _number(self, tool, name):
         kind, value = tool.getTypeIdOfProperty(name), getattr(tool, name)

@@ -70,6 +70,15 @@ def type_into(name, text):
     live(0.1)
 
 
+def show(name):
+    """Scrolls the panel to a setting."""
+    area = row(name).parent()
+    while not isinstance(area, QtWidgets.QScrollArea):
+        area = area.parent()
+    area.ensureWidgetVisible(row(name), 0, 120)
+    live(0.1)
+
+
 def click(words):
     [button] = seen(QtWidgets.QPushButton, words)
     button.click()
@@ -135,6 +144,7 @@ def test_what_is_wrong_is_said_beside_the_setting(document):
     setup = new_setup(part(document))
     type_into("Stepdown", "-2")
     assert any(w.text() == "must be above 0 mm" for w in row("Stepdown").findChildren(QtWidgets.QLabel) if w.isVisible())
+    show("Stepdown")
     window.shot("cam_wrong_value")
     assert "stepdown" not in setup.Operations[0].Proxy.given(setup.Operations[0])
     type_into("Stepdown", "")
@@ -184,6 +194,7 @@ def test_operations_and_tools_are_added_moved_and_removed(document):
     choice.activated.emit(choice.currentIndex())
     live(0.2)
     assert setup.Machine == "shopbot5" and seen(QtWidgets.QLabel, "Jog")
+    show("Jog")
     window.shot("cam_machine")
     press(Button.Cancel)
     assert len(document.Objects) == 1
