@@ -15,7 +15,8 @@ class Setting:
 
     def __init__(self, declared):
         self.__dict__.update(declared)
-        self.property = "".join(word.capitalize() for word in re.split(r"[_ ]", self.name))
+        self.property = _words_joined(self.name)
+        self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")  # the property's documentation
 
     @property
     def property_type(self):
@@ -25,11 +26,6 @@ class Setting:
             return "App::PropertyIntegerConstraint"
         by_unit = {"mm": "Distance", "mm/min": "Speed", "degrees": "Angle"}
         return "App::Property" + by_unit.get(self.unit, "FloatConstraint")
-
-    @property
-    def words(self):
-        """What it is, for a property's documentation."""
-        return f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")
 
     @property
     def factor(self):
@@ -103,12 +99,40 @@ def operation_names():
 
 
 @functools.lru_cache(maxsize=None)
+def _operations():
+    """{operation: the stages that lead from a solid to its moves}."""
+    cam = kernel.load().cam
+    by_name, found = {s["name"]: s for s in cam.stages()}, {}
+    for operation in operation_names():
+        stages = [Stage(name, by_name[name]["help"], by_name[name]["settings"]) for name in cam.chain("solid", operation)]
+        found[operation] = (*stages, Stage(JOINING, "how the paths are joined to moves", cam.joining_settings()))
+    _share_properties({operation: [s for stage in stages for s in stage.settings] for operation, stages in found.items()})
+    return found
+
+
+def _share_properties(groups):
+    """Settings of one name share a property, whose documentation then tells what it is for each; but those of another type get one of their own,
+    named after their group. `groups`: {name: [Setting]}."""
+    types, shared = {}, {}
+    for name, settings in groups.items():
+        for setting in settings:
+            if types.setdefault(setting.property, setting.property_type) != setting.property_type:
+                setting.property = _words_joined(name) + setting.property
+            alike = shared.setdefault(setting.property, [])
+            alike.append(setting)
+    for alike in shared.values():
+        words = " / ".join(dict.fromkeys(setting.words for setting in alike))
+        for setting in alike:
+            setting.words = words
+
+
+def _words_joined(name):
+    return "".join(word.capitalize() for word in re.split(r"[_ ]", name))
+
+
 def stages_of(operation):
     """The stages that lead from a solid to the moves of an operation, in order."""
-    cam = kernel.load().cam
-    by_name = {s["name"]: s for s in cam.stages()}
-    found = [Stage(name, by_name[name]["help"], by_name[name]["settings"]) for name in cam.chain("solid", operation)]
-    return (*found, Stage(JOINING, "how the paths are joined to moves", cam.joining_settings()))
+    return _operations()[operation]
 
 
 def settings_of(operation):
@@ -122,11 +146,18 @@ def machines():
 
 
 @functools.lru_cache(maxsize=None)
+def _machines_told():
+    cam, found = kernel.load().cam, {}
+    for identifier in machines():
+        found[identifier] = dict(cam.machine(identifier))
+        found[identifier]["settings"] = [Setting(s) for s in found[identifier]["settings"]]
+    _share_properties({identifier: told["settings"] for identifier, told in found.items()})
+    return found
+
+
 def machine(identifier):
     """A machine as the kernel tells it (fieldfab.cam.machine), its settings as Settings."""
-    told = dict(kernel.load().cam.machine(identifier))
-    told["settings"] = [Setting(s) for s in told["settings"]]
-    return told
+    return _machines_told()[identifier]
 
 
 @functools.lru_cache(maxsize=None)

@@ -43,11 +43,9 @@ class CamSetup(WithSettings):
         return workflow.machine(obj.Machine)["materials"].get(obj.Material, {}).get(setting.name, setting.default)
 
     def onChanged(self, obj, name):
-        if "Given" in obj.PropertiesList and not obj.Document.Restoring and not obj.Document.Transacting:
+        if "Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring and not obj.Document.Transacting:
             if name == "Machine" and "Material" in obj.PropertiesList:
-                before = obj.Material
-                obj.Material = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
-                obj.Material = before if before in obj.getEnumerationsOfProperty("Material") else NO_MATERIAL
+                self._offer_materials(obj)
             if name in ("Machine", "Material"):
                 self.settle(obj)
                 for operation in getattr(obj, "Operations", []):
@@ -55,6 +53,13 @@ class CamSetup(WithSettings):
         if name == "StockFrom":
             self._show_stock(obj)
         super().onChanged(obj, name)
+
+    def _offer_materials(self, obj):
+        """Those that the machine knows; the one chosen stays where it can."""
+        self._settling, before = True, obj.Material
+        obj.Material = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
+        obj.Material = before if before in obj.getEnumerationsOfProperty("Material") else NO_MATERIAL
+        self._settling = False
 
     @staticmethod
     def _show_stock(obj):

@@ -61,40 +61,33 @@ class WithSettings(DocumentObject):
         return setting.default
 
     def settle(self, obj):
-        """Gives the object the properties of its settings and no others, and shows those that matter."""
+        """Gives the object the properties of its settings and shows those that matter. Those of other types stay, hidden: FreeCAD's undo loses a
+        property that goes and comes again in one step, and what was given is there again when somebody comes back to the type."""
         if self._settling:
             return
         self._settling = True
         try:
             self.add(obj, "StringList", "Given", "Result", "The settings that are given; the others follow their defaults", mode=4)
-            wanted = {setting.property: (stage, setting) for stage in self.stages(obj) for setting in stage.settings}
-            kept = {}
-            for name in self._own(obj):
-                if name not in wanted or not self._is_for(obj, name, wanted[name][1]):
-                    if name in obj.Given and name in wanted and obj.getTypeIdOfProperty(name) == wanted[name][1].property_type:
-                        kept[name] = wanted[name][1].read(obj)
-                    obj.removeProperty(name)
-            for name, (stage, setting) in wanted.items():
-                if name not in obj.PropertiesList:
-                    obj.addProperty(setting.property_type, name, f"Setting: {stage.title}", setting.words)
-                    if setting.choices:
-                        setattr(obj, name, setting.choices)
-                    if name in kept and not setting.problem(kept[name]):
-                        setting.write(obj, kept[name])
-                    else:
-                        obj.Given = [other for other in obj.Given if other != name]
-                if name not in obj.Given:
-                    setting.write(obj, self.default(obj, setting))
-            obj.Given = [name for name in obj.Given if name in wanted]
+            for stage in self.stages(obj):
+                for setting in stage.settings:
+                    self._settle(obj, stage, setting)
             self._show_what_matters(obj)
         finally:
             self._settling = False
 
-    @staticmethod
-    def _is_for(obj, name, setting):
-        """Whether a property is that of a setting; another operation may have one of the same name that means something else."""
-        return (obj.getTypeIdOfProperty(name) == setting.property_type and obj.getDocumentationOfProperty(name) == setting.words
-                and (not setting.choices or obj.getEnumerationsOfProperty(name) == setting.choices))
+    def _settle(self, obj, stage, setting):
+        name = setting.property
+        if name not in obj.PropertiesList:
+            obj.addProperty(setting.property_type, name, f"Setting: {stage.title}", setting.words)
+        if setting.choices and obj.getEnumerationsOfProperty(name) != setting.choices:
+            before = getattr(obj, name) if name in obj.Given else None
+            setattr(obj, name, setting.choices)
+            if before in setting.choices:
+                setattr(obj, name, before)
+            else:
+                obj.Given = [other for other in obj.Given if other != name]
+        if name not in obj.Given:
+            setting.write(obj, self.default(obj, setting))
 
     @staticmethod
     def _own(obj):
@@ -102,9 +95,9 @@ class WithSettings(DocumentObject):
 
     def _show_what_matters(self, obj):
         effective = self.effective(obj)
-        for setting in self.settings(obj):
-            if setting.name in effective:
-                obj.setEditorMode(setting.property, 0 if setting.matters(effective) else 2)
+        shown = {setting.property for setting in self.settings(obj) if setting.matters(effective)}
+        for name in self._own(obj):
+            obj.setEditorMode(name, 0 if name in shown else 2)
 
     def onChanged(self, obj, name):
         """Notes that a setting is given now, unless the change is ours, or of a document that is opened or goes back in its history."""
@@ -148,3 +141,8 @@ class WithSettings(DocumentObject):
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)
         self.settle(obj)
+        self._settling = True  # documents keep values, but not their limits
+        for setting in self.settings(obj):
+            setting.write(obj, setting.read(obj))
+        self._settling = False
+        obj.purgeTouched()

@@ -43,7 +43,7 @@ class Row:
             widget.setToolTip(tip)
         self.field = QtWidgets.QWidget()
         column = QtWidgets.QVBoxLayout(self.field)
-        column.setContentsMargins(0, 0, 0, 0)
+        column.setContentsMargins(0, 2, 0, 2)
         column.setSpacing(0)
         column.addWidget(self.editor)
         column.addWidget(self.problem)
@@ -139,6 +139,7 @@ class SettingRows(QtWidgets.QWidget):
         super().__init__()
         form = QtWidgets.QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
+        form.setVerticalSpacing(0)  # rows that are hidden would leave theirs
         form.setFieldGrowthPolicy(QtWidgets.QFormLayout.ExpandingFieldsGrow)
         form.setLabelAlignment(QtCore.Qt.AlignLeft)
         self._told = changed

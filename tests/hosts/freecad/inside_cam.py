@@ -105,7 +105,7 @@ def test_only_what_matters_is_shown(document):
     operation.Lean, operation.Plane, operation.Pattern = True, "view", "spiral"
     assert shown("Lead") and shown("Alpha") and not shown("Steps") and not shown("Angle")
     operation.Type = "profile"
-    assert "Lead" not in operation.PropertiesList and not shown("TabWidth")
+    assert not shown("Lead") and not shown("TabWidth") and not shown("Lean")
     operation.Tabs = 2
     assert shown("TabWidth")
 
@@ -129,6 +129,26 @@ def test_what_is_changed_is_given_and_the_rest_follows(document):
     document.commitTransaction()
     document.undo()
     assert "allowance" not in operation.Proxy.given(operation)
+
+
+def test_another_type_of_operation_is_undone_whole(document):
+    operation = cam_setup.add_operation(cam_setup.create(document), "finish")
+    give(operation, "stepover", 0.3)
+    operation.Lean, operation.Feed = True, "700 mm/min"
+    before = operation.Proxy.given(operation)
+    document.openTransaction("another type")
+    operation.Type = "v_carve"
+    document.commitTransaction()
+    assert operation.Proxy.given(operation) == {"feed": pytest.approx(700)}, "a stepover in mm is another thing"
+    document.undo()
+    assert operation.Type == "finish" and operation.Lean and operation.Proxy.given(operation) == pytest.approx(before)
+    for kind in ("rough", "finish"):
+        operation.Type = kind
+    assert operation.Proxy.given(operation) == pytest.approx(before), "what was given is there again"
+    document.undo()
+    document.redo()
+    operation.Type = "v_carve"
+    assert operation.Proxy.given(operation) == {"feed": pytest.approx(700)}
 
 
 def test_values_that_cannot_be_are_told_with_the_setting(document):
@@ -267,6 +287,7 @@ def test_a_saved_document_opens_with_its_program(document, tmp_path, monkeypatch
         for (section, moves), (old_section, old_moves) in zip(machine_program.sections_of(other), kept):
             assert section == old_section and (moves == old_moves).all()
         assert other.Setup.Operations[0].Given == setup.Operations[0].Given
+        assert not any("Touched" in obj.State for obj in again.Objects)
         again.recompute()
         assert other.isValid()
     finally:

@@ -117,6 +117,21 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     assert np.allclose((left.XMin, left.XMax, left.YMin, left.YMax), (7.7, 32.3, 7.7, 32.3), atol=0.6)
 
 
+def test_a_part_of_freecads_is_the_jobs_own_model(document):
+    box = document.addObject("Part::Box", "Box")
+    setup = cam_setup.create(document, box)
+    cam_setup.add_tool(setup, {"shape": "ball", "diameter": 6, "length": 50})
+    cam_setup.add_operation(setup, "profile").Cell = 0.5
+    program = cam_setup.create_program(setup)
+    document.recompute()
+    job, paths = path_jobs.to_job(program)
+    document.recompute()
+    assert not document.findObjects(Label="Block.*") and [clone.Objects for clone in job.Model.Group] == [[box]]
+    assert paths[0].ToolController.Tool.ShapeName == "ballend" and paths[0].isValid()
+    more = path_jobs.to_job(program, job)[1]
+    assert len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1 and more[0].ToolController == paths[0].ToolController
+
+
 def test_a_program_with_a_leaning_tool_is_the_machines_own_words(document):
     program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "five_axis_ac", {"shape": "ball", "diameter": 6, "length": 60, "flute": 30},
                          zero="model", Lean=True, Stepover=0.5, Tolerance=0.1)

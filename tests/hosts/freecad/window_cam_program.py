@@ -71,3 +71,17 @@ def test_a_document_that_is_opened_shows_its_ways(document, tmp_path):
     press(Button.Cancel)
     assert setup.ViewObject.Proxy.claimChildren() == [*setup.Tools, *setup.Operations, program]
     FreeCAD.closeDocument(again.Name)
+
+
+def test_what_belongs_to_a_set_up_goes_with_it(document):
+    solid = part(document)
+    setup = new_setup(solid)
+    press(Button.Ok)
+    cam_setup.create_program(setup)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(setup)
+    FreeCADGui.runCommand("Std_Delete")
+    live(0.3)
+    assert document.Objects == [solid]
+    document.undo()
+    assert len(document.Objects) == 5
