@@ -232,6 +232,7 @@ def test_stock_and_zero_are_where_the_document_has_them(document):
 def test_every_machine_can_be_chosen(document):
     setup = cam_setup.create(document, part(document))
     operation = cam_setup.add_operation(setup, "profile")
+    operation.Cell = 0.5
     for identifier in workflow.machines():
         setup.Machine = identifier
         for material in setup.getEnumerationsOfProperty("Material"):

@@ -10,7 +10,7 @@ from window import live, press
 from window_cam import document, new_setup, part, planned_in_panel, seen, type_into  # noqa: F401
 
 from fieldfab_workbench.objects import cam_setup, machine_program
-from fieldfab_workbench.shim import QtWidgets
+from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
 
@@ -80,8 +80,21 @@ def test_what_belongs_to_a_set_up_goes_with_it(document):
     cam_setup.create_program(setup)
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(setup)
+    asked = []
+
+    def agree():  # FreeCAD asks, since the program refers to the set-up
+        for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QMessageBox):
+            if box.isVisible():
+                asked.append(box.text())
+                box.button(QtWidgets.QMessageBox.Yes).click()
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(agree)
+    timer.start(200)
     FreeCADGui.runCommand("Std_Delete")
     live(0.3)
+    timer.stop()
+    assert len(asked) <= 1
     assert document.Objects == [solid]
     document.undo()
     assert len(document.Objects) == 5
