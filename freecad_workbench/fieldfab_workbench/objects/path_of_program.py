@@ -9,6 +9,9 @@ from .document_object import DocumentObject
 from .machine_program import sections_of
 
 
+HEIGHTS = {"StartDepth": "z where it begins to cut", "FinalDepth": "Its lowest place", "SafeHeight": "z of rapids", "ClearanceHeight": "z of rapids"}
+
+
 class PathOfProgram(DocumentObject):
     """Follows the program. Straight cuts from above are told in the document's coordinates, as FreeCAD's jobs do; those of tilting tools are the
     words of the machine's own file, since only they tell how the machine turns."""
@@ -20,6 +23,8 @@ class PathOfProgram(DocumentObject):
         self.add(obj, "Integer", "Section", "Path", "Which of its operations; -1: all of them, as the machine's file says", 0)
         self.add(obj, "Link", "ToolController", "Path", "What FreeCAD's job uses for it")
         self.add(obj, "Bool", "Active", "Path", "Whether FreeCAD's job takes it", True)
+        for name, words in HEIGHTS.items():  # FreeCAD's dress-ups ask for these
+            self.add(obj, "Distance", name, "Depth", words, mode=1)
         self.add_choice(obj, "CoolantMode", "Path", "While it cuts", ("None", "Flood", "Mist"))
 
     def execute(self, obj):
@@ -39,6 +44,9 @@ class PathOfProgram(DocumentObject):
             if section["tilted"]:
                 raise ValueError(f"{obj.Label}: its tool leans now: make its path anew")
             text = gcode_of(moves, obj.Program.Zero)
+            heights = moves[:, 2] + obj.Program.Zero.z
+            cuts = heights[moves[:, 3] > 0]
+            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = cuts.max(), cuts.min(), heights.max(), heights.max()
             obj.CoolantMode = section["coolant"].capitalize() or "None"
         obj.Path = Path.Path(text)
 

@@ -132,6 +132,37 @@ def test_a_part_of_freecads_is_the_jobs_own_model(document):
     assert len(job.Operations.Group) == 2 and len(job.Tools.Group) == 1 and more[0].ToolController == paths[0].ToolController
 
 
+def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
+    from PathScripts import PathDressupRampEntry
+
+    program = programmed(document, "sphere(r = 12) & box(40, 40, 6)", ("profile",), tool={"diameter": 4, "length": 40, "feed": 600, "plunge": 200})
+    job, [path] = path_jobs.to_job(program)
+    document.recompute()
+    dressed = document.addObject("Path::FeaturePython", "RampEntryDressup")
+    dressed.Proxy = PathDressupRampEntry.ObjectDressup(dressed)
+    job.Proxy.addOperation(dressed, path, True)
+    dressed.Base = path
+    dressed.Proxy.setup(dressed)
+    document.recompute()
+
+    def plunges(commands):
+        """Cuts straight down."""
+        return [c for c in commands if c.Name == "G1" and set(c.Parameters) <= {"Z", "F"}]
+
+    told = [c for c in path.Path.Commands if c.Name == "G1"]
+    assert dressed.isValid() and job.Operations.Group == [dressed] and len(dressed.Path.Commands) != len(path.Path.Commands) and told
+    text, setup = path_jobs.program_of_job(job)
+    assert "(RampEntryDressup)" in text and text.count("M6 T1") == 1 and not plunges(dressed.Path.Commands)
+    (tmp_path / "job.ngc").write_text(text)
+    simulation = kernel.load().stock.Simulation(setup.write(str(tmp_path)), str(tmp_path / "job.ngc"), cell=0.25)
+    lower, upper = cam_setup.stock_box(program.Setup)
+    size, height = upper - lower, 7
+    removed = size.x * size.y * height - simulation.mesh.volume
+    beyond = 16**2 * math.acos(14 / 16) - 14 * math.sqrt(16**2 - 14**2)  # what of a disc of 16 mm is on one side of the stock, which ends at 14
+    ring = (math.pi * (16**2 - 12**2) - 4 * beyond) * height
+    assert removed == pytest.approx(ring, rel=0.04), "a ring as wide as the tool, where there is stock"
+
+
 def test_a_program_with_a_leaning_tool_is_the_machines_own_words(document):
     program = programmed(document, "sphere(r = 12) & box(40, 40, 16)", ("finish",), "five_axis_ac", {"shape": "ball", "diameter": 6, "length": 60, "flute": 30},
                          zero="model", Lean=True, Stepover=0.5, Tolerance=0.1)
