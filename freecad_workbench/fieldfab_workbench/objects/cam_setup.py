@@ -69,6 +69,8 @@ class CamSetup(WithSettings):
                     obj.setEditorMode(name, 0 if obj.StockFrom == kind else 2)
 
     def execute(self, obj):
+        if getattr(obj.ViewObject, "Proxy", None):
+            obj.ViewObject.Proxy.show_stock()  # the part may have another size now
         self.check(obj)
 
 

@@ -186,7 +186,7 @@ def test_machines_that_speak_no_gcode_are_told(document):
 
 def freecads_job(document):
     """A box of 40 x 30 x 10 with a round hole of 16 mm, milled by FreeCAD's own profile and pocket operations."""
-    from PathScripts import PathJob, PathPocketShape, PathProfile, PathToolBit
+    from PathScripts import PathJob, PathPocketShape, PathProfile
 
     solid = document.addObject("Part::Feature", "Plate")
     solid.Shape = Part.makeBox(40, 30, 10).cut(Part.makeCylinder(8, 10, FreeCAD.Vector(20, 15, 4)))

@@ -11,8 +11,9 @@ import window
 from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench.commands import cam as commands
-from fieldfab_workbench.objects import cam_setup, frep_solid, machine_program
+from fieldfab_workbench.objects import cam_setup, frep_solid
 from fieldfab_workbench.objects import solid as solids
+from fieldfab_workbench.panels.tool_table import ToolTable
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
@@ -59,9 +60,8 @@ def row(name):
     """The editor beside a label of the panel."""
     [label] = seen(QtWidgets.QLabel, name)
     form = label.parent().layout()
-    return form.labelForField is not None and next(
-        form.itemAt(i, QtWidgets.QFormLayout.FieldRole).widget() for i in range(form.rowCount())
-        if form.itemAt(i, QtWidgets.QFormLayout.LabelRole) and form.itemAt(i, QtWidgets.QFormLayout.LabelRole).widget() is label)
+    place, role = form.getWidgetPosition(label)
+    return form.itemAt(place, QtWidgets.QFormLayout.FieldRole).widget()
 
 
 def type_into(name, text):
@@ -178,9 +178,7 @@ def test_operations_and_tools_are_added_moved_and_removed(document):
     [box] = [b for b in seen(QtWidgets.QToolButton, "Tools")]
     box.setChecked(True)
     live(0.2)
-    from fieldfab_workbench.panels.tool_table import ToolTable
-
-    [table] = seen(ToolTable) if not hasattr(ToolTable, "text") else []
+    [table] = seen(ToolTable)
     table.take_files([os.path.join(BITS, "6mm_Ball_End.fctb"), os.path.join(BITS, "probe.fctb")])
     live(0.2)
     assert [t.Label for t in setup.Tools] == ["3 mm end mill", "6mm Ball End"] and "probe" in table.message.text()
