@@ -20,6 +20,8 @@ void bind_fields(py::module_& module);
 void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);
 void bind_cam(py::module_& parent);
+/// Of the module `cam`.
+void bind_workflow(py::module_& module);
 void bind_stock(py::module_& parent);
 void bind_playback(py::module_& module);
 

@@ -2,6 +2,7 @@
 #include "fieldfab/cam/contour.h"
 #include "fieldfab/cam/distance.h"
 #include "fieldfab/cam/job.h"
+#include "fieldfab/cam/picture.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::python {
@@ -55,12 +56,29 @@ py::dict dict_of(const cam::OperationReport& r) {
   return d;
 }
 
+py::dict dict_of(const cam::Section& s) {
+  py::dict d;
+  d["name"] = s.name, d["tool"] = s.tool.number, d["tool_name"] = s.tool.name, d["spindle"] = s.spindle;
+  d["coolant"] = s.coolant, d["setup"] = s.setup, d["clearance"] = s.clearance, d["tilted"] = s.tilted();
+  return d;
+}
+
 void bind_job(py::module_& module) {
   py::class_<cam::Job>(module, "Job", "A part, a machine, tools and operations, as a job file says (docs/cam.md).")
       .def(py::init([](const std::filesystem::path& path, const py::object& progress) {
              return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::read(path, p)); });
            }),
            py::arg("filename"), py::arg("progress") = py::none())
+      .def_static(
+          "parse",
+          [](const std::string& text, const py::object& solid, const std::filesystem::path& filename,
+             const py::object& progress) {
+            const FieldPtr part = solid.is_none() ? nullptr : field_of(solid);
+            return long_work(progress,
+                             [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::parse(text, filename, part, p)); });
+          },
+          py::arg("text"), py::arg("solid") = py::none(), py::arg("filename") = "job", py::arg("progress") = py::none(),
+          "The job of a file's text, with its part where that is given; `filename` is what messages call it.")
       .def("plan", &cam::Job::plan, "The chains of stages with all settings, as text.")
       .def(
           "run", [](cam::Job& job, const py::object& progress) { long_work(progress, [&](Progress& p) { job.run(p); }); },
@@ -68,6 +86,9 @@ void bind_job(py::module_& module) {
       .def(
           "save", [](const cam::Job& job, const std::filesystem::path& path) { job.write(path); }, py::arg("filename"),
           "Writes the machine's program, after run().")
+      .def(
+          "sheet", [](const cam::Job& job, const std::filesystem::path& path) { cam::write_setup_sheet(job, path); },
+          py::arg("filename"), "Writes the set-up sheet, an .html file, after run().")
       .def_property_readonly("machine", [](const cam::Job& job) { return job.machine().name; })
       .def_property_readonly("reports",
                              [](const cam::Job& job) {
@@ -76,6 +97,19 @@ void bind_job(py::module_& module) {
                                return out;
                              })
       .def_property_readonly("notes", &cam::Job::notes)
+      .def_property_readonly(
+          "sections",
+          [](const cam::Job& job) {
+            py::list out;
+            for (const cam::Section& section : job.program().sections) out.append(dict_of(section));
+            return out;
+          },
+          "For each operation's run of moves: name, tool, tool_name, spindle, coolant, setup, clearance, tilted.")
+      .def_property_readonly(
+          "stock", [](const cam::Job& job) { return bounds_to_python(job.stock()); }, "As the program counts.")
+      .def_property_readonly(
+          "zero", [](const cam::Job& job) { return std::make_tuple(job.zero().x(), job.zero().y(), job.zero().z()); },
+          "Where the program's zero is in the model's coordinates.")
       .def_property_readonly(
           "moves",
           [](const cam::Job& job) {
@@ -91,6 +125,7 @@ void bind_job(py::module_& module) {
 void bind_cam(py::module_& parent) {
   py::module_ module = parent.def_submodule("cam", "Toolpaths and machines.");
   bind_job(module);
+  bind_workflow(module);
   module.def(
       "machines",
       [] {

@@ -167,13 +167,13 @@ std::vector<Stage> flat_stages() {
   return {
       {"profile", "along the part's outline: cuts it out", Kind::outline, Kind::paths, true,
        Settings{choice("side", {"outside", "inside", "on"}, "of the outline"),
-                at_least(0, number("tabs", "", 0, "bridges on each outline that hold the part")),
-                above_zero(number("tab_width", "mm", 4, "width of a bridge")),
-                above_zero(number("tab_height", "mm", 1, "height of a bridge"))} +
+                whole(at_least(0, number("tabs", "", 0, "bridges on each outline that hold the part"))),
+                only_with("tabs", above_zero(number("tab_width", "mm", 4, "width of a bridge"))),
+                only_with("tabs", above_zero(number("tab_height", "mm", 1, "height of a bridge")))} +
            depth_settings() + cut,
        profile_stage, at_side},
       {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths, true,
-       Settings{at_least(-1, number("offsets", "", 4, "how many; -1 clears everything")),
+       Settings{whole(at_least(-1, number("offsets", "", 4, "how many; -1 clears everything"))),
                 stepover_setting(0.5, "from one offset to the next")} +
            depth_settings(0.1) + cut,
        isolate_stage, outside},

@@ -11,7 +11,6 @@
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/render/render.h"
-#include "unset.h"
 
 namespace fieldfab::cam {
 namespace {

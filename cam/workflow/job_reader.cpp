@@ -22,25 +22,6 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
 
-/// Settings that every operation has: how its paths are joined to moves.
-Settings link_settings_table() {
-  Settings s{above_zero(number("feed", "mm/min", 600, "of cutting")),
-             above_zero(number("plunge", "mm/min", 200, "into the material")),
-             at_least(0, number("spindle", "1/min", 10000, "speed of the spindle")),
-             choice("coolant", {"none", "mist", "flood"}, "while it cuts"),
-             above_zero(number("clearance", "mm", 5, "of rapids above the stock")),
-             above_zero(number("link_feed", "mm/min", unset, "through what is cut already; the default is the feed")),
-             choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
-             between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
-             choice("plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},
-                    "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot "
-                    "tilt stops for turning the part by hand"),
-             number("alpha", "degrees", 0, "of a view: the part's turn about z"),
-             between(0, 180, number("beta", "degrees", 0, "of a view: then about x")),
-             between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))};
-  return s;
-}
-
 Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from, const std::vector<double>& list) {
   if (list.size() < from + 3) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
   return {list[from], list[from + 1], list[from + 2]};
@@ -50,8 +31,8 @@ Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from,
 
 class JobReader {
  public:
-  JobReader(const std::filesystem::path& path, Progress& progress)
-      : path_(path), progress_(progress), table_(TomlTable::parse(read_file(path, 16 << 20), path.string())) {}
+  JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress)
+      : path_(path), progress_(progress), table_(TomlTable::parse(toml, path.string())), given_(std::move(part)) {}
 
   Job read() {
     table_.only({"name", "machine", "material", "input", "stock", "tool", "operation", "setting"});
@@ -137,11 +118,10 @@ class JobReader {
       scan.threshold =
           number != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *number} : ThresholdRule::parse(*input.text("threshold"));
     }
-    Model model = load_model(beside(name), Scripts::refused, progress_, scan);
     Solid solid;
     const double scale = input.number("scale").value_or(1);
     if (!(scale > 0)) throw refuse(input, "scale", "scale must be above 0");
-    solid.field = model.field;
+    solid.field = given_ && name.empty() ? given_ : load_model(beside(name), Scripts::refused, progress_, scan).field;
     if (scale != 1) solid.field = fieldfab::scale(solid.field, Vec3::Constant(scale));
     if (const auto turns = input.list("rotate")) {
       const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
@@ -170,6 +150,10 @@ class JobReader {
   Solid read_models(const TomlTable& input) {
     const auto name = input.text("model");
     std::vector<std::string> names = input.texts("models");
+    if (given_) {
+      if (name || !names.empty()) throw refuse(input, name ? "model" : "models", "the part is given: the input names none");
+      return read_model(input, "");
+    }
     if (name.has_value() == !names.empty())
       throw refuse(input, name ? "models" : "", "an input needs a model, or models, or an image");
     if (name) names = {*name};
@@ -205,6 +189,7 @@ class JobReader {
                                suggestion(zero, {"model", "corner", "centre"})));
     zero_ = zero;
     move_ = move;
+    job_.zero_ = -move;
     if (move != Vec3::Zero()) {
       solid.field = translate(solid.field, move);
       solid.bounds = {b.lower + move, b.upper + move};
@@ -226,14 +211,20 @@ class JobReader {
     }
     Box stock = part;
     if (const auto table = table_.table("stock")) {
-      table->only({"lower", "upper", "margin", "thickness", "top"});
+      table->only({"lower", "upper", "margin", "thickness", "top", "coordinates"});
       const double margin = table->number("margin").value_or(0);
       stock = {{part.lower.x() - margin, part.lower.y() - margin, part.lower.z()},
                {part.upper.x() + margin, part.upper.y() + margin, part.upper.z()}};
       if (const auto top = table->number("top")) stock.upper.z() += *top;
       if (const auto thickness = table->number("thickness")) stock.lower.z() = stock.upper.z() - *thickness;
-      if (const auto lower = table->list("lower")) stock.lower = vector_of(*table, "lower", 0, *lower);
-      if (const auto upper = table->list("upper")) stock.upper = vector_of(*table, "upper", 0, *upper);
+      const std::string coordinates = table->text("coordinates").value_or("program");
+      if (coordinates != "program" && coordinates != "model")
+        throw refuse(*table, "coordinates",
+                     fmt::format("coordinates is '{}'; it must be one of program, model{}", coordinates,
+                                 suggestion(coordinates, {"program", "model"})));
+      const Vec3 move = coordinates == "model" ? move_ : Vec3::Zero();
+      if (const auto lower = table->list("lower")) stock.lower = vector_of(*table, "lower", 0, *lower) + move;
+      if (const auto upper = table->list("upper")) stock.upper = vector_of(*table, "upper", 0, *upper) + move;
       if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
     }
     // A beam or a blade goes through whatever there is.
@@ -318,7 +309,7 @@ class JobReader {
     };
     for (const Stage* stage : op.stages)
       for (const Setting& setting : stage->settings) add(setting);
-    for (const Setting& setting : link_settings_table()) add(setting);
+    for (const Setting& setting : joining_settings()) add(setting);
     table.only(known);
     op.values.given["type"] = {*type, "job", table.place("type").empty() ? table.place() : table.place("type")};
     const double most = job_.machine_.max_feed;
@@ -402,6 +393,7 @@ class JobReader {
   std::filesystem::path path_;
   Progress& progress_;
   TomlTable table_;
+  FieldPtr given_;  // the part, where it comes from no file
   std::vector<Tool> tools_;
   /// A model that only one operation works on, placed as the input is.
   Solid read_own_model(const TomlTable& operation, const std::string& name) {
@@ -419,6 +411,12 @@ class JobReader {
   Job job_;
 };
 
-Job Job::read(const std::filesystem::path& path, Progress& progress) { return JobReader(path, progress).read(); }
+Job Job::read(const std::filesystem::path& path, Progress& progress) {
+  return JobReader(read_file(path, 16 << 20), path, nullptr, progress).read();
+}
+
+Job Job::parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress) {
+  return JobReader(toml, path, std::move(part), progress).read();
+}
 
 }  // namespace fieldfab::cam

@@ -61,6 +61,7 @@ Value checked(const Setting& setting, const Value& value, const std::string& pla
   const auto check_number = [&](double d) {
     const bool low = setting.lower_open ? !(d > setting.lower) : !(d >= setting.lower);
     if (!std::isfinite(d)) refuse("must be finite");
+    if (setting.whole && d != std::round(d)) refuse(fmt::format("is {:.6g}; it must be a whole number", d));
     if (low)
       refuse(fmt::format("is {:.6g}; it must be {} {:.6g}{}", d, setting.lower_open ? "above" : "at least", setting.lower,
                          setting.unit.empty() ? "" : " " + setting.unit));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "fieldfab/cam/stage.h"
-#include "unset.h"
 
 namespace fieldfab::cam {
 
@@ -21,6 +20,12 @@ inline Settings operator+(Settings a, const Settings& b) {
   return a;
 }
 inline Setting above_zero(Setting s) { return s.lower = 0, s.lower_open = true, s; }
+inline Setting whole(Setting s) { return s.whole = true, s; }
+/// A setting that means nothing but beside another one: where that has one of these values, or any but 0 and false.
+inline Setting only_with(std::string needs, Setting s, std::vector<std::string> values = {}) {
+  s.needs = std::move(needs), s.needs_values = std::move(values);
+  return s;
+}
 inline Setting at_least(double lower, Setting s) { return s.lower = lower, s; }
 inline Setting between(double lower, double upper, Setting s) { return s.lower = lower, s.upper = upper, s; }
 inline Setting flag(std::string name, bool standard, std::string help) {

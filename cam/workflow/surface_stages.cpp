@@ -129,9 +129,9 @@ void lean(Cuts& cuts, const Values& values, const TipSurface& tips, Context& con
 
 Settings lean_settings() {
   return {flag("lean", false, "the tool leans along with the surface: five axes at once"),
-          between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal")),
-          between(1, 85, number("most_lean", "degrees", 60, "against the plane's z")),
-          above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part"))};
+          only_with("lean", between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal"))),
+          only_with("lean", between(1, 85, number("most_lean", "degrees", 60, "against the plane's z"))),
+          only_with("lean", above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part")))};
 }
 
 /// Whether the tool may go straight on over the surface to the next pass.
@@ -170,7 +170,7 @@ void leave_out_reached(Cuts& cuts, const Values& values, const std::shared_ptr<c
 
 Settings rest_settings() {
   return {flag("rest", false, "only where the operations before it have left something, as with a smaller tool"),
-          above_zero(number("rest_least", "mm", 0.05, "how much that is"))};
+          only_with("rest", above_zero(number("rest_least", "mm", 0.05, "how much that is")))};
 }
 
 Artifact finish_stage(const Artifact& in, const Values& values, Context& context) {
@@ -250,8 +250,8 @@ std::vector<Stage> surface_stages() {
        rough_stage},
       {"finish", "parallel passes over the part's surface", Kind::surface, Kind::paths, true,
        Settings{choice("pattern", {"raster", "cross", "spiral"}, "of the passes"),
-                number("angle", "degrees", 0, "of the passes against x"), stepover(0.1), scallop,
-                flag("both_ways", true, "every other pass runs back"),
+                only_with("pattern", number("angle", "degrees", 0, "of the passes against x"), {"raster", "cross"}),
+                stepover(0.1), scallop, flag("both_ways", true, "every other pass runs back"),
                 number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
                 tolerance} +
            rest_settings() + lean_settings(),

@@ -521,3 +521,41 @@ def test_rapids_clear_a_height_map_that_is_higher_than_the_stock(tmp_path):
     highest = moves[moves[:, 3] > 0][:, 2].max()  # of what is cut; the stock's top is the picture's own, at 2 or so
     assert highest > 30
     assert moves[0, 2] == pytest.approx(highest + 5)
+
+
+def test_what_panels_are_made_from():
+    """The graph tells all of its settings, and each `needs` names one beside it."""
+    stages = {s["name"]: s for s in ff.cam.stages()}
+    joining = ff.cam.joining_settings()
+    for stage in stages.values():
+        beside = {s["name"]: s for s in [*stage["settings"], *joining]}
+        for s in [*stage["settings"], *joining]:
+            assert s["help"] and s["kind"] in ("flag", "number", "text")
+            assert s["default"] is None or s["kind"] != "text" or s["default"] in s["choices"]
+            if s["needs"]:
+                assert set(s["needs_values"]) <= set(beside[s["needs"]]["choices"])
+    assert ff.cam.chain("solid", "finish") == ["height map", "finish"]
+    assert ff.cam.chain("image", "pocket") == ["threshold", "distance transform", "pocket"]
+    machine = ff.cam.machine("five_axis_ac")
+    assert machine["axes"] == ["A", "C"] or set(machine["axes"]) == {"A", "C"}
+    with pytest.raises(ff.Error, match="did you mean"):
+        ff.cam.machine("linuxnc")
+
+
+def test_a_job_of_a_part_that_is_given(tmp_path):
+    text = 'machine = "linuxcnc"\n[input]\n{model}zero = "corner"\n[stock]\n{stock}\n[[tool]]\ndiameter = 3\n[[operation]]\ntype = "rough"\ncell = 0.4\n'
+    by_file = ff.cam.Job(job(tmp_path, text.format(model='model = "part.frep"\n', stock="margin = 2"), part_frep=DOME))
+    given = ff.cam.Job.parse(text.format(model="", stock="margin = 2"), ff.parse(DOME))
+    # The same stock, as the model counts.
+    lower, upper = (np.reshape(by_file.stock, (2, 3)) + by_file.zero).tolist()
+    placed = ff.cam.Job.parse(text.format(model="", stock=f'coordinates = "model"\nlower = {lower}\nupper = {upper}'), ff.parse(DOME))
+    for each in (by_file, given, placed):
+        each.run()
+    assert given.zero == by_file.zero and (given.moves[0] == by_file.moves[0]).all() and np.allclose(placed.stock, by_file.stock)
+    assert len(placed.moves[0]) == len(by_file.moves[0]) and np.abs(placed.moves[0] - by_file.moves[0]).max() < 1e-6
+    assert given.sections[0]["tool"] == 1 and not given.sections[0]["tilted"]
+    with pytest.raises(ff.Error, match="the part is given") as raised:
+        ff.cam.Job.parse(text.format(model='model = "part.frep"\n', stock="margin = 2"), ff.parse(DOME), "mine")
+    assert raised.value.place.startswith("mine:3")
+    with pytest.raises(ff.Error, match="whole number"):
+        ff.cam.Job.parse(text.format(model="", stock="margin = 2").replace('"rough"', '"profile"\ntabs = 1.5'), ff.parse(DOME))

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fieldfab/cam/machine.h"
@@ -38,6 +39,10 @@ class Job {
  public:
   /// Reads a job file and what it names. Throws bad_input with FILE:LINE, io, cancelled.
   static Job read(const std::filesystem::path& path, Progress& progress = Progress::none());
+  /// The same of a file's text. `path` is what messages call it, and beside it are the files that it names. Where a part is
+  /// given, [input] names no model; it may scale, turn and move the part.
+  static Job parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part = nullptr,
+                   Progress& progress = Progress::none());
 
   /// The chains of stages with all settings and where each comes from, for people.
   [[nodiscard]] std::string plan() const;
@@ -55,6 +60,8 @@ class Job {
   [[nodiscard]] const Solid* solid() const { return std::get_if<Solid>(&input_); }
   /// The material, in the part's coordinates, mm.
   [[nodiscard]] const Box& stock() const { return stock_; }
+  /// Where the program's zero lies in the model's coordinates (scaled and turned as [input] says), mm.
+  [[nodiscard]] const Vec3& zero() const { return zero_; }
   [[nodiscard]] const std::string& name() const { return program_.name; }
   [[nodiscard]] const std::string& material() const { return material_; }
 
@@ -67,6 +74,7 @@ class Job {
   std::string file_, machine_place_;
   Artifact input_;
   Box stock_;
+  Vec3 zero_ = Vec3::Zero();
   std::vector<PlannedOperation> operations_;
   Program program_;
   std::vector<OperationReport> reports_;

@@ -20,9 +20,17 @@ struct Setting {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
   bool lower_open = false;           ///< must be above `lower`, not equal
   bool required = false;             ///< has no default
+  bool whole = false;                ///< a whole number
   std::vector<std::string> choices;  ///< where not empty, the texts allowed
+  /// The setting beside it without which this one means nothing, and the values which that one must then have; none: any but 0
+  /// and false.
+  std::string needs;
+  std::vector<std::string> needs_values;
 };
 using Settings = std::vector<Setting>;
+
+/// What a number is where nobody says: it then follows from other things.
+constexpr double unset = -987654321.0;
 
 /// Where a value comes from, for --plan.
 struct Given {
@@ -42,6 +50,7 @@ class Values {
   [[nodiscard]] bool has(const std::string& name) const { return given.contains(name); }
   [[nodiscard]] const std::string& place(const std::string& name) const;
 };
+inline bool is_set(const Values& values, const std::string& name) { return values.number(name) != unset; }
 
 /// Checks a value against its setting and returns it with the setting's type (a whole number is a number). Throws bad_input at
 /// `place`.

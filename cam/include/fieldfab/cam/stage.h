@@ -69,6 +69,8 @@ struct Stage {
 const std::vector<Stage>& stages();
 /// An operation by name; throws bad_input at `place` with the nearest name.
 const Stage& operation(const std::string& name, const std::string& place);
+/// What all operations can be told besides: how their paths are joined to moves.
+Settings joining_settings();
 /// The shortest chain of stages from a kind to an operation, the operation last. Throws bad_input where none leads there.
 std::vector<const Stage*> chain(Kind from, const Stage& operation);
 

@@ -1,0 +1,160 @@
+"""A set-up as a job for the kernel (docs/cam.md), and what comes of it. Texts are made on the GUI thread, plans anywhere."""
+
+import hashlib
+import json
+import os
+import re
+import tempfile
+
+import numpy as np
+
+from . import kernel, workflow
+from .objects import cam_tool
+from .objects.cam_setup import NO_MATERIAL, box_of
+from .objects.solid import source_of
+
+
+class JobError(ValueError):
+    """What is wrong with a job, and with which setting: `object` (its name in the document) and `setting` where known."""
+
+    def __init__(self, words, object=None, setting=""):
+        super().__init__(words)
+        self.object, self.setting = object, setting
+
+
+class Job:
+    """`text`: the job file. `places`: {line of it: (name of an object, name of a setting)}. `source`: the part, a sources.Source."""
+
+    def __init__(self, setup):
+        """Raises JobError."""
+        self._lines, self.places, self.label = [], {}, setup.Label
+        if setup.Part is None:
+            raise JobError(f"{setup.Label}: choose a Part", setup.Name, "part")
+        try:
+            self.source = source_of(setup.Part)
+        except ValueError as error:
+            raise JobError(str(error), setup.Name, "part") from None
+        self._write_setup(setup)
+        for tool in setup.Tools:
+            self._write_tool(tool)
+        for operation in setup.Operations:
+            if operation.Active:
+                self._write_operation(setup, operation)
+        self.text = "\n".join(self._lines) + "\n"
+        self.extension = workflow.machine(setup.Machine)["extension"]
+        self.digest = hashlib.sha1(repr((self.text, self.source.digest)).encode()).hexdigest()
+
+    def _add(self, name, value, obj, setting=None):
+        self._lines.append(f"{name} = {toml_value(value)}")
+        self.places[len(self._lines)] = (obj.Name, setting or name)
+
+    def _head(self, text, obj, setting=""):
+        self._lines += ["", text]
+        self.places[len(self._lines)] = (obj.Name, setting)
+
+    def _write_setup(self, setup):
+        problem = next(iter(setup.Proxy.problems(setup).items()), None)
+        if problem:
+            raise JobError(f"{setup.Label}: {problem[0]} {problem[1]}", setup.Name, problem[0])
+        self._add("name", setup.Label, setup)
+        self._add("machine", setup.Machine, setup)
+        if setup.Material != NO_MATERIAL:
+            self._add("material", setup.Material, setup)
+        self._head("[input]", setup, "part")
+        self._add("zero", setup.Zero, setup)
+        self._head("[stock]", setup, "stock")
+        if setup.StockFrom == "Margins":
+            self._add("margin", setup.Margin.Value, setup)
+            self._add("top", setup.Top.Value, setup)
+            if setup.Thickness.Value:
+                self._add("thickness", setup.Thickness.Value, setup)
+        else:
+            if setup.StockFrom == "Object" and setup.StockObject is None:
+                raise JobError(f"{setup.Label}: choose a StockObject", setup.Name, "stock")
+            box = box_of(setup.StockObject) if setup.StockFrom == "Object" else None
+            lower = (box.XMin, box.YMin, box.ZMin) if box else setup.StockLower
+            upper = (box.XMax, box.YMax, box.ZMax) if box else setup.StockUpper
+            self._add("coordinates", "model", setup, "stock")
+            self._add("lower", list(lower), setup, "stock")
+            self._add("upper", list(upper), setup, "stock")
+        given = setup.Proxy.given(setup)
+        if given:
+            self._head("[setting]", setup)
+        for name, value in given.items():
+            self._add(name, value, setup)
+
+    def _write_tool(self, tool):
+        self._head("[[tool]]", tool)
+        for name, value in cam_tool.described(tool).items():
+            self._add(name, value, tool)
+
+    def _write_operation(self, setup, operation):
+        problem = next(iter(operation.Proxy.problems(operation).items()), None)
+        if problem:
+            raise JobError(f"{operation.Label}: {problem[0]} {problem[1]}", operation.Name, problem[0])
+        if operation.Tool is not None and operation.Tool not in setup.Tools:
+            raise JobError(f"{operation.Label}: its tool is not one of the set-up's", operation.Name, "tool")
+        if operation.Tool is None and len(setup.Tools) > 1:
+            raise JobError(f"{operation.Label}: choose a tool", operation.Name, "tool")
+        self._head("[[operation]]", operation)
+        self._add("name", operation.Label, operation)
+        self._add("type", operation.Type, operation)
+        if operation.Tool is not None:
+            self._add("tool", operation.Tool.Number, operation)
+        for name, value in operation.Proxy.given(operation).items():
+            self._add(name, value, operation)
+
+    def plan(self, progress=None):
+        """Plans all paths; a Plan. Raises JobError for what cannot be done, fieldfab.Error for what went wrong or was cancelled."""
+        fieldfab = kernel.load()
+        try:
+            job = fieldfab.cam.Job.parse(self.text, self.source.field(progress), "job", progress)
+            job.run(progress)
+            return Plan(self, job)
+        except fieldfab.Error as error:
+            if error.kind == "cancelled":
+                raise
+            raise self._told(error) from None
+
+    def _told(self, error):
+        """The kernel's message, with the object in the place of the line."""
+        line = re.match(r"job:(\d+)", error.place or str(error))
+        name, setting = self.places.get(int(line[1]), (None, "")) if line else (None, "")
+        words = re.sub(r"^(job(:\d+)?: |machine: )+", "", str(error))
+        if setting and not words.startswith(setting):
+            mentioned = re.match(r"(\w+) (?:is|must|has)\b", words)
+            setting = mentioned[1] if mentioned else setting
+        return JobError(words, name, setting)
+
+
+class Plan:
+    """What a job came to: plain values and files' bytes, so that nothing of the kernel has to stay."""
+
+    def __init__(self, order, job):
+        self.text, self.digest, self.extension = order.text, order.digest, order.extension
+        self.moves, self.sections, self.reports, self.notes = list(job.moves), list(job.sections), list(job.reports), list(job.notes)
+        self.zero, self.stock = tuple(job.zero), tuple(job.stock)
+        with tempfile.TemporaryDirectory() as folder:
+            program, sheet = os.path.join(folder, "program"), os.path.join(folder, "sheet.html")
+            job.save(program)
+            job.sheet(sheet)
+            with open(program, "rb") as file:
+                self.program = file.read()
+            with open(sheet, "rb") as file:
+                self.sheet = file.read()
+
+    @property
+    def seconds(self):
+        return sum(report["seconds"] for report in self.reports)
+
+
+def all_moves(plan):
+    """The moves of all sections below each other."""
+    return np.vstack(plan.moves) if plan.moves else np.zeros((0, 8))
+
+
+def toml_value(value):
+    """A value as a TOML file has it."""
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(toml_value(float(v)) for v in value) + "]"
+    return json.dumps(value, ensure_ascii=False)  # numbers, texts and truth are written alike

@@ -1,0 +1,149 @@
+"""Machining: set-ups, operations, plans, and what is made of them."""
+
+import os
+import tempfile
+import webbrowser
+
+import FreeCAD
+import FreeCADGui
+
+from .. import path_jobs, path_shim
+from ..objects import cam_setup, machine_program
+from ..shim import QtWidgets
+from ..views.solid_view import icon
+from .solids import selected
+
+
+def chosen_setup():
+    """The set-up that is selected, or one of whose children is; else the document's only one; else None."""
+    for obj in FreeCADGui.Selection.getSelection():
+        for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj), getattr(getattr(obj, "Program", None), "Setup", None)):
+            if candidate is not None and cam_setup.is_setup(candidate):
+                return candidate
+    every = [obj for obj in FreeCAD.ActiveDocument.Objects if cam_setup.is_setup(obj)] if FreeCAD.ActiveDocument else []
+    return every[0] if len(every) == 1 else None
+
+
+def chosen_program():
+    """The program that is selected, or the chosen set-up's first planned one; None."""
+    for obj in FreeCADGui.Selection.getSelection():
+        if getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram":
+            return obj
+    setup = chosen_setup()
+    return next((program for program in cam_setup.programs_of(setup) if program.MadeFrom), None) if setup else None
+
+
+class Command:
+    """A command that needs something to be chosen; `ready` says whether it is."""
+
+    def __init__(self, name, words, tip):
+        self.told = {"Pixmap": icon(name), "MenuText": words, "ToolTip": tip}
+
+    def GetResources(self):
+        return self.told
+
+    def ready(self):
+        return chosen_program() is not None
+
+    def IsActive(self):
+        return not FreeCADGui.Control.activeDialog() and self.ready()
+
+
+class NewSetup(Command):
+    def ready(self):
+        return bool(selected())
+
+    def Activated(self):
+        document, part = FreeCAD.ActiveDocument, selected()[0]
+        document.openTransaction(self.told["MenuText"])
+        setup = cam_setup.create(document, part)
+        cam_setup.add_tool(setup, {"diameter": 3, "name": "3 mm end mill"})
+        cam_setup.add_operation(setup, "rough")
+        document.recompute([setup])
+        FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour
+        FreeCADGui.ActiveDocument.setEdit(setup.Name)
+
+
+class AddOperation(Command):
+    def ready(self):
+        return chosen_setup() is not None
+
+    def Activated(self):
+        setup = chosen_setup()
+        setup.Document.openTransaction(self.told["MenuText"])
+        operation = cam_setup.add_operation(setup, "finish" if setup.Operations else "rough")
+        setup.Document.recompute([operation])
+        FreeCADGui.ActiveDocument.setEdit(operation.Name)
+
+
+class Plan(Command):
+    def ready(self):
+        return chosen_setup() is not None
+
+    def Activated(self):
+        setup = chosen_setup()
+        document = setup.Document
+        document.openTransaction(self.told["MenuText"])
+        program = next(iter(cam_setup.programs_of(setup)), None) or cam_setup.create_program(setup)
+        program.touch()
+        document.recompute([program])
+        document.commitTransaction()
+        message = f"{program.Label}: about {machine_program.clock(program.Seconds)}" if program.isValid() else program.getStatusString()
+        FreeCADGui.getMainWindow().statusBar().showMessage(message, 10000)
+
+
+class WriteMachineFile(Command):
+    def Activated(self):
+        program = chosen_program()
+        suggested = os.path.join(os.path.dirname(program.Document.FileName), program.Setup.Label + program.Extension)
+        path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.told["MenuText"], suggested,
+                                                           f"{program.Setup.Machine} (*{program.Extension})")
+        if path:
+            write(program, path)
+
+
+def write(program, path):
+    """Writes the machine's file; says in the status bar that it did, in a box that it could not."""
+    window = FreeCADGui.getMainWindow()
+    try:
+        machine_program.write_machine_file(program, path)
+    except (ValueError, OSError) as error:
+        QtWidgets.QMessageBox.warning(window, "Fieldfab", str(error))
+    else:
+        window.statusBar().showMessage(f"{path} is written", 10000)
+
+
+class SetupSheet(Command):
+    def Activated(self):
+        path = os.path.join(tempfile.mkdtemp(prefix="fieldfab_"), "setup.html")
+        machine_program.write_setup_sheet(chosen_program(), path)
+        webbrowser.open(f"file://{path}")
+
+
+class ToPath(Command):
+    def Activated(self):
+        program = chosen_program()
+        document = program.Document
+        job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)), None)
+        document.openTransaction(self.told["MenuText"])
+        try:
+            path_jobs.to_job(program, job)
+        except (ValueError, ImportError) as error:
+            document.abortTransaction()
+            QtWidgets.QMessageBox.warning(FreeCADGui.getMainWindow(), "Fieldfab", str(error))
+            return
+        document.recompute()
+        document.commitTransaction()
+        program.ViewObject.Visibility = False
+
+
+TITLE = "CAM"
+COMMANDS = {
+    "Fieldfab_NewCamSetup": NewSetup("CamSetup", "New CAM set-up", "Machine the selected solid: stock, tools, operations and a machine"),
+    "Fieldfab_AddOperation": AddOperation("CamOperation", "Add operation", "Add an operation to the CAM set-up"),
+    "Fieldfab_Plan": Plan("Plan", "Plan", "Plan all paths of the CAM set-up"),
+    "Separator_Cam": None,
+    "Fieldfab_WriteMachineFile": WriteMachineFile("WriteMachineFile", "Write machine file", "Write the program as the machine takes it"),
+    "Fieldfab_SetupSheet": SetupSheet("SetupSheet", "Set-up sheet", "Show the page for the person at the machine"),
+    "Fieldfab_ToPath": ToPath("ToPath", "To Path job", "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs"),
+}

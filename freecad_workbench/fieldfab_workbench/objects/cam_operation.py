@@ -1,0 +1,48 @@
+"""One operation of a CAM set-up."""
+
+from .. import workflow
+from .document_object import WithSettings
+
+MADE_BY_TOOL = {"feed": "Feed", "plunge": "Plunge", "spindle": "Spindle"}
+
+
+class CamOperation(WithSettings):
+    """Its type, its tool, and a property for each setting of the stages that lead from the part to its moves."""
+
+    NAME = "CamOperation"
+
+    def add_properties(self, obj):
+        self.add_choice(obj, "Type", "Operation", "What is done", workflow.operation_names())
+        self.add(obj, "Link", "Tool", "Operation", "What it is done with")
+        self.add(obj, "Bool", "Active", "Operation", "Whether it is done at all", True)
+        self.settle(obj)
+
+    def stages(self, obj):
+        return workflow.stages_of(obj.Type)
+
+    def default(self, obj, setting):
+        """The tool's, else the material's, else the workflow's, no faster than the machine."""
+        from .cam_setup import setup_of
+
+        tool, setup = getattr(obj, "Tool", None), setup_of(obj)
+        if tool is not None and setting.name in MADE_BY_TOOL:
+            own = getattr(tool, MADE_BY_TOOL[setting.name])
+            own = own.Value * 60 if hasattr(own, "Value") else own
+            if own > 0:
+                return own
+        machine = workflow.machine(setup.Machine) if setup else {}
+        material = machine.get("materials", {}).get(setup.Material, {}) if setup else {}
+        value = material.get(setting.name, setting.default)
+        fastest = machine.get("max_feed", 0)
+        if setting.name in ("feed", "plunge") and fastest and setting.name not in material:
+            value = min(value, fastest)
+        return value
+
+    def onChanged(self, obj, name):
+        if name in ("Type", "Tool") and "Given" in obj.PropertiesList and not obj.Document.Restoring and not obj.Document.Transacting:
+            self.settle(obj)
+        super().onChanged(obj, name)
+
+    def execute(self, obj):
+        self.settle(obj)  # its tool may say other speeds now
+        self.check(obj)

@@ -1,0 +1,175 @@
+"""A part, a machine, its stock, tools and operations: all that a machine's program follows from."""
+
+import FreeCAD
+
+from .. import workflow
+from .document_object import WithSettings
+
+NO_MATERIAL = "any"
+STOCKS = {"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"), "Object": ("StockObject",)}
+
+
+class CamSetup(WithSettings):
+    """Its tools and operations are objects of their own, in order. The machine's own settings are properties here."""
+
+    NAME = "CamSetup"
+
+    def add_properties(self, obj):
+        self.add(obj, "Link", "Part", "Part", "The solid to be made")
+        self.add_choice(obj, "Zero", "Part", "The program's zero: as the model has it, or the corner or centre of the part's top",
+                        ("model", "corner", "centre"))
+        self.add_choice(obj, "Machine", "Machine", "What it is made with", workflow.machines())
+        if "Material" not in obj.PropertiesList:
+            obj.Machine = "linuxcnc"
+            self.add_choice(obj, "Material", "Machine", "Defaults of the machine for a material", (NO_MATERIAL,))
+        self.add_choice(obj, "StockFrom", "Stock", "Margins about the part, a box, or another object's box", STOCKS)
+        self.add(obj, "Length", "Margin", "Stock", "At the part's sides", 2)
+        self.add(obj, "Length", "Top", "Stock", "Above the part", 1)
+        self.add(obj, "Length", "Thickness", "Stock", "From its top down; 0: to the part's lowest place", 0)
+        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner, in the document's coordinates", FreeCAD.Vector(-20, -20, -20))
+        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner, in the document's coordinates", FreeCAD.Vector(20, 20, 0))
+        self.add(obj, "Link", "StockObject", "Stock", "Its bounding box is the stock")
+        self.add(obj, "LinkList", "Tools", "CAM", "The cutters")
+        self.add(obj, "LinkList", "Operations", "CAM", "What is done, in order")
+        self.settle(obj)
+        self._show_stock(obj)
+
+    def stages(self, obj):
+        return [workflow.machine_stage(obj.Machine)]
+
+    def default(self, obj, setting):
+        if "Material" not in obj.PropertiesList:
+            return setting.default
+        return workflow.machine(obj.Machine)["materials"].get(obj.Material, {}).get(setting.name, setting.default)
+
+    def onChanged(self, obj, name):
+        if "Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring and not obj.Document.Transacting:
+            if name == "Machine" and "Material" in obj.PropertiesList:
+                self._offer_materials(obj)
+            if name in ("Machine", "Material"):
+                self.settle(obj)
+                for operation in getattr(obj, "Operations", []):
+                    operation.Proxy.settle(operation)
+        if name == "StockFrom":
+            self._show_stock(obj)
+        super().onChanged(obj, name)
+
+    def _offer_materials(self, obj):
+        """Those that the machine knows; the one chosen stays where it can."""
+        self._settling, before = True, obj.Material
+        obj.Material = [NO_MATERIAL, *sorted(workflow.machine(obj.Machine)["materials"])]
+        obj.Material = before if before in obj.getEnumerationsOfProperty("Material") else NO_MATERIAL
+        self._settling = False
+
+    @staticmethod
+    def _show_stock(obj):
+        for kind, names in STOCKS.items():
+            for name in names:
+                if name in obj.PropertiesList:
+                    obj.setEditorMode(name, 0 if obj.StockFrom == kind else 2)
+
+    def execute(self, obj):
+        if getattr(obj.ViewObject, "Proxy", None):
+            obj.ViewObject.Proxy.show_stock()  # the part may have another size now
+        self.check(obj)
+
+
+def is_setup(obj):
+    return isinstance(getattr(obj, "Proxy", None), CamSetup)
+
+
+def setup_of(operation):
+    """The set-up that an operation or a tool belongs to; None for one that belongs to none."""
+    return next((obj for obj in operation.InList if is_setup(obj)), None)
+
+
+def programs_of(setup):
+    """The machine programs made from a set-up."""
+    return [obj for obj in setup.InList if getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram"]
+
+
+def box_of(obj):
+    """The bounding box of any object, in the document's coordinates. Raises ValueError."""
+    if hasattr(obj, "Mesh") and obj.Mesh.CountFacets:
+        return obj.Mesh.BoundBox
+    if hasattr(obj, "Shape") and not obj.Shape.isNull():
+        return obj.Shape.BoundBox
+    raise ValueError(f"{obj.Label} has no size")
+
+
+def stock_box(setup):
+    """The stock's lower and upper corner in the document's coordinates. Raises ValueError."""
+    if setup.StockFrom == "Box":
+        return FreeCAD.Vector(setup.StockLower), FreeCAD.Vector(setup.StockUpper)
+    if setup.StockFrom == "Object":
+        if setup.StockObject is None:
+            raise ValueError(f"{setup.Label}: choose a StockObject")
+        box = box_of(setup.StockObject)
+        return FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
+    if setup.Part is None:
+        raise ValueError(f"{setup.Label}: choose a Part")
+    box, margin = box_of(setup.Part), setup.Margin.Value
+    upper = FreeCAD.Vector(box.XMax + margin, box.YMax + margin, box.ZMax + setup.Top.Value)
+    bottom = upper.z - setup.Thickness.Value if setup.Thickness.Value else box.ZMin
+    return FreeCAD.Vector(box.XMin - margin, box.YMin - margin, bottom), upper
+
+
+# Making them. Each returns the new object; nothing is computed.
+
+
+def _create(kind, document, label):
+    obj = document.addObject("App::FeaturePython", kind.NAME)
+    kind(obj)
+    obj.Label = label
+    if FreeCAD.GuiUp:
+        from ..views.cam_view import attach
+
+        attach(obj)
+    return obj
+
+
+def create(document, part=None, label="CAM set-up"):
+    setup = _create(CamSetup, document, label)
+    setup.Part = part
+    return setup
+
+
+def add_tool(setup, told=None):
+    """Adds a cutter, described as in job files; its number is the next free one where it has none or that is taken."""
+    from . import cam_tool
+
+    tool, told = _create(cam_tool.CamTool, setup.Document, "Tool"), dict(told or {})
+    taken = {other.Number for other in setup.Tools}
+    if told.get("number", 0) in taken or "number" not in told:
+        told["number"] = max(taken, default=0) + 1
+    told.setdefault("name", f"{told.get('diameter', 3):g} mm {told.get('shape', 'flat')}")
+    cam_tool.take(tool, told)
+    setup.Tools = [*setup.Tools, tool]
+    return tool
+
+
+def add_operation(setup, kind, tool=None):
+    """Adds an operation at the end; with the first tool where none is named."""
+    from .cam_operation import CamOperation
+
+    operation = _create(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
+    operation.Type = kind
+    setup.Operations = [*setup.Operations, operation]
+    operation.Tool = tool or next(iter(setup.Tools), None)
+    return operation
+
+
+def remove(setup, child):
+    """Takes a tool or an operation out of a set-up and the document."""
+    setup.Tools = [tool for tool in setup.Tools if tool != child]
+    setup.Operations = [operation for operation in setup.Operations if operation != child]
+    setup.Document.removeObject(child.Name)
+
+
+def create_program(setup):
+    """Adds the machine program of a set-up; not yet planned."""
+    from .machine_program import MachineProgram
+
+    program = _create(MachineProgram, setup.Document, f"Program of {setup.Label}")
+    program.Setup = setup
+    return program

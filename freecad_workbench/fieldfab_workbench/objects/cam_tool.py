@@ -1,0 +1,76 @@
+"""A cutter of a CAM set-up. Lengths are mm, angles degrees."""
+
+from .document_object import DocumentObject
+
+# What each shape needs besides a diameter.
+SHAPES = {
+    "flat": (), "ball": (), "bull": ("CornerRadius",), "v": ("Angle", "TipDiameter"), "tapered": ("Angle", "CornerRadius"), "drill": ("Angle",),
+}
+# Properties by their names in job files (docs/cam.md).
+LENGTHS = {
+    "diameter": ("Diameter", "Where it is widest", 3), "corner_radius": ("CornerRadius", "Of a bull-nose, or of the tip of a tapered ball", 0.5),
+    "tip_diameter": ("TipDiameter", "Of a V with a blunt tip", 0), "flute": ("Flute", "Length that cuts; 0: not known", 0),
+    "length": ("StickOut", "From the tip to the holder; 0: not known", 0), "shank": ("Shank", "Diameter above the flutes; 0: as the cutting part", 0),
+    "holder_diameter": ("HolderDiameter", "0: not known", 0), "holder_length": ("HolderLength", "0: not known", 0),
+}
+
+
+class CamTool(DocumentObject):
+    NAME = "CamTool"
+
+    def add_properties(self, obj):
+        self.add(obj, "IntegerConstraint", "Number", "Tool", "Its place in the machine", (1, 1, 9999, 1))
+        self.add_choice(obj, "Shape", "Tool", "Of its tip", SHAPES)
+        for name, words, value in LENGTHS.values():
+            self.add(obj, "Length", name, "Tool", words, value)
+        self.add(obj, "Angle", "Angle", "Tool", "Of the tip, from side to side", 60)
+        self.add(obj, "IntegerConstraint", "Flutes", "Tool", "Cutting edges", (2, 1, 100, 1))
+        self.add(obj, "Speed", "Feed", "Speeds", "Of cutting with it; 0: the material's or the operation's", 0)
+        self.add(obj, "Speed", "Plunge", "Speeds", "Into the material; 0: the material's or the operation's", 0)
+        self.add(obj, "FloatConstraint", "Spindle", "Speeds", "Revolutions per minute; 0: the material's or the operation's", (0.0, 0.0, 1e6, 100.0))
+        self.show_what_matters(obj)
+
+    def onChanged(self, obj, name):
+        if name == "Shape":
+            self.show_what_matters(obj)
+
+    @staticmethod
+    def show_what_matters(obj):
+        for name in {name for needed in SHAPES.values() for name in needed}:
+            if name in obj.PropertiesList:
+                obj.setEditorMode(name, 0 if name in SHAPES[obj.Shape] else 2)
+
+    def execute(self, obj):
+        if not obj.Diameter.Value > 0:
+            raise ValueError(f"{obj.Label}: Diameter must be above 0")
+
+
+def described(obj):
+    """{name: value} of the tool as job files have it, its name last."""
+    needed = SHAPES[obj.Shape]
+    told = {"number": obj.Number, "shape": obj.Shape}
+    for name, (prop, words, standard) in LENGTHS.items():
+        value = getattr(obj, prop).Value
+        if value > 0 and (prop not in ("CornerRadius", "TipDiameter") or prop in needed):
+            told[name] = value
+    if "Angle" in needed:
+        told["angle"] = obj.Angle.Value
+    for name, value in (("flutes", obj.Flutes), ("feed", obj.Feed.Value * 60), ("plunge", obj.Plunge.Value * 60), ("spindle", obj.Spindle)):
+        if value > 0:
+            told[name] = value
+    return {**told, "name": obj.Label}
+
+
+def take(obj, told):
+    """Gives the object what a tool of job files' names says."""
+    for name, value in told.items():
+        if name in LENGTHS:
+            setattr(obj, LENGTHS[name][0], value)
+        elif name in ("feed", "plunge"):
+            setattr(obj, name.capitalize(), value / 60)
+        elif name == "spindle":
+            obj.Spindle = value
+        elif name == "name":
+            obj.Label = value
+        else:
+            setattr(obj, name.capitalize(), value)

@@ -1,0 +1,109 @@
+"""What a CAM set-up comes to: the moves, the machine's file, the set-up sheet. All of it is kept in the document."""
+
+import json
+import os
+import tempfile
+
+import FreeCAD
+import numpy as np
+
+from .. import cam_job, kernel, work
+from .document_object import DocumentObject
+
+
+class MachineProgram(DocumentObject):
+    """Planned anew when something it depends on has changed. One that fails or is cancelled keeps what it had."""
+
+    NAME = "MachineProgram"
+
+    def add_properties(self, obj):
+        self.add(obj, "Link", "Setup", "Program", "The CAM set-up that it follows")
+        self.add(obj, "Float", "Seconds", "Program", "About how long the machine takes", mode=1)
+        self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
+        self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)
+        self.add(obj, "StringList", "Reports", "Program", "What each operation comes to", mode=1)
+        self.add(obj, "StringList", "Notes", "Program", "What one should know", mode=1)
+        self.add(obj, "Vector", "Zero", "Program", "The program's zero in the document's coordinates", mode=1)
+        self.add(obj, "FileIncluded", "MachineFile", "Result", "What the machine gets", mode=4)
+        self.add(obj, "FileIncluded", "SetupSheet", "Result", "An HTML page for the person at the machine", mode=4)
+        self.add(obj, "FileIncluded", "Moves", "Result", "All moves, as numpy writes them", mode=4)
+        self.add(obj, "String", "Sections", "Result", "What each operation's moves are made with, as JSON", mode=4)
+        self.add(obj, "String", "Job", "Result", "The job that it was planned from (docs/cam.md)", mode=4)
+        self.add(obj, "String", "Extension", "Result", "Of the machine's file", mode=4)
+        self.add(obj, "String", "MadeFrom", "Result", "What it was made from: it is planned anew when this changes", mode=4)
+
+    def execute(self, obj):
+        if obj.Setup is None:
+            raise ValueError(f"{obj.Label}: choose a Setup")
+        job = cam_job.Job(obj.Setup)
+        if obj.MadeFrom == job.digest:
+            return
+        try:
+            plan = work.run(job.plan, obj.Label)
+        except kernel.load().Error as error:
+            raise ValueError(f"{obj.Label}: {error}") from None
+        except work.Cancelled:
+            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+        take(obj, plan)
+
+
+def take(obj, plan):
+    """Gives the object a cam_job.Plan."""
+    with tempfile.TemporaryDirectory() as folder:
+        def keep(name, file, data):
+            path = os.path.join(folder, file)
+            with open(path, "wb") as out:
+                out.write(data)
+            setattr(obj, name, path)  # FreeCAD takes the file's content into the document
+
+        keep("MachineFile", "program" + plan.extension, plan.program)
+        keep("SetupSheet", "sheet.html", plan.sheet)
+        moves = os.path.join(folder, "moves.npy")
+        np.save(moves, cam_job.all_moves(plan))
+        obj.Moves = moves
+    counts = [len(moves) for moves in plan.moves]
+    obj.Sections = json.dumps([{**section, "moves": count} for section, count in zip(plan.sections, counts)])
+    obj.Seconds = plan.seconds
+    obj.CutLength, obj.RapidLength = (sum(report[name] for report in plan.reports) for name in ("cut", "rapid"))
+    obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, {clock(r['seconds'])}" for r in plan.reports]
+    obj.Notes = plan.notes
+    obj.Zero = FreeCAD.Vector(*plan.zero)
+    obj.Job, obj.Extension = plan.text, plan.extension
+    obj.MadeFrom = plan.digest  # last: the view is drawn anew when it changes
+
+
+def sections_of(obj):
+    """[(section, moves)]: what each operation's moves are made with, and an (n, 8) array of them: x, y, z (mm, as the program counts), feed
+    (mm/min, 0 for rapids), bulge, the tool's axis."""
+    if not obj.Moves:
+        return []
+    told, moves = json.loads(obj.Sections), np.load(obj.Moves)
+    ends = np.cumsum([section["moves"] for section in told])
+    return list(zip(told, np.split(moves, ends[:-1]) if told else []))
+
+
+def clock(seconds):
+    """1:02:03 h or 2:03 min."""
+    minutes, seconds = divmod(round(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours}:{minutes:02d}:{seconds:02d} h" if hours else f"{minutes}:{seconds:02d} min"
+
+
+def write_machine_file(obj, path):
+    """Writes what the machine gets, whole or not at all. Raises ValueError where nothing is planned, OSError."""
+    _copy(obj, obj.MachineFile, path)
+
+
+def write_setup_sheet(obj, path):
+    _copy(obj, obj.SetupSheet, path)
+
+
+def _copy(obj, source, path):
+    if not source or not obj.MadeFrom:
+        raise ValueError(f"{obj.Label}: nothing is planned yet")
+    with open(source, "rb") as file:
+        data = file.read()
+    with tempfile.NamedTemporaryFile(dir=os.path.dirname(os.path.abspath(path)), delete=False) as out:
+        out.write(data)
+    os.chmod(out.name, 0o644)
+    os.replace(out.name, path)

@@ -1,0 +1,110 @@
+"""One operation of a machine program as a path of FreeCAD's own Path workbench, so that its posts, simulator and dress-ups take it."""
+
+import re
+
+import FreeCAD
+import numpy as np
+
+from .document_object import DocumentObject
+from .machine_program import sections_of
+
+
+HEIGHTS = {"StartDepth": "z where it begins to cut", "FinalDepth": "Its lowest place", "SafeHeight": "z of rapids", "ClearanceHeight": "z of rapids"}
+
+
+class PathOfProgram(DocumentObject):
+    """Follows the program. Straight cuts from above are told in the document's coordinates, as FreeCAD's jobs do; those of tilting tools are the
+    words of the machine's own file, since only they tell how the machine turns."""
+
+    NAME = "PathOfProgram"
+
+    def add_properties(self, obj):
+        self.add(obj, "Link", "Program", "Path", "The machine program that it follows")
+        self.add(obj, "Integer", "Section", "Path", "Which of its operations; -1: all of them, as the machine's file says", 0)
+        self.add(obj, "Link", "ToolController", "Path", "What FreeCAD's job uses for it")
+        self.add(obj, "Bool", "Active", "Path", "Whether FreeCAD's job takes it", True)
+        for name, words in HEIGHTS.items():  # FreeCAD's dress-ups ask for these
+            self.add(obj, "Distance", name, "Depth", words, mode=1)
+        self.add_choice(obj, "CoolantMode", "Path", "While it cuts", ("None", "Flood", "Mist"))
+
+    def execute(self, obj):
+        import Path
+
+        if obj.Program is None or not obj.Program.MadeFrom:
+            raise ValueError(f"{obj.Label}: nothing is planned yet")
+        if obj.Section < 0:
+            with open(obj.Program.MachineFile, encoding="utf-8", errors="replace") as file:
+                text = words_of_file(file.read())
+            obj.Placement.Base = obj.Program.Zero
+        else:
+            sections = sections_of(obj.Program)
+            if obj.Section >= len(sections):
+                raise ValueError(f"{obj.Label}: the program has no operation {obj.Section + 1} any more")
+            section, moves = sections[obj.Section]
+            if section["tilted"]:
+                raise ValueError(f"{obj.Label}: its tool leans now: make its path anew")
+            text = gcode_of(moves, obj.Program.Zero)
+            heights = moves[:, 2] + obj.Program.Zero.z
+            cuts = heights[moves[:, 3] > 0]
+            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = cuts.max(), cuts.min(), heights.max(), heights.max()
+            obj.CoolantMode = section["coolant"].capitalize() or "None"
+        obj.Path = Path.Path(text)
+
+
+def gcode_of(moves, zero=(0, 0, 0)):
+    """(n, 8) moves as G-code for Path.Path, whose feeds are mm/s. `zero`: where the program's zero is."""
+    to, feed, bulge = moves[:, :3] + np.array(tuple(zero)), moves[:, 3] / 60, moves[:, 4]
+    begin = np.vstack([to[:1], to[:-1]])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        across = np.stack([begin[:, 1] - to[:, 1], to[:, 0] - begin[:, 0]], axis=1)
+        arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across  # from the arc's start to its centre
+    lines = []
+    if len(moves):
+        lines.append(f"G0 Z{to[0, 2]:.5f}")  # first up, where it is safe
+    for (x, y, z), f, b, (i, j) in zip(to.tolist(), feed.tolist(), bulge.tolist(), arm.tolist()):
+        if b:
+            lines.append(f"G{3 if b > 0 else 2} X{x:.5f} Y{y:.5f} Z{z:.5f} I{i:.5f} J{j:.5f} F{f:.5f}")
+        elif f:
+            lines.append(f"G1 X{x:.5f} Y{y:.5f} Z{z:.5f} F{f:.5f}")
+        else:
+            lines.append(f"G0 X{x:.5f} Y{y:.5f} Z{z:.5f}")
+    return "\n".join(lines)
+
+
+_WORDS = re.compile(r"^(?:G0?[0123]\b|(?=[XYZABCF][-.\d]))", re.MULTILINE)
+
+
+def words_of_file(text):
+    """The moves of a machine's G-code for Path.Path: without its header, tool changes and comments; feeds in mm/s. Raises ValueError for files
+    that are no G-code in millimetres."""
+    if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
+        raise ValueError("FreeCAD's Path takes G-code in millimetres: choose such a machine")
+    lines, mode = [], "G0"
+    for line in text.splitlines():
+        if not _WORDS.match(line):
+            continue
+        head = re.match(r"G0?([0123])\b", line)
+        mode = f"G{head[1]}" if head else mode
+        words = re.sub(r"F([\d.]+)", lambda m: f"F{float(m[1]) / 60:.5f}", line[head.end():] if head else line)
+        lines.append(f"{mode} {words.strip()}")
+    return "\n".join(lines)
+
+
+def create(program, section=0):
+    """Adds the path of an operation to the document; not yet computed."""
+    obj = program.Document.addObject("Path::FeaturePython", "PathOfProgram")
+    PathOfProgram(obj)
+    obj.Program, obj.Section = program, section
+    told = sections_of(program)
+    obj.Label = told[section][0]["name"] if section >= 0 else program.Label
+    if FreeCAD.GuiUp:
+        obj.ViewObject.Proxy = 0  # FreeCAD's own view of paths
+    return obj
+
+
+def create_all(program):
+    """The paths of a program: one an operation; one for all where a tool leans."""
+    sections = sections_of(program)
+    if any(section["tilted"] for section, moves in sections):
+        return [create(program, -1)]
+    return [create(program, number) for number in range(len(sections))]

@@ -1,0 +1,16 @@
+"""The task panel of one operation."""
+
+from .edit_panel import EditPanel
+from .operation_form import OperationForm
+
+
+class OperationPanel(EditPanel):
+    def __init__(self, obj):
+        super().__init__(obj, "Operation")
+        self.stages = OperationForm(obj)
+        self.layout.addWidget(self.stages)
+        self.layout.addWidget(self.message)
+        self.layout.addStretch()
+
+    def take_over(self):
+        """Each change is the object's at once."""

@@ -1,0 +1,346 @@
+"""The task panel of a CAM set-up: a stack of panels, one a stage, from the part to the machine (Keeter, Fig. 6-2), and the plan."""
+
+from .. import cam_job, kernel, work, workflow
+from ..objects import cam_setup, machine_program
+from ..shim import QtCore, QtWidgets
+from .collapsible import Box
+from .edit_panel import EditPanel
+from .operation_form import OperationForm
+from .property_panel import MAKERS, PropertyPanel, candidates, spaced
+from .setting_rows import SettingRows
+from .tool_table import ToolTable
+
+
+class SetupPanel(EditPanel):
+    def __init__(self, obj):
+        super().__init__(obj, "CAM set-up")
+        self.task, self.operation_form, self.machine_rows = None, None, None
+        self.layout.setSpacing(3)
+        self._plan_row()
+        for make in (self._part, self._stock, self._tools, self._operations, self._machine):
+            self.layout.addWidget(make())
+        self.layout.addStretch()
+        self.timer = QtCore.QTimer(self.form)
+        self.timer.timeout.connect(self._look)
+        self._refresh()
+
+    def take_over(self):
+        """Each change is the object's at once."""
+
+    # The stack.
+    def _part(self):
+        box = Box("Part", tip="What is to be made, and where the program's zero is on it")
+        form = QtWidgets.QFormLayout()
+        self.part = QtWidgets.QComboBox()
+        for candidate in candidates(self.obj):
+            self.part.addItem(candidate.Label, candidate.Name)
+        self.part.setCurrentIndex(self.part.findData(self.obj.Part.Name) if self.obj.Part else -1)
+        self.part.activated.connect(lambda index: self._set("Part", self.document.getObject(self.part.itemData(index))))
+        form.addRow("Part", self.part)
+        form.addRow("Zero", self._choice("Zero"))
+        box.body.addLayout(form)
+        self.part_box = box
+        return box
+
+    def _stock(self):
+        box = Box("Stock", opened=False)
+        self.stock_rows = QtWidgets.QFormLayout()
+        box.body.addLayout(self.stock_rows)
+        self.stock_box = box
+        self._fill_stock()
+        return box
+
+    def _fill_stock(self):
+        while self.stock_rows.rowCount():
+            self.stock_rows.removeRow(0)
+        kinds = self._choice("StockFrom", lambda: QtCore.QTimer.singleShot(0, self._fill_stock))
+        self.stock_rows.addRow("From", kinds)
+        for name in cam_setup.STOCKS[self.obj.StockFrom]:
+            widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
+            widget.setToolTip(self.obj.getDocumentationOfProperty(name))
+            for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
+                for signal in ("valueChanged", "editingFinished"):  # FreeCAD's own box tells Qt of the latter only
+                    if hasattr(number, signal):
+                        getattr(number, signal).connect(lambda *value, write=write: self._written(write))
+            if hasattr(widget, "activated"):
+                widget.activated.connect(lambda index, write=write: self._written(write))
+            self.stock_rows.addRow(spaced(name), widget)
+
+    _write_quantity = PropertyPanel._write_quantity
+
+    def _tools(self):
+        box = Box("Tools", opened=not self.obj.Tools)
+        self.tools = ToolTable(self.obj, self._refresh)
+        box.body.addWidget(self.tools)
+        self.tools_box = box
+        return box
+
+    def _operations(self):
+        box = Box("Operations")
+        self.list = QtWidgets.QListWidget()
+        self.list.setFixedHeight(92)
+        self.list.currentRowChanged.connect(lambda row: self._show_operation())
+        self.list.itemDoubleClicked.connect(lambda item: self._show_operation())
+        box.body.addWidget(self.list)
+        row = QtWidgets.QHBoxLayout()
+        self.add_button = QtWidgets.QPushButton("Add")
+        menu = QtWidgets.QMenu(self.add_button)
+        for kind in workflow.operation_names():
+            stage = workflow.stages_of(kind)[-2]
+            action = menu.addAction(stage.title)
+            action.setToolTip(stage.help)
+            action.triggered.connect(lambda checked=False, kind=kind: self.add_operation(kind))
+        menu.setToolTipsVisible(True)
+        self.add_button.setMenu(menu)
+        row.addWidget(self.add_button)
+        for words, tip, action in (("Remove", "The chosen operation", self.remove_operation), ("\u2191", "Earlier", lambda: self.move(-1)),
+                                   ("\u2193", "Later", lambda: self.move(1))):
+            button = QtWidgets.QPushButton(words)
+            button.setToolTip(tip)
+            if len(words) == 1:
+                button.setMaximumWidth(36)
+            button.clicked.connect(action)
+            row.addWidget(button)
+        box.body.addLayout(row)
+        self.chosen_place = QtWidgets.QVBoxLayout()
+        box.body.addLayout(self.chosen_place)
+        self.operations_box = box
+        self._list_operations()
+        return box
+
+    def _machine(self):
+        box = Box("Machine")
+        form = QtWidgets.QFormLayout()
+        self.machine = QtWidgets.QComboBox()
+        for identifier, name in workflow.machines().items():
+            self.machine.addItem(name, identifier)
+        self.machine.setCurrentIndex(self.machine.findData(self.obj.Machine))
+        self.machine.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self.machine.activated.connect(lambda index: self.choose_machine(self.machine.itemData(index)))
+        form.addRow("Machine", self.machine)
+        self.material = QtWidgets.QComboBox()
+        self.material.activated.connect(lambda index: self._set("Material", self.material.itemText(index)))
+        form.addRow("Material", self.material)
+        box.body.addLayout(form)
+        self.limits = QtWidgets.QLabel()
+        self.limits.setWordWrap(True)
+        self.limits.setStyleSheet("color: gray")
+        box.body.addWidget(self.limits)
+        self.machine_place = QtWidgets.QVBoxLayout()
+        box.body.addLayout(self.machine_place)
+        self.machine_box = box
+        self._fill_machine()
+        return box
+
+    def _fill_machine(self):
+        if self.machine_rows is not None:
+            self.machine_rows.deleteLater()
+        told = workflow.machine(self.obj.Machine)
+        self.machine_rows = SettingRows(self.obj, workflow.machine_stage(self.obj.Machine), self._refresh)
+        self.machine_place.addWidget(self.machine_rows)
+        self.material.clear()
+        self.material.addItems(self.obj.getEnumerationsOfProperty("Material"))
+        self.material.setCurrentText(self.obj.Material)
+        self.material.setEnabled(self.material.count() > 1)
+        known = [f"travel {' x '.join(f'{t:g}' for t in told['travel'])} mm"] if any(told["travel"]) else []
+        known += [f"up to {told[name]:g} {unit}" for name, unit in (("max_feed", "mm/min"), ("max_spindle", "1/min")) if told[name]]
+        known += [f"turns about {' and '.join(told['axes'])}"] if told["axes"] else []
+        self.limits.setText("; ".join([told["description"], *known]))
+
+    def _plan_row(self):
+        row = QtWidgets.QHBoxLayout()
+        self.plan_button = QtWidgets.QPushButton("Plan")
+        self.plan_button.setToolTip("Plans all paths; the window stays free meanwhile")
+        self.plan_button.clicked.connect(lambda: self.stop() if self.task else self.plan())
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setRange(0, 1000)
+        self.bar.setTextVisible(False)
+        row.addWidget(self.plan_button)
+        row.addWidget(self.bar, 1)
+        self.layout.addLayout(row)
+        self.outcome = QtWidgets.QLabel()
+        self.outcome.setWordWrap(True)
+        self.outcome.hide()
+        self.message.hide()
+        self.layout.addWidget(self.outcome)
+        self.layout.addWidget(self.message)
+
+    def say(self, text, good=False):
+        super().say(text, good)
+        self.message.setVisible(bool(text))
+
+    def _report(self, text):
+        self.outcome.setText(text)
+        self.outcome.setVisible(bool(text))
+
+    # What the widgets do.
+    def _choice(self, name, then=lambda: None):
+        box = QtWidgets.QComboBox()
+        box.addItems(self.obj.getEnumerationsOfProperty(name))
+        box.setCurrentText(getattr(self.obj, name))
+        box.setToolTip(self.obj.getDocumentationOfProperty(name))
+        box.activated.connect(lambda index: (self._set(name, box.itemText(index)), then()))
+        return box
+
+    def _set(self, name, value):
+        setattr(self.obj, name, value)
+        self._refresh()
+
+    def _written(self, write):
+        write()
+        self._refresh()
+
+    def choose_machine(self, identifier):
+        self.obj.Machine = identifier
+        self._fill_machine()
+        self._refresh()
+
+    def chosen(self):
+        row = self.list.currentRow()
+        return self.obj.Operations[row] if 0 <= row < len(self.obj.Operations) else None
+
+    def _list_operations(self, row=0):
+        self.list.blockSignals(True)
+        self.list.clear()
+        for operation in self.obj.Operations:
+            item = QtWidgets.QListWidgetItem(operation.Label, self.list)
+            if not operation.Active:
+                item.setForeground(QtCore.Qt.gray)
+        self.list.setCurrentRow(min(row, len(self.obj.Operations) - 1))
+        self.list.blockSignals(False)
+        self._show_operation()
+
+    def _show_operation(self):
+        if self.operation_form is not None:
+            self.operation_form.hide()
+            self.operation_form.deleteLater()
+            self.operation_form = None
+        if self.chosen() is not None:
+            self.operation_form = OperationForm(self.chosen(), self._refresh)
+            self.chosen_place.addWidget(self.operation_form)
+
+    def add_operation(self, kind):
+        cam_setup.add_operation(self.obj, kind)
+        self._list_operations(len(self.obj.Operations) - 1)
+        self._refresh()
+
+    def remove_operation(self):
+        if self.chosen() is not None:
+            row = self.list.currentRow()
+            cam_setup.remove(self.obj, self.chosen())
+            self._list_operations(max(0, row - 1))
+            self._refresh()
+
+    def move(self, by):
+        row = self.list.currentRow()
+        operations = list(self.obj.Operations)
+        if 0 <= row < len(operations) and 0 <= row + by < len(operations):
+            operations.insert(row + by, operations.pop(row))
+            self.obj.Operations = operations
+            self._list_operations(row + by)
+            self._refresh()
+
+    def _refresh(self):
+        """Says on the boxes what they hold, and whether the plan is still that of the set-up."""
+        for place, operation in enumerate(self.obj.Operations):
+            if self.list.item(place):
+                self.list.item(place).setText(operation.Label)
+        self.part_box.hint.setText(self.obj.Part.Label if self.obj.Part else "none yet")
+        count = len(self.obj.Tools)
+        self.tools_box.hint.setText("none yet" if not count else self.obj.Tools[0].Label if count == 1 else f"{count} tools")
+        self.operations_box.hint.setText(f"{len(self.obj.Operations)}" if self.obj.Operations else "none yet")
+        self.machine_box.hint.setText(self.obj.Machine)
+        try:
+            lower, upper = cam_setup.stock_box(self.obj)
+            self.stock_box.hint.setText(" x ".join(f"{size:.4g}" for size in upper - lower) + " mm")
+        except ValueError:
+            self.stock_box.hint.setText("")
+        self.machine_rows.refresh()
+        if self.operation_form is not None:
+            self.operation_form.refresh()
+        self._tell()
+
+    # The plan.
+    def program(self):
+        return next(iter(cam_setup.programs_of(self.obj)), None)
+
+    def plan(self):
+        """Starts planning beside the window."""
+        self.say("", True)
+        try:
+            self.job = cam_job.Job(self.obj)
+        except ValueError as error:
+            return self._complain(error)
+        self.task = work.Task(self.job.plan)
+        self.task.start()
+        self.plan_button.setText("Stop")
+        self.timer.start(50)
+
+    def stop(self):
+        if self.task:
+            self.task.cancel()
+
+    def _look(self):
+        task = self.task
+        self.bar.setValue(round(1000 * task.fraction))
+        if task.is_alive():
+            self._report(f"Planning: {task.message}" if task.message else "Planning")
+            return
+        self.timer.stop()
+        self.task = None
+        self.plan_button.setText("Plan")
+        self.bar.setValue(0)
+        try:
+            plan = task.outcome()
+        except work.Cancelled:
+            self.say("stopped; the program is still what it was")
+        except (ValueError, kernel.load().Error) as error:
+            self._complain(error)
+        else:
+            program = self.program() or cam_setup.create_program(self.obj)
+            machine_program.take(program, plan)
+        self._tell()
+
+    def _complain(self, error):
+        """Says what is wrong: beside the setting where that is known."""
+        operation = self.document.getObject(getattr(error, "object", None) or "")
+        setting = getattr(error, "setting", "")
+        said = False
+        if operation in self.obj.Operations:
+            self.list.setCurrentRow(self.obj.Operations.index(operation))
+            said = self.operation_form is not None and self.operation_form.say(setting, str(error))
+        elif operation == self.obj and setting in self.machine_rows.rows:
+            self.machine_box.open()
+            self.machine_rows.rows[setting].say(str(error))
+            said = True
+        label = f"{operation.Label}: " if operation is not None and not str(error).startswith(operation.Label) else ""
+        self.say(f"{label}{setting}: see above" if said else f"{label}{error}")
+
+    def _tell(self):
+        """Time, lengths and notes of the plan."""
+        program = self.program()
+        if self.task or program is None or not program.MadeFrom:
+            if not self.task:
+                self._report("")
+            return
+        try:
+            current = program.MadeFrom == cam_job.Job(self.obj).digest
+        except ValueError:
+            current = False
+        lines = [f"<b>About {machine_program.clock(program.Seconds)}</b>" + ("" if current else " <span style='color:gray'>(changed since)</span>"),
+                 *map(_escaped, program.Reports), *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
+        self._report("<br>".join(lines))
+
+    # What FreeCAD asks of a task panel.
+    def accept(self):
+        self.stop()
+        return super().accept()
+
+    def reject(self):
+        self.stop()
+        self.timer.stop()
+        return super().reject()
+
+
+def _escaped(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;")

@@ -1,0 +1,162 @@
+"""The tools of a CAM set-up as a table, and all numbers of the one that is chosen below it."""
+
+from .. import tool_bits
+from ..objects import cam_setup, cam_tool
+from ..shim import QtWidgets
+from .property_panel import spaced
+
+MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength", "Flutes", "Feed", "Plunge", "Spindle")
+COLUMNS = ("No.", "Name", "Shape", "\u2300 mm")
+
+
+class ToolTable(QtWidgets.QWidget):
+    """`changed` is called after each change."""
+
+    def __init__(self, setup, changed=lambda: None):
+        super().__init__()
+        self.setup, self.changed = setup, changed
+        column = QtWidgets.QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
+        self.table.setHorizontalHeaderLabels(COLUMNS)
+        self.table.verticalHeader().hide()
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
+        self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
+        head = self.table.horizontalHeader()
+        for place, width in ((0, 36), (2, 84), (3, 56)):
+            self.table.setColumnWidth(place, width)
+        head.setSectionResizeMode(1, QtWidgets.QHeaderView.Stretch)
+        self.table.setFixedHeight(128)
+        self.table.itemChanged.connect(self._edited)
+        self.table.itemSelectionChanged.connect(self._show_more)
+        column.addWidget(self.table)
+        buttons = QtWidgets.QHBoxLayout()
+        for words, tip, action in (("Add", "A new end mill", self.add), ("From file\u2026", "Tool bits (.fctb) or libraries (.fctl) of FreeCAD", self.ask),
+                                   ("Remove", "The chosen tool", self.remove)):
+            button = QtWidgets.QPushButton(words)
+            button.setToolTip(tip)
+            button.clicked.connect(action)
+            buttons.addWidget(button)
+        column.addLayout(buttons)
+        self.message = QtWidgets.QLabel()
+        self.message.setWordWrap(True)
+        self.message.setStyleSheet("color: #b3261e")
+        self.message.hide()
+        column.addWidget(self.message)
+        self.more = QtWidgets.QFormLayout()
+        column.addLayout(self.more)
+        self.fill()
+
+    def chosen(self):
+        row = self.table.currentRow()
+        return self.setup.Tools[row] if 0 <= row < len(self.setup.Tools) else None
+
+    def fill(self, row=0):
+        self.table.blockSignals(True)
+        self.table.setRowCount(len(self.setup.Tools))
+        for line, tool in enumerate(self.setup.Tools):
+            for place, value in enumerate((tool.Number, tool.Label, None, tool.Diameter.Value)):
+                if place == 2:
+                    shape = QtWidgets.QComboBox()
+                    shape.addItems(cam_tool.SHAPES)
+                    shape.setCurrentText(tool.Shape)
+                    shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(tool, shape.itemText(index), line))
+                    self.table.setCellWidget(line, place, shape)
+                else:
+                    item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:g}")
+                    self.table.setItem(line, place, item)
+        self.table.blockSignals(False)
+        if self.setup.Tools:
+            self.table.setCurrentCell(min(row, len(self.setup.Tools) - 1), 1)
+        self._show_more()
+
+    def say(self, words):
+        self.message.setText(words)
+        self.message.setVisible(bool(words))
+
+    def _edited(self, item):
+        tool, text = self.setup.Tools[item.row()], item.text().strip()
+        try:
+            if item.column() == 0:
+                if int(text) in {other.Number for other in self.setup.Tools if other != tool}:
+                    raise ValueError(f"there is a tool {text} already")
+                tool.Number = int(text)
+            elif item.column() == 1:
+                tool.Label = text or tool.Label
+            else:
+                diameter = float(text.replace(",", "."))
+                if not diameter > 0:
+                    raise ValueError("a diameter must be above 0")
+                tool.Diameter = diameter
+            self.say("")
+        except ValueError as error:
+            self.say(str(error) if "must" in str(error) or "there is" in str(error) else f"{text!r} is no number")
+        self.fill(item.row())
+        self.changed()
+
+    def _reshape(self, tool, shape, line):
+        tool.Shape = shape
+        self.fill(line)
+        self.changed()
+
+    def _show_more(self):
+        while self.more.rowCount():
+            self.more.removeRow(0)
+        tool = self.chosen()
+        if tool is None:
+            return
+        for name in MORE:
+            if "Hidden" not in tool.getEditorMode(name):
+                self.more.addRow(spaced(name), self._number(tool, name))
+
+    def _number(self, tool, name):
+        kind, value = tool.getTypeIdOfProperty(name), getattr(tool, name)
+        factor = 60 if kind == "App::PropertySpeed" else 1
+        box = QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint" else QtWidgets.QDoubleSpinBox()
+        box.setRange(1 if name == "Flutes" else 0, 1000000)
+        box.setValue(getattr(value, "Value", value) * factor)
+        box.setToolTip(tool.getDocumentationOfProperty(name))
+        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " 1/min"}.get(kind)
+        if suffix:
+            box.setSuffix(suffix)
+            box.setDecimals(3 if suffix == " mm" else 1)
+            if name not in ("Angle", "TipDiameter"):
+                box.setSpecialValueText("not known" if suffix == " mm" else "as the operation says")
+
+        def write(number):
+            setattr(tool, name, number / factor if kind != "App::PropertyIntegerConstraint" else int(number))
+            self.changed()
+
+        box.valueChanged.connect(write)
+        return box
+
+    def add(self):
+        cam_setup.add_tool(self.setup, {"diameter": 3})
+        self.fill(len(self.setup.Tools) - 1)
+        self.changed()
+
+    def remove(self):
+        tool = self.chosen()
+        if tool is not None:
+            cam_setup.remove(self.setup, tool)
+            self.fill()
+            self.changed()
+
+    def ask(self):
+        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(self, "Tools", "", f"FreeCAD's {tool_bits.READABLE}")
+        self.take_files(paths)
+
+    def take_files(self, paths):
+        """Adds the tools of tool bits and libraries; says what could not be taken."""
+        problems = []
+        for path in paths:
+            try:
+                tools, notes = tool_bits.read(path)
+                problems += notes
+                for tool in tools:
+                    cam_setup.add_tool(self.setup, tool)
+            except (ValueError, OSError) as error:
+                problems.append(str(error))
+        self.fill(len(self.setup.Tools) - 1)
+        self.say("\n".join(problems))
+        self.changed()

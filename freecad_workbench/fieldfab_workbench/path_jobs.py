@@ -1,0 +1,224 @@
+"""FreeCAD's own Path jobs and ours: our operations put into a job, and a job's program and set-up for our simulator."""
+
+import os
+from dataclasses import dataclass, field
+
+import FreeCAD
+
+from . import meshes, path_shim, tool_bits
+from .cam_job import toml_value
+from .objects import cam_setup, cam_tool, path_of_program
+
+SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend", "drill": "drill"}
+MACHINES = {"AC": "five_axis_ac", "BC": "five_axis_bc"}  # for programs that turn these axes
+
+NOT_THE_OPERATIONS = ("M6", "M06", "M3", "M03", "M4", "M04", "G43", "G54", "G55", "G56", "G57", "G58", "G59")
+ARC_CENTRES = {"G17": "IJ", "G18": "IK", "G19": "JK"}
+
+
+# Ours into a job of FreeCAD's.
+
+
+def to_job(program, job=None):
+    """Puts the paths of a machine program into a Path job, with their tools: into a new one, whose stock is the set-up's, where none is given.
+    Returns (job, paths). Recompute then."""
+    paths = path_of_program.create_all(program)
+    with path_shim.in_one_step():
+        job = job or _new_job(program)
+        _take_tools(job, program, paths)
+    for path in paths:
+        job.Proxy.addOperation(path)
+    return job, paths
+
+
+def _take_tools(job, program, paths):
+    by_number = {tool.Number: tool for tool in program.Setup.Tools}
+    sections = path_of_program.sections_of(program)
+    for path in paths:
+        section = sections[max(0, path.Section)][0]
+        tool = by_number.get(section["tool"])
+        if tool is not None:
+            path.ToolController = _controller(job, tool, section)
+
+
+def _new_job(program):
+    document, setup = program.Document, program.Setup
+    lower, upper = cam_setup.stock_box(setup)
+    model = setup.Part
+    if not getattr(getattr(model, "Shape", None), "Solids", None):  # a job's model must have a shape, and meshes have none
+        model = document.addObject("Part::Box", "Block")
+        model.Label = f"Block of {setup.Label}"
+        model.Length, model.Width, model.Height = (max(size, 0.01) for size in upper - lower)
+        model.Placement.Base = lower
+        document.recompute([model])
+    FreeCAD.setActiveDocument(document.Name)  # FreeCAD makes its jobs in there
+    job = path_shim.jobs().Create("Job", [model])
+    path_shim.show_job(job)
+    if FreeCAD.GuiUp:
+        model.ViewObject.Visibility = model == setup.Part
+    before, job.Stock = job.Stock, path_shim.stocks().CreateBox(job, upper - lower, FreeCAD.Placement(lower, FreeCAD.Rotation()))
+    if before is not None:
+        document.removeObject(before.Name)
+    for controller in list(job.Tools.Group):  # FreeCAD's default tool
+        job.Tools.removeObject(controller)
+        bit = controller.Tool
+        document.removeObject(controller.Name)
+        document.removeObject(bit.Name)
+    return job
+
+
+def _controller(job, tool, section):
+    """The job's tool controller for a tool of ours; made where it has none of that number."""
+    for controller in job.Tools.Group:
+        if controller.ToolNumber == tool.Number:
+            return controller
+    told = cam_tool.described(tool)
+    lengths = {"Diameter": "diameter", "Length": "length", "ShankDiameter": "shank", "CuttingEdgeHeight": "flute"}
+    parameter = {name: f"{told[ours]} mm" for name, ours in lengths.items() if ours in told}
+    if tool.Shape == "bull":
+        parameter["FlatRadius"] = f"{told['diameter'] / 2 - told.get('corner_radius', 0)} mm"
+    if "angle" in told:
+        parameter["TipAngle" if tool.Shape == "drill" else "CuttingEdgeAngle"] = f"{told['angle']} deg"
+    bit = path_shim.bits().Factory.CreateFromAttrs(
+        {"version": 2, "name": tool.Label, "shape": SHAPE_FILES[tool.Shape] + ".fcstd", "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
+    controller = path_shim.controllers().Create(f"TC: {tool.Label}", bit, tool.Number, False)
+    controller.SpindleSpeed = section["spindle"]
+    controller.HorizFeed, controller.VertFeed = tool.Feed.Value or 10, tool.Plunge.Value or 3  # mm/s; the path has its own
+    if FreeCAD.GuiUp:
+        controller.ViewObject.Proxy = bit.ViewObject.Proxy = 0
+        bit.ViewObject.Visibility = False
+    job.Proxy.addToolController(controller)
+    return controller
+
+
+def _known(parameter, shape):
+    """What FreeCAD's bit of that shape can be told."""
+    if shape == "drill":
+        return {name: value for name, value in parameter.items() if name in ("Diameter", "Length", "TipAngle")}
+    return {name: value for name, value in parameter.items() if name != "CuttingEdgeAngle" or shape == "v"}
+
+
+# A job of FreeCAD's for our simulator.
+
+
+@dataclass
+class Setup:
+    """What the simulator has to know besides the program (docs/simulation.md), in the document's coordinates."""
+
+    machine: str | None  # an id of ours; None: three axes
+    lower: tuple  # of the stock's box, mm
+    upper: tuple
+    tools: list  # {name: value} as in set-up files
+    mesh: object = None  # the stock as a fieldfab.Mesh, where it is no box
+    notes: list = field(default_factory=list)
+
+    def write(self, folder, name="setup.toml"):
+        """Writes the set-up file, and the stock's mesh beside it where it has one; returns the file's path."""
+        lines = [f"machine = {toml_value(self.machine)}"] if self.machine else []
+        lines += ["", "[stock]"]
+        if self.mesh is not None:
+            self.mesh.save(os.path.join(folder, "stock.stl"))
+            lines.append('model = "stock.stl"')
+        else:
+            lines += [f"lower = {toml_value(self.lower)}", f"upper = {toml_value(self.upper)}"]
+        for tool in self.tools:
+            lines += ["", "[[tool]]", *(f"{key} = {toml_value(value)}" for key, value in tool.items())]
+        path = os.path.join(folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(lines) + "\n")
+        return path
+
+
+def program_of_job(job, machine=None):
+    """What a Path job does, as (G-code text, Setup): its active operations in order, each with its tool, in millimetres and mm/min, as the document
+    counts. `machine`: an id of ours for jobs that turn rotary axes; found by their letters where none is given. Raises ValueError."""
+    utilities = path_shim.utilities()
+    lines, tools, notes, current, letters = ["G21 G17 G90 G94 G40 G49 G80"], {}, [], None, set()
+    for operation in job.Operations.Group:
+        if not utilities.opProperty(operation, "Active") or not getattr(operation, "Path", None) or not operation.Path.Size:
+            continue
+        controller = utilities.toolControllerForOp(operation)
+        if controller is None:
+            raise ValueError(f"{operation.Label}: it has no tool controller")
+        number = controller.ToolNumber
+        if number not in tools:
+            tools[number] = {**tool_bits.of_object(controller.Tool), "number": number}
+        if current != controller:
+            lines += [f"M6 T{number}", f"G43 H{number}", f"S{controller.SpindleSpeed or 1000:g} M{4 if controller.SpindleDir == 'Reverse' else 3}"]
+            if not controller.SpindleSpeed:
+                notes.append(f"{controller.Label}: it has no spindle speed; 1000 is taken")
+            current = controller
+        lines.append(f"({_comment(operation.Label)})")
+        plane = "IJ"
+        feed = controller.HorizFeed.Value * 60
+        if not feed:
+            notes.append(f"{controller.Label}: it has no feed; 600 mm/min is taken where a move has none")
+        lines.append(f"F{feed or 600:.4g}")
+        for command in _placed(operation).Commands:
+            plane = ARC_CENTRES.get(command.Name, plane)
+            line = _line(command, plane)
+            letters |= set(command.Parameters) & set("ABC")
+            if line:
+                lines.append(line)
+        lines.append("G80")
+    if not tools:
+        raise ValueError(f"{job.Label}: no active operation has a path")
+    if letters and machine is None:
+        machine = MACHINES.get("".join(sorted(letters)) if len(letters) > 1 else next((axes for axes in MACHINES if letters <= set(axes)), ""))
+        if machine is None:
+            raise ValueError(f"{job.Label}: no machine of ours is known to turn {' and '.join(sorted(letters))}: say which it is")
+    lower, upper, mesh = _stock(job)
+    return "\n".join([*lines, "M5", "M2"]) + "\n", Setup(machine, lower, upper, list(tools.values()), mesh, notes)
+
+
+def _placed(operation):
+    """An operation's path where its placement puts it."""
+    if operation.Placement.isIdentity():
+        return operation.Path
+    path, way = type(operation.Path)(), operation.Placement
+    if way.Rotation.Angle:
+        raise ValueError(f"{operation.Label}: its path is turned by its Placement, which a program cannot say")
+    for command in operation.Path.Commands:
+        moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value for name, value in command.Parameters.items()}
+        path.addCommands(type(command)(command.Name, moved))
+    return path
+
+
+def _line(command, plane):
+    """A command in mm and mm/min; "" for what is ours to say (tools, spindle, fixtures) or says nothing."""
+    name, parameters = command.Name, command.Parameters
+    if name.startswith("("):
+        return f"({_comment(name)})"
+    if not name or name in NOT_THE_OPERATIONS:
+        return ""
+    words = [name]
+    for letter, value in parameters.items():
+        if letter == "F":
+            if value > 0 and name not in ("G0", "G00"):
+                words.append(f"F{value * 60:.4f}")
+        elif letter in "IJK" and letter not in plane:
+            continue  # FreeCAD says K0 in level arcs, which controls do not take
+        elif letter in ("D", "H", "L", "N", "O", "S", "T"):
+            words.append(f"{letter}{value:g}")
+        else:
+            words.append(f"{letter}{value:.5f}")
+    return " ".join(words)
+
+
+def _comment(text):
+    return text.replace("(", " ").replace(")", " ").strip()
+
+
+def _stock(job):
+    """Lower and upper corner, and a mesh where the stock is no box along the axes."""
+    shape = getattr(job.Stock, "Shape", None)
+    if shape is None or shape.isNull():
+        raise ValueError(f"{job.Label}: it has no stock")
+    box = shape.BoundBox
+    lower, upper = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
+    if abs(shape.Volume - box.XLength * box.YLength * box.ZLength) <= 1e-6 * shape.Volume:
+        return lower, upper, None
+    import MeshPart
+
+    mesh = MeshPart.meshFromShape(Shape=shape, LinearDeflection=box.DiagonalLength / 2000, AngularDeflection=0.2)
+    return lower, upper, meshes.from_bms(meshes.bms_of(mesh))

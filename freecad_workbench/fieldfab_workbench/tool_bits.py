@@ -1,0 +1,95 @@
+"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value} as in job files
+(docs/cam.md)."""
+
+import json
+import os
+
+import FreeCAD
+
+SHAPES = {
+    "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v", "drill": "drill",
+    "taperedballnose": "tapered", "slittingsaw": "flat",
+}
+READABLE = "tool bits and libraries (*.fctb *.fctl)"
+
+
+def _number(value):
+    """Of "5.0000 mm", "60.0000 °", a quantity or a number: mm, degrees."""
+    if isinstance(value, str):
+        return FreeCAD.Units.Quantity(value).Value
+    return float(getattr(value, "Value", value))
+
+
+def tool_from(name, shape, parameter):
+    """A tool from a tool bit's name, the stem of its shape's file, and `parameter(name)`: a value or None. Raises ValueError for what is no
+    cutter that we know."""
+    known = SHAPES.get(shape.lower().replace(" ", ""))
+    if known is None:
+        raise ValueError(f"{name}: a {shape} is no cutter that Fieldfab knows")
+
+    def get(*names):
+        values = [parameter(n) for n in names]
+        return next((_number(v) for v in values if v is not None), 0.0)
+
+    tool = {"name": name, "shape": known, "diameter": get("Diameter"), "length": get("Length"), "shank": get("ShankDiameter"),
+            "flute": get("CuttingEdgeHeight"), "flutes": int(get("Flutes") or 2)}
+    if known == "bull":
+        tool["corner_radius"] = get("CornerRadius") or tool["diameter"] / 2 - get("FlatRadius")
+    if known in ("v", "drill", "tapered"):
+        tool["angle"] = get("CuttingEdgeAngle", "TipAngle", "TaperAngle")
+    if known == "v":
+        tool["tip_diameter"] = get("TipDiameter")
+    if known == "tapered":
+        tool["corner_radius"] = get("TaperDiameter") / 2
+    if known == "drill":
+        tool["flute"] = 0.0  # the whole of it: FreeCAD does not say
+    if not tool["diameter"] > 0:
+        raise ValueError(f"{name}: it has no diameter")
+    return {key: value for key, value in tool.items() if value}
+
+
+def read_bit(path):
+    """The tool of a .fctb file. Raises ValueError, OSError."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            told = json.load(file)
+        shape = os.path.splitext(os.path.basename(told["shape"]))[0]
+        return tool_from(told.get("name") or os.path.basename(path), shape, told["parameter"].get)
+    except (KeyError, AttributeError, TypeError, json.JSONDecodeError) as error:
+        raise ValueError(f"{path}: this is no tool bit ({error})") from None
+
+
+def read_library(path):
+    """The tools of a .fctl file, with their numbers, and what could not be taken, a line each: (tools, notes)."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            listed = [(int(tool["nr"]), tool["path"]) for tool in json.load(file)["tools"]]
+    except (KeyError, TypeError, ValueError) as error:
+        raise ValueError(f"{path}: this is no tool library ({error})") from None
+    here, tools, notes = os.path.dirname(path), [], []
+    for number, name in listed:
+        # Beside the library, or as FreeCAD lays them out: Tools/Library and Tools/Bit.
+        found = [p for p in (os.path.join(here, name), os.path.join(here, "..", "Bit", name)) if os.path.exists(p)]
+        try:
+            if not found:
+                raise ValueError(f"{name}: there is no such file beside the library")
+            tools.append({**read_bit(found[0]), "number": number})
+        except ValueError as error:
+            notes.append(str(error))
+    return tools, notes
+
+
+def read(path):
+    """(tools, notes) of either kind of file."""
+    if path.lower().endswith(".fctl"):
+        return read_library(path)
+    return [read_bit(path)], []
+
+
+def of_object(bit):
+    """The tool of a tool bit in a document, as a Path job's tool controller has it; also of FreeCAD's older tools."""
+    shape = getattr(bit, "ShapeName", "") or os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
+    if not shape:
+        shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit", "ChamferMill": "chamfer"}.get(
+            getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
+    return tool_from(getattr(bit, "Label", "") or bit.Name, shape, lambda name: getattr(bit, name, None))

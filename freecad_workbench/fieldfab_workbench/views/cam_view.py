@@ -1,0 +1,122 @@
+"""How CAM set-ups, their tools and operations look in the tree, and the stock in the 3D view."""
+
+import FreeCADGui
+from pivy import coin
+
+from ..objects import cam_setup
+from .solid_view import icon
+
+STOCK_COLOUR = (0.55, 0.45, 0.30)
+
+
+class DocumentView:
+    """View provider of an object without a shape: an icon, children, and a panel on double click."""
+
+    def __init__(self, view):
+        view.Proxy = self
+
+    def attach(self, view):
+        self.Object = view.Object
+        view.addDisplayMode(self.scene(), "Ways")
+
+    def scene(self):
+        """What is seen, a Coin node."""
+        return coin.SoSeparator()
+
+    def getDisplayModes(self, view):
+        return ["Ways"]
+
+    def getDefaultDisplayMode(self):
+        return "Ways"
+
+    def setDisplayMode(self, mode):
+        return mode
+
+    def getIcon(self):
+        return icon(self.Object.Proxy.NAME)
+
+    def claimChildren(self):
+        return []
+
+    def setEdit(self, view, mode=0):
+        from ..panels import panel_for
+
+        FreeCADGui.Control.showDialog(panel_for(view.Object))
+        return True
+
+    def unsetEdit(self, view, mode=0):
+        FreeCADGui.Control.closeDialog()
+        return True
+
+    def doubleClicked(self, view):
+        view.Document.setEdit(view.Object.Name)
+        return True
+
+    def dumps(self):
+        return None
+
+    def loads(self, state):
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+class SetupView(DocumentView):
+    """The stock is seen as the edges of its box."""
+
+    def scene(self):
+        root, colour, style = coin.SoSeparator(), coin.SoBaseColor(), coin.SoDrawStyle()
+        colour.rgb = STOCK_COLOUR
+        style.lineWidth, style.linePattern = 1, 0x00FF
+        self.corners = coin.SoCoordinate3()
+        edges = coin.SoIndexedLineSet()
+        edges.coordIndex.setValues(0, 24, [0, 1, 3, 2, 0, -1, 4, 5, 7, 6, 4, -1, 0, 4, -1, 1, 5, -1, 2, 6, -1, 3, 7, -1])
+        pick = coin.SoPickStyle()
+        pick.style = coin.SoPickStyle.UNPICKABLE
+        for node in (pick, colour, style, self.corners, edges):
+            root.addChild(node)
+        self.show_stock()
+        return root
+
+    def show_stock(self):
+        try:
+            lower, upper = cam_setup.stock_box(self.Object)
+        except (ValueError, AttributeError):  # nothing is chosen yet, or its properties are still to come
+            self.corners.point.deleteValues(0)
+            return
+        self.corners.point.setValues(0, 8, [(x, y, z) for x in (lower.x, upper.x) for y in (lower.y, upper.y) for z in (lower.z, upper.z)])
+
+    def updateData(self, obj, name):
+        if hasattr(self, "corners") and name in ("Part", "StockFrom", "Margin", "Top", "Thickness", "StockLower", "StockUpper", "StockObject", "Machine"):
+            self.show_stock()
+
+    def claimChildren(self):
+        return [*self.Object.Tools, *self.Object.Operations, *cam_setup.programs_of(self.Object)]
+
+    def onDelete(self, view, subelements):
+        """Its tools, operations and programs go with it."""
+        for child in self.claimChildren():
+            view.Object.Document.removeObject(child.Name)
+        return True
+
+
+class ToolView(DocumentView):
+    pass
+
+
+class OperationView(DocumentView):
+    def getIcon(self):
+        return icon("CamOperation" if self.Object.Active else "CamOperationOff")
+
+    def updateData(self, obj, name):
+        if name == "Active":
+            obj.ViewObject.signalChangeIcon()
+
+
+def attach(obj):
+    """Gives a new object its view."""
+    from .program_view import ProgramView
+
+    {"CamSetup": SetupView, "CamTool": ToolView, "CamOperation": OperationView, "MachineProgram": ProgramView}[obj.Proxy.NAME](obj.ViewObject)
+    obj.ViewObject.DisplayMode = "Ways"

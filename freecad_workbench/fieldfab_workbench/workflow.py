@@ -1,0 +1,168 @@
+"""What the kernel's workflow and machines can be told (Keeter 6.1), as properties of document objects: no form is written by hand."""
+
+import functools
+import math
+import re
+
+from . import kernel
+
+FOLLOWS = "by itself"  # what stands where a default follows from other things
+
+
+class Setting:
+    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows from other things), lower,
+    upper, lower_open, whole, choices, needs, needs_values."""
+
+    def __init__(self, declared):
+        self.__dict__.update(declared)
+        self.property = _words_joined(self.name)
+        self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")  # the property's documentation
+
+    @property
+    def property_type(self):
+        if self.kind != "number":
+            return "App::Property" + ("Bool" if self.kind == "flag" else "Enumeration" if self.choices else "String")
+        if self.whole:
+            return "App::PropertyIntegerConstraint"
+        by_unit = {"mm": "Distance", "mm/min": "Speed", "degrees": "Angle"}
+        return "App::Property" + by_unit.get(self.unit, "FloatConstraint")
+
+    @property
+    def factor(self):
+        """Of the property's number (FreeCAD's units) in one of the setting's: it counts speeds in mm/s."""
+        return 1 / 60 if self.unit == "mm/min" else 1
+
+    def write(self, obj, value):
+        """Gives the property a value of the setting; None for what follows from other things."""
+        if self.kind == "number":
+            value = 0 if value is None else value * self.factor
+            value = int(round(value)) if self.whole else float(value)
+            if self.property_type.endswith("Constraint"):
+                value = (value, *self._limits(), 1 if self.whole else 0.1)
+        setattr(obj, self.property, value)
+
+    def _limits(self):
+        largest = 10**6
+        numbers = (-largest if self.lower is None else self.lower, largest if self.upper is None else self.upper)
+        return tuple(int(n) if self.whole else float(n) for n in numbers)
+
+    def read(self, obj):
+        value = getattr(obj, self.property)
+        return getattr(value, "Value", value) / self.factor if self.kind == "number" else value
+
+    def problem(self, value):
+        """What is wrong with a value, in a few words; "" where nothing is."""
+        unit = f" {self.unit}" if self.unit and self.unit != "diameters" else ""
+        if self.kind == "number":
+            if not math.isfinite(value):
+                return "must be finite"
+            if self.whole and value != round(value):
+                return "must be a whole number"
+            if self.lower is not None and (value < self.lower or (self.lower_open and value == self.lower)):
+                return f"must be {'above' if self.lower_open else 'at least'} {self.lower:g}{unit}"
+            if self.upper is not None and value > self.upper:
+                return f"must be at most {self.upper:g}{unit}"
+        elif self.choices and value not in self.choices:
+            return f"must be one of {', '.join(self.choices)}"
+        return ""
+
+    def matters(self, values):
+        """Whether it means anything beside these values of other settings, {name: value}."""
+        if not self.needs or self.needs not in values:
+            return True
+        value = values[self.needs]
+        return value in self.needs_values if self.needs_values else bool(value)
+
+    def shown(self, value):
+        """A value with its unit, for people."""
+        if value is None:
+            return FOLLOWS
+        if self.kind == "flag":
+            return "yes" if value else "no"
+        return f"{value:g} {self.unit}".strip() if self.kind == "number" else value
+
+
+class Stage:
+    """A step of the workflow: name, help, what it takes and makes, and its settings."""
+
+    def __init__(self, name, words, settings):
+        self.name, self.help, self.settings = name, words, [Setting(s) for s in settings]
+        self.title = name[:1].upper() + name[1:].replace("_", " ")
+
+
+JOINING = "moves"  # the stage that joins the paths of an operation
+
+
+@functools.lru_cache(maxsize=None)
+def operation_names():
+    return tuple(s["name"] for s in kernel.load().cam.stages() if s["operation"])
+
+
+@functools.lru_cache(maxsize=None)
+def _operations():
+    """{operation: the stages that lead from a solid to its moves}."""
+    cam = kernel.load().cam
+    by_name, found = {s["name"]: s for s in cam.stages()}, {}
+    for operation in operation_names():
+        stages = [Stage(name, by_name[name]["help"], by_name[name]["settings"]) for name in cam.chain("solid", operation)]
+        found[operation] = (*stages, Stage(JOINING, "how the paths are joined to moves", cam.joining_settings()))
+    _share_properties({operation: [s for stage in stages for s in stage.settings] for operation, stages in found.items()})
+    return found
+
+
+def _share_properties(groups):
+    """Settings of one name share a property, whose documentation then tells what it is for each; but those of another type get one of their own,
+    named after their group. `groups`: {name: [Setting]}."""
+    types, shared = {}, {}
+    for name, settings in groups.items():
+        for setting in settings:
+            if types.setdefault(setting.property, setting.property_type) != setting.property_type:
+                setting.property = _words_joined(name) + setting.property
+            alike = shared.setdefault(setting.property, [])
+            alike.append(setting)
+    for alike in shared.values():
+        words = " / ".join(dict.fromkeys(setting.words for setting in alike))
+        for setting in alike:
+            setting.words = words
+
+
+def _words_joined(name):
+    return "".join(word.capitalize() for word in re.split(r"[_ ]", name))
+
+
+def stages_of(operation):
+    """The stages that lead from a solid to the moves of an operation, in order."""
+    return _operations()[operation]
+
+
+def settings_of(operation):
+    return [setting for stage in stages_of(operation) for setting in stage.settings]
+
+
+@functools.lru_cache(maxsize=None)
+def machines():
+    """{id: name} of all machines that come with Fieldfab."""
+    return dict(kernel.load().cam.machines())
+
+
+@functools.lru_cache(maxsize=None)
+def _machines_told():
+    cam, found = kernel.load().cam, {}
+    for identifier in machines():
+        found[identifier] = dict(cam.machine(identifier))
+        found[identifier]["settings"] = [Setting(s) for s in found[identifier]["settings"]]
+    _share_properties({identifier: told["settings"] for identifier, told in found.items()})
+    return found
+
+
+def machine(identifier):
+    """A machine as the kernel tells it (fieldfab.cam.machine), its settings as Settings."""
+    return _machines_told()[identifier]
+
+
+@functools.lru_cache(maxsize=None)
+def machine_stage(identifier):
+    told = machine(identifier)
+    stage = Stage("machine", told["description"], [])
+    stage.settings = told["settings"]
+    return stage
