@@ -4,6 +4,7 @@ import FreeCAD
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Fieldfab"
 STANDARD_COLOUR = 0x6B9EDBFF
+STANDARD_CELLS = 128  # as the kernel has it
 
 
 def _group():
@@ -17,7 +18,7 @@ def threads():
 
 def cells():
     """Smallest cells along a solid's longest side where its VoxelSize is 0."""
-    return min(4096, max(8, _group().GetInt("Cells", 128)))
+    return min(4096, max(8, _group().GetInt("Cells", STANDARD_CELLS)))
 
 
 def colour():

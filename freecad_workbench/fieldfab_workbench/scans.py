@@ -6,8 +6,6 @@ import os
 import threading
 import weakref
 
-import numpy as np
-
 from . import kernel, work
 from .sources import Source
 
@@ -154,6 +152,8 @@ class Overview:
 
 def _read(volume, progress):
     """All densities, some slices at a time, so that it can be cancelled."""
+    import numpy as np  # not before it is needed: the workbench must load quickly
+
     across, along, deep = volume.size
     layers, step = [], max(1, SLAB_SAMPLES // (across * along))
     for first in range(0, deep, step):

@@ -4,8 +4,17 @@ import os
 import pathlib
 import sys
 
+import pytest
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(os.environ.get("FIELDFAB_BUILD", ROOT / "build" / "release"))
 COMMAND = BUILD / "bin" / "fieldfab"
 DATA = ROOT / "tests" / "data"
 sys.path.insert(0, str(BUILD / "python"))
+
+
+def pytest_collection_modifyitems(items):
+    """With several workers a file stays with one of them (its fixtures are dear), but for the tests in FreeCAD, each of which starts its own."""
+    for item in items:
+        if item.path.name != "freecad_inside_test.py":
+            item.add_marker(pytest.mark.xdist_group(item.path.stem))

@@ -1,4 +1,4 @@
-"""Machining: set-ups, operations, plans, and what is made of them."""
+"""Machining: set-ups, operations, plans, and what is made of them. What needs numpy is imported where it is used: the workbench must load quickly."""
 
 import os
 import tempfile
@@ -7,8 +7,8 @@ import webbrowser
 import FreeCAD
 import FreeCADGui
 
-from .. import path_jobs, path_shim
-from ..objects import cam_setup, machine_program
+from .. import path_shim
+from ..objects import cam_setup
 from ..shim import QtWidgets
 from ..views.solid_view import icon
 from .solids import selected
@@ -81,6 +81,8 @@ class Plan(Command):
         return chosen_setup() is not None
 
     def Activated(self):
+        from ..objects import machine_program
+
         setup = chosen_setup()
         document = setup.Document
         document.openTransaction(self.told["MenuText"])
@@ -104,6 +106,8 @@ class WriteMachineFile(Command):
 
 def write(program, path):
     """Writes the machine's file; says in the status bar that it did, in a box that it could not."""
+    from ..objects import machine_program
+
     window = FreeCADGui.getMainWindow()
     try:
         machine_program.write_machine_file(program, path)
@@ -115,6 +119,8 @@ def write(program, path):
 
 class SetupSheet(Command):
     def Activated(self):
+        from ..objects import machine_program
+
         path = os.path.join(tempfile.mkdtemp(prefix="fieldfab_"), "setup.html")
         machine_program.write_setup_sheet(chosen_program(), path)
         webbrowser.open(f"file://{path}")
@@ -122,6 +128,8 @@ class SetupSheet(Command):
 
 class ToPath(Command):
     def Activated(self):
+        from .. import path_jobs
+
         program = chosen_program()
         document = program.Document
         job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)), None)

@@ -3,7 +3,6 @@
 import hashlib
 
 import FreeCAD
-import numpy as np
 import Part
 
 from .. import meshes
@@ -95,6 +94,8 @@ def shape_of(mesh, most_triangles, merge_faces, label):
 
 def _signed_volume(mesh):
     """Below 0 where the triangles face inwards, as those around a cavity do."""
+    import numpy as np  # not before it is needed: the workbench must load quickly
+
     points, facets = mesh.Topology
     corners = np.array([tuple(p) for p in points])[np.array(facets)]
     return np.einsum("ni,ni->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6

@@ -61,10 +61,8 @@ class Solid:
         add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
 
     def mesh_settings(self, obj):
-        """The settings of Source.mesh()."""
+        """The settings of fieldfab.mesh()."""
         settings = {"voxel": obj.VoxelSize.Value or self.default_voxel(obj), "max_error": obj.MaxError.Value or None}
-        if settings["voxel"] is None:
-            settings["cells"] = preferences.cells()
         if not obj.AutoBounds:
             settings["bounds"] = (*obj.Lower, *obj.Upper)
         return {name: value for name, value in settings.items() if value is not None}
@@ -74,6 +72,8 @@ class Solid:
         fieldfab = kernel.load()
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
+            if "voxel" not in settings and preferences.cells() != preferences.STANDARD_CELLS:
+                settings["cells"] = preferences.cells()
             made_from = key_of(source, settings)
             if obj.MadeFrom == made_from:
                 return
