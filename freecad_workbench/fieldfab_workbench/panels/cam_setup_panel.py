@@ -68,6 +68,9 @@ class SetupPanel(EditPanel):
 
     _write_quantity = PropertyPanel._write_quantity
 
+    def changed(self, *_):
+        """Of the makers of rows: here the rows are written by _written, and nothing is planned before it is asked for."""
+
     def _tools(self):
         box = Box("Tools", opened=not self.obj.Tools)
         self.tools = ToolTable(self.obj, self._refresh)

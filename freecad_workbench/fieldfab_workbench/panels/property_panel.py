@@ -22,18 +22,20 @@ class PropertyPanel(EditPanel):
         self.layout.addWidget(self.message)
         self.layout.addStretch()
         self.fill()
-        self.preview = Preview(obj, self.say, self.form)
+        self.preview = Preview(obj, self.say, self.form) if hasattr(obj, "Mesh") and hasattr(obj.Proxy, "mesh_settings") else None
 
-    def show(self, *_):
-        """Takes the values over and shows what they make; what is missing is told."""
+    def changed(self, *_):
+        """Takes the values over and, of a solid, shows what they make; what is missing is told."""
         try:
             self.take_over()
-            self.preview.show(self.obj.Proxy.source(self.obj), self.obj.Proxy.mesh_settings(self.obj))
+            if self.preview:
+                self.preview.show(self.obj.Proxy.source(self.obj), self.obj.Proxy.mesh_settings(self.obj))
         except (ValueError, kernel.load().Error) as error:
             self.say(str(error))
 
     def close(self):
-        self.preview.close()
+        if self.preview:
+            self.preview.close()
         super().close()
 
     def names(self):
@@ -60,12 +62,12 @@ class PropertyPanel(EditPanel):
         box.addItems(self.obj.getEnumerationsOfProperty(name))
         box.setCurrentText(getattr(self.obj, name))
 
-        def changed():
-            self.show()
+        def chosen():
+            self.changed()
             if name == "Operation":
                 QtCore.QTimer.singleShot(0, self.fill)  # not while the box that is about to go still speaks
 
-        box.activated.connect(lambda index: changed())
+        box.activated.connect(lambda index: chosen())
         return box, lambda: setattr(self.obj, name, box.currentText())
 
     def _quantity(self, name):
@@ -73,7 +75,7 @@ class PropertyPanel(EditPanel):
         box.setProperty("value", getattr(self.obj, name))
         if hasattr(FreeCADGui, "ExpressionBinding"):
             FreeCADGui.ExpressionBinding(box).bind(self.obj, name)
-        box.valueChanged.connect(self.show)
+        box.valueChanged.connect(self.changed)
         return box, lambda: self._write_quantity(name, box)
 
     def _write_quantity(self, name, box):
@@ -86,20 +88,20 @@ class PropertyPanel(EditPanel):
         box.setRange(0, 1)
         box.setSingleStep(0.05)
         box.setValue(getattr(self.obj, name))
-        box.valueChanged.connect(self.show)
+        box.valueChanged.connect(self.changed)
         return box, lambda: setattr(self.obj, name, box.value())
 
     def _count(self, name):
         box = QtWidgets.QSpinBox()
         box.setRange(1, 1_000_000)  # the property has its own limits
         box.setValue(getattr(self.obj, name))
-        box.valueChanged.connect(self.show)
+        box.valueChanged.connect(self.changed)
         return box, lambda: setattr(self.obj, name, box.value())
 
     def _yes(self, name):
         box = QtWidgets.QCheckBox()
         box.setChecked(getattr(self.obj, name))
-        box.toggled.connect(self.show)
+        box.toggled.connect(self.changed)
         return box, lambda: setattr(self.obj, name, box.isChecked())
 
     def _vector(self, name):
@@ -112,7 +114,7 @@ class PropertyPanel(EditPanel):
             box.setDecimals(4)
             box.setRange(-1e6, 1e6)
             box.setValue(value)
-            box.valueChanged.connect(self.show)
+            box.valueChanged.connect(self.changed)
             layout.addWidget(box)
             boxes.append(box)
         return row, lambda: setattr(self.obj, name, FreeCAD.Vector(*(box.value() for box in boxes)))
@@ -123,7 +125,7 @@ class PropertyPanel(EditPanel):
             box.addItem(candidate.Label, candidate.Name)
         current = getattr(self.obj, name)
         box.setCurrentIndex(box.findData(current.Name) if current else -1)
-        box.activated.connect(self.show)
+        box.activated.connect(self.changed)
         return box, lambda: setattr(self.obj, name, self.document.getObject(box.currentData()) if box.currentIndex() >= 0 else None)
 
     def _links(self, name):
@@ -144,8 +146,8 @@ class PropertyPanel(EditPanel):
             if wanted != list(getattr(self.obj, name)):
                 setattr(self.obj, name, wanted)
 
-        box.itemChanged.connect(self.show)
-        box.model().rowsMoved.connect(self.show)
+        box.itemChanged.connect(self.changed)
+        box.model().rowsMoved.connect(self.changed)
         return box, write
 
 
