@@ -16,8 +16,8 @@ bool flag_contacts(const float* entry, const float* exit, const float* tops, int
 bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
                      float inverse, std::uint8_t* flags);
 
-/// The last points below the tops of columns, as numbers, but none above `last`; null: all columns are solid. Points lie `spacing`
-/// apart, as StockLattice::at() has them.
+/// The last points below the tops of columns, as numbers, but none above `last`; null: all columns are solid. Points lie
+/// `spacing` apart, as StockLattice::at() has them.
 void load_tops(const float* tops, int count, double spacing, float last, float* points);
 
 /// Calls with the index of each flag that is set.

@@ -68,7 +68,8 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   else if (extension == ".rml")
     notes = read_rml(text, name, options, machine.tick > 0 ? machine.tick : 0.025, sink, progress);
   else if (extension == ".plt" || extension == ".hpgl" || extension == ".camm" || extension == ".epi" || extension == ".gcc")
-    notes = read_hpgl(text, name, options, machine.tick > 0 ? machine.tick : 0.025, setup_.pen_up, setup_.pen_down, sink, progress);
+    notes =
+        read_hpgl(text, name, options, machine.tick > 0 ? machine.tick : 0.025, setup_.pen_up, setup_.pen_down, sink, progress);
   else
     notes = read_gcode(text, name, options, sink, progress);
   run.finish();

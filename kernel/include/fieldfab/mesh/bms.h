@@ -7,8 +7,9 @@
 
 namespace fieldfab {
 
-/// The bytes of a .bms file (FreeCAD's binary mesh, version 1.0): vertices, triangles and each triangle's three neighbours, so that
-/// FreeCAD reads it without looking for any of them. An edge with other than two triangles has no neighbours. Linear in the size.
+/// The bytes of a .bms file (FreeCAD's binary mesh, version 1.0): vertices, triangles and each triangle's three neighbours, so
+/// that FreeCAD reads it without looking for any of them. An edge with other than two triangles has no neighbours. Linear in the
+/// size.
 std::string to_bms(const TriangleMesh& mesh);
 
 }  // namespace fieldfab
