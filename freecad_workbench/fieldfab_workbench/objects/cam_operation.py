@@ -11,6 +11,9 @@ class CamOperation(WithSettings):
 
     NAME = "CamOperation"
 
+    def icon_name(self, obj):
+        return "CamOperation" if obj.Active else "CamOperationOff"
+
     def add_properties(self, obj):
         self.add_choice(obj, "Type", "Operation", "What is done", workflow.operation_names())
         self.add(obj, "Link", "Tool", "Operation", "What it is done with")

@@ -1,4 +1,4 @@
-"""What proxies of objects without a shape have in common, and those whose properties are settings of the kernel's workflow."""
+"""What all proxies have in common, and those whose properties are settings of the kernel's workflow."""
 
 
 class DocumentObject:
@@ -15,6 +15,7 @@ class DocumentObject:
 
     @staticmethod
     def add(obj, kind, name, group, words, value=None, mode=0):
+        """A property, unless a document of an earlier version has it already."""
         if name in obj.PropertiesList:
             return
         obj.addProperty(f"App::Property{kind}", name, group, words, mode)
@@ -26,6 +27,10 @@ class DocumentObject:
         if name not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", name, group, words)
             setattr(obj, name, list(choices))
+
+    def icon_name(self, obj):
+        """Of the icon in the tree."""
+        return self.NAME
 
     def execute(self, obj):
         pass

@@ -6,25 +6,20 @@ import FreeCAD
 import Part
 
 from .. import meshes
-from .solid import Solid
+from .document_object import DocumentObject
 
 SEWING = 1e-4  # mm
 
 
-class PartShape:
+class PartShape(DocumentObject):
     """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, where the Source is. Making one takes about a
     millisecond a triangle, and more than in proportion beyond some thousands; so triangles are first reduced to MostTriangles, and then
     those that lie in a plane become one face. Curved surfaces stay facets."""
 
     NAME = "PartShape"
 
-    def __init__(self, obj):
-        obj.Proxy = self
-        self.add_properties(obj)
-
-    @staticmethod
-    def add_properties(obj):
-        add = Solid.add
+    def add_properties(self, obj):
+        add = self.add
         add(obj, "Link", "Source", "Shape", "A solid or a mesh")
         add(obj, "IntegerConstraint", "MostTriangles", "Shape", "The mesh is reduced to about as many; above some thousands all that is done with the shape is slow",
             (2000, 12, 50000, 500))
@@ -32,9 +27,6 @@ class PartShape:
         add(obj, "Integer", "Faces", "Result", "Faces of the shape", mode=1)
         add(obj, "Float", "VolumeChange", "Result", "How many percent the shape's volume is above the solid's", mode=1)
         add(obj, "String", "MadeFrom", "Result", "What the shape was made from: it is made anew when this changes", mode=4)
-
-    def icon_name(self, obj):
-        return self.NAME
 
     def execute(self, obj):
         """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
@@ -51,19 +43,6 @@ class PartShape:
             obj.Shape = shape
             obj.Faces, obj.VolumeChange, obj.MadeFrom = len(shape.Faces), 100 * (shape.Volume / volume - 1), made_from
         obj.Placement = obj.Source.getGlobalPlacement()
-
-    def onDocumentRestored(self, obj):
-        self.add_properties(obj)
-
-    # The proxy keeps nothing of its own in the document.
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _content(source):

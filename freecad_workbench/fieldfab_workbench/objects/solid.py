@@ -5,17 +5,14 @@ import hashlib
 import FreeCAD
 
 from .. import kernel, meshes, preferences, work
+from .document_object import DocumentObject
 
 
-class Solid:
+class Solid(DocumentObject):
     """Proxy of a Mesh::FeaturePython object. A solid says where it comes from (`source`); the mesh, its resolution and its figures are here.
     Lengths are mm. The mesh is saved with the document; it is made anew only when what it depends on has changed."""
 
     NAME = "Solid"  # of new objects, and of the icon
-
-    def __init__(self, obj):
-        obj.Proxy = self
-        self.add_properties(obj)
 
     # To be told by each kind of solid.
     def add_own_properties(self, obj):
@@ -30,19 +27,9 @@ class Solid:
         return None
 
     def icon_name(self, obj):
-        """Of the icon in the tree."""
         return getattr(obj, "Operation", self.NAME)
 
     # The same for all.
-    @staticmethod
-    def add(obj, kind, name, group, words, value=None, mode=0):
-        """A property, unless a document of an earlier version has it already."""
-        if name in obj.PropertiesList:
-            return
-        obj.addProperty(f"App::Property{kind}", name, group, words, mode)
-        if value is not None:
-            setattr(obj, name, value)
-
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
@@ -92,19 +79,6 @@ class Solid:
         obj.Mesh = meshes.to_freecad(mesh) if made is None else made
         obj.Placement = placement
         obj.Volume, obj.Area, obj.Triangles = mesh.volume, mesh.area, len(mesh.triangles)
-
-    def onDocumentRestored(self, obj):
-        self.add_properties(obj)
-
-    # The proxy keeps nothing of its own in the document.
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def key_of(source, settings):

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..player import Player
 from ..shim import QtCore, QtGui, QtWidgets
-from ..views.stock_legend import DeviationLegend
+from ..views.legend import ScaleLegend
 from ..views.part_view import PartView
 from ..views.stock_scene import StockScene
 from .event_list import EventList
@@ -142,7 +142,7 @@ class Playback(QtWidgets.QWidget):
         self.turning.setVisible(self.turned)
         self.see_deviation.setVisible(simulation.deviation_scale is not None)
         if simulation.deviation_scale is not None:
-            self.legend = DeviationLegend(self.view.widget(), simulation.deviation_scale, simulation.colour_of_deviation)
+            self.legend = ScaleLegend(self.view.widget(), simulation.deviation_scale, simulation.colour_of_deviation)
         self._make_axes(simulation.axes)
         self.program.set_lines(run.lines)
         self.events.set_events(events)
@@ -165,7 +165,7 @@ class Playback(QtWidgets.QWidget):
         self.view.tell_clicks(None)
         self.view.remove(self.scene.root)
         if self.legend is not None:
-            self.legend.remove()
+            self.legend.close()
         self.player = self.scene = self.legend = None
 
     def _make_axes(self, letters):

@@ -1,22 +1,18 @@
 """How CAM set-ups, their tools and operations look in the tree, and the stock in the 3D view."""
 
-import FreeCADGui
 from pivy import coin
 
 from ..objects import cam_setup
-from .solid_view import icon
+from .solid_view import ObjectView
 
 STOCK_COLOUR = (0.55, 0.45, 0.30)
 
 
-class DocumentView:
-    """View provider of an object without a shape: an icon, children, and a panel on double click."""
-
-    def __init__(self, view):
-        view.Proxy = self
+class DocumentView(ObjectView):
+    """View provider of an object without a shape."""
 
     def attach(self, view):
-        self.Object = view.Object
+        super().attach(view)
         view.addDisplayMode(self.scene(), "Ways")
 
     def scene(self):
@@ -32,34 +28,8 @@ class DocumentView:
     def setDisplayMode(self, mode):
         return mode
 
-    def getIcon(self):
-        return icon(self.Object.Proxy.NAME)
-
     def claimChildren(self):
         return []
-
-    def setEdit(self, view, mode=0):
-        from ..panels import panel_for
-
-        FreeCADGui.Control.showDialog(panel_for(view.Object))
-        return True
-
-    def unsetEdit(self, view, mode=0):
-        FreeCADGui.Control.closeDialog()
-        return True
-
-    def doubleClicked(self, view):
-        view.Document.setEdit(view.Object.Name)
-        return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 class SetupView(DocumentView):
@@ -106,9 +76,6 @@ class ToolView(DocumentView):
 
 
 class OperationView(DocumentView):
-    def getIcon(self):
-        return icon("CamOperation" if self.Object.Active else "CamOperationOff")
-
     def updateData(self, obj, name):
         if name == "Active":
             obj.ViewObject.signalChangeIcon()

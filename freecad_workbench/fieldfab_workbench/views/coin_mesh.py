@@ -4,6 +4,8 @@ binary Inventor file."""
 import numpy as np
 from pivy import coin
 
+from . import inventor
+
 
 class MeshBytes:
     """Triangles ready for Coin: made on any thread, `node()` in the window's. Flat: edges look sharp; else all looks smooth. `colours`: one
@@ -14,10 +16,10 @@ class MeshBytes:
         normals = (_flat_normals if flat else _smooth_normals)(vertices, triangles)
         index = np.full((len(triangles), 4), -1, ">i4")
         index[:, :3] = triangles
-        self._material = None if colours is None else _bytes_of(b"Material", b"diffuseColor", np.asarray(colours, ">f4"), len(colours))
-        self._rest = [_bytes_of(b"Coordinate3", b"point", np.asarray(vertices, ">f4"), len(vertices)),
-                      _bytes_of(b"Normal", b"vector", np.asarray(normals, ">f4"), len(normals)),
-                      _bytes_of(b"IndexedFaceSet", b"coordIndex", index, index.size)]
+        self._material = None if colours is None else inventor.node_bytes("Material", "diffuseColor", len(colours), np.asarray(colours, ">f4"))
+        self._rest = [inventor.node_bytes("Coordinate3", "point", len(vertices), np.asarray(vertices, ">f4")),
+                      inventor.node_bytes("Normal", "vector", len(normals), np.asarray(normals, ">f4")),
+                      inventor.node_bytes("IndexedFaceSet", "coordIndex", index.size, index)]
 
     def node(self, colour=(0.42, 0.62, 0.86)):
         """A separator that clicks pass through. The colour is taken where the vertices have none."""
@@ -64,7 +66,7 @@ def frame_node(origin, axes):
 def _flat_normals(vertices, triangles):
     """Of each triangle."""
     a, b, c = (vertices[triangles[:, i]] for i in range(3))
-    return _unit(np.cross(b - a, c - a))
+    return inventor.unit(np.cross(b - a, c - a))
 
 
 def _smooth_normals(vertices, triangles):
@@ -73,22 +75,8 @@ def _smooth_normals(vertices, triangles):
     faces = np.cross(b - a, c - a)
     corners = triangles.ravel()
     sums = [np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)]
-    return _unit(np.stack(sums, 1))
-
-
-def _unit(rows):
-    return rows / np.maximum(np.linalg.norm(rows, axis=1), 1e-30)[:, None]
-
-
-def _bytes_of(kind, field, values, count):
-    """A binary Inventor file of one node with one long field: flags, number of fields, field, values, flags."""
-    def text(word):
-        return len(word).to_bytes(4, "big") + word + bytes(-len(word) % 4)
-
-    return b"".join((b"#Inventor V2.1 binary  \n", text(kind), bytes(4), b"\0\0\0\1", text(field), count.to_bytes(4, "big"), values.tobytes(), bytes(4)))
+    return inventor.unit(np.stack(sums, 1))
 
 
 def _read(whole):
-    source = coin.SoInput()
-    source.setBuffer(whole)
-    return coin.SoDB.readAll(source).getChild(0)
+    return inventor.read(inventor.HEAD + whole).getChild(0)

@@ -14,8 +14,8 @@ def corner_normals(vertices, triangles, slopes):
     """Vertices, normals and triangles to draw. `slopes`: the solid's gradients at the vertices. Where a triangle and the gradient at its corner do not
     agree, an edge passes: that corner becomes a vertex of its own, with the triangle's normal."""
     sides = vertices[triangles[:, 1:]] - vertices[triangles[:, :1]]
-    facets = _unit(np.cross(sides[:, 0], sides[:, 1]))
-    normals = _unit(slopes)
+    facets = unit(np.cross(sides[:, 0], sides[:, 1]))
+    normals = unit(slopes)
     apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < CREASE
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
@@ -23,7 +23,7 @@ def corner_normals(vertices, triangles, slopes):
     return np.concatenate([vertices, vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
 
 
-def _unit(vectors):
+def unit(vectors):
     lengths = np.sqrt(np.einsum("ij,ij->i", vectors, vectors))
     return np.divide(vectors, lengths[:, None], out=np.zeros_like(vectors), where=lengths[:, None] > 0)
 
@@ -32,12 +32,13 @@ def written(vertices, normals, triangles):
     """The three arrays as the bytes of a binary Inventor file; on any thread."""
     corners = np.full((len(triangles), 4), -1, ">i4")
     corners[:, :3] = triangles
-    nodes = (_node("Normal", "vector", len(normals), normals.astype(">f4")), _node("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
-             _node("IndexedFaceSet", "coordIndex", corners.size, corners))
+    nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")), node_bytes("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
+             node_bytes("IndexedFaceSet", "coordIndex", corners.size, corners))
     return b"".join((HEAD, _name("Separator"), struct.pack(">iii", _GROUP, 0, len(nodes)), *nodes))
 
 
-def _node(kind, field, count, values):
+def node_bytes(kind, field, count, values):
+    """A node with one long field; `values` hold big-endian numbers."""
     return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(), struct.pack(">i", 0)))
 
 

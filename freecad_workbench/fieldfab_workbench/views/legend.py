@@ -1,29 +1,28 @@
-"""A legend of colours over the 3D view."""
+"""What colours mean, in a corner of the 3D view."""
 
 import FreeCADGui
 
 from ..deviations import colours
 from ..shim import QtCore, QtGui, QtWidgets
 
-LINE = 16
+LINE = 16  # pixels, of words
+EDGE = 12
+STRIP = QtCore.QRect(14, 30, 260, 14)
 
 
 class Legend(QtWidgets.QWidget):
-    """A bar from `reach` at the top to -`reach` at its foot, mm, in the active 3D view's left lower corner. `close()` takes it away."""
+    """A card in the left lower corner of a widget; clicks pass through it. `close()` takes it away."""
 
-    def __init__(self, title, reach, words=("outside", "inside")):
-        super().__init__(view_widget())
-        self.title, self.reach, self.words = title, reach, words
+    def __init__(self, over, width, height):
+        super().__init__(over)
         self.setAttribute(QtCore.Qt.WA_TransparentForMouseEvents)
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.resize(150, 210)
-        self.parentWidget().installEventFilter(self)
+        self.resize(width, height)
+        over.installEventFilter(self)
         self._place()
-        self.show()
-        self.raise_()
 
     def _place(self):
-        self.move(12, self.parentWidget().height() - self.height() - 12)
+        self.move(EDGE, max(0, self.parentWidget().height() - self.height() - EDGE))
 
     def eventFilter(self, watched, event):
         if event.type() == QtCore.QEvent.Resize:
@@ -37,6 +36,23 @@ class Legend(QtWidgets.QWidget):
         painter.setBrush(QtGui.QColor(250, 250, 252, 235))
         painter.drawRoundedRect(self.rect(), 6, 6)
         painter.setPen(QtGui.QColor("#202428"))
+        self.paint(painter)
+
+    def paint(self, painter):
+        """Draws what is on the card."""
+        raise NotImplementedError
+
+
+class ReachLegend(Legend):
+    """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view."""
+
+    def __init__(self, title, reach, words=("outside", "inside")):
+        super().__init__(view_widget(), 150, 210)
+        self.title, self.reach, self.words = title, reach, words
+        self.show()
+        self.raise_()
+
+    def paint(self, painter):
         painter.drawText(10, 6, self.width() - 20, LINE, QtCore.Qt.AlignLeft, self.title)
         bar = QtCore.QRect(12, 34, 22, self.height() - 48)
         gradient = QtGui.QLinearGradient(0, bar.top(), 0, bar.bottom())
@@ -48,6 +64,24 @@ class Legend(QtWidgets.QWidget):
             word = {1: self.words[0], -1: self.words[1]}.get(share, "")
             painter.drawLine(bar.right() + 2, int(y), bar.right() + 6, int(y))
             painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{share * self.reach:+.3g} {word}" if share else "0")
+
+
+class ScaleLegend(Legend):
+    """A strip of a simulation's colours. `scale`: gouge, excess and full, mm; `colour(deviation)`: red, green, blue."""
+
+    def __init__(self, over, scale, colour):
+        super().__init__(over, STRIP.width() + 28, 78)
+        self.scale = scale
+        self.strip = QtGui.QImage(STRIP.width(), 1, QtGui.QImage.Format_RGB32)
+        for x in range(STRIP.width()):
+            self.strip.setPixelColor(x, 0, QtGui.QColor(*colour(scale["full"] * (2 * (x + 0.5) / STRIP.width() - 1))))
+
+    def paint(self, painter):
+        painter.drawImage(STRIP, self.strip)
+        full = self.scale["full"]
+        for y, words in ((8, ("gouge", "deviation, mm", "left over")), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:g}", "0", f"+{full:g}"))):
+            for side, text in zip((QtCore.Qt.AlignLeft, QtCore.Qt.AlignHCenter, QtCore.Qt.AlignRight), words):
+                painter.drawText(QtCore.QRect(STRIP.left(), y, STRIP.width(), LINE + 2), side, text)
 
 
 def view_widget():

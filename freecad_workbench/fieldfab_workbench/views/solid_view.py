@@ -14,27 +14,17 @@ def icon(name):
     return os.path.join(ICONS, "".join(word[:1].upper() + word[1:] for word in name.split()) + ".svg")
 
 
-class SolidView:
-    """View provider of a Solid."""
+class ObjectView:
+    """View provider of any of our objects: its icon, and its panel on a double click."""
 
     def __init__(self, view):
         view.Proxy = self
-        view.ShapeColor = preferences.colour()
-        view.Lighting = "Two side"
-        view.CreaseAngle = 30.0  # smooth where the solid is, sharp where it is not
 
     def attach(self, view):
         self.Object = view.Object
 
     def getIcon(self):
         return icon(self.Object.Proxy.icon_name(self.Object))
-
-    def updateData(self, obj, name):
-        if name == "Operation":
-            obj.ViewObject.signalChangeIcon()
-
-    def claimChildren(self):
-        return sources_of(self.Object)
 
     def setEdit(self, view, mode=0):
         from ..panels import panel_for
@@ -50,12 +40,6 @@ class SolidView:
         view.Document.setEdit(view.Object.Name)
         return True
 
-    def onDelete(self, view, subelements):
-        """What a solid was made of is seen again once it is gone."""
-        for source in sources_of(view.Object):
-            source.ViewObject.Visibility = True
-        return True
-
     def dumps(self):
         return None
 
@@ -64,6 +48,29 @@ class SolidView:
 
     __getstate__ = dumps
     __setstate__ = loads
+
+
+class SolidView(ObjectView):
+    """View provider of a Solid."""
+
+    def __init__(self, view):
+        super().__init__(view)
+        view.ShapeColor = preferences.colour()
+        view.Lighting = "Two side"
+        view.CreaseAngle = 30.0  # smooth where the solid is, sharp where it is not
+
+    def updateData(self, obj, name):
+        if name == "Operation":
+            obj.ViewObject.signalChangeIcon()
+
+    def claimChildren(self):
+        return sources_of(self.Object)
+
+    def onDelete(self, view, subelements):
+        """What a solid was made of is seen again once it is gone."""
+        for source in sources_of(view.Object):
+            source.ViewObject.Visibility = True
+        return True
 
 
 def sources_of(obj):
