@@ -4,6 +4,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/model/model.h"
+#include "fieldfab/volume/distances.h"
 
 namespace fieldfab::python {
 namespace {
@@ -160,6 +161,20 @@ void bind_fields(py::module_& module) {
       .def(
           "morph", [=](FieldPtr a, FieldPtr b, double w) { return mutable_field(morph(a, b, w)); }, py::arg("other"),
           py::arg("weight"))
+      .def(
+          "distances",
+          [=](const FieldPtr& f, double reach, double voxel, const py::object& bounds, const py::object& progress) {
+            return mutable_field(long_work(progress, [&](Progress& p) {
+              return distances(f, region_of(f, bounds, p), {reach, voxel}, p);
+            }));
+          },
+          py::arg("reach"), py::arg("voxel") = 0, py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
+          "The same solid with signed distances as its values, in mm, up to `reach` mm from its surface: what offset, shell, "
+          "blend and "
+          "morph need of a scan, whose densities are distances only next to the surface. Worked out every `voxel` mm; 0: a 160th "
+          "of "
+          "the longest side.")
+      .def_property_readonly("sampled", &Field::sampled, "Whether it is interpolated between samples, as scans are.")
       .def(
           "translate",
           [=](FieldPtr a, double x, double y, double z) {

@@ -5,6 +5,7 @@
 
 #include "bindings.h"
 #include "fieldfab/check/check.h"
+#include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/bms.h"
 #include "fieldfab/mesh/contour.h"
@@ -217,6 +218,20 @@ void bind_results(py::module_& module) {
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
       py::arg("max_error") = py::none(), py::arg("progress") = py::none(),
       "Cross-checks a solid's distance field and mesh against OpenVDB and CGAL.");
+  module.def(
+      "write_vdb",
+      [](const py::object& solid, const std::filesystem::path& path, const py::object& bounds, std::optional<double> voxel,
+         std::optional<double> resolution, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          write_vdb(*field, region, cell_of(region, voxel, resolution, field), path, p);
+          return 0;
+        });
+      },
+      py::arg("solid"), py::arg("filename"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+      py::arg("resolution") = py::none(), py::arg("progress") = py::none(),
+      "Writes a solid's level set for OpenVDB: distances within four voxels of its surface.");
   py::class_<MeshVerdict>(module, "MeshVerdict")
       .def_readonly("manifold", &MeshVerdict::manifold)
       .def_readonly("closed", &MeshVerdict::closed)

@@ -118,11 +118,13 @@ py::array_t<int> of_cuts(const cam::Simulation& simulation, const Of& of) {
 void bind_simulation(py::module_& module) {
   py::class_<cam::Simulation>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
       .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
-                       std::optional<double> cell, bool remember, const py::object& stock, const py::object& progress) {
+                       std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
+                       const py::object& progress) {
+             const FieldPtr of_job = part.is_none() ? nullptr : field_of(part);
              const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
              const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
              return long_work(progress, [&](Progress& p) {
-               cam::SimulationSetup made = cam::read_simulation_setup(setup, p);
+               cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p);
                if (wanted) made.target = wanted;
                if (block) made.stock = block;
                if (cell) made.sampling.cell = *cell;
@@ -134,8 +136,11 @@ void bind_simulation(py::module_& module) {
              });
            }),
            py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
-           py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("progress") = py::none(),
-           "`target` and `stock` take the place of the set-up's; the stock's shape counts within the set-up's stock box.")
+           py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("part") = py::none(),
+           py::arg("progress") = py::none(),
+           "`target` and `stock` take the place of the set-up's; the stock's shape counts within the set-up's stock box. `part`: "
+           "of a "
+           "job that names no model, as fieldfab.cam.Job.parse() takes it.")
       .def_property_readonly(
           "playback", [](cam::Simulation& s) { return s.playback(); }, py::return_value_policy::reference_internal,
           "Any moment of it; None where it was not to remember.")

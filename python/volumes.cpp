@@ -90,7 +90,7 @@ void bind_volumes(py::module_& module) {
       .def(
           "histogram",
           [](const Volume& v) {
-            const Histogram counts = histogram(v, memory);
+            const Histogram counts = long_work(py::none(), [&](Progress& p) { return histogram(v, memory, p); });
             std::vector<double> edges;
             for (std::size_t i = 0; i <= counts.counts.size(); ++i)
               edges.push_back(counts.first + static_cast<double>(i) * counts.width);
@@ -98,7 +98,11 @@ void bind_volumes(py::module_& module) {
           },
           "Counts and the edges of their bins, as numpy.histogram gives them.")
       .def(
-          "threshold", [](const Volume& v, const py::object& rule) { return threshold_by(rule_of(rule), v, memory); },
+          "threshold",
+          [](const Volume& v, const py::object& rule) {
+            const ThresholdRule asked = rule_of(rule);
+            return long_work(py::none(), [&](Progress& p) { return threshold_by(asked, v, memory, p); });
+          },
           py::arg("rule") = "otsu", "The density by a rule: a number, 'otsu' or a share such as '90%'.")
       .def(
           "crop",

@@ -34,8 +34,12 @@ bool stops(const Machine& machine, const std::string& text) {
 
 class SetupReader {
  public:
-  SetupReader(const std::filesystem::path& path, Progress& progress)
-      : path_(path), progress_(progress), table_(TomlTable::parse(read_file(path, 16 << 20), path.string())) {}
+  SetupReader(const std::filesystem::path& path, FieldPtr part, Progress& progress)
+      : path_(path),
+        part_(std::move(part)),
+        progress_(progress),
+        text_(read_file(path, 16 << 20)),
+        table_(TomlTable::parse(text_, path.string())) {}
 
   SimulationSetup read() {
     setup_.file = path_.string();
@@ -75,7 +79,7 @@ class SetupReader {
   static double default_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
 
   void read_job() {
-    const Job job = Job::read(path_, progress_);
+    const Job job = Job::parse(text_, path_, part_, progress_);
     setup_.machine = job.machine();
     setup_.stock_box = job.stock();
     setup_.zero = zero_of(job);
@@ -114,6 +118,17 @@ class SetupReader {
       for (auto& [number, beam] : setup_.tools) beam.flute = setup_.stock_box.size().z() + 3 * over;
     }
     limits_of_machine();
+    if (part_) leave_where_it_was(job.zero());
+  }
+
+  /// A job counts from its program's zero; a part that was given is wanted where it is.
+  void leave_where_it_was(const Vec3& zero) {
+    if (zero.isZero()) return;
+    if (!setup_.stops.empty() || !setup_.placement.rotation.isIdentity())
+      throw Error(ErrorKind::bad_input, path_.string(), "where the part is turned over, the program's zero must be the model's");
+    setup_.stock_box = {setup_.stock_box.lower + zero, setup_.stock_box.upper + zero};
+    setup_.target = translate(setup_.target, zero);
+    setup_.zero -= zero;
   }
 
   /// Where the machine's settings put the part's zero.
@@ -282,7 +297,9 @@ class SetupReader {
   }
 
   std::filesystem::path path_;
+  FieldPtr part_;  ///< of a job; null where it names its model
   Progress& progress_;
+  std::string text_;
   TomlTable table_;
   SimulationSetup setup_;
 };
@@ -290,7 +307,11 @@ class SetupReader {
 }  // namespace
 
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress) {
-  return SetupReader(path, progress).read();
+  return SetupReader(path, nullptr, progress).read();
+}
+
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress) {
+  return SetupReader(path, std::move(part), progress).read();
 }
 
 }  // namespace fieldfab::cam

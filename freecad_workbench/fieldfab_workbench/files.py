@@ -29,6 +29,7 @@ def register():
     FreeCAD.addImportType("Distance field (*.asdf)", MODULE)
     FreeCAD.addExportType("Distance field (*.asdf)", MODULE)
     FreeCAD.addExportType("F-rep (*.frep *.math *.vm)", MODULE)
+    FreeCAD.addExportType("OpenVDB level set (*.vdb)", MODULE)
     FreeCAD.addExportType(f"Mesh by Fieldfab ({pattern(MESHES)})", MODULE)
 
 
@@ -117,10 +118,13 @@ def export(objects, filename):
         field = sources[0].field(progress)
         for source in sources[1:]:
             field = field | source.field(progress)
+        if ending == "vdb":
+            settings.pop("max_error", None)
+            return fieldfab.write_vdb(field, filename, progress=progress, **settings)
         made = (fieldfab.build if ending == "asdf" else fieldfab.mesh)(field, progress=progress, **settings)
-        made.save(filename)
+        return made.save(filename)
 
-    if ending not in ("asdf", *MESHES):
+    if ending not in ("asdf", "vdb", *MESHES):
         raise ValueError(f"{filename}: Fieldfab writes no .{ending} files")
     try:
         work.run(write, f"Writing {os.path.basename(filename)}")

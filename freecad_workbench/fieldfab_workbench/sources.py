@@ -2,12 +2,14 @@
 while, so that a panel, a recompute and the solids built on this one share them."""
 
 import hashlib
+import math
 import threading
 from collections import OrderedDict
 
 from . import kernel
 
 KEPT, KEPT_BYTES = 64, 400_000_000
+DISTANCES_BYTES = 17_000_000  # of those on a lattice of 160 places a side
 
 
 class Source:
@@ -20,6 +22,15 @@ class Source:
     def field(self, progress=None):
         """The Field. Raises fieldfab.Error."""
         return _kept(("field", self.digest), lambda: self._make(progress))
+
+    def distances(self, reach, progress=None):
+        """The Field for offsets, shells, blends and morphs that look so many mm beyond the surface: of a scan, whose values are distances only
+        next to its surface, one with distances; else the Field itself. Raises fieldfab.Error."""
+        field = self.field(progress)
+        if not field.sampled:
+            return field
+        enough = 2.0 ** (math.floor(math.log2(reach)) + 1)  # so that moving a slider seldom asks for others
+        return _kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
 
     def mesh(self, progress=None, cells=None, **settings):
         """The mesh with these settings of fieldfab.mesh(), or so many `cells` along the longest side of its bounds."""
@@ -53,11 +64,11 @@ def _kept(key, make):
     made = make()
     with _lock:
         _store[key] = made
-        while len(_store) > KEPT or (len(_store) > 1 and sum(map(_size, _store.values())) > KEPT_BYTES):
+        while len(_store) > KEPT or (len(_store) > 1 and sum(_size(*item) for item in _store.items()) > KEPT_BYTES):
             _store.popitem(last=False)
     return made
 
 
-def _size(made):
-    """Bytes of a mesh; Fields are taken for small."""
-    return made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else 0
+def _size(key, made):
+    """Bytes of a mesh or of distances; other Fields are taken for small."""
+    return made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES if key[0] == "distances" else 0

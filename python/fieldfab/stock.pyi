@@ -59,6 +59,7 @@ class Simulation:
         cell: float | None = ...,
         remember: bool = ...,
         stock: Expression | Field | None = ...,
+        part: Expression | Field | None = ...,
         progress: Progress = ...,
     ) -> None: ...
     def frames(

@@ -11,6 +11,7 @@
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/render/render.h"
+#include "fieldfab/volume/distances.h"
 #include "random_expression.h"
 
 namespace fieldfab {
@@ -34,7 +35,7 @@ FieldPtr random_solid(int depth) {
   if (depth == 0) return random_shape();
   const FieldPtr a = random_solid(depth - 1);
   const auto b = [&] { return random_solid(depth - 1); };
-  switch (draw(0, 14)) {
+  switch (draw(0, 15)) {
     case 0: return unite(a, b());
     case 1: return intersect(a, b());
     case 2: return subtract(a, b());
@@ -48,6 +49,7 @@ FieldPtr random_solid(int depth) {
     case 10: return rotate(a, {number(-1, 1), number(-1, 1), 1}, number(-3, 3));
     case 11: return mirror(a, {1, number(-1, 1), number(-1, 1)});
     case 12: return seen_from_near(a, {number(-1, 1), number(-1, 1), number(-1, 1)}, number(5, 20));
+    case 13: return distances(a, {{-1, -1, -1}, {1, 1, 1}}, {number(0.2, 0.8), 0.15});
     default: {
       const auto axis = [](const frep::Expression& e) { return frep::make_field(e); };
       return map(a, axis(frep::Expression::x() * 1.5), axis(frep::Expression::y() + frep::sin(frep::Expression::z())),

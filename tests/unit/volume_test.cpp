@@ -13,6 +13,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/model/model.h"
+#include "fieldfab/volume/distances.h"
 
 namespace fieldfab {
 namespace {
@@ -90,6 +91,16 @@ TEST(VolumeField, StaysSmoothWhereItIsJoinedWithOtherSolids) {
   // Curves on cells' faces are bent as for any solid; edges would be three times as many.
   EXPECT_LT(triangles(unite(noise, ball)), 1.4 * static_cast<double>(alone));
   EXPECT_LT(triangles(blend(noise, ball, 0.5)), 1.4 * static_cast<double>(alone));
+  // In a fillet they meet; the other solid's own edges elsewhere stay sharp.
+  const FieldPtr plate = box_field({{-0.9, -0.9, -0.9}, {11.9, 11.9, 1.2}}), both = blend(plate, noise, 2);
+  EXPECT_FALSE(both->sampled());
+  ContourSettings without{0.4};
+  without.features = false;
+  const auto plain = contour(*both, bounds, without).triangles.size();
+  const TriangleMesh sharp = contour(*both, bounds, {0.4});
+  EXPECT_LT(sharp.triangles.size(), 1.5 * static_cast<double>(plain));
+  EXPECT_TRUE(std::any_of(sharp.vertices.begin(), sharp.vertices.end(),
+                          [](const auto& v) { return std::hypot(v[0] + 0.9, v[1] + 0.9, v[2] + 0.9) < 1e-3; }));
 }
 
 TEST(VolumeField, IsTrilinearBetweenSamplesAndEmptyOutside) {
@@ -146,6 +157,89 @@ TEST(VolumeField, IntervalsHoldEveryValue) {
       EXPECT_TRUE(range.contains(solid->value(p)));
     }
   }
+}
+
+/// A ball as a scanner sees it: a ramp of densities a few mm wide, the same everywhere else.
+FieldPtr scanned_ball(double radius) {
+  const VolumePtr ball = volume_by(lattice_of(41, 41, 41, Vec3::Ones(), Vec3::Constant(-20)),
+                                   [&](const Vec3& p) { return std::clamp(100 - 40 * (p.norm() - radius), 0.0, 200.0); });
+  return volume_field(*ball, isosurface(*ball, 100));
+}
+
+TEST(Distances, AreThoseToTheNearestPointOfTheSurface) {
+  constexpr double radius = 8, reach = 6, voxel = 0.5;
+  const FieldPtr ball = scanned_ball(radius);
+  EXPECT_LT(ball->value({15, 0, 0}), 3);  // far from 7: the density says no more
+  const FieldPtr told = distances(ball, ball->known_bounds(), {reach, voxel});
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-14, 14);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 p(place(random), place(random), place(random));
+    const double distance = p.norm() - radius, found = told->value(p);
+    EXPECT_EQ(found < 0, ball->value(p) < 0);
+    if (std::abs(distance) < 2 * voxel || std::abs(distance) > reach - voxel) continue;
+    // The surface itself is trilinear between samples, a mm apart.
+    ASSERT_NEAR(found, distance, 0.15 * voxel + 0.03) << p.transpose();
+    EXPECT_NEAR(told->gradient(p).norm(), 1, 0.15);
+  }
+  EXPECT_NEAR(told->value({0, 0, 0}), -reach, 1e-3);
+}
+
+TEST(Distances, AreAsOneByOneOnARandomSolid) {
+  const VolumePtr noise = halved(halved(random_volume(lattice_of(32, 32, 32), 7)));
+  const FieldPtr solid = volume_field(*noise, isosurface(*noise, 100));
+  constexpr double voxel = 0.5, reach = 3;
+  const Box bounds = solid->known_bounds();
+  const FieldPtr told = distances(solid, bounds, {reach, voxel});
+  // The slow, obvious way: the least distance to any of the places where the sign changes, on a lattice four times as fine.
+  std::vector<Vec3> surface;
+  constexpr double step = voxel / 4;
+  const Vec3 cells = (bounds.size() / step).array().ceil() + 2;
+  const auto at = [&](int i, int j, int k) -> Vec3 { return bounds.lower + step * Vec3(i - 1, j - 1, k - 1); };
+  for (int k = 0; k < cells.z(); ++k)
+    for (int j = 0; j < cells.y(); ++j)
+      for (int i = 0; i < cells.x(); ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vec3 a = at(i, j, k), b = at(i + (axis == 0), j + (axis == 1), k + (axis == 2));
+          if ((solid->value(a) < 0) != (solid->value(b) < 0)) surface.emplace_back((a + b) / 2);
+        }
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> share(0, 1);
+  int compared = 0;
+  double sum = 0;
+  for (int n = 0; n < 400; ++n) {
+    const Vec3 p = bounds.lower + Vec3(share(random), share(random), share(random)).cwiseProduct(bounds.size());
+    double least = reach;
+    for (const Vec3& s : surface) least = std::min(least, (s - p).norm());
+    const double found = told->value(p);
+    EXPECT_EQ(found < 0, solid->value(p) < 0);
+    if (least < 2 * voxel) continue;  // next to the surface it is the solid itself
+    ++compared;
+    sum += std::abs(std::abs(found) - least);
+    EXPECT_GT(std::abs(found), least - 0.3 * voxel);  // interpolation cuts off ridges, where two parts are equally near
+    EXPECT_LT(std::abs(found), least + 0.6 * voxel);  // where the lattice has missed a small piece
+  }
+  EXPECT_GT(compared, 20);
+  EXPECT_LT(sum / compared, 0.1 * voxel);
+}
+
+TEST(Distances, MakeOffsetsAndBlendsOfScansRight) {
+  const FieldPtr ball = scanned_ball(8), told = distances(ball, ball->known_bounds(), {5, 0.5});
+  const TriangleMesh grown = contour(*offset(told, 4), {{-19, -19, -19}, {19, 19, 19}}, {0.5});
+  // The scan's own surface is 0.02 mm too far in, between its samples.
+  EXPECT_NEAR(grown.volume(), 4 * std::numbers::pi / 3 * 12 * 12 * 12, 4 * std::numbers::pi * 12 * 12 * 0.04);
+  // A plate far below the ball stays flat; by densities it would rise all over the scan's box.
+  const FieldPtr plate = box_field({{-18, -18, -18}, {18, 18, -14}});
+  const FieldPtr both = blend(plate, told, 3);
+  EXPECT_GT(both->value({15, 15, -13.99}), 0);
+  EXPECT_LT(blend(plate, ball, 3)->value({15, 15, -13.99}), 0);
+}
+
+TEST(Distances, RefuseWhatMakesNone) {
+  const FieldPtr ball = scanned_ball(8);
+  EXPECT_THROW((void)distances(ball, ball->known_bounds(), {0, 0.5}), Error);
+  EXPECT_THROW((void)distances(ball, Box::everything(), {1, 0.5}), Error);
+  EXPECT_THROW((void)distances(ball, ball->known_bounds(), {1, 1e-3}), Error);
 }
 
 TEST(Threshold, OtsuIsTheBestOfAll) {

@@ -48,4 +48,20 @@ class Combine(Solid):
             "Morph": lambda a, b: a.morph(b, weight),
         }[operation]
         key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0, *(s.digest for s in sources))
-        return Source(key, lambda progress: functools.reduce(join, (s.field(progress) for s in sources)))
+
+        def make(progress):
+            if operation == "Blend":
+                fields = [s.distances(radius, progress) for s in sources]
+            elif operation == "Morph":
+                reach = max(_longest_side(s.field(progress).bounds()) for s in sources)
+                fields = [s.distances(reach, progress) for s in sources]
+            else:
+                fields = [s.field(progress) for s in sources]
+            return functools.reduce(join, fields)
+
+        return Source(key, make)
+
+
+def _longest_side(bounds):
+    """Of what field.bounds() gives; None is for a solid that has no end, or nothing in it."""
+    return max(bounds[i + 3] - bounds[i] for i in range(3)) if bounds else 1.0

@@ -19,6 +19,8 @@ OPERATIONS = {
     "Polar array": ("Direction", "Centre", "Count", "Angle"),
     "Transform": ("Factors", "Turn", "Direction", "Centre", "Step"),
 }
+# Which of these are ways out of, or into, the source's surface.
+REACHES = {"Offset": "Distance", "Shell": "Wall", "Lattice infill": "Wall"}
 LATTICES = ("gyroid", "schwarz_p", "diamond")
 
 
@@ -73,7 +75,12 @@ class Modify(Solid):
         values = {name: self._plain(getattr(obj, name)) for name in OPERATIONS[operation]}
         self.check(obj, values)
         make = getattr(self, "_" + operation.lower().replace(" ", "_"))
-        return Source(("modify", operation, source.digest, sorted(values.items())), lambda progress: make(source.field(progress), **values))
+        reach = abs(values[REACHES[operation]]) if operation in REACHES else 0
+
+        def modified(progress):
+            return make(source.distances(reach, progress) if reach else source.field(progress), **values)
+
+        return Source(("modify", operation, source.digest, sorted(values.items())), modified)
 
     @staticmethod
     def _plain(value):

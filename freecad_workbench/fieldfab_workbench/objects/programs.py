@@ -15,9 +15,14 @@ def is_job(obj):
     return hasattr(obj, "Operations") and hasattr(obj.Operations, "Group") and hasattr(obj, "Stock")
 
 
+def is_planned(obj):
+    """Whether it is a machine program of ours: its job says all that a simulation has to know."""
+    return getattr(getattr(obj, "Proxy", None), "NAME", "") == "MachineProgram"
+
+
 def offers_program(obj):
-    """Whether program_of() may find one: a machine program with its file, a Path operation, a Path Job."""
-    return bool(getattr(obj, "ProgramFile", "")) or is_job(obj) or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode"))
+    """Whether program_of() may find one: a machine program, a Path operation, a Path Job."""
+    return bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj) or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode"))
 
 
 def program_from_file(path):
@@ -33,6 +38,10 @@ def program_of(obj):
     """The Program of an object. Raises ValueError with a line for the user."""
     if getattr(obj, "ProgramFile", ""):
         return program_from_file(obj.ProgramFile)
+    if is_planned(obj):
+        if not obj.MadeFrom:
+            raise ValueError(f"{obj.Label}: nothing is planned yet")
+        return Program(program_from_file(obj.MachineFile).text, f"program{obj.Extension}", None)
     if is_job(obj):
         text = _text_of_job(obj)
     elif hasattr(obj, "Path"):

@@ -29,8 +29,9 @@ class Run:
     def __init__(self, task, progress):
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
         setup, program = (self._file(*given) for given in (task.setup, task.program))
-        target, stock = (source and source.field(progress) for source in (task.target, task.stock))
-        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, cell=task.cell or None, remember=True, progress=progress)
+        target, stock, part = (source and source.field(progress) for source in (task.target, task.stock, task.part))
+        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part, cell=task.cell or None, remember=True,
+                                                         progress=progress)
         self.report = self.simulation.report
         self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
@@ -46,11 +47,11 @@ class Run:
 
 class Task:
     """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
-    (bytes, name, path or None); `target` and `stock` Sources or None; `cell` mm, 0 for automatic."""
+    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic."""
 
-    def __init__(self, program, setup, target=None, stock=None, cell=0.0):
-        self.program, self.setup, self.target, self.stock, self.cell = program, setup, target, stock, cell
-        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock)), cell)
+    def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None):
+        self.program, self.setup, self.target, self.stock, self.cell, self.part = program, setup, target, stock, cell, part
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell)
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
@@ -129,7 +130,7 @@ class Simulation(Solid):
         self.show_what_matters(obj)
 
     def onChanged(self, obj, name):
-        if name in ("SetupFile", "Stock"):
+        if name in ("SetupFile", "Stock", "Program"):
             self.show_what_matters(obj)
 
     @staticmethod
@@ -138,7 +139,7 @@ class Simulation(Solid):
             return  # a document that is being opened
         for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
-            counts = not (corner and obj.Stock is not None) and (not obj.SetupFile or name == "Stock")
+            counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or programs.is_planned(obj.Program)))
             obj.setEditorMode(name, 0 if counts else 2)
 
     def source(self, obj):
@@ -156,7 +157,8 @@ class Simulation(Solid):
             if link is not None and not link.isValid():
                 raise ValueError(f"{obj.Label}: {link.Label} could not be computed")
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
-        return Task(program, self.setup(obj), target, stock, obj.Cell.Value)
+        part = source_of(obj.Program.Setup.Part) if programs.is_planned(obj.Program) and not obj.SetupFile else None
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part)
 
     def setup(self, obj):
         """The set-up as (bytes, name, path or None)."""
@@ -167,6 +169,8 @@ class Simulation(Solid):
                     return file.read(), os.path.basename(path), path
             except OSError as error:
                 raise ValueError(f"{obj.Label}: the set-up {path} cannot be read: {error.strerror}") from None
+        if programs.is_planned(obj.Program):
+            return obj.Program.Job.encode(), "job.toml", None
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)

@@ -2,7 +2,9 @@
 
 import FreeCADGui
 
-from ..shim import QtWidgets, flags
+from ..shim import QtCore, QtWidgets, flags
+
+WIDTH = 420  # pixels of the dock, at least: FreeCAD's own is too narrow for three buttons
 
 
 class EditPanel:
@@ -18,6 +20,20 @@ class EditPanel:
         self.layout = QtWidgets.QVBoxLayout(self.form)
         self.message = QtWidgets.QLabel()
         self.message.setWordWrap(True)
+        shown = QtCore.QTimer(self.form)  # goes with the form
+        shown.setSingleShot(True)
+        shown.timeout.connect(self.make_room)
+        shown.start(0)
+
+    def make_room(self):
+        """Widens the dock in which the panel is, where that is narrow."""
+        if dock := self.dock():
+            if dock.width() < WIDTH:
+                FreeCADGui.getMainWindow().resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
+
+    def dock(self):
+        """The dock that shows the panel; None while there is none."""
+        return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.isAncestorOf(self.form)), None)
 
     def take_over(self):
         raise NotImplementedError

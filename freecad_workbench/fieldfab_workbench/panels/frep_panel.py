@@ -1,15 +1,11 @@
 """The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
-import FreeCADGui
-
 from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
-from ..shim import QtCore, QtWidgets
+from ..shim import QtWidgets
 from ..views.preview import Preview
 from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
 from .parameter_rows import ParameterRow
-
-WIDTH = 420  # of the dock, at least
 
 
 class FrepPanel(EditPanel):
@@ -28,15 +24,6 @@ class FrepPanel(EditPanel):
         self.preview = Preview(obj, self._told, self.form)
         self.text.checked.connect(self._checked)
         self.text.check()
-        QtCore.QTimer.singleShot(0, self._make_room)
-
-    @staticmethod
-    def _make_room():
-        """Widens the dock of task panels, where a text would hardly be seen."""
-        window = FreeCADGui.getMainWindow()
-        for dock in window.findChildren(QtWidgets.QDockWidget):
-            if dock.isVisible() and dock.width() < WIDTH and dock.findChild(QtWidgets.QPlainTextEdit, "FrepEditor"):
-                window.resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
 
     def _tools(self):
         gallery = QtWidgets.QPushButton("Insert a shape…")

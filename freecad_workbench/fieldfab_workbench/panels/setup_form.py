@@ -180,18 +180,24 @@ class SetupForm(QtWidgets.QWidget):
 
     def _follow(self):
         """Only what counts is seen."""
-        self.by_hand.setVisible(not self.setup.line.text())
+        self.by_hand.setVisible(not self.setup.line.text() and not programs.is_planned(self._program_object()))
         self.program.setEnabled(not self.of_object.currentData())
         self.corners.setVisible(not self.stock.currentData())
 
+    def _program_object(self):
+        """The object whose program is taken; None for a file."""
+        return self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
+
     def _chosen(self):
         """Tools, stock and target of a Path Job are taken over."""
-        source = self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
+        source = self._program_object()
         self._follow()
         if source is not None:
             self.take_from(source)
 
     def take_from(self, source):
+        if programs.is_planned(source):
+            return  # its own job tells everything
         tools = programs.tools_of(source) if programs.is_job(source) or hasattr(source, "Path") else []
         if tools:
             self.tools.setRowCount(0)

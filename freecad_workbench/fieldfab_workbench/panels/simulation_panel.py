@@ -3,8 +3,6 @@
 import json
 import os
 
-import FreeCADGui
-
 from .. import kernel, meshes, work
 from ..shim import QtCore, QtWidgets, flags
 from .edit_panel import EditPanel
@@ -12,7 +10,7 @@ from .playback import Playback, is_open
 from .setup_form import SetupForm
 
 FRAMES = 200  # pictures of a film
-WIDTH, LEAST_HEIGHT = 430, 480  # pixels
+LEAST_HEIGHT = 480  # pixels
 AROUND = 190  # pixels of a dock's height that are not the panel's
 
 
@@ -30,7 +28,6 @@ class SimulationPanel(EditPanel):
         self.layout.addWidget(self.tabs, 1)
         self.layout.addLayout(self._start_row())
         self.layout.addWidget(self.message)
-        QtCore.QTimer.singleShot(0, self._widen)
         self.playback.said.connect(self.say)
         self.seen_before = obj.ViewObject.Visibility
         obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # a new one is not drawn twice
@@ -66,13 +63,10 @@ class SimulationPanel(EditPanel):
         self._allow(False)
         return page
 
-    def _widen(self):
-        """Gives the panel the room that a program and its numbers need, and takes what there is."""
-        window = FreeCADGui.getMainWindow()
-        docks = [dock for dock in window.findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.objectName() in ("Combo View", "Tasks")]
-        for dock in docks:
-            if dock.width() < WIDTH:
-                window.resizeDocks([dock], [WIDTH], QtCore.Qt.Horizontal)
+    def make_room(self):
+        """Takes the dock's height, too: a program and its numbers need it."""
+        super().make_room()
+        if dock := self.dock():
             self.form.setMinimumHeight(max(LEAST_HEIGHT, dock.height() - AROUND))
 
     def _start_row(self):

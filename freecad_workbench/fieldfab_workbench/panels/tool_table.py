@@ -95,8 +95,10 @@ class ToolTable(QtWidgets.QWidget):
         self.changed()
 
     def _reshape(self, tool, shape, line):
+        """The box that was chosen from stays: only the rows below the table are others now."""
         tool.Shape = shape
-        self.fill(line)
+        self.table.setCurrentCell(line, 1)
+        self._show_more()
         self.changed()
 
     def _show_more(self):

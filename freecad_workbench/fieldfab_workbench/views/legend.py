@@ -88,4 +88,6 @@ def view_widget():
     """The widget of the active 3D view."""
     area = FreeCADGui.getMainWindow().centralWidget()
     window = area.activeSubWindow() or (area.subWindowList() or [None])[0]
-    return window.findChild(QtWidgets.QGraphicsView) or window
+    found = window.findChild(QtWidgets.QGraphicsView) or window
+    found.owners = (area, window)  # PySide calls a widget deleted once nothing in Python holds those above it
+    return found

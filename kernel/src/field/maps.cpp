@@ -43,6 +43,7 @@ class Moved : public Field {
       here.field = here.field == a_ ? shared_from_this() : over(std::move(here.field));
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
+  [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }
 
  protected:

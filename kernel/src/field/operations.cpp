@@ -53,7 +53,7 @@ struct Union {
   Only decides(const Interval& a, const Interval& b) const {
     return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both;
   }
-  static constexpr bool signs_are_enough = true;
+  static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.outside() ? Only::first : a.outside() ? Only::second : Only::both;
   }
@@ -66,7 +66,7 @@ struct Intersection {
   Only decides(const Interval& a, const Interval& b) const {
     return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both;
   }
-  static constexpr bool signs_are_enough = true;
+  static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.inside() ? Only::first : a.inside() ? Only::second : Only::both;
   }
@@ -81,7 +81,7 @@ struct Blend {
     return {ra > 0 ? std::copysign(0.5F / ra, a) : 0, rb > 0 ? std::copysign(0.5F / rb, b) : 0};
   }
   Interval range(const Interval& a, const Interval& b) const { return least(least(a, b), fillet(a, b)); }
-  static constexpr bool signs_are_enough = false;
+  static constexpr bool signs_are_enough = false, joins_smoothly = true;
   // Away from the fillet it is a union.
   Only decides(const Interval& a, const Interval& b) const {
     return fillet(a, b).lower >= least(a, b).upper ? Union{}.decides(a, b) : Only::both;
@@ -99,7 +99,7 @@ struct Morph {
   float value(float a, float b) const { return first * a + second * b; }
   Weights weights(float, float) const { return {first, second}; }
   Interval range(const Interval& a, const Interval& b) const { return plus(times(a, first), times(b, second)); }
-  static constexpr bool signs_are_enough = false;
+  static constexpr bool signs_are_enough = false, joins_smoothly = true;
   Only decides(const Interval&, const Interval&) const { return Only::both; }
   Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
 };
@@ -151,6 +151,7 @@ class Combined final : public Field {
       out[i] = joined(std::move(out[i]), std::move(other[i]), inner == Purpose::occupancy);
   }
 
+  [[nodiscard]] bool smooth() const noexcept override { return Rule::joins_smoothly && (a_->smooth() || b_->smooth()); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + b_->cost() + 1; }
 
  private:
@@ -205,6 +206,7 @@ class Linear final : public Field {
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
+  [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
  private:

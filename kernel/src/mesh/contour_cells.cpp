@@ -44,7 +44,7 @@ class CellFiller {
       fill_several(leaf, around);
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
-    if (features_ && is_creased(leaf, around) && !is_sampled(leaf))
+    if (features_ && is_creased(leaf, around) && !is_smooth(leaf))
       for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
   }
 
@@ -87,9 +87,9 @@ class CellFiller {
            place_vertex(scratch_, box(leaf).grown(2 * lattice_.voxel())).error < 0.1 * lattice_.voxel();
   }
 
-  /// Whether all that matters there is interpolated between samples, though the solid as a whole is not (a scan on a pedestal).
-  [[nodiscard]] bool is_sampled(const Leaf& leaf) const {
-    return solid_.restricted(box(leaf).grown(lattice_.voxel()), Purpose::occupancy).field->sampled();
+  /// Whether edges there are those of noise, though the solid as a whole may have edges (a scan on a pedestal).
+  [[nodiscard]] bool is_smooth(const Leaf& leaf) const {
+    return solid_.restricted(box(leaf).grown(lattice_.voxel()), Purpose::occupancy).field->smooth();
   }
 
   /// A straight loop of three or four points that lie in a plane needs no vertex inside the cell.

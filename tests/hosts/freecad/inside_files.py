@@ -45,7 +45,7 @@ def importer(path):
 def test_every_volume_is_a_file_type():
     for ending in (*files.VOLUMES, *files.TEXTS, "asdf"):
         assert files.MODULE in FreeCAD.getImportType(ending), ending
-    for ending in ("asdf", "frep", "math", "vm", *files.MESHES):
+    for ending in ("asdf", "vdb", "frep", "math", "vm", *files.MESHES):
         assert files.MODULE in FreeCAD.getExportType(ending), ending
     assert files.MODULE not in (FreeCAD.getImportType("py") or []), "scripts run by command only"
 
@@ -102,6 +102,9 @@ def test_other_objects_go_out_as_fields(document, tmp_path):
     document.recompute()
     files.export([box, mesh], str(tmp_path / "both.asdf"))
     made = files.insert(str(tmp_path / "both.asdf"), document.Name)
+    assert made.Volume.Value == pytest.approx(1000 + mesh.Mesh.Volume, rel=0.02)
+    files.export([box, mesh], str(tmp_path / "both.vdb"))
+    made = files.insert(str(tmp_path / "both.vdb"), document.Name)
     assert made.Volume.Value == pytest.approx(1000 + mesh.Mesh.Volume, rel=0.02)
     with pytest.raises(ValueError, match="has no formula"):
         files.export([box], str(tmp_path / "box.frep"))

@@ -69,6 +69,9 @@ struct SimulationSetup {
 /// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE,
 /// io.
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none());
+/// The same for a job that names no model, since its part was given as a Field (Job::parse()): all is then told in that Field's
+/// coordinates, wherever the program's zero is.
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress = Progress::none());
 
 /// From the part's coordinates to where the machine's table has turned it, while the axes stand there; nothing but tables turns
 /// it.

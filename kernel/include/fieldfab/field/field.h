@@ -89,6 +89,10 @@ class Field : public std::enable_shared_from_this<Field> {
   /// Whether it is interpolated between samples: its creases then lie where cells meet, and tell nothing about the solid.
   [[nodiscard]] virtual bool sampled() const noexcept { return false; }
 
+  /// Whether that holds for what is left of it in a small box, or it is joined smoothly with what is sampled: edges there are
+  /// noise.
+  [[nodiscard]] virtual bool smooth() const noexcept { return sampled(); }
+
   /// Rough cost of one value, in arithmetic operations: for choosing batch and block sizes and for statistics.
   [[nodiscard]] virtual std::size_t cost() const noexcept { return 1; }
 
