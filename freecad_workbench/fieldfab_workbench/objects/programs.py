@@ -4,6 +4,8 @@ import os
 import re
 from collections import namedtuple
 
+from ..words import tr
+
 # text: bytes; name: of the file that it is, or would be, which tells its language; path: where it is, or None.
 Program = namedtuple("Program", "text name path")
 
@@ -26,7 +28,7 @@ def program_from_file(path):
         with open(path, "rb") as file:
             return Program(file.read(), os.path.basename(path), path)
     except OSError as error:
-        raise ValueError(f"the program {path} cannot be read: {error.strerror}") from None
+        raise ValueError(tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
 
 
 def program_of(obj):
@@ -38,9 +40,9 @@ def program_of(obj):
     elif hasattr(obj, "Path"):
         text = _text_of(obj)
     else:
-        raise ValueError(f"{obj.Label} has no program")
+        raise ValueError(tr("{label} has no program").format(label=obj.Label))
     if not text.strip():
-        raise ValueError(f"the program of {obj.Label} is empty")
+        raise ValueError(tr("the program of {label} is empty").format(label=obj.Label))
     return Program(f"(from {obj.Label})\nG17 G21 G40 G90\n{text}M2\n".encode(), f"{obj.Name}.ngc", None)
 
 
