@@ -26,12 +26,25 @@ class FieldfabWorkbench(FreeCADGui.Workbench):
         FreeCADGui.addPreferencePage(os.path.join(folder, "resources", "preferences.ui"), "Fieldfab")
         from fieldfab_workbench import commands
 
-        for title, names in commands.register():
-            self.appendToolbar(title, names)
+        for title, names, toolbar in commands.register():
+            if toolbar:
+                self.appendToolbar(title, names)
             self.appendMenu("Fieldfab" if title == "Fieldfab" else ["Fieldfab", title], names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
 
 
+def _translate():
+    """Objects and their properties are seen in every workbench, hence at FreeCAD's start."""
+    import os
+
+    import fieldfab_workbench
+
+    folder = os.path.dirname(os.path.dirname(fieldfab_workbench.__file__))
+    FreeCADGui.addLanguagePath(os.path.join(folder, "resources", "translations"))
+    FreeCADGui.updateLocale()
+
+
+_translate()
 FreeCADGui.addWorkbench(FieldfabWorkbench())

@@ -12,6 +12,7 @@ from . import kernel, workflow
 from .objects import cam_tool
 from .objects.cam_setup import NO_MATERIAL, box_of
 from .objects.solid import source_of
+from .words import tr
 
 
 class JobError(ValueError):
@@ -29,7 +30,7 @@ class Job:
         """Raises JobError."""
         self._lines, self.places, self.label = [], {}, setup.Label
         if setup.Part is None:
-            raise JobError(f"{setup.Label}: choose a Part", setup.Name, "part")
+            raise JobError(tr("{label}: choose a Part").format(label=setup.Label), setup.Name, "part")
         try:
             self.source = source_of(setup.Part)
         except ValueError as error:
@@ -70,7 +71,7 @@ class Job:
                 self._add("thickness", setup.Thickness.Value, setup)
         else:
             if setup.StockFrom == "Object" and setup.StockObject is None:
-                raise JobError(f"{setup.Label}: choose a StockObject", setup.Name, "stock")
+                raise JobError(tr("{label}: choose a StockObject").format(label=setup.Label), setup.Name, "stock")
             box = box_of(setup.StockObject) if setup.StockFrom == "Object" else None
             lower = (box.XMin, box.YMin, box.ZMin) if box else setup.StockLower
             upper = (box.XMax, box.YMax, box.ZMax) if box else setup.StockUpper
@@ -93,9 +94,9 @@ class Job:
         if problem:
             raise JobError(f"{operation.Label}: {problem[0]} {problem[1]}", operation.Name, problem[0])
         if operation.Tool is not None and operation.Tool not in setup.Tools:
-            raise JobError(f"{operation.Label}: its tool is not one of the set-up's", operation.Name, "tool")
+            raise JobError(tr("{label}: its tool is not one of the set-up's").format(label=operation.Label), operation.Name, "tool")
         if operation.Tool is None and len(setup.Tools) > 1:
-            raise JobError(f"{operation.Label}: choose a tool", operation.Name, "tool")
+            raise JobError(tr("{label}: choose a tool").format(label=operation.Label), operation.Name, "tool")
         self._head("[[operation]]", operation)
         self._add("name", operation.Label, operation)
         self._add("type", operation.Type, operation)

@@ -10,6 +10,7 @@ import tempfile
 import FreeCAD
 
 from . import kernel, work
+from .words import tr
 
 VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom", "ima", "vdb")
 SLICES = ("tif", "tiff", "png")
@@ -51,7 +52,7 @@ def insert(filename, docname):
 
         values = {"File": whole_stack(os.path.abspath(filename))}
     else:
-        raise ValueError(f"{filename}: Fieldfab reads no .{ending} files")
+        raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=ending))
     name = name_of(values.get("File", filename))
     if docname in FreeCAD.listDocuments():
         document = FreeCAD.getDocument(docname)
@@ -67,7 +68,7 @@ def add(document, kind, label, **values):
 
     began = not document.HasPendingTransaction
     if began:
-        document.openTransaction(f"Import {label}")
+        document.openTransaction(tr("Import {label}").format(label=label))
     obj = solid.create(kind, document)
     obj.Label = label
     for name, value in values.items():
@@ -108,7 +109,7 @@ def export(objects, filename):
     ending = _ending(filename)
     objects = [obj for obj in objects if hasattr(obj, "Mesh") or hasattr(obj, "Shape")]
     if not objects:
-        raise ValueError(f"{filename}: nothing that was chosen bounds a solid")
+        raise ValueError(tr("{filename}: nothing that was chosen bounds a solid").format(filename=filename))
     if ending in TEXTS:
         return _write_text(filename, _united_texts(objects, ending))
     fieldfab = kernel.load()
@@ -125,13 +126,13 @@ def export(objects, filename):
         return made.save(filename)
 
     if ending not in ("asdf", "vdb", *MESHES):
-        raise ValueError(f"{filename}: Fieldfab writes no .{ending} files")
+        raise ValueError(tr("{filename}: Fieldfab writes no .{ending} files").format(filename=filename, ending=ending))
     try:
-        work.run(write, f"Writing {os.path.basename(filename)}")
+        work.run(write, tr("Writing {filename}").format(filename=os.path.basename(filename)))
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
-        raise ValueError(f"{filename}: cancelled, not written") from None
+        raise ValueError(tr("{filename}: cancelled, not written").format(filename=filename)) from None
 
 
 def whole_stack(path):
@@ -165,7 +166,7 @@ def _united_texts(objects, ending):
     fieldfab = kernel.load()
     for obj in objects:
         if not isinstance(getattr(obj, "Proxy", None), FrepSolid):
-            raise ValueError(f"{obj.Label} has no formula: export it as .asdf or as a mesh")
+            raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
     if ending == "frep" and len(objects) == 1 and _placement(objects[0]).isIdentity():
         return objects[0].Proxy.text(objects[0])
     united = None
@@ -173,7 +174,7 @@ def _united_texts(objects, ending):
         expression = _moved(fieldfab.parse(obj.Proxy.text(obj)), _placement(obj))
         united = expression if united is None else united | expression
     if ending == "frep":
-        raise ValueError("one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are")
+        raise ValueError(tr("one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are"))
     return united.math() if ending == "math" else united.vm()
 
 

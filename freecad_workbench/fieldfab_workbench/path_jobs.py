@@ -8,6 +8,7 @@ import FreeCAD
 from . import meshes, path_shim, tool_bits
 from .cam_job import toml_value
 from .objects import cam_setup, cam_tool, path_of_program
+from .words import tr
 
 SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend", "drill": "drill"}
 MACHINES = {"AC": "five_axis_ac", "BC": "five_axis_bc"}  # for programs that turn these axes
@@ -139,7 +140,7 @@ def program_of_job(job, machine=None):
             continue
         controller = utilities.toolControllerForOp(operation)
         if controller is None:
-            raise ValueError(f"{operation.Label}: it has no tool controller")
+            raise ValueError(tr("{label}: it has no tool controller").format(label=operation.Label))
         number = controller.ToolNumber
         if number not in tools:
             tools[number] = {**tool_bits.of_object(controller.Tool), "number": number}
@@ -162,11 +163,12 @@ def program_of_job(job, machine=None):
                 lines.append(line)
         lines.append("G80")
     if not tools:
-        raise ValueError(f"{job.Label}: no active operation has a path")
+        raise ValueError(tr("{label}: no active operation has a path").format(label=job.Label))
     if letters and machine is None:
         machine = MACHINES.get("".join(sorted(letters)) if len(letters) > 1 else next((axes for axes in MACHINES if letters <= set(axes)), ""))
         if machine is None:
-            raise ValueError(f"{job.Label}: no machine of ours is known to turn {' and '.join(sorted(letters))}: say which it is")
+            words = tr("{label}: no machine of ours is known to turn {letters}: say which it is")
+            raise ValueError(words.format(label=job.Label, letters=f" {tr('and')} ".join(sorted(letters))))
     lower, upper, mesh = _stock(job)
     return "\n".join([*lines, "M5", "M2"]) + "\n", Setup(machine, lower, upper, list(tools.values()), mesh, notes)
 
@@ -177,7 +179,7 @@ def _placed(operation):
         return operation.Path
     path, way = type(operation.Path)(), operation.Placement
     if way.Rotation.Angle:
-        raise ValueError(f"{operation.Label}: its path is turned by its Placement, which a program cannot say")
+        raise ValueError(tr("{label}: its path is turned by its Placement, which a program cannot say").format(label=operation.Label))
     for command in operation.Path.Commands:
         moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value for name, value in command.Parameters.items()}
         path.addCommands(type(command)(command.Name, moved))
@@ -213,7 +215,7 @@ def _stock(job):
     """Lower and upper corner, and a mesh where the stock is no box along the axes."""
     shape = getattr(job.Stock, "Shape", None)
     if shape is None or shape.isNull():
-        raise ValueError(f"{job.Label}: it has no stock")
+        raise ValueError(tr("{label}: it has no stock").format(label=job.Label))
     box = shape.BoundBox
     lower, upper = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
     if abs(shape.Volume - box.XLength * box.YLength * box.ZLength) <= 1e-6 * shape.Volume:

@@ -8,9 +8,10 @@ import weakref
 
 from . import kernel, work
 from .sources import Source
+from .words import marked, tr
 
-SAMPLE_TYPES = ("as the file says", "uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64")
-DENOISING = ("none", "median", "gaussian", "anisotropic")
+SAMPLE_TYPES = (marked("as the file says"), "uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64")
+DENOISING = marked(("none", "median", "gaussian", "anisotropic"))
 FIELDS_KEPT = 2  # each may hold a whole volume in memory
 OVERVIEW_SAMPLES = 300_000
 SLAB_SAMPLES = 1 << 17  # of the coarse volume, at a time
@@ -38,7 +39,7 @@ class ScanFile:
             seen = os.stat(self.path)
             return f"1 {seen.st_size} {seen.st_mtime_ns}"
         except OSError:
-            raise ValueError(f"the scan {self.path} is not there") from None
+            raise ValueError(tr("the scan {path} is not there").format(path=self.path)) from None
 
     def open(self, progress=None):
         """The fieldfab.Volume. Those in use are shared. Raises fieldfab.Error."""

@@ -6,9 +6,10 @@ from dataclasses import dataclass, field
 
 from . import kernel
 from .panels import frep_language as language
+from .words import marked
 
 WORKBENCH = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-DESIGNS = "Designs"
+DESIGNS = marked("Designs")
 _NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)$")
 
 

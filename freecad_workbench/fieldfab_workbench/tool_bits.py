@@ -6,11 +6,12 @@ import os
 
 import FreeCAD
 
+from .words import tr
+
 SHAPES = {
     "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v", "drill": "drill",
     "taperedballnose": "tapered", "slittingsaw": "flat",
 }
-READABLE = "tool bits and libraries (*.fctb *.fctl)"
 
 
 def _number(value):
@@ -25,7 +26,7 @@ def tool_from(name, shape, parameter):
     cutter that we know."""
     known = SHAPES.get(shape.lower().replace(" ", ""))
     if known is None:
-        raise ValueError(f"{name}: a {shape} is no cutter that Fieldfab knows")
+        raise ValueError(tr("{name}: a {shape} is no cutter that Fieldfab knows").format(name=name, shape=shape))
 
     def get(*names):
         values = [parameter(n) for n in names]
@@ -44,7 +45,7 @@ def tool_from(name, shape, parameter):
     if known == "drill":
         tool["flute"] = 0.0  # the whole of it: FreeCAD does not say
     if not tool["diameter"] > 0:
-        raise ValueError(f"{name}: it has no diameter")
+        raise ValueError(tr("{name}: it has no diameter").format(name=name))
     return {key: value for key, value in tool.items() if value}
 
 
@@ -56,7 +57,7 @@ def read_bit(path):
         shape = os.path.splitext(os.path.basename(told["shape"]))[0]
         return tool_from(told.get("name") or os.path.basename(path), shape, told["parameter"].get)
     except (KeyError, AttributeError, TypeError, json.JSONDecodeError) as error:
-        raise ValueError(f"{path}: this is no tool bit ({error})") from None
+        raise ValueError(tr("{path}: this is no tool bit ({error})").format(path=path, error=error)) from None
 
 
 def read_library(path):
@@ -65,14 +66,14 @@ def read_library(path):
         with open(path, encoding="utf-8") as file:
             listed = [(int(tool["nr"]), tool["path"]) for tool in json.load(file)["tools"]]
     except (KeyError, TypeError, ValueError) as error:
-        raise ValueError(f"{path}: this is no tool library ({error})") from None
+        raise ValueError(tr("{path}: this is no tool library ({error})").format(path=path, error=error)) from None
     here, tools, notes = os.path.dirname(path), [], []
     for number, name in listed:
         # Beside the library, or as FreeCAD lays them out: Tools/Library and Tools/Bit.
         found = [p for p in (os.path.join(here, name), os.path.join(here, "..", "Bit", name)) if os.path.exists(p)]
         try:
             if not found:
-                raise ValueError(f"{name}: there is no such file beside the library")
+                raise ValueError(tr("{name}: there is no such file beside the library").format(name=name))
             tools.append({**read_bit(found[0]), "number": number})
         except ValueError as error:
             notes.append(str(error))

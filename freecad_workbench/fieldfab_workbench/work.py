@@ -5,6 +5,8 @@ import time
 
 import FreeCAD
 
+from .words import tr
+
 SHOW_AFTER = 0.4  # seconds before a dialog appears
 
 
@@ -57,7 +59,7 @@ def run(function, title):
         if dialog is None and time.monotonic() - began > SHOW_AFTER:
             import FreeCADGui
 
-            dialog = QtWidgets.QProgressDialog(title, "Cancel", 0, 1000, FreeCADGui.getMainWindow())
+            dialog = QtWidgets.QProgressDialog(title, tr("Cancel"), 0, 1000, FreeCADGui.getMainWindow())
             dialog.setWindowTitle("Fieldfab")
             dialog.setWindowModality(QtCore.Qt.ApplicationModal)
             dialog.setAutoClose(False)
@@ -66,7 +68,7 @@ def run(function, title):
             dialog.show()
         if dialog is not None and dialog.wasCanceled():
             task.cancel()
-            dialog.setLabelText("Stopping")
+            dialog.setLabelText(tr("Stopping"))
         elif dialog is not None:
             dialog.setValue(round(1000 * task.fraction))
             dialog.setLabelText(f"{title}: {task.message}" if task.message else title)

@@ -5,8 +5,9 @@ import math
 import re
 
 from . import kernel
+from .words import marked, tr
 
-FOLLOWS = "by itself"  # what stands where a default follows from other things
+FOLLOWS = marked("by itself")  # what stands where a default follows from other things
 
 
 class Setting:
@@ -55,15 +56,15 @@ class Setting:
         unit = f" {self.unit}" if self.unit and self.unit != "diameters" else ""
         if self.kind == "number":
             if not math.isfinite(value):
-                return "must be finite"
+                return tr("must be finite")
             if self.whole and value != round(value):
-                return "must be a whole number"
+                return tr("must be a whole number")
             if self.lower is not None and (value < self.lower or (self.lower_open and value == self.lower)):
-                return f"must be {'above' if self.lower_open else 'at least'} {self.lower:g}{unit}"
+                return (tr("must be above {limit}") if self.lower_open else tr("must be at least {limit}")).format(limit=f"{self.lower:g}{unit}")
             if self.upper is not None and value > self.upper:
-                return f"must be at most {self.upper:g}{unit}"
+                return tr("must be at most {limit}").format(limit=f"{self.upper:g}{unit}")
         elif self.choices and value not in self.choices:
-            return f"must be one of {', '.join(self.choices)}"
+            return tr("must be one of {choices}").format(choices=", ".join(self.choices))
         return ""
 
     def matters(self, values):
@@ -76,9 +77,9 @@ class Setting:
     def shown(self, value):
         """A value with its unit, for people."""
         if value is None:
-            return FOLLOWS
+            return tr(FOLLOWS)
         if self.kind == "flag":
-            return "yes" if value else "no"
+            return tr("yes") if value else tr("no")
         return f"{value:g} {self.unit}".strip() if self.kind == "number" else value
 
 

@@ -14,3 +14,11 @@ def test_without_window(home, file):
 @pytest.mark.parametrize("file", sorted(FOLDER.glob("window_*.py")), ids=lambda p: p.stem)
 def test_in_the_window(home, screen, file):
     run_inside(home, file, screen)
+
+
+def test_in_the_window_of_a_german_user(home, screen):
+    """FreeCAD's own preference, from its start on."""
+    file = home / ".config" / "FreeCAD" / "user.cfg"
+    general = '<FCParamGroup Name="General">'
+    file.write_text(file.read_text().replace(general, general + '<FCText Name="Language">German</FCText>'))
+    run_inside(home, FOLDER / "german_from_the_start.py", screen)

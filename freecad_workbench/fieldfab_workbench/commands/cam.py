@@ -10,7 +10,8 @@ import FreeCADGui
 from .. import path_shim
 from ..objects import cam_setup
 from ..shim import QtWidgets
-from ..views.solid_view import icon
+from ..words import tr
+from .command import Command
 from .solids import selected
 
 
@@ -33,29 +34,13 @@ def chosen_program():
     return next((program for program in cam_setup.programs_of(setup) if program.MadeFrom), None) if setup else None
 
 
-class Command:
-    """A command that needs something to be chosen; `ready` says whether it is."""
-
-    def __init__(self, name, words, tip):
-        self.told = {"Pixmap": icon(name), "MenuText": words, "ToolTip": tip}
-
-    def GetResources(self):
-        return self.told
-
-    def ready(self):
-        return chosen_program() is not None
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog() and self.ready()
-
-
 class NewSetup(Command):
     def ready(self):
         return bool(selected())
 
     def Activated(self):
         document, part = FreeCAD.ActiveDocument, selected()[0]
-        document.openTransaction(self.told["MenuText"])
+        document.openTransaction(self.title)
         setup = cam_setup.create(document, part)
         cam_setup.add_tool(setup, {"diameter": 3, "name": "3 mm end mill"})
         cam_setup.add_operation(setup, "rough")
@@ -70,7 +55,7 @@ class AddOperation(Command):
 
     def Activated(self):
         setup = chosen_setup()
-        setup.Document.openTransaction(self.told["MenuText"])
+        setup.Document.openTransaction(self.title)
         operation = cam_setup.add_operation(setup, "finish" if setup.Operations else "rough")
         setup.Document.recompute([operation])
         FreeCADGui.ActiveDocument.setEdit(operation.Name)
@@ -85,21 +70,29 @@ class Plan(Command):
 
         setup = chosen_setup()
         document = setup.Document
-        document.openTransaction(self.told["MenuText"])
+        document.openTransaction(self.title)
         program = next(iter(cam_setup.programs_of(setup)), None) or cam_setup.create_program(setup)
         program.touch()
         document.recompute([program])
         document.commitTransaction()
-        message = f"{program.Label}: about {machine_program.clock(program.Seconds)}" if program.isValid() else program.getStatusString()
+        message = tr("{label}: about {time}").format(label=program.Label, time=machine_program.clock(program.Seconds))
+        message = message if program.isValid() else program.getStatusString()
         FreeCADGui.getMainWindow().statusBar().showMessage(message, 10000)
 
 
-class WriteMachineFile(Command):
+class _OfProgram(Command):
+    """What can be done with a program once it is planned."""
+
+    def ready(self):
+        return chosen_program() is not None
+
+
+class WriteMachineFile(_OfProgram):
     def Activated(self):
         program = chosen_program()
         suggested = os.path.join(os.path.dirname(program.Document.FileName), program.Setup.Label + program.Extension)
-        path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.told["MenuText"], suggested,
-                                                           f"{program.Setup.Machine} (*{program.Extension})")
+        kinds = f"{program.Setup.Machine} (*{program.Extension})"
+        path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.title, suggested, kinds)
         if path:
             write(program, path)
 
@@ -114,10 +107,10 @@ def write(program, path):
     except (ValueError, OSError) as error:
         QtWidgets.QMessageBox.warning(window, "Fieldfab", str(error))
     else:
-        window.statusBar().showMessage(f"{path} is written", 10000)
+        window.statusBar().showMessage(tr("{path} is written").format(path=path), 10000)
 
 
-class SetupSheet(Command):
+class SetupSheet(_OfProgram):
     def Activated(self):
         from ..objects import machine_program
 
@@ -126,14 +119,14 @@ class SetupSheet(Command):
         webbrowser.open(f"file://{path}")
 
 
-class ToPath(Command):
+class ToPath(_OfProgram):
     def Activated(self):
         from .. import path_jobs
 
         program = chosen_program()
         document = program.Document
         job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)), None)
-        document.openTransaction(self.told["MenuText"])
+        document.openTransaction(self.title)
         try:
             path_jobs.to_job(program, job)
         except (ValueError, ImportError) as error:
@@ -147,11 +140,27 @@ class ToPath(Command):
 
 TITLE = "CAM"
 COMMANDS = {
-    "Fieldfab_NewCamSetup": NewSetup("CamSetup", "New CAM set-up", "Machine the selected solid: stock, tools, operations and a machine"),
-    "Fieldfab_AddOperation": AddOperation("CamOperation", "Add operation", "Add an operation to the CAM set-up"),
-    "Fieldfab_Plan": Plan("Plan", "Plan", "Plan all paths of the CAM set-up"),
+    "Fieldfab_NewCamSetup": NewSetup(
+        "CamSetup", "New CAM set-up", "Machine the selected solid: stock, tools, operations and a machine",
+        "Adds a set-up that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
+        "machine, and plans all paths beside the window."),
+    "Fieldfab_AddOperation": AddOperation(
+        "CamOperation", "Add operation", "Add an operation to the CAM set-up",
+        "Adds an operation at the end of the selected set-up, or of the document's only one. The panel asks what is done, with which tool, and for the "
+        "settings of each stage; what is left empty follows its default."),
+    "Fieldfab_Plan": Plan(
+        "Plan", "Plan", "Plan all paths of the CAM set-up",
+        "Plans the machine program of the selected set-up, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
+        "last good one."),
     "Separator_Cam": None,
-    "Fieldfab_WriteMachineFile": WriteMachineFile("WriteMachineFile", "Write machine file", "Write the program as the machine takes it"),
-    "Fieldfab_SetupSheet": SetupSheet("SetupSheet", "Set-up sheet", "Show the page for the person at the machine"),
-    "Fieldfab_ToPath": ToPath("ToPath", "To Path job", "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs"),
+    "Fieldfab_WriteMachineFile": WriteMachineFile(
+        "WriteMachineFile", "Write machine file", "Write the program as the machine takes it",
+        "Writes the planned program of the selected set-up into a file of the machine's own kind, such as G-code. It asks for the file's name only."),
+    "Fieldfab_SetupSheet": SetupSheet(
+        "SetupSheet", "Set-up sheet", "Show the page for the person at the machine",
+        "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),
+    "Fieldfab_ToPath": ToPath(
+        "ToPath", "To Path job", "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs",
+        "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first one of the document, else into a new "
+        "one with the set-up's stock and tools. The paths follow the program."),
 }

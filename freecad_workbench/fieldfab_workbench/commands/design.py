@@ -4,17 +4,12 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import frep_solid, solid
-from ..views.solid_view import icon
+from ..words import tr
+from .command import Command
 
 
-class ShapeGallery:
+class ShapeGallery(Command):
     """Opens the gallery; the shape chosen there becomes a solid whose numbers are properties, with its task panel open: one undo step."""
-
-    def GetResources(self):
-        return {"Pixmap": icon("ShapeGallery"), "MenuText": "Shape gallery", "ToolTip": "Choose a shape by its picture and make a solid of it"}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog()
 
     def Activated(self):
         from ..panels.gallery import Gallery
@@ -27,10 +22,10 @@ class ShapeGallery:
 def make(text):
     """Adds an f-rep solid of a text and opens its panel."""
     if FreeCADGui.Control.activeDialog():
-        FreeCAD.Console.PrintError("Fieldfab: close the task panel first\n")
+        FreeCAD.Console.PrintError("Fieldfab: " + tr("close the task panel first") + "\n")
         return
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
-    document.openTransaction("Shape gallery")
+    document.openTransaction(tr("Shape gallery"))
     obj = solid.create(frep_solid.FrepSolid, document)
     obj.Expression = text
     document.recompute([obj])
@@ -41,4 +36,9 @@ def make(text):
 
 
 TITLE = "Fieldfab design"
-COMMANDS = {"Fieldfab_ShapeGallery": ShapeGallery()}
+COMMANDS = {
+    "Fieldfab_ShapeGallery": ShapeGallery(
+        "ShapeGallery", "Shape gallery", "Choose a shape by its picture and make a solid of it",
+        "Shows the pictures of all shapes of the library and of the designs, by groups or by words; nothing needs to be selected. The shape that is chosen "
+        "becomes an f-rep solid whose numbers are its parameters."),
+}

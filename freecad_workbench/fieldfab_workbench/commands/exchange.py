@@ -5,7 +5,7 @@ import FreeCADGui
 
 from ..objects import part_shape
 from ..objects.solid import is_solid
-from ..views.solid_view import icon
+from .command import Command
 
 
 def chosen_meshes():
@@ -13,15 +13,15 @@ def chosen_meshes():
     return [obj for obj in FreeCADGui.Selection.getSelection() if hasattr(obj, "Mesh") and obj.Mesh.CountFacets]
 
 
-class _Conversion:
+class _Conversion(Command):
     """Makes something of each selected solid, which is then hidden: one undo step."""
 
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog() and bool(chosen_meshes())
+    def ready(self):
+        return bool(chosen_meshes())
 
     def Activated(self):
         document, sources = FreeCAD.ActiveDocument, chosen_meshes()
-        document.openTransaction(self.GetResources()["MenuText"])
+        document.openTransaction(self.title)
         for source in sources:
             made = self.make(document, source)
             document.recompute([made])
@@ -30,9 +30,6 @@ class _Conversion:
 
 
 class ToMesh(_Conversion):
-    def GetResources(self):
-        return {"Pixmap": icon("ToMesh"), "MenuText": "To mesh", "ToolTip": "Make a plain mesh of the selected solid, as it is now"}
-
     def make(self, document, source):
         return to_mesh(document, source)
 
@@ -52,21 +49,13 @@ def to_mesh(document, source):
 
 
 class ToPartShape(_Conversion):
-    def GetResources(self):
-        return {"Pixmap": icon("PartShape"), "MenuText": "To Part shape",
-                "ToolTip": "Make a Part shape that follows the selected solid, reduced to some thousand flat faces"}
-
     def make(self, document, source):
         return part_shape.create(document, source)
 
 
-class CrossCheck:
-    def GetResources(self):
-        return {"Pixmap": icon("CrossCheck"), "MenuText": "Cross-check",
-                "ToolTip": "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates"}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog() and len(_chosen_solids()) == 1
+class CrossCheck(Command):
+    def ready(self):
+        return len(_chosen_solids()) == 1
 
     def Activated(self):
         from ..panels.check_panel import CheckPanel
@@ -79,4 +68,16 @@ def _chosen_solids():
 
 
 TITLE = "Check and exchange"
-COMMANDS = {"Fieldfab_CrossCheck": CrossCheck(), "Fieldfab_ToMesh": ToMesh(), "Fieldfab_ToPartShape": ToPartShape()}
+COMMANDS = {
+    "Fieldfab_CrossCheck": CrossCheck(
+        "CrossCheck", "Cross-check", "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
+        "Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its "
+        "deviations until the panel is closed; nothing of the document is changed."),
+    "Fieldfab_ToMesh": ToMesh(
+        "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
+        "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),
+    "Fieldfab_ToPartShape": ToPartShape(
+        "PartShape", "To Part shape", "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
+        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. Its faces are flat: the mesh is reduced to the number of "
+        "triangles that its property MostTriangles says."),
+}

@@ -12,22 +12,15 @@ from .. import files, kernel, work
 from ..objects.frep_solid import FrepSolid
 from ..objects.scan import Scan
 from ..shim import QtWidgets
-from ..views.solid_view import icon
+from ..words import tr
+from .command import Command
 
-ASKED = "A script can do on this computer whatever you can: read, change and delete your files. Run it only if you trust whoever wrote it."
 
-
-class ImportScan:
-    def GetResources(self):
-        return {"Pixmap": icon("ImportScan"), "MenuText": "Import scan", "ToolTip": "Make a solid from a CT volume: a file, or any slice of a stack"}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog()
-
+class ImportScan(Command):
     def Activated(self):
         patterns = " ".join(f"*.{extension}" for extension in (*files.VOLUMES, *files.SLICES, "asdf"))
-        path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), "Import scan: a volume, or any slice of a stack", "",
-                                                     f"Volumes and slices ({patterns});;All files (*)")[0]
+        path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), tr("Import scan: a volume, or any slice of a stack"), "",
+                                                     tr("Volumes and slices ({patterns});;All files (*)").format(patterns=patterns))[0]
         if path:
             add_scan(path)
 
@@ -38,28 +31,24 @@ def add_scan(path):
     return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), Scan, files.name_of(stack), File=stack)
 
 
-class RunScript:
-    def GetResources(self):
-        return {"Pixmap": icon("RunScript"), "MenuText": "Run script", "ToolTip": "Run a Python script that makes a solid, after asking, and keep the solid's formula"}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog()
-
+class RunScript(Command):
     def Activated(self):
         window = FreeCADGui.getMainWindow()
-        path = QtWidgets.QFileDialog.getOpenFileName(window, "Run script", "", "Python scripts (*.py)")[0]
+        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Python scripts (*.py)"))[0]
         buttons = QtWidgets.QMessageBox
-        if path and buttons.question(window, "Run script", f"Run {path}?\n\n{ASKED}", buttons.Yes | buttons.No, buttons.No) == buttons.Yes:
+        asked = tr("Run {path}?\n\nA script can do on this computer whatever you can: read, change and delete your files. "
+                   "Run it only if you trust whoever wrote it.").format(path=path)
+        if path and buttons.question(window, self.title, asked, buttons.Yes | buttons.No, buttons.No) == buttons.Yes:
             try:
                 add_script(path)
             except (ValueError, work.Cancelled) as error:
-                buttons.warning(window, "Run script", str(error) or "The script was stopped.")
+                buttons.warning(window, self.title, str(error) or tr("The script was stopped."))
 
 
 def add_script(path):
     """Runs a script, in a process of its own, and adds the solid that it makes; the document keeps the formula, not the script. Raises
     ValueError with the script's line, and work.Cancelled."""
-    text = work.run(lambda progress: _formula_of(path, progress), f"Running {os.path.basename(path)}")
+    text = work.run(lambda progress: _formula_of(path, progress), tr("Running {path}").format(path=os.path.basename(path)))
     return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), FrepSolid, files.name_of(path), Expression=text)
 
 
@@ -84,9 +73,18 @@ def _formula_of(path, progress):
         answer = said.read().decode(errors="replace")
     if answer.startswith("ok\n"):
         return fieldfab.parse_vm(answer[3:]).math()
-    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", "it ended without an answer")
+    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("it ended without an answer"))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 
 
 TITLE = "Scans"
-COMMANDS = {"Fieldfab_ImportScan": ImportScan(), "Fieldfab_RunScript": RunScript()}
+COMMANDS = {
+    "Fieldfab_ImportScan": ImportScan(
+        "ImportScan", "Import scan", "Make a solid from a CT volume: a file, or any slice of a stack",
+        "Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the histogram and asks for the threshold, the part "
+        "that is kept and the clean-up; the whole volume is computed at its OK only."),
+    "Fieldfab_RunScript": RunScript(
+        "RunScript", "Run script", "Run a Python script that makes a solid, after asking, and keep the solid's formula",
+        "Asks for a Python script, and whether it may run, since it can do whatever you can. The document keeps the formula of the solid that it makes, "
+        "not the script."),
+}

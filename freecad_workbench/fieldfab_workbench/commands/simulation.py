@@ -4,23 +4,16 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import programs, simulation, solid
-from ..views.solid_view import icon
+from .command import Command
 
 
-class SimulateProgram:
+class SimulateProgram(Command):
     """Adds a simulation, of the selected object's program where it has one, and opens its task panel: one undo step."""
-
-    def GetResources(self):
-        tip = "Carry out a machine's program on a stock: of a file, or of the selected Path operation, Job or machine program"
-        return {"Pixmap": icon("Simulation"), "MenuText": "Simulate program", "ToolTip": tip}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog()
 
     def Activated(self):
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
         chosen = [obj for obj in FreeCADGui.Selection.getSelection() if programs.offers_program(obj)]
-        document.openTransaction("Simulate program")
+        document.openTransaction(self.title)
         obj = solid.create(simulation.Simulation, document)
         if chosen:
             obj.Program = chosen[0]
@@ -28,14 +21,11 @@ class SimulateProgram:
         FreeCADGui.ActiveDocument.setEdit(obj.Name)
 
 
-class PlaySimulation:
+class PlaySimulation(Command):
     """Opens the panel of the selected simulation."""
 
-    def GetResources(self):
-        return {"Pixmap": icon("PlaySimulation"), "MenuText": "Play simulation", "ToolTip": "Show the selected simulation move by move, its events and deviations"}
-
-    def IsActive(self):
-        return not FreeCADGui.Control.activeDialog() and bool(self._chosen())
+    def ready(self):
+        return bool(self._chosen())
 
     def Activated(self):
         FreeCADGui.ActiveDocument.setEdit(self._chosen()[0].Name)
@@ -46,4 +36,13 @@ class PlaySimulation:
 
 
 TITLE = "Simulation"
-COMMANDS = {"Fieldfab_SimulateProgram": SimulateProgram(), "Fieldfab_PlaySimulation": PlaySimulation()}
+COMMANDS = {
+    "Fieldfab_SimulateProgram": SimulateProgram(
+        "Simulation", "Simulate program", "Carry out a machine's program on a stock: of a file, or of the selected Path operation, Job or machine program",
+        "Carries a machine's program out on a stock and plays it in the 3D view. Select a machine program, a Path operation or a Job, or name a file in the "
+        "panel, which also asks for the stock, the tools, the machine and what should come out."),
+    "Fieldfab_PlaySimulation": PlaySimulation(
+        "PlaySimulation", "Play simulation", "Show the selected simulation move by move, its events and deviations",
+        "Opens the panel of the selected simulation: the stock at any moment, tool and axes, the program's lines, events with the worst first, and "
+        "deviations in colours."),
+}

@@ -3,10 +3,12 @@
 import FreeCAD
 
 from .. import workflow
+from ..words import marked, tr
 from .document_object import WithSettings
 
-NO_MATERIAL = "any"
-STOCKS = {"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"), "Object": ("StockObject",)}
+NO_MATERIAL = marked("any")
+ZEROS = marked(("model", "corner", "centre"))
+STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"), "Object": ("StockObject",)})
 
 
 class CamSetup(WithSettings):
@@ -17,7 +19,7 @@ class CamSetup(WithSettings):
     def add_properties(self, obj):
         self.add(obj, "Link", "Part", "Part", "The solid to be made")
         self.add_choice(obj, "Zero", "Part", "The program's zero: as the model has it, or the corner or centre of the part's top",
-                        ("model", "corner", "centre"))
+                        ZEROS)
         self.add_choice(obj, "Machine", "Machine", "What it is made with", workflow.machines())
         if "Material" not in obj.PropertiesList:
             obj.Machine = "linuxcnc"
@@ -94,7 +96,7 @@ def box_of(obj):
         return obj.Mesh.BoundBox
     if hasattr(obj, "Shape") and not obj.Shape.isNull():
         return obj.Shape.BoundBox
-    raise ValueError(f"{obj.Label} has no size")
+    raise ValueError(tr("{label} has no size").format(label=obj.Label))
 
 
 def stock_box(setup):
@@ -103,11 +105,11 @@ def stock_box(setup):
         return FreeCAD.Vector(setup.StockLower), FreeCAD.Vector(setup.StockUpper)
     if setup.StockFrom == "Object":
         if setup.StockObject is None:
-            raise ValueError(f"{setup.Label}: choose a StockObject")
+            raise ValueError(tr("{label}: choose a StockObject").format(label=setup.Label))
         box = box_of(setup.StockObject)
         return FreeCAD.Vector(box.XMin, box.YMin, box.ZMin), FreeCAD.Vector(box.XMax, box.YMax, box.ZMax)
     if setup.Part is None:
-        raise ValueError(f"{setup.Label}: choose a Part")
+        raise ValueError(tr("{label}: choose a Part").format(label=setup.Label))
     box, margin = box_of(setup.Part), setup.Margin.Value
     upper = FreeCAD.Vector(box.XMax + margin, box.YMax + margin, box.ZMax + setup.Top.Value)
     bottom = upper.z - setup.Thickness.Value if setup.Thickness.Value else box.ZMin

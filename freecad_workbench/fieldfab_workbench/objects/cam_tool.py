@@ -1,17 +1,22 @@
 """A cutter of a CAM set-up. Lengths are mm, angles degrees."""
 
+from ..words import described, marked, tr
 from .document_object import DocumentObject
 
 # What each shape needs besides a diameter.
-SHAPES = {
+SHAPES = marked({
     "flat": (), "ball": (), "bull": ("CornerRadius",), "v": ("Angle", "TipDiameter"), "tapered": ("Angle", "CornerRadius"), "drill": ("Angle",),
-}
+})
 # Properties by their names in job files (docs/cam.md).
 LENGTHS = {
-    "diameter": ("Diameter", "Where it is widest", 3), "corner_radius": ("CornerRadius", "Of a bull-nose, or of the tip of a tapered ball", 0.5),
-    "tip_diameter": ("TipDiameter", "Of a V with a blunt tip", 0), "flute": ("Flute", "Length that cuts; 0: not known", 0),
-    "length": ("StickOut", "From the tip to the holder; 0: not known", 0), "shank": ("Shank", "Diameter above the flutes; 0: as the cutting part", 0),
-    "holder_diameter": ("HolderDiameter", "0: not known", 0), "holder_length": ("HolderLength", "0: not known", 0),
+    "diameter": described("Diameter", "Where it is widest", 3),
+    "corner_radius": described("CornerRadius", "Of a bull-nose, or of the tip of a tapered ball", 0.5),
+    "tip_diameter": described("TipDiameter", "Of a V with a blunt tip", 0),
+    "flute": described("Flute", "Length that cuts; 0: not known", 0),
+    "length": described("StickOut", "From the tip to the holder; 0: not known", 0),
+    "shank": described("Shank", "Diameter above the flutes; 0: as the cutting part", 0),
+    "holder_diameter": described("HolderDiameter", "0: not known", 0),
+    "holder_length": described("HolderLength", "0: not known", 0),
 }
 
 
@@ -42,7 +47,7 @@ class CamTool(DocumentObject):
 
     def execute(self, obj):
         if not obj.Diameter.Value > 0:
-            raise ValueError(f"{obj.Label}: Diameter must be above 0")
+            raise ValueError(tr("{label}: Diameter must be above 0").format(label=obj.Label))
 
 
 def described(obj):

@@ -2,10 +2,11 @@
 
 import functools
 
-from .solid import Solid, source_of
 from ..sources import Source
+from ..words import marked, tr
+from .solid import Solid, source_of
 
-OPERATIONS = ("Union", "Intersection", "Difference", "Blend", "Morph")
+OPERATIONS = marked(("Union", "Intersection", "Difference", "Blend", "Morph"))
 
 
 class Combine(Solid):
@@ -34,11 +35,11 @@ class Combine(Solid):
     def source(self, obj):
         operation, radius, weight = obj.Operation, obj.Radius.Value, obj.Weight
         if len(obj.Sources) < 2:
-            raise ValueError(f"{obj.Label}: choose at least two Sources")
+            raise ValueError(tr("{label}: choose at least two Sources").format(label=obj.Label))
         if operation == "Morph" and len(obj.Sources) != 2:
-            raise ValueError(f"{obj.Label}: a morph has two Sources")
+            raise ValueError(tr("{label}: a morph has two Sources").format(label=obj.Label))
         if operation == "Blend" and not radius > 0:
-            raise ValueError(f"{obj.Label}: the Radius of a blend must be above 0")
+            raise ValueError(tr("{label}: the Radius of a blend must be above 0").format(label=obj.Label))
         sources = [source_of(each) for each in obj.Sources]
         join = {
             "Union": lambda a, b: a | b,

@@ -8,6 +8,7 @@ import FreeCAD
 import numpy as np
 
 from .. import cam_job, kernel, work
+from ..words import tr
 from .document_object import DocumentObject
 
 
@@ -34,7 +35,7 @@ class MachineProgram(DocumentObject):
 
     def execute(self, obj):
         if obj.Setup is None:
-            raise ValueError(f"{obj.Label}: choose a Setup")
+            raise ValueError(tr("{label}: choose a Setup").format(label=obj.Label))
         job = cam_job.Job(obj.Setup)
         if obj.MadeFrom == job.digest:
             return
@@ -43,7 +44,7 @@ class MachineProgram(DocumentObject):
         except kernel.load().Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
-            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
         take(obj, plan)
 
 
@@ -100,7 +101,7 @@ def write_setup_sheet(obj, path):
 
 def _copy(obj, source, path):
     if not source or not obj.MadeFrom:
-        raise ValueError(f"{obj.Label}: nothing is planned yet")
+        raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
     with open(source, "rb") as file:
         data = file.read()
     with tempfile.NamedTemporaryFile(dir=os.path.dirname(os.path.abspath(path)), delete=False) as out:

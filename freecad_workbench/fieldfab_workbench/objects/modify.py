@@ -7,10 +7,11 @@ import FreeCAD
 
 from .. import kernel
 from ..sources import Source
+from ..words import marked, tr
 from .solid import Solid, source_of
 
 # What each operation needs.
-OPERATIONS = {
+OPERATIONS = marked({
     "Offset": ("Distance",),
     "Shell": ("Wall",),
     "Lattice infill": ("Wall", "Lattice", "Period", "Strut"),
@@ -18,10 +19,10 @@ OPERATIONS = {
     "Linear array": ("Step", "Count"),
     "Polar array": ("Direction", "Centre", "Count", "Angle"),
     "Transform": ("Factors", "Turn", "Direction", "Centre", "Step"),
-}
+})
 # Which of these are ways out of, or into, the source's surface.
 REACHES = {"Offset": "Distance", "Shell": "Wall", "Lattice infill": "Wall"}
-LATTICES = ("gyroid", "schwarz_p", "diamond")
+LATTICES = marked(("gyroid", "schwarz_p", "diamond"))
 
 
 def _mirrored(field, normal, centre):
@@ -70,7 +71,7 @@ class Modify(Solid):
 
     def source(self, obj):
         if obj.Source is None:
-            raise ValueError(f"{obj.Label}: choose a Source")
+            raise ValueError(tr("{label}: choose a Source").format(label=obj.Label))
         source, operation = source_of(obj.Source), obj.Operation
         values = {name: self._plain(getattr(obj, name)) for name in OPERATIONS[operation]}
         self.check(obj, values)
@@ -93,11 +94,11 @@ class Modify(Solid):
         """Raises ValueError for values that make no solid."""
         for name in ("Wall", "Period", "Strut"):
             if name in values and not values[name] > 0:
-                raise ValueError(f"{obj.Label}: {name} must be above 0")
+                raise ValueError(tr("{label}: {name} must be above 0").format(label=obj.Label, name=name))
         if "Direction" in values and not any(values["Direction"]) and (obj.Operation != "Transform" or values["Turn"]):
-            raise ValueError(f"{obj.Label}: Direction has no length")
+            raise ValueError(tr("{label}: Direction has no length").format(label=obj.Label))
         if "Factors" in values and not all(values["Factors"]):
-            raise ValueError(f"{obj.Label}: a factor is 0")
+            raise ValueError(tr("{label}: a factor is 0").format(label=obj.Label))
 
     @staticmethod
     def _offset(field, Distance):

@@ -6,6 +6,7 @@ import FreeCAD
 import Part
 
 from .. import meshes
+from ..words import tr
 from .document_object import DocumentObject
 
 SEWING = 1e-4  # mm
@@ -31,9 +32,9 @@ class PartShape(DocumentObject):
     def execute(self, obj):
         """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
         if obj.Source is None or not hasattr(obj.Source, "Mesh"):
-            raise ValueError(f"{obj.Label}: choose a solid or a mesh as its Source")
+            raise ValueError(tr("{label}: choose a solid or a mesh as its Source").format(label=obj.Label))
         if not obj.Source.isValid():
-            raise ValueError(f"{obj.Label}: {obj.Source.Label} has failed; the shape is still what it was")
+            raise ValueError(tr("{label}: {source} has failed; the shape is still what it was").format(label=obj.Label, source=obj.Source.Label))
         made_from = hashlib.sha1(repr((_content(obj.Source), obj.MostTriangles, obj.MergeFaces)).encode()).hexdigest()
         if obj.MadeFrom != made_from:
             mesh = obj.Source.Mesh.copy()
@@ -52,11 +53,12 @@ def _content(source):
 def shape_of(mesh, most_triangles, merge_faces, label):
     """The Part solids of a Mesh.Mesh, which is reduced. Raises ValueError where none can be made."""
     if mesh.CountFacets == 0:
-        raise ValueError(f"{label}: the mesh is empty")
+        raise ValueError(tr("{label}: the mesh is empty").format(label=label))
     if mesh.CountFacets > most_triangles:
         mesh.decimate(mesh.BoundBox.DiagonalLength / 1000, 1 - most_triangles / mesh.CountFacets)
         if mesh.CountFacets > 1.5 * most_triangles:
-            raise ValueError(f"{label}: {mesh.CountFacets} triangles remain where MostTriangles allows {most_triangles}; allow more, or make the solid coarser")
+            raise ValueError(tr("{label}: {count} triangles remain where MostTriangles allows {most}; allow more, or make the solid coarser").format(
+                label=label, count=mesh.CountFacets, most=most_triangles))
     pieces, cavities = [], []
     for piece in mesh.getSeparateComponents():
         shape = Part.Shape()
@@ -64,7 +66,8 @@ def shape_of(mesh, most_triangles, merge_faces, label):
         (pieces if _signed_volume(piece) > 0 else cavities).extend(Part.Solid(shell) for shell in shape.Shells)
     made = _hollowed(pieces, cavities)
     if made is None or not made.isValid():
-        raise ValueError(f"{label}: the {mesh.CountFacets} triangles bound no valid Part solid; allow more triangles, or make the solid coarser")
+        raise ValueError(tr("{label}: the {count} triangles bound no valid Part solid; allow more triangles, or make the solid coarser").format(
+            label=label, count=mesh.CountFacets))
     if merge_faces:
         merged = made.removeSplitter()
         made = merged if merged.isValid() and merged.Solids else made

@@ -5,11 +5,13 @@ import re
 import FreeCAD
 import numpy as np
 
+from ..words import described, tr
 from .document_object import DocumentObject
 from .machine_program import sections_of
 
 
-HEIGHTS = {"StartDepth": "z where it begins to cut", "FinalDepth": "Its lowest place", "SafeHeight": "z of rapids", "ClearanceHeight": "z of rapids"}
+HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("FinalDepth", "Its lowest place"), described("SafeHeight", "z of rapids"),
+           described("ClearanceHeight", "z of rapids"))
 
 
 class PathOfProgram(DocumentObject):
@@ -23,7 +25,7 @@ class PathOfProgram(DocumentObject):
         self.add(obj, "Integer", "Section", "Path", "Which of its operations; -1: all of them, as the machine's file says", 0)
         self.add(obj, "Link", "ToolController", "Path", "What FreeCAD's job uses for it")
         self.add(obj, "Bool", "Active", "Path", "Whether FreeCAD's job takes it", True)
-        for name, words in HEIGHTS.items():  # FreeCAD's dress-ups ask for these
+        for name, words in HEIGHTS:  # FreeCAD's dress-ups ask for these
             self.add(obj, "Distance", name, "Depth", words, mode=1)
         self.add_choice(obj, "CoolantMode", "Path", "While it cuts", ("None", "Flood", "Mist"))
 
@@ -31,7 +33,7 @@ class PathOfProgram(DocumentObject):
         import Path
 
         if obj.Program is None or not obj.Program.MadeFrom:
-            raise ValueError(f"{obj.Label}: nothing is planned yet")
+            raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
         if obj.Section < 0:
             with open(obj.Program.MachineFile, encoding="utf-8", errors="replace") as file:
                 text = words_of_file(file.read())
@@ -39,10 +41,10 @@ class PathOfProgram(DocumentObject):
         else:
             sections = sections_of(obj.Program)
             if obj.Section >= len(sections):
-                raise ValueError(f"{obj.Label}: the program has no operation {obj.Section + 1} any more")
+                raise ValueError(tr("{label}: the program has no operation {section} any more").format(label=obj.Label, section=obj.Section + 1))
             section, moves = sections[obj.Section]
             if section["tilted"]:
-                raise ValueError(f"{obj.Label}: its tool leans now: make its path anew")
+                raise ValueError(tr("{label}: its tool leans now: make its path anew").format(label=obj.Label))
             text = gcode_of(moves, obj.Program.Zero)
             heights = moves[:, 2] + obj.Program.Zero.z
             cuts = heights[moves[:, 3] > 0]
@@ -78,7 +80,7 @@ def words_of_file(text):
     """The moves of a machine's G-code for Path.Path: without its header, tool changes and comments; feeds in mm/s. Raises ValueError for files
     that are no G-code in millimetres."""
     if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
-        raise ValueError("FreeCAD's Path takes G-code in millimetres: choose such a machine")
+        raise ValueError(tr("FreeCAD's Path takes G-code in millimetres: choose such a machine"))
     lines, mode = [], "G0"
     for line in text.splitlines():
         if not _WORDS.match(line):

@@ -4,6 +4,8 @@ import os
 import re
 from collections import namedtuple
 
+from ..words import tr
+
 # text: bytes; name: of the file that it is, or would be, which tells its language; path: where it is, or None.
 Program = namedtuple("Program", "text name path")
 
@@ -31,7 +33,7 @@ def program_from_file(path):
         with open(path, "rb") as file:
             return Program(file.read(), os.path.basename(path), path)
     except OSError as error:
-        raise ValueError(f"the program {path} cannot be read: {error.strerror}") from None
+        raise ValueError(tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
 
 
 def program_of(obj):
@@ -40,16 +42,16 @@ def program_of(obj):
         return program_from_file(obj.ProgramFile)
     if is_planned(obj):
         if not obj.MadeFrom:
-            raise ValueError(f"{obj.Label}: nothing is planned yet")
+            raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
         return Program(program_from_file(obj.MachineFile).text, f"program{obj.Extension}", None)
     if is_job(obj):
         text = _text_of_job(obj)
     elif hasattr(obj, "Path"):
         text = _text_of(obj)
     else:
-        raise ValueError(f"{obj.Label} has no program")
+        raise ValueError(tr("{label} has no program").format(label=obj.Label))
     if not text.strip():
-        raise ValueError(f"the program of {obj.Label} is empty")
+        raise ValueError(tr("the program of {label} is empty").format(label=obj.Label))
     return Program(f"(from {obj.Label})\nG17 G21 G40 G90\n{text}M2\n".encode(), f"{obj.Name}.ngc", None)
 
 

@@ -6,11 +6,12 @@ import os
 import FreeCAD
 
 from ..scans import DENOISING, SAMPLE_TYPES, AsdfSource, Cut, ScanFile, ScanSource
+from ..words import marked, tr
 from .solid import Solid
 
 OUTPUT = 8 | 16  # neither a reason to recompute nor a change of the object
 READ_ONLY, HIDDEN = 1, 4
-MISSING, CHANGED, AS_READ, UNREAD = "missing", "changed since it was read", "as it was read", "not read yet"
+MISSING, CHANGED, AS_READ, UNREAD = marked(("missing", "changed since it was read", "as it was read", "not read yet"))
 
 
 class Scan(Solid):
@@ -59,9 +60,9 @@ class Scan(Solid):
         """The scans.ScanFile. Raises ValueError."""
         path = self.path(obj)
         if not path:
-            raise ValueError(f"{obj.Label}: choose the File of a scan")
+            raise ValueError(tr("{label}: choose the File of a scan").format(label=obj.Label))
         if len(obj.Samples) not in (0, 3):
-            raise ValueError(f"{obj.Label}: Samples are three numbers, or none")
+            raise ValueError(tr("{label}: Samples are three numbers, or none").format(label=obj.Label))
         raw = obj.getEnumerationsOfProperty("SampleType").index(obj.SampleType)
         return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "", tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
 
@@ -69,7 +70,7 @@ class Scan(Solid):
         """The scans.Cut. Raises ValueError."""
         crop = tuple(obj.Crop)
         if crop and (len(crop) != 6 or min(crop) < 0 or any(a >= b for a, b in zip(crop, crop[3:]))):
-            raise ValueError(f"{obj.Label}: Crop is the first sample along x, y and z, then the last, or nothing")
+            raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(label=obj.Label))
         return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None, "" if obj.Denoise == "none" else obj.Denoise,
                    obj.KeepLargest, obj.SmallestIsland.Value, obj.SmallestHole.Value)
 
@@ -78,7 +79,7 @@ class Scan(Solid):
         try:
             return (AsdfSource if file.path.lower().endswith(".asdf") else ScanSource)(file, cut)
         except ValueError as error:
-            raise ValueError(f"{obj.Label}: {error}; double-click it to find the file") from None
+            raise ValueError(tr("{label}: {error}; double-click it to find the file").format(label=obj.Label, error=error)) from None
 
     def execute(self, obj):
         self.look(obj)
@@ -111,7 +112,8 @@ class Scan(Solid):
         super().onDocumentRestored(obj)
         self.look(obj)
         if obj.FileState in (MISSING, CHANGED):
-            FreeCAD.Console.PrintWarning(f"{obj.Label}: the scan {self.path(obj)} is {obj.FileState}; the mesh is what it was\n")
+            FreeCAD.Console.PrintWarning(tr("{label}: the scan {path} is {state}; the mesh is what it was").format(
+                label=obj.Label, path=self.path(obj), state=tr(obj.FileState)) + "\n")
 
 
 class _Places:

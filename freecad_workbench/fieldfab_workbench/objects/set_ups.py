@@ -2,6 +2,8 @@
 
 import json
 
+from ..words import tr
+
 TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length", "shank", "holder_diameter", "holder_length", "profile")
 DEFAULT_TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40, "shank": 6, "holder_diameter": 30, "holder_length": 30}
 
@@ -18,10 +20,10 @@ def tool_from_line(line):
     except ValueError:
         tool = None
     if not isinstance(tool, dict):
-        raise ValueError(f'a tool is like {{"number": 1, "shape": "flat", "diameter": 6}}, not {line!r}')
+        raise ValueError(tr("a tool is like {example}, not {line!r}").format(example=tool_to_line({"number": 1, "shape": "flat", "diameter": 6}), line=line))
     unknown = [key for key in tool if key not in TOOL_KEYS]
     if unknown:
-        raise ValueError(f"a tool has no {unknown[0]!r}; it has {', '.join(TOOL_KEYS)}")
+        raise ValueError(tr("a tool has no {unknown!r}; it has {known}").format(unknown=unknown[0], known=", ".join(TOOL_KEYS)))
     return tool
 
 

@@ -11,13 +11,14 @@ from collections import OrderedDict
 import FreeCAD
 
 from .. import kernel, meshes, work
+from ..words import marked, tr
 from . import programs, set_ups
 from .solid import Solid, source_of
 from .solid_from_object import source_of_geometry
 
-THREE_AXES = "three axes"
+THREE_AXES = marked("three axes")
 # Worst first.
-KINDS = ("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess")
+KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess"))
 CONTACTS = KINDS[:4]
 KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
 
@@ -88,6 +89,14 @@ def event_order(event):
     return (KINDS.index(event["kind"]) if event["kind"] in KINDS else len(KINDS), -abs(event["amount"]))
 
 
+def verdict(events, say=str):
+    """What came of it, in a line; `say` may be tr, but documents keep it in English. `events`: the worst first."""
+    if not events:
+        return say(marked("good"))
+    worst = events[0]
+    return say(marked("{count} events, the worst: {kind} at line {line}")).format(count=len(events), kind=say(worst["kind"]), line=worst["line"])
+
+
 class Simulation(Solid):
     """What a program leaves of its stock. Its coordinates are the part's, which are the document's. The stock's mesh, the figures and the
     events are saved with the document."""
@@ -119,8 +128,9 @@ class Simulation(Solid):
         add("Float", "Seconds", "Result", "On the machine", mode=1)
         add("Float", "RapidSeconds", "Result", "Of them rapids", mode=1)
         add("Percent", "AirShare", "Result", "Share of the feed that meets no material", mode=1)
-        for name, words in (("Contacts", "Lines that touch what they must not"), ("Gouges", "Lines that cut into the target"), ("OverTravels", "Lines that leave the machine's limits")):
-            add("Integer", name, "Result", words, mode=1)
+        add("Integer", "Contacts", "Result", "Lines that touch what they must not", mode=1)
+        add("Integer", "Gouges", "Result", "Lines that cut into the target", mode=1)
+        add("Integer", "OverTravels", "Result", "Lines that leave the machine's limits", mode=1)
         add("Length", "DeepestGouge", "Result", "Of all the surface", mode=1)
         add("Length", "HighestExcess", "Result", "Of all the surface", mode=1)
 
@@ -145,17 +155,17 @@ class Simulation(Solid):
     def source(self, obj):
         """What is left, as a solid."""
         if not obj.Mesh.CountFacets:
-            raise ValueError(f"{obj.Label} was not carried out yet")
+            raise ValueError(tr("{label} was not carried out yet").format(label=obj.Label))
         return source_of_geometry(obj)
 
     def task(self, obj):
         """The Task that the properties describe. Raises ValueError with a line for the user."""
         if obj.Program is None and not obj.ProgramFile:
-            raise ValueError(f"{obj.Label}: choose a program")
+            raise ValueError(tr("{label}: choose a program").format(label=obj.Label))
         program = programs.program_of(obj.Program) if obj.Program is not None else programs.program_from_file(obj.ProgramFile)
         for link in (obj.Target, obj.Stock):
             if link is not None and not link.isValid():
-                raise ValueError(f"{obj.Label}: {link.Label} could not be computed")
+                raise ValueError(tr("{label}: {other} could not be computed").format(label=obj.Label, other=link.Label))
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
         part = source_of(obj.Program.Setup.Part) if programs.is_planned(obj.Program) and not obj.SetupFile else None
         return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part)
@@ -168,7 +178,8 @@ class Simulation(Solid):
                 with open(path, "rb") as file:
                     return file.read(), os.path.basename(path), path
             except OSError as error:
-                raise ValueError(f"{obj.Label}: the set-up {path} cannot be read: {error.strerror}") from None
+                words = tr("{label}: the set-up {path} cannot be read: {error}")
+                raise ValueError(words.format(label=obj.Label, path=path, error=error.strerror)) from None
         if programs.is_planned(obj.Program):
             return obj.Program.Job.encode(), "job.toml", None
         lower, upper = obj.StockLower, obj.StockUpper
@@ -177,7 +188,7 @@ class Simulation(Solid):
             room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)  # so that no face of it lies in the box's own
             lower, upper = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room, FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room
         if min(upper - lower) <= 0:
-            raise ValueError(f"{obj.Label}: the stock has no size: give its corners, or a solid as Stock")
+            raise ValueError(tr("{label}: the stock has no size: give its corners, or a solid as Stock").format(label=obj.Label))
         tools = [set_ups.tool_from_line(line) for line in obj.Tools if line.strip()]
         tolerances = {"gouge": obj.Gouge.Value, "excess": obj.Excess.Value, "touch": obj.Touch.Value}
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
@@ -198,7 +209,7 @@ class Simulation(Solid):
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
-            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
         self.put_mesh(obj, run.simulation.mesh, meshes.read_bms(run.mesh_file))
         self.put_report(obj, run.report)
         obj.MadeFrom = task.digest
@@ -207,7 +218,7 @@ class Simulation(Solid):
     def put_report(obj, report):
         events = sorted(report["events"], key=event_order)
         kinds = [event["kind"] for event in events]
-        obj.Verdict = "good" if not events else f"{len(events)} events, the worst: {events[0]['kind']} at line {events[0]['line']}"
+        obj.Verdict = verdict(events)
         obj.Events = [json.dumps(event) for event in events]
         obj.Notes = [f"line {note['line']}: {note['message']}" for note in report["notes"]]
         obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])

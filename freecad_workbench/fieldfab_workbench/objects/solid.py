@@ -5,6 +5,7 @@ import hashlib
 import FreeCAD
 
 from .. import kernel, meshes, preferences, work
+from ..words import tr
 from .document_object import DocumentObject
 
 
@@ -68,7 +69,7 @@ class Solid(DocumentObject):
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
-            raise ValueError(f"{obj.Label}: cancelled; it is still what it was") from None
+            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
         self.put_mesh(obj, mesh)
         obj.MadeFrom = made_from
 

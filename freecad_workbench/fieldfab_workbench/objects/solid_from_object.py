@@ -4,6 +4,7 @@ import hashlib
 
 from .. import meshes
 from ..sources import Source
+from ..words import tr
 from .solid import Solid, source_of
 
 
@@ -15,9 +16,9 @@ def source_of_geometry(obj, deflection=None):
     elif hasattr(obj, "Shape") and not obj.Shape.isNull():
         mesh = _mesh_of_shape(obj, deflection)
     else:
-        raise ValueError(f"{obj.Label} has neither a mesh nor a shape")
+        raise ValueError(tr("{label} has neither a mesh nor a shape").format(label=obj.Label))
     if mesh.CountFacets == 0:
-        raise ValueError(f"{obj.Label} is empty")
+        raise ValueError(tr("{label} is empty").format(label=obj.Label))
     data = meshes.bms_of(mesh)
     return Source(("mesh", hashlib.sha1(data).hexdigest()), lambda progress: meshes.from_bms(data).field(progress))
 
@@ -28,7 +29,7 @@ def _mesh_of_shape(obj, deflection):
     shape = obj.Shape.copy()
     shape.Placement = type(shape.Placement)()
     if not shape.Solids:
-        raise ValueError(f"{obj.Label} has no solid: faces and wires bound nothing")
+        raise ValueError(tr("{label} has no solid: faces and wires bound nothing").format(label=obj.Label))
     return MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection or shape.BoundBox.DiagonalLength / 2000, AngularDeflection=0.2)
 
 
@@ -43,7 +44,7 @@ class SolidFromObject(Solid):
 
     def source(self, obj):
         if obj.Source is None:
-            raise ValueError(f"{obj.Label}: choose a mesh, a Part object or a body as its Source")
+            raise ValueError(tr("{label}: choose a mesh, a Part object or a body as its Source").format(label=obj.Label))
         if obj.Deflection.Value and hasattr(obj.Source, "Shape"):
             return source_of_geometry(obj.Source, obj.Deflection.Value).moved(obj.Source.getGlobalPlacement())
         return source_of(obj.Source)

@@ -1,12 +1,13 @@
 """The task panel of one operation."""
 
+from ..words import tr
 from .edit_panel import EditPanel
 from .operation_form import OperationForm
 
 
 class OperationPanel(EditPanel):
     def __init__(self, obj):
-        super().__init__(obj, "Operation")
+        super().__init__(obj, tr("Operation"))
         self.stages = OperationForm(obj)
         self.layout.addWidget(self.stages)
         self.layout.addWidget(self.message)

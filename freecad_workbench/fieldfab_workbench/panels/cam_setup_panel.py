@@ -3,17 +3,19 @@
 from .. import cam_job, kernel, work, workflow
 from ..objects import cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
+from ..words import PROPERTY, property_label, tr
 from .collapsible import Box
 from .edit_panel import EditPanel
 from .operation_form import OperationForm
-from .property_panel import MAKERS, PropertyPanel, candidates, spaced
+from .choices import offer
+from .property_panel import MAKERS, PropertyPanel, candidates
 from .setting_rows import SettingRows
 from .tool_table import ToolTable
 
 
 class SetupPanel(EditPanel):
     def __init__(self, obj):
-        super().__init__(obj, "CAM set-up")
+        super().__init__(obj, tr("CAM set-up"))
         self.task, self.operation_form, self.machine_rows = None, None, None
         self.layout.setSpacing(3)
         self._plan_row()
@@ -29,21 +31,21 @@ class SetupPanel(EditPanel):
 
     # The stack.
     def _part(self):
-        box = Box("Part", tip="What is to be made, and where the program's zero is on it")
+        box = Box(tr("Part"), tip=tr("What is to be made, and where the program's zero is on it"))
         form = QtWidgets.QFormLayout()
         self.part = QtWidgets.QComboBox()
         for candidate in candidates(self.obj):
             self.part.addItem(candidate.Label, candidate.Name)
         self.part.setCurrentIndex(self.part.findData(self.obj.Part.Name) if self.obj.Part else -1)
         self.part.activated.connect(lambda index: self._set("Part", self.document.getObject(self.part.itemData(index))))
-        form.addRow("Part", self.part)
-        form.addRow("Zero", self._choice("Zero"))
+        form.addRow(tr("Part"), self.part)
+        form.addRow(tr("Zero"), self._choice("Zero"))
         box.body.addLayout(form)
         self.part_box = box
         return box
 
     def _stock(self):
-        box = Box("Stock", opened=False)
+        box = Box(tr("Stock"), opened=False)
         self.stock_rows = QtWidgets.QFormLayout()
         box.body.addLayout(self.stock_rows)
         self.stock_box = box
@@ -54,17 +56,17 @@ class SetupPanel(EditPanel):
         while self.stock_rows.rowCount():
             self.stock_rows.removeRow(0)
         kinds = self._choice("StockFrom", lambda: QtCore.QTimer.singleShot(0, self._fill_stock))
-        self.stock_rows.addRow("From", kinds)
+        self.stock_rows.addRow(tr("From"), kinds)
         for name in cam_setup.STOCKS[self.obj.StockFrom]:
             widget, write = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
-            widget.setToolTip(self.obj.getDocumentationOfProperty(name))
+            widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             for number in [widget, *widget.findChildren(QtWidgets.QAbstractSpinBox)]:
                 for signal in ("valueChanged", "editingFinished"):  # FreeCAD's own box tells Qt of the latter only
                     if hasattr(number, signal):
                         getattr(number, signal).connect(lambda *value, write=write: self._written(write))
             if hasattr(widget, "activated"):
                 widget.activated.connect(lambda index, write=write: self._written(write))
-            self.stock_rows.addRow(spaced(name), widget)
+            self.stock_rows.addRow(property_label(name), widget)
 
     _write_quantity = PropertyPanel._write_quantity
 
@@ -72,21 +74,21 @@ class SetupPanel(EditPanel):
         """Of the makers of rows: here the rows are written by _written, and nothing is planned before it is asked for."""
 
     def _tools(self):
-        box = Box("Tools", opened=not self.obj.Tools)
+        box = Box(tr("Tools"), opened=not self.obj.Tools)
         self.tools = ToolTable(self.obj, self._refresh)
         box.body.addWidget(self.tools)
         self.tools_box = box
         return box
 
     def _operations(self):
-        box = Box("Operations")
+        box = Box(tr("Operations"))
         self.list = QtWidgets.QListWidget()
         self.list.setFixedHeight(92)
         self.list.currentRowChanged.connect(lambda row: self._show_operation())
         self.list.itemDoubleClicked.connect(lambda item: self._show_operation())
         box.body.addWidget(self.list)
         row = QtWidgets.QHBoxLayout()
-        self.add_button = QtWidgets.QPushButton("Add")
+        self.add_button = QtWidgets.QPushButton(tr("Add"))
         menu = QtWidgets.QMenu(self.add_button)
         for kind in workflow.operation_names():
             stage = workflow.stages_of(kind)[-2]
@@ -96,8 +98,8 @@ class SetupPanel(EditPanel):
         menu.setToolTipsVisible(True)
         self.add_button.setMenu(menu)
         row.addWidget(self.add_button)
-        for words, tip, action in (("Remove", "The chosen operation", self.remove_operation), ("\u2191", "Earlier", lambda: self.move(-1)),
-                                   ("\u2193", "Later", lambda: self.move(1))):
+        for words, tip, action in ((tr("Remove"), tr("The chosen operation"), self.remove_operation), ("\u2191", tr("Earlier"), lambda: self.move(-1)),
+                                   ("\u2193", tr("Later"), lambda: self.move(1))):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
             if len(words) == 1:
@@ -112,7 +114,7 @@ class SetupPanel(EditPanel):
         return box
 
     def _machine(self):
-        box = Box("Machine")
+        box = Box(tr("Machine"))
         form = QtWidgets.QFormLayout()
         self.machine = QtWidgets.QComboBox()
         for identifier, name in workflow.machines().items():
@@ -120,10 +122,10 @@ class SetupPanel(EditPanel):
         self.machine.setCurrentIndex(self.machine.findData(self.obj.Machine))
         self.machine.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.machine.activated.connect(lambda index: self.choose_machine(self.machine.itemData(index)))
-        form.addRow("Machine", self.machine)
+        form.addRow(tr("Machine"), self.machine)
         self.material = QtWidgets.QComboBox()
-        self.material.activated.connect(lambda index: self._set("Material", self.material.itemText(index)))
-        form.addRow("Material", self.material)
+        self.material.activated.connect(lambda index: self._set("Material", self.material.itemData(index)))
+        form.addRow(tr("Material"), self.material)
         box.body.addLayout(form)
         self.limits = QtWidgets.QLabel()
         self.limits.setWordWrap(True)
@@ -141,19 +143,17 @@ class SetupPanel(EditPanel):
         told = workflow.machine(self.obj.Machine)
         self.machine_rows = SettingRows(self.obj, workflow.machine_stage(self.obj.Machine), self._refresh)
         self.machine_place.addWidget(self.machine_rows)
-        self.material.clear()
-        self.material.addItems(self.obj.getEnumerationsOfProperty("Material"))
-        self.material.setCurrentText(self.obj.Material)
+        offer(self.material, self.obj.getEnumerationsOfProperty("Material"), self.obj.Material)
         self.material.setEnabled(self.material.count() > 1)
-        known = [f"travel {' x '.join(f'{t:g}' for t in told['travel'])} mm"] if any(told["travel"]) else []
-        known += [f"up to {told[name]:g} {unit}" for name, unit in (("max_feed", "mm/min"), ("max_spindle", "1/min")) if told[name]]
-        known += [f"turns about {' and '.join(told['axes'])}"] if told["axes"] else []
+        known = [tr("travel {travel} mm").format(travel=" x ".join(f"{t:g}" for t in told["travel"]))] if any(told["travel"]) else []
+        known += [tr("up to {limit}").format(limit=f"{told[name]:g} {unit}") for name, unit in (("max_feed", "mm/min"), ("max_spindle", "1/min")) if told[name]]
+        known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
         self.limits.setText("; ".join([told["description"], *known]))
 
     def _plan_row(self):
         row = QtWidgets.QHBoxLayout()
-        self.plan_button = QtWidgets.QPushButton("Plan")
-        self.plan_button.setToolTip("Plans all paths; the window stays free meanwhile")
+        self.plan_button = QtWidgets.QPushButton(tr("Plan"))
+        self.plan_button.setToolTip(tr("Plans all paths; the window stays free meanwhile"))
         self.plan_button.clicked.connect(lambda: self.stop() if self.task else self.plan())
         self.bar = QtWidgets.QProgressBar()
         self.bar.setRange(0, 1000)
@@ -179,10 +179,9 @@ class SetupPanel(EditPanel):
     # What the widgets do.
     def _choice(self, name, then=lambda: None):
         box = QtWidgets.QComboBox()
-        box.addItems(self.obj.getEnumerationsOfProperty(name))
-        box.setCurrentText(getattr(self.obj, name))
-        box.setToolTip(self.obj.getDocumentationOfProperty(name))
-        box.activated.connect(lambda index: (self._set(name, box.itemText(index)), then()))
+        offer(box, self.obj.getEnumerationsOfProperty(name), getattr(self.obj, name))
+        box.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
+        box.activated.connect(lambda index: (self._set(name, box.itemData(index)), then()))
         return box
 
     def _set(self, name, value):
@@ -248,10 +247,10 @@ class SetupPanel(EditPanel):
         for place, operation in enumerate(self.obj.Operations):
             if self.list.item(place):
                 self.list.item(place).setText(operation.Label)
-        self.part_box.hint.setText(self.obj.Part.Label if self.obj.Part else "none yet")
+        self.part_box.hint.setText(self.obj.Part.Label if self.obj.Part else tr("none yet"))
         count = len(self.obj.Tools)
-        self.tools_box.hint.setText("none yet" if not count else self.obj.Tools[0].Label if count == 1 else f"{count} tools")
-        self.operations_box.hint.setText(f"{len(self.obj.Operations)}" if self.obj.Operations else "none yet")
+        self.tools_box.hint.setText(tr("none yet") if not count else self.obj.Tools[0].Label if count == 1 else tr("{count} tools").format(count=count))
+        self.operations_box.hint.setText(f"{len(self.obj.Operations)}" if self.obj.Operations else tr("none yet"))
         self.machine_box.hint.setText(self.obj.Machine)
         try:
             lower, upper = cam_setup.stock_box(self.obj)
@@ -276,7 +275,7 @@ class SetupPanel(EditPanel):
             return self._complain(error)
         self.task = work.Task(self.job.plan)
         self.task.start()
-        self.plan_button.setText("Stop")
+        self.plan_button.setText(tr("Stop"))
         self.timer.start(50)
 
     def stop(self):
@@ -287,16 +286,16 @@ class SetupPanel(EditPanel):
         task = self.task
         self.bar.setValue(round(1000 * task.fraction))
         if task.is_alive():
-            self._report(f"Planning: {task.message}" if task.message else "Planning")
+            self._report(tr("Planning: {message}").format(message=task.message) if task.message else tr("Planning"))
             return
         self.timer.stop()
         self.task = None
-        self.plan_button.setText("Plan")
+        self.plan_button.setText(tr("Plan"))
         self.bar.setValue(0)
         try:
             plan = task.outcome()
         except work.Cancelled:
-            self.say("stopped; the program is still what it was")
+            self.say(tr("stopped; the program is still what it was"))
         except (ValueError, kernel.load().Error) as error:
             self._complain(error)
         else:
@@ -317,7 +316,7 @@ class SetupPanel(EditPanel):
             self.machine_rows.rows[setting].say(str(error))
             said = True
         label = f"{operation.Label}: " if operation is not None and not str(error).startswith(operation.Label) else ""
-        self.say(f"{label}{setting}: see above" if said else f"{label}{error}")
+        self.say(label + tr("{setting}: see above").format(setting=setting) if said else f"{label}{error}")
 
     def _tell(self):
         """Time, lengths and notes of the plan."""
@@ -330,7 +329,8 @@ class SetupPanel(EditPanel):
             current = program.MadeFrom == cam_job.Job(self.obj).digest
         except ValueError:
             current = False
-        lines = [f"<b>About {machine_program.clock(program.Seconds)}</b>" + ("" if current else " <span style='color:gray'>(changed since)</span>"),
+        about = tr("About {time}").format(time=machine_program.clock(program.Seconds))
+        lines = [f"<b>{about}</b>" + ("" if current else f" <span style='color:gray'>{tr('(changed since)')}</span>"),
                  *map(_escaped, program.Reports), *(f"<span style='color:#8a5a00'>{_escaped(note)}</span>" for note in program.Notes)]
         self._report("<br>".join(lines))
 

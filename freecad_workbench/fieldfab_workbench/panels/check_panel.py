@@ -14,8 +14,9 @@ from ..shim import QtCore, QtGui, QtWidgets, flags
 from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..views.solid_view import icon
+from ..words import marked, tr
 
-HEADINGS = ("", "Measured, and its bound")
+HEADINGS = ("", marked("Measured, and its bound"))
 
 
 class CheckPanel:
@@ -25,28 +26,28 @@ class CheckPanel:
         self.obj, self.report, self.coloured, self.shown = obj, None, None, None
         FreeCADGui.Selection.clearSelection()  # its green would cover the colours
         self.form = QtWidgets.QWidget()
-        self.form.setWindowTitle("Cross-check")
+        self.form.setWindowTitle(tr("Cross-check"))
         self.form.setWindowIcon(QtGui.QIcon(icon("CrossCheck")))
         layout = QtWidgets.QVBoxLayout(self.form)
-        self.verdict = QtWidgets.QLabel(f"Checking {obj.Label} against OpenVDB and CGAL…")
+        self.verdict = QtWidgets.QLabel(tr("Checking {label} against OpenVDB and CGAL…").format(label=obj.Label))
         self.verdict.setWordWrap(True)
         self.progress = QtWidgets.QProgressBar()
         self.progress.setRange(0, 1000)
         self.table = QtWidgets.QTableWidget(0, len(HEADINGS))
-        self.table.setHorizontalHeaderLabels(HEADINGS)
+        self.table.setHorizontalHeaderLabels([heading and tr(heading) for heading in HEADINGS])
         self.table.verticalHeader().hide()
         self.table.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
         self.table.horizontalHeader().setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeToContents)
         self.table.horizontalHeader().setSectionResizeMode(1, QtWidgets.QHeaderView.Stretch)
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.setMinimumHeight(260)
-        self.colour = QtWidgets.QCheckBox("Deviations in colours")
+        self.colour = QtWidgets.QCheckBox(tr("Deviations in colours"))
         self.colour.setChecked(True)
         self.colour.setEnabled(False)
         self.colour.toggled.connect(self._show_colours)
         self.figures = QtWidgets.QLabel()
         self.figures.setWordWrap(True)
-        self.save = QtWidgets.QPushButton("Save table…")
+        self.save = QtWidgets.QPushButton(tr("Save table…"))
         self.save.setEnabled(False)
         self.save.clicked.connect(self._save)
         for widget in (self.verdict, self.progress, self.table, self.colour, self.figures, self.save):
@@ -82,7 +83,7 @@ class CheckPanel:
             self.work.ask(check, self._checked)
             self.coloured = result
             off = result[-1]
-            self.figures.setText(f"Mesh to solid: {np.abs(off).mean():.3g} mm on average, {np.abs(off).max():.3g} mm at most.")
+            self.figures.setText(tr("Mesh to solid: {mean:.3g} mm on average, {most:.3g} mm at most.").format(mean=np.abs(off).mean(), most=np.abs(off).max()))
             self.colour.setEnabled(True)
             self._show_colours()
 
@@ -91,11 +92,13 @@ class CheckPanel:
     def _checked(self, report):
         self.report = report
         broken = [row for row in report.rows if not row.passed]
-        self.verdict.setText(f"All {len(report.rows)} checks are passed." if not broken else f"{len(broken)} of {len(report.rows)} checks are broken.")
+        words = tr("{broken} of {count} checks are broken.") if broken else tr("All {count} checks are passed.")
+        self.verdict.setText(words.format(broken=len(broken), count=len(report.rows)))
         self.verdict.setStyleSheet("color: #2c7a3f" if not broken else "color: #b3261e")
         self.table.setRowCount(len(report.rows))
         for i, row in enumerate(report.rows):
-            texts = ("✓" if row.passed else "✗", f"{row.name}\n{row.measured:.4g} of {row.bound:.4g} {row.unit}")
+            figures = tr("{measured:.4g} of {bound:.4g}").format(measured=row.measured, bound=row.bound)
+            texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures} {row.unit}")
             for column, text in enumerate(texts):
                 item = QtWidgets.QTableWidgetItem(text.strip())
                 item.setToolTip(row.name)
@@ -132,7 +135,8 @@ class CheckPanel:
         return out.getvalue()
 
     def _save(self):
-        path = QtWidgets.QFileDialog.getSaveFileName(self.form, "Save table", f"{self.obj.Label}.csv", "Comma-separated values (*.csv);;Text (*.txt)")[0]
+        kinds = tr("Comma-separated values (*.csv);;Text (*.txt)")
+        path = QtWidgets.QFileDialog.getSaveFileName(self.form, tr("Save table"), f"{self.obj.Label}.csv", kinds)[0]
         if path:
             try:
                 with open(path, "w", encoding="utf-8", newline="") as file:

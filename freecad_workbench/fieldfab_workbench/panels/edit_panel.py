@@ -3,6 +3,7 @@
 import FreeCADGui
 
 from ..shim import QtCore, QtWidgets, flags
+from ..words import tr
 
 WIDTH = 420  # pixels of the dock, at least: FreeCAD's own is too narrow for three buttons
 
@@ -13,7 +14,7 @@ class EditPanel:
     def __init__(self, obj, title):
         self.obj, self.document = obj, obj.Document
         if not self.document.HasPendingTransaction:
-            self.document.openTransaction(f"Edit {obj.Label}")
+            self.document.openTransaction(tr("Edit {label}").format(label=obj.Label))
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(obj.ViewObject.Icon)

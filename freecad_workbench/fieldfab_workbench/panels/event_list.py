@@ -2,6 +2,7 @@
 
 from ..objects.simulation import event_order
 from ..shim import QtCore, QtGui, QtWidgets
+from ..words import tr
 
 MOST = 2000  # rows
 # Colour and sign of each kind.
@@ -45,7 +46,7 @@ class EventList(QtWidgets.QTreeWidget):
 
     def __init__(self):
         super().__init__()
-        self.setHeaderLabels(["Event", "Line", "Amount"])
+        self.setHeaderLabels([tr("Event"), tr("Line"), tr("Amount")])
         self.setRootIsDecorated(False)
         self.setUniformRowHeights(True)
         self.setAlternatingRowColors(True)
@@ -62,11 +63,11 @@ class EventList(QtWidgets.QTreeWidget):
         self.clear()
         self.events = sorted(events, key=event_order)
         if not self.events:
-            self.addTopLevelItem(QtWidgets.QTreeWidgetItem(["nothing went wrong"]))
+            self.addTopLevelItem(QtWidgets.QTreeWidgetItem([tr("nothing went wrong")]))
         signs = {kind: sign(kind) for kind in {event["kind"] for event in self.events}}
         for event in self.events[:MOST]:
             unit = UNITS.get(event["kind"], "mm\N{SUPERSCRIPT THREE}")
-            item = QtWidgets.QTreeWidgetItem([event["kind"], str(event["line"]) if event["line"] else "", f"{event['amount']:.3g} {unit}".strip()])
+            item = QtWidgets.QTreeWidgetItem([tr(event["kind"]), str(event["line"]) if event["line"] else "", f"{event['amount']:.3g} {unit}".strip()])
             item.setIcon(0, signs[event["kind"]])
             for column in range(3):
                 item.setToolTip(column, event["message"])
@@ -74,7 +75,7 @@ class EventList(QtWidgets.QTreeWidget):
                 item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
             self.addTopLevelItem(item)
         if len(self.events) > MOST:
-            self.addTopLevelItem(QtWidgets.QTreeWidgetItem([f"and {len(self.events) - MOST} more"]))
+            self.addTopLevelItem(QtWidgets.QTreeWidgetItem([tr("and {count} more").format(count=len(self.events) - MOST)]))
 
     def _tell(self, item):
         row = self.indexOfTopLevelItem(item)

@@ -2,6 +2,7 @@
 
 from .. import kernel
 from ..shim import QtCore, QtGui, QtWidgets
+from ..words import tr
 from . import frep_language as language
 
 COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d", "defined": "#a0341f"}
@@ -82,7 +83,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             self.mistake = (line, column, said[len(error.place) + 2:] if error.place and said.startswith(error.place) else said)
         self._take_words({**self.known, **language.defined(text)})
         self._mark()
-        self.checked.emit(count, f"Line {self.mistake[0] + 1}: {self.mistake[2]}" if self.mistake else "")
+        self.checked.emit(count, tr("Line {line}: {words}").format(line=self.mistake[0] + 1, words=self.mistake[2]) if self.mistake else "")
 
     def _take_words(self, words):
         if {n: w.kind for n, w in words.items()} != {n: w.kind for n, w in self.highlighter.words.items()}:

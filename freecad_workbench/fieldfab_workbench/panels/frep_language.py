@@ -4,9 +4,10 @@ import re
 from dataclasses import dataclass
 
 from .. import kernel
+from ..words import marked, tr
 
 TOKEN = re.compile(r"""(?P<comment>\#.*|//.*)|(?P<string>"(?:\\.|[^"\\])*"?)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)""")
-CONSTANTS = {"x": "the first coordinate, mm", "y": "the second coordinate, mm", "z": "the third coordinate, mm",
+CONSTANTS = {"x": marked("the first coordinate, mm"), "y": marked("the second coordinate, mm"), "z": marked("the third coordinate, mm"),
              "pi": "3.14159…", "tau": "6.28318…", "e": "2.71828…"}
 _DEFINITION = re.compile(r"^[ \t]*([A-Za-z_]\w*)[ \t]*(\([^)]*\))?[ \t]*=(?!=)", re.MULTILINE)
 _PLACE = re.compile(r":(\d+):(\d+)$")
@@ -36,12 +37,13 @@ def signature(function):
 
 def meaning(function):
     """Its words, and what its value is good for."""
-    value = {"exact": "exact distance", "bound": "never more than the distance"}.get(function["distance"], "")
-    return " · ".join(each for each in (function["meaning"], value, "angles in degrees" * any(p["kind"] == "angle" for p in function["parameters"])) if each)
+    value = {"exact": tr("exact distance"), "bound": tr("never more than the distance")}.get(function["distance"], "")
+    angles = tr("angles in degrees") if any(p["kind"] == "angle" for p in function["parameters"]) else ""
+    return " · ".join(each for each in (function["meaning"], value, angles) if each)
 
 
 def constants():
-    return {name: Word(name, "constant", name, words) for name, words in CONSTANTS.items()}
+    return {name: Word(name, "constant", name, tr(words)) for name, words in CONSTANTS.items()}
 
 
 def defined(text):

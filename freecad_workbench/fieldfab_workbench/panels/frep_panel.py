@@ -3,6 +3,7 @@
 from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
 from ..shim import QtWidgets
 from ..views.preview import Preview
+from ..words import tr
 from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
 from .parameter_rows import ParameterRow
@@ -10,7 +11,7 @@ from .parameter_rows import ParameterRow
 
 class FrepPanel(EditPanel):
     def __init__(self, obj):
-        super().__init__(obj, "F-rep solid")
+        super().__init__(obj, tr("F-rep solid"))
         self.text = FrepEditor(obj.Expression)
         self.text.setObjectName("FrepEditor")
         self.text.setMinimumHeight(200)
@@ -26,8 +27,8 @@ class FrepPanel(EditPanel):
         self.text.check()
 
     def _tools(self):
-        gallery = QtWidgets.QPushButton("Insert a shape…")
-        gallery.setToolTip("Choose a shape by its picture; it is inserted where the cursor is")
+        gallery = QtWidgets.QPushButton(tr("Insert a shape…"))
+        gallery.setToolTip(tr("Choose a shape by its picture; it is inserted where the cursor is"))
         gallery.setAutoDefault(False)
         gallery.clicked.connect(self._open_gallery)
         return gallery
@@ -42,10 +43,10 @@ class FrepPanel(EditPanel):
     # Numbers.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        self.voxel = self._length(self.obj.VoxelSize.Value, "1/128 of the longest side")
-        self.max_error = self._length(self.obj.MaxError.Value, "a tenth of the smallest cell")
-        numbers.addRow("Smallest cell", self.voxel)
-        numbers.addRow("Largest error", self.max_error)
+        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/128 of the longest side"))
+        self.max_error = self._length(self.obj.MaxError.Value, tr("a tenth of the smallest cell"))
+        numbers.addRow(tr("Smallest cell"), self.voxel)
+        numbers.addRow(tr("Largest error"), self.max_error)
         for box in (self.voxel, self.max_error):
             box.valueChanged.connect(lambda value: self._show())
         return numbers
@@ -56,8 +57,8 @@ class FrepPanel(EditPanel):
         box.setDecimals(4)
         box.setRange(0, 1e6)
         box.setSuffix(" mm")
-        box.setSpecialValueText("automatic")
-        box.setToolTip(f"0 is automatic: {zero}")
+        box.setSpecialValueText(tr("automatic"))
+        box.setToolTip(tr("0 is automatic: {zero}").format(zero=zero))
         box.setValue(value)
         return box
 
@@ -84,7 +85,8 @@ class FrepPanel(EditPanel):
         row.changed.connect(lambda number: self._drive(name))
         driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
         row.setEnabled(not driven)
-        row.setToolTip(f"{name} is driven by an expression" if driven else f"{name} of the text: a property of the object, too")
+        words = tr("{name} is driven by an expression") if driven else tr("{name} of the text: a property of the object, too")
+        row.setToolTip(words.format(name=name))
         self.sliders.addRow(name, row)
         return row
 
@@ -99,7 +101,7 @@ class FrepPanel(EditPanel):
         if mistake:
             self.say(mistake)
             return
-        self.say(f"{count} operations", True)
+        self.say(tr("{count} operations").format(count=count), True)
         self._follow_text()
         self._show()
 

@@ -2,8 +2,9 @@
 
 from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets
+from ..words import marked, tr
 
-ALL = "All"
+ALL = marked("All")
 THUMBNAIL = QtCore.QSize(112, 96)
 SHAPE = QtCore.Qt.UserRole
 
@@ -16,7 +17,7 @@ class Gallery(QtWidgets.QDialog):
     def __init__(self, parent=None, whole=False):
         super().__init__(parent)
         self.whole, self.shapes, self.chosen, self.boxes, self.icons = whole, shapes.shapes(), None, {}, {}
-        self.setWindowTitle("Shape gallery")
+        self.setWindowTitle(tr("Shape gallery"))
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.resize(940, 600)
         columns = QtWidgets.QHBoxLayout(self)
@@ -29,7 +30,8 @@ class Gallery(QtWidgets.QDialog):
     def _groups(self):
         column = QtWidgets.QVBoxLayout()
         self.groups = QtWidgets.QListWidget()
-        self.groups.addItems([ALL, *dict.fromkeys(shape.group for shape in self.shapes)])
+        for group in (ALL, *dict.fromkeys(shape.group for shape in self.shapes)):
+            QtWidgets.QListWidgetItem(tr(group), self.groups).setData(SHAPE, group)
         self.groups.setFixedWidth(self.groups.sizeHintForColumn(0) + 24)
         self.groups.setCurrentRow(0)
         self.groups.currentRowChanged.connect(lambda row: self._fill())
@@ -40,7 +42,7 @@ class Gallery(QtWidgets.QDialog):
     def _pictures(self):
         column = QtWidgets.QVBoxLayout()
         self.search = QtWidgets.QLineEdit()
-        self.search.setPlaceholderText("Search: a name, or what it does")
+        self.search.setPlaceholderText(tr("Search: a name, or what it does"))
         self.search.setClearButtonEnabled(True)
         self.search.textChanged.connect(lambda text: self._fill())
         self.pictures = QtWidgets.QListWidget()
@@ -58,7 +60,7 @@ class Gallery(QtWidgets.QDialog):
 
     def _fill(self):
         """The shapes of the group that have all the words; a search looks in all groups."""
-        words, group = self.search.text().lower().split(), self.groups.currentItem().text()
+        words, group = self.search.text().lower().split(), self.groups.currentItem().data(SHAPE)
         self.pictures.clear()
         for shape in self.shapes:
             said = f"{shape.name} {shape.name.replace('_', ' ')} {shape.group} {shape.meaning}".lower()
@@ -100,10 +102,10 @@ class Gallery(QtWidgets.QDialog):
         font.setBold(True)
         self.name.setFont(font)
         self.form = QtWidgets.QFormLayout()
-        self.button = QtWidgets.QPushButton("Make this solid" if self.whole else "Insert at the cursor")
+        self.button = QtWidgets.QPushButton(tr("Make this solid") if self.whole else tr("Insert at the cursor"))
         self.button.setDefault(True)
         self.button.clicked.connect(self.insert)
-        closing = QtWidgets.QPushButton("Close")
+        closing = QtWidgets.QPushButton(tr("Close"))
         closing.setAutoDefault(False)
         closing.clicked.connect(self.close)
         for widget in (self.picture, self.name, self.meaning):
@@ -127,8 +129,8 @@ class Gallery(QtWidgets.QDialog):
         self.boxes = {name: self._box(value) for name, value in shape.values.items()}
         for name, box in self.boxes.items():
             default = shape.defaults.get(name)
-            box.setToolTip(f"left out, it is {default}" if default else "a number, a shape, or any formula")
-            self.form.addRow("values" if name == "…" else name, box)
+            box.setToolTip(tr("left out, it is {default}").format(default=default) if default else tr("a number, a shape, or any formula"))
+            self.form.addRow(tr("values") if name == "…" else name, box)
 
     @staticmethod
     def _box(value):

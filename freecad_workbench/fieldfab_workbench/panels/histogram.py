@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..shim import QtCore, QtGui, QtWidgets
+from ..words import tr
 
 MARGIN = 8
 
@@ -16,7 +17,7 @@ class Histogram(QtWidgets.QWidget):
         super().__init__()
         self.setMinimumHeight(120)
         self.setCursor(QtCore.Qt.SplitHCursor)
-        self.setToolTip("How many samples have which density, on a logarithmic scale. Drag the line to move the threshold")
+        self.setToolTip(tr("How many samples have which density, on a logarithmic scale. Drag the line to move the threshold"))
         self.counts, self.edges, self.threshold, self.below, self.enabled = [], [0.0, 1.0], 0.5, False, False
 
     def set_densities(self, counts, edges):
@@ -66,7 +67,7 @@ class Histogram(QtWidgets.QWidget):
         painter.drawRect(area)
         if not self.enabled:
             painter.setPen(palette.text().color())
-            painter.drawText(area, QtCore.Qt.AlignCenter, "no densities yet")
+            painter.drawText(area, QtCore.Qt.AlignCenter, tr("no densities yet"))
             return
         painter.setPen(QtGui.QPen(QtGui.QColor("#d9480f"), 2))
         painter.drawLine(QtCore.QPointF(line, area.top()), QtCore.QPointF(line, area.bottom()))

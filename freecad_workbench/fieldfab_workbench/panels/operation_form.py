@@ -3,6 +3,7 @@
 from .. import workflow
 from ..objects import cam_setup
 from ..shim import QtWidgets
+from ..words import PROPERTY, tr
 from .collapsible import Box
 from .setting_rows import SettingRows
 
@@ -27,11 +28,11 @@ class OperationForm(QtWidgets.QWidget):
         self.type.activated.connect(lambda index: self._choose(self.type.itemData(index)))
         self.tool = QtWidgets.QComboBox()
         self.tool.activated.connect(lambda index: self._take_tool(self.tool.itemData(index)))
-        self.active = QtWidgets.QCheckBox("carried out")
-        self.active.setToolTip(obj.getDocumentationOfProperty("Active"))
+        self.active = QtWidgets.QCheckBox(tr("carried out"))
+        self.active.setToolTip(tr(obj.getDocumentationOfProperty("Active"), PROPERTY))
         self.active.setChecked(obj.Active)
         self.active.clicked.connect(self._activate)
-        for words, widget in (("Name", self.name), ("Operation", self.type), ("Tool", self.tool), ("", self.active)):
+        for words, widget in ((tr("Name"), self.name), (tr("Operation"), self.type), (tr("Tool"), self.tool), ("", self.active)):
             head.addRow(words, widget)
         self.column.addLayout(head)
         self.boxes, self.rows = {}, {}
@@ -59,7 +60,7 @@ class OperationForm(QtWidgets.QWidget):
         for name, rows in self.rows.items():
             rows.refresh()
             given = sum(row.given for row in rows.rows.values())
-            self.boxes[name].hint.setText(f"{given} given" if given else "defaults")
+            self.boxes[name].hint.setText(tr("{given} given").format(given=given) if given else tr("defaults"))
 
     def say(self, setting, words):
         """Says beside a setting what is wrong with it; False where there is no such setting."""

@@ -10,6 +10,7 @@ from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ScaleLegend
 from ..views.part_view import PartView
 from ..views.stock_scene import StockScene
+from ..words import tr
 from .event_list import EventList
 from .program_view import ProgramView
 
@@ -62,11 +63,11 @@ class Playback(QtWidgets.QWidget):
         row, style = QtWidgets.QHBoxLayout(), self.style()
         self.buttons = {}
         for name, picture, tip, function in (
-            ("first", "SP_MediaSkipBackward", "To the beginning", lambda: self.go_to(0)),
-            ("back", "SP_MediaSeekBackward", "Back by one move", lambda: self.step(-1)),
-            ("play", "SP_MediaPlay", "Play or pause", self.toggle),
-            ("on", "SP_MediaSeekForward", "On by one move", lambda: self.step(1)),
-            ("last", "SP_MediaSkipForward", "To the end", lambda: self.go_to(self.player.length)),
+            ("first", "SP_MediaSkipBackward", tr("To the beginning"), lambda: self.go_to(0)),
+            ("back", "SP_MediaSeekBackward", tr("Back by one move"), lambda: self.step(-1)),
+            ("play", "SP_MediaPlay", tr("Play or pause"), self.toggle),
+            ("on", "SP_MediaSeekForward", tr("On by one move"), lambda: self.step(1)),
+            ("last", "SP_MediaSkipForward", tr("To the end"), lambda: self.go_to(self.player.length)),
         ):
             button = QtWidgets.QToolButton()
             button.setIcon(style.standardIcon(getattr(QtWidgets.QStyle, picture)))
@@ -78,7 +79,7 @@ class Playback(QtWidgets.QWidget):
         self.speed = QtWidgets.QComboBox()
         for speed in SPEEDS:
             self.speed.addItem(f"{speed}\N{MULTIPLICATION SIGN}", speed)
-        self.speed.setToolTip("How much faster than the machine")
+        self.speed.setToolTip(tr("How much faster than the machine"))
         self.speed.currentIndexChanged.connect(lambda index: self._start_clock())
         row.addWidget(self.speed)
         row.addStretch()
@@ -94,11 +95,11 @@ class Playback(QtWidgets.QWidget):
 
     def _add_places(self):
         row = QtWidgets.QHBoxLayout()
-        row.addWidget(QtWidgets.QLabel("Line"))
+        row.addWidget(QtWidgets.QLabel(tr("Line")))
         self.line = QtWidgets.QSpinBox()
         self.line.setKeyboardTracking(False)
         self.line.setMinimumWidth(90)
-        self.line.setToolTip("Go to a line of the program")
+        self.line.setToolTip(tr("Go to a line of the program"))
         self.line.valueChanged.connect(self.go_to_line)
         row.addWidget(self.line)
         self.doing = QtWidgets.QLabel()
@@ -121,10 +122,11 @@ class Playback(QtWidgets.QWidget):
             grid.addWidget(box, row, column)
             return box
 
-        self.see_tool = choice("Tool", "Show the cutter", True, self._show_roles, 0, 0)
-        self.see_holder = choice("Shank and holder", "Show what must not touch anything", True, self._show_roles, 0, 1)
-        self.see_deviation = choice("Deviation at the end", "Colour the finished stock by its distance from the target", True, lambda on: self.go_to(self.seconds), 1, 0)
-        self.turning = choice("Table turns", "Show the stock as the machine's table turns it", False, lambda on: self._place(), 1, 1)
+        self.see_tool = choice(tr("Tool"), tr("Show the cutter"), True, self._show_roles, 0, 0)
+        self.see_holder = choice(tr("Shank and holder"), tr("Show what must not touch anything"), True, self._show_roles, 0, 1)
+        self.see_deviation = choice(tr("Deviation at the end"), tr("Colour the finished stock by its distance from the target"), True,
+                                    lambda on: self.go_to(self.seconds), 1, 0)
+        self.turning = choice(tr("Table turns"), tr("Show the stock as the machine's table turns it"), False, lambda on: self._place(), 1, 1)
         self.layout_.addLayout(grid)
 
     # Beginning and ending.
@@ -176,7 +178,7 @@ class Playback(QtWidgets.QWidget):
             self.axes[letter] = label = QtWidgets.QLabel()
             label.setFont(fixed)
             label.setFrameShape(QtWidgets.QFrame.StyledPanel)
-            label.setToolTip(f"Where axis {letter} stands, {'mm' if i < 3 else 'degrees'}")
+            label.setToolTip((tr("Where axis {letter} stands, mm") if i < 3 else tr("Where axis {letter} stands, degrees")).format(letter=letter))
             self.axes_row.addWidget(label, i // 3, i % 3)
 
     # What the user does.
@@ -218,7 +220,7 @@ class Playback(QtWidgets.QWidget):
             self.go_to_line(event["line"])
         self.scene.set_mark(event["place"], self.size / 60)
         self.view.look_at(self._turned(event["place"]))
-        self.said.emit(f"line {event['line']}: {event['message']}", False)
+        self.said.emit(tr("line {line}: {message}").format(line=event["line"], message=event["message"]), False)
 
     def _clicked(self, origin, direction):
         back = np.linalg.inv(self._matrix())
@@ -230,9 +232,9 @@ class Playback(QtWidgets.QWidget):
         self.scene.set_mark(place, self.size / 120)
         if line:
             self._show_line(line)
-            self.said.emit(f"line {line} cut this place, with tool {tool}", True)
+            self.said.emit(tr("line {line} cut this place, with tool {tool}").format(line=line, tool=tool), True)
         else:
-            self.said.emit("nothing has cut this place", True)
+            self.said.emit(tr("nothing has cut this place"), True)
 
     # Showing.
     def _start_clock(self):
@@ -304,7 +306,7 @@ class Playback(QtWidgets.QWidget):
         for letter, label in self.axes.items():
             value = self._moment["axes"]["XYZABC".index(letter)]
             label.setText(f"{letter} {value:9.3f}" + ("" if letter in "XYZ" else "\N{DEGREE SIGN}"))
-        self.doing.setText(f"tool {self._moment['tool']}" + (", rapid" if self._moment["rapid"] else ""))
+        self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(tool=self._moment["tool"]))
 
     def _show_line(self, line):
         self.program.mark(line)

@@ -6,17 +6,21 @@ import FreeCADGui
 from .. import kernel
 from ..shim import QtCore, QtWidgets
 from ..views.preview import Preview
+from ..words import PROPERTY, marked, property_label, tr
+from .choices import offer
 from .edit_panel import EditPanel
 
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
 HIDDEN = "Hidden"
+TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"), "PartShape": marked("Part shape"),
+          "PathOfProgram": marked("Path of program")}
 
 
 class PropertyPanel(EditPanel):
     """One row a property that matters now; which those are follows the object's editor modes."""
 
     def __init__(self, obj):
-        super().__init__(obj, obj.Proxy.NAME)
+        super().__init__(obj, tr(TITLES[obj.Proxy.NAME]))
         self.rows, self.writers = QtWidgets.QFormLayout(), {}
         self.layout.addLayout(self.rows)
         self.layout.addWidget(self.message)
@@ -49,8 +53,8 @@ class PropertyPanel(EditPanel):
         self.writers.clear()
         for name in sorted(self.names(), key=lambda n: (self.obj.getTypeIdOfProperty(n) != "App::PropertyEnumeration" or n != "Operation")):
             widget, self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
-            widget.setToolTip(self.obj.getDocumentationOfProperty(name))
-            self.rows.addRow(spaced(name), widget)
+            widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
+            self.rows.addRow(property_label(name), widget)
 
     def take_over(self):
         for write in self.writers.values():
@@ -59,8 +63,7 @@ class PropertyPanel(EditPanel):
     # Widgets: each maker returns a widget, and a function that writes its value into the object.
     def _choice(self, name):
         box = QtWidgets.QComboBox()
-        box.addItems(self.obj.getEnumerationsOfProperty(name))
-        box.setCurrentText(getattr(self.obj, name))
+        offer(box, self.obj.getEnumerationsOfProperty(name), getattr(self.obj, name))
 
         def chosen():
             self.changed()
@@ -68,7 +71,7 @@ class PropertyPanel(EditPanel):
                 QtCore.QTimer.singleShot(0, self.fill)  # not while the box that is about to go still speaks
 
         box.activated.connect(lambda index: chosen())
-        return box, lambda: setattr(self.obj, name, box.currentText())
+        return box, lambda: setattr(self.obj, name, box.currentData())
 
     def _quantity(self, name):
         box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
@@ -163,12 +166,6 @@ MAKERS = {
     "App::PropertyLink": PropertyPanel._link,
     "App::PropertyLinkList": PropertyPanel._links,
 }
-
-
-def spaced(name):
-    """KeepOriginal: "Keep original"."""
-    words = "".join(f" {c.lower()}" if c.isupper() else c for c in name).strip()
-    return words[:1].upper() + words[1:]
 
 
 def candidates(obj):

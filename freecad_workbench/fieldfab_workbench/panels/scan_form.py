@@ -4,6 +4,8 @@ import FreeCAD
 
 from .. import scans
 from ..shim import QtWidgets
+from ..words import tr
+from .choices import offer
 from .edit_panel import EditPanel
 from .histogram import Histogram
 
@@ -12,7 +14,7 @@ class ScanForm(EditPanel):
     """File, histogram and threshold, lattice, clean-up, outcome: from top to bottom."""
 
     def __init__(self, obj):
-        super().__init__(obj, "Scan")
+        super().__init__(obj, tr("Scan"))
         self._add_file_rows()
         self._add_threshold_rows()
         self._add_lattice_rows()
@@ -22,8 +24,8 @@ class ScanForm(EditPanel):
 
     def _add_file_rows(self):
         self.path = QtWidgets.QLineEdit()
-        self.path.setPlaceholderText("file, or folder of slices")
-        file, folder = QtWidgets.QPushButton("File…"), QtWidgets.QPushButton("Folder…")
+        self.path.setPlaceholderText(tr("file, or folder of slices"))
+        file, folder = QtWidgets.QPushButton(tr("File…")), QtWidgets.QPushButton(tr("Folder…"))
         file.clicked.connect(self.browse_file)
         folder.clicked.connect(self.browse_folder)
         self.layout.addWidget(self.path)
@@ -32,36 +34,36 @@ class ScanForm(EditPanel):
         self.told.setWordWrap(True)
         self.layout.addWidget(self.told)
         self.layout.addWidget(self.message)
-        self.raw, form = self._group("Raw file")
+        self.raw, form = self._group(tr("Raw file"))
         self.samples = [_count_box(0, 100000) for _ in range(3)]
         self.type = QtWidgets.QComboBox()
-        self.type.addItems(scans.SAMPLE_TYPES)
+        offer(self.type, scans.SAMPLE_TYPES, scans.SAMPLE_TYPES[0])
         self.type.setMinimumContentsLength(8)
         self.type.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self.series = QtWidgets.QLineEdit()
-        form.addRow(QtWidgets.QLabel("Samples along x, y, z"))
+        form.addRow(QtWidgets.QLabel(tr("Samples along x, y, z")))
         form.addRow(_in_a_row(self.samples))
-        form.addRow("Type", self.type)
-        form.addRow("Series", self.series)
+        form.addRow(tr("Type"), self.type)
+        form.addRow(tr("Series"), self.series)
 
     def _add_threshold_rows(self):
         self.histogram = Histogram()
         self.layout.addWidget(self.histogram)
-        self.automatic, self.below = QtWidgets.QCheckBox("Automatic"), QtWidgets.QCheckBox("Below it")
-        self.automatic.setToolTip("Halfway between the two commonest densities, air and material")
-        self.below.setToolTip("What is less dense than the threshold is solid")
+        self.automatic, self.below = QtWidgets.QCheckBox(tr("Automatic")), QtWidgets.QCheckBox(tr("Below it"))
+        self.automatic.setToolTip(tr("Halfway between the two commonest densities, air and material"))
+        self.below.setToolTip(tr("What is less dense than the threshold is solid"))
         self.threshold = _number_box(-1e9, 1e9, 3)
-        self.layout.addWidget(_in_a_row([QtWidgets.QLabel("Threshold"), self.threshold]))
+        self.layout.addWidget(_in_a_row([QtWidgets.QLabel(tr("Threshold")), self.threshold]))
         self.layout.addWidget(_in_a_row([self.automatic, self.below]))
 
     def _add_lattice_rows(self):
         form = QtWidgets.QFormLayout()
-        self.own_spacing = QtWidgets.QCheckBox("Other spacing (mm)")
+        self.own_spacing = QtWidgets.QCheckBox(tr("Other spacing (mm)"))
         self.spacing = [_number_box(1e-6, 1e6, 4) for _ in range(3)]
-        self.cropping = QtWidgets.QCheckBox("Crop (first, last sample)")
+        self.cropping = QtWidgets.QCheckBox(tr("Crop (first, last sample)"))
         self.crop = [_count_box(0, 100000) for _ in range(6)]
         self.voxel = _number_box(0, 1e6, 4)
-        self.voxel.setSpecialValueText("as the samples")
+        self.voxel.setSpecialValueText(tr("as the samples"))
         self.voxel.setSuffix(" mm")
         form.addRow(self.own_spacing)
         self.spacing_row = _in_a_row(self.spacing)
@@ -70,23 +72,23 @@ class ScanForm(EditPanel):
         self.crop_rows = [_in_a_row(self.crop[:3]), _in_a_row(self.crop[3:])]
         for row in self.crop_rows:
             form.addRow(row)
-        form.addRow("Smallest cell", self.voxel)
+        form.addRow(tr("Smallest cell"), self.voxel)
         self.layout.addLayout(form)
 
     def _add_cleaning_rows(self):
-        self.cleaning, form = self._group("Clean-up")
+        self.cleaning, form = self._group(tr("Clean-up"))
         self.denoise = QtWidgets.QComboBox()
-        self.denoise.addItems(scans.DENOISING)
-        self.largest = QtWidgets.QCheckBox("Largest piece only")
+        offer(self.denoise, scans.DENOISING, scans.DENOISING[0])
+        self.largest = QtWidgets.QCheckBox(tr("Largest piece only"))
         self.island, self.hole = _number_box(0, 1e9, 2), _number_box(0, 1e9, 2)
         for box in (self.island, self.hole):
-            box.setSpecialValueText("all")
+            box.setSpecialValueText(tr("all"))
             box.setSuffix(" mm³")
-        self.island.setToolTip("Smaller pieces go")
-        self.hole.setToolTip("Smaller cavities are filled")
-        form.addRow("Denoise", self.denoise)
-        form.addRow("Islands from", self.island)
-        form.addRow("Holes from", self.hole)
+        self.island.setToolTip(tr("Smaller pieces go"))
+        self.hole.setToolTip(tr("Smaller cavities are filled"))
+        form.addRow(tr("Denoise"), self.denoise)
+        form.addRow(tr("Islands from"), self.island)
+        form.addRow(tr("Holes from"), self.hole)
         form.addRow(self.largest)
 
     def _add_outcome_rows(self):
@@ -114,7 +116,7 @@ class ScanForm(EditPanel):
         self.path.setText(obj.Proxy.path(obj))
         for box, value in zip(self.samples, list(obj.Samples) or (0, 0, 0)):
             box.setValue(value)
-        self.type.setCurrentText(obj.SampleType)
+        self.type.setCurrentIndex(self.type.findData(obj.SampleType))
         self.series.setText(obj.Series)
         self.automatic.setChecked(obj.AutoThreshold)
         self.threshold.setValue(obj.Threshold)
@@ -126,17 +128,17 @@ class ScanForm(EditPanel):
         for box, value in zip(self.crop, list(obj.Crop)):
             box.setValue(value)
         self.voxel.setValue(obj.VoxelSize.Value)
-        self.denoise.setCurrentText(obj.Denoise)
+        self.denoise.setCurrentIndex(self.denoise.findData(obj.Denoise))
         self.largest.setChecked(obj.KeepLargest)
         self.island.setValue(obj.SmallestIsland.Value)
         self.hole.setValue(obj.SmallestHole.Value)
 
     def take_over(self):
         wanted = {
-            "File": self.path.text(), "Samples": list(self.dims() or ()), "SampleType": self.type.currentText(), "Series": self.series.text(),
+            "File": self.path.text(), "Samples": list(self.dims() or ()), "SampleType": self.type.currentData(), "Series": self.series.text(),
             "AutoThreshold": self.automatic.isChecked(), "Threshold": self.threshold.value(), "Below": self.below.isChecked(),
             "Spacing": FreeCAD.Vector(*(self.spacing_asked() or (0, 0, 0))), "Crop": list(self.cut().crop or ()), "VoxelSize": self.voxel.value(),
-            "Denoise": self.denoise.currentText(), "KeepLargest": self.largest.isChecked(), "SmallestIsland": self.island.value(), "SmallestHole": self.hole.value(),
+            "Denoise": self.denoise.currentData(), "KeepLargest": self.largest.isChecked(), "SmallestIsland": self.island.value(), "SmallestHole": self.hole.value(),
         }
         if wanted["File"] == self.obj.Proxy.path(self.obj):
             del wanted["File"]
@@ -151,7 +153,7 @@ class ScanForm(EditPanel):
     def cut(self):
         crop = tuple(box.value() for box in self.crop) if self.cropping.isChecked() else ()
         return scans.Cut(None if self.automatic.isChecked() else self.threshold.value(), self.below.isChecked(), crop if any(crop) else None,
-                         self.denoise.currentText() if self.denoise.currentIndex() else "", self.largest.isChecked(), self.island.value(), self.hole.value())
+                         self.denoise.currentData() if self.denoise.currentIndex() else "", self.largest.isChecked(), self.island.value(), self.hole.value())
 
     def dims(self):
         values = tuple(box.value() for box in self.samples)

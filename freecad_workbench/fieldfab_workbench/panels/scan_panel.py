@@ -7,10 +7,10 @@ import FreeCADGui
 
 from .. import scans
 from ..newest import Newest
-from ..objects.scan import MISSING
 from ..shim import QtWidgets
 from ..views.coin_mesh import MeshBytes
 from ..views.scan_preview import ScanPreview
+from ..words import tr
 from .scan_form import ScanForm, set_quietly
 
 RAW = (".raw", ".vol", ".dcm")  # whose type or size the file itself may not tell
@@ -32,10 +32,10 @@ class ScanPanel(ScanForm):
 
     # The file.
     def browse_file(self):
-        self.choose(QtWidgets.QFileDialog.getOpenFileName(self.form, "CT volume", self._folder())[0])
+        self.choose(QtWidgets.QFileDialog.getOpenFileName(self.form, tr("CT volume"), self._folder())[0])
 
     def browse_folder(self):
-        self.choose(QtWidgets.QFileDialog.getExistingDirectory(self.form, "Folder of slices", self._folder()))
+        self.choose(QtWidgets.QFileDialog.getExistingDirectory(self.form, tr("Folder of slices"), self._folder()))
 
     def _folder(self):
         return os.path.dirname(self.path.text() or self.document.FileName)
@@ -78,20 +78,21 @@ class ScanPanel(ScanForm):
             return
         self._read_as, self.overview, self.unread = file, None, False
         if not file.path:
-            self.told.setText("Choose a volume's file, or a folder of its slices.")
+            self.told.setText(tr("Choose a volume's file, or a folder of its slices."))
         elif not os.path.exists(file.path):
-            self.say(f"The scan {file.path} is {MISSING}: choose where it is now. The solid keeps the mesh it has.")
+            self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(path=file.path))
         elif file.path.lower().endswith(".asdf"):
-            self.told.setText("A distance field: it is taken as it is.")
+            self.told.setText(tr("A distance field: it is taken as it is."))
         else:
             self.say("", True)
-            self.told.setText("Reading…")
+            self.told.setText(tr("Reading…"))
             self.work.ask(lambda progress: scans.Overview(file, progress), self._opened)
         self._show_rows()
 
     def _opened(self, overview):
         self.overview, volume = overview, overview.volume
-        self.told.setText(f"{_by(volume.size)} samples of {_by(round(s, 4) for s in volume.spacing)} mm, {volume.type}")
+        self.told.setText(tr("{count} samples of {spacing} mm, {kind}").format(
+            count=_by(volume.size), spacing=_by(round(s, 4) for s in volume.spacing), kind=volume.type))
         self.histogram.set_densities(overview.counts, overview.edges)
         self.threshold.setSingleStep((overview.edges[-1] - overview.edges[0]) / 200)
         if not self.own_spacing.isChecked():
@@ -114,7 +115,7 @@ class ScanPanel(ScanForm):
         self.histogram.set_threshold(self.threshold.value(), cut.below)
         self._show_box(cut.crop)
         if cut.crop and any(a >= b for a, b in zip(cut.crop, cut.crop[3:])):
-            self.say("The last sample of a crop must lie behind the first.")
+            self.say(tr("The last sample of a crop must lie behind the first."))
             return
 
         def make(progress):
@@ -144,8 +145,8 @@ class ScanPanel(ScanForm):
         full = self.voxel.value() or min(spacing)
         samples = math.prod(cut.cropped(self.overview.volume).size)
         memory, count = scans.estimate(samples, cut.cleaned(), surface.count, cell / full)
-        self.estimate.setText(f"About {_rounded(count)} triangles, {_rounded(memory / 1e6)} MB")
-        self.say("" if surface.count else "Nothing is solid at this threshold.", surface.count > 0)
+        self.estimate.setText(tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
+        self.say("" if surface.count else tr("Nothing is solid at this threshold."), surface.count > 0)
 
     def _show_box(self, crop):
         volume, spacing = self.overview.volume, self.spacing_asked() or self.overview.volume.spacing
@@ -168,7 +169,7 @@ class ScanPanel(ScanForm):
     def accept(self):
         self.work.stop()
         if not self.path.text():
-            self.say("Choose a file first, or Cancel.")
+            self.say(tr("Choose a file first, or Cancel."))
             return False
         return super().accept()
 

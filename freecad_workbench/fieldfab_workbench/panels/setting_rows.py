@@ -3,6 +3,7 @@
 import FreeCAD
 
 from ..shim import QtCore, QtWidgets
+from ..words import tr
 
 GREY, RED = "color: gray", "color: #b3261e"
 
@@ -22,7 +23,7 @@ def number_of(text, setting):
         if not wanted or value.Unit != FreeCAD.Units.Quantity(f"1 {wanted}").Unit:
             raise ValueError
     except Exception:  # FreeCAD raises several
-        raise ValueError(f"must be a number{' in ' + setting.unit if setting.unit else ''}") from None
+        raise ValueError(tr("must be a number in {unit}").format(unit=setting.unit) if setting.unit else tr("must be a number")) from None
     return value.Value / setting.factor
 
 
@@ -74,12 +75,12 @@ class Row:
             if not self.editor.hasFocus():
                 self.editor.setText("" if value is None else self.setting.shown(value))
         elif isinstance(self.editor, QtWidgets.QComboBox):
-            self.editor.setItemText(0, f"{self._default()} (default)")
+            self.editor.setItemText(0, tr("{default} (default)").format(default=self._default()))
             self.editor.setCurrentIndex(0 if value is None else 1 + self.setting.choices.index(value))
             self.editor.setStyleSheet(GREY if value is None else "")
         else:
             self.editor.setChecked(bool(self.obj.Proxy.effective(self.obj)[self.setting.name]))
-            self.editor.setText("" if self.given else "default")
+            self.editor.setText("" if self.given else tr("default"))
             self.editor.setStyleSheet("" if self.given else GREY)
         self.editor.blockSignals(False)
         self.say(self.setting.problem(value) if value is not None else "")

@@ -5,13 +5,14 @@ import FreeCAD
 from ..objects import programs, set_ups
 from ..objects.simulation import bounds_of
 from ..shim import QtCore, QtWidgets
+from ..words import marked, tr
+from .choices import offer
 from .property_panel import candidates
 
-TOOL_COLUMNS = (("number", "No."), ("shape", "Shape"), ("diameter", "Diameter"), ("corner_radius", "Corner"), ("angle", "Angle"), ("flute", "Flute"),
-                ("length", "Length"), ("shank", "Shank"), ("holder_diameter", "Holder \N{DIAMETER SIGN}"), ("holder_length", "Holder length"))
-SHAPES = ("flat", "ball", "bull", "v", "tapered", "drill", "form")
-PROGRAMS = "Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"
-SET_UPS = "Set-ups and jobs (*.toml)"
+TOOL_COLUMNS = tuple(zip(
+    ("number", "shape", "diameter", "corner_radius", "angle", "flute", "length", "shank", "holder_diameter", "holder_length"),
+    marked(("No.", "Shape", "Diameter", "Corner", "Angle", "Flute", "Length", "Shank", "Holder \N{DIAMETER SIGN}", "Holder length"))))
+SHAPES = marked(("flat", "ball", "bull", "v", "tapered", "drill", "form"))
 MARGIN = 5.0  # mm of stock around what a program reaches, where nothing else is known
 
 
@@ -71,18 +72,19 @@ class SetupForm(QtWidgets.QWidget):
         layout = QtWidgets.QVBoxLayout(self)
         layout.setContentsMargins(0, 4, 0, 0)
         rows = QtWidgets.QFormLayout()
-        self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], "a file")
-        self.program = FileBox(obj.ProgramFile, "the machine's program", PROGRAMS)
-        self.setup = FileBox(obj.SetupFile, "none: as below", SET_UPS)
-        self.cell = length_box(obj.Cell.Value, "automatic")
-        self.target = self._objects(obj.Target, candidates(obj), "none, or the set-up's")
-        rows.addRow("Program of", self.of_object)
-        rows.addRow("Program", self.program)
-        rows.addRow("Set-up file", self.setup)
-        rows.addRow("Target", self.target)
-        rows.addRow("Cell", self.cell)
+        self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], tr("a file"))
+        self.program = FileBox(obj.ProgramFile, tr("the machine's program"),
+                               tr("Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"))
+        self.setup = FileBox(obj.SetupFile, tr("none: as below"), tr("Set-ups and jobs (*.toml)"))
+        self.cell = length_box(obj.Cell.Value, tr("automatic"))
+        self.target = self._objects(obj.Target, candidates(obj), tr("none, or the set-up's"))
+        rows.addRow(tr("Program of"), self.of_object)
+        rows.addRow(tr("Program"), self.program)
+        rows.addRow(tr("Set-up file"), self.setup)
+        rows.addRow(tr("Target"), self.target)
+        rows.addRow(tr("Cell"), self.cell)
         layout.addLayout(rows)
-        self.by_hand = QtWidgets.QGroupBox("Set-up")
+        self.by_hand = QtWidgets.QGroupBox(tr("Set-up"))
         layout.addWidget(self.by_hand)
         self._add_by_hand(QtWidgets.QVBoxLayout(self.by_hand))
         layout.addStretch()
@@ -106,38 +108,37 @@ class SetupForm(QtWidgets.QWidget):
     def _add_by_hand(self, layout):
         obj, rows = self.obj, QtWidgets.QFormLayout()
         self.machine = QtWidgets.QComboBox()
-        self.machine.addItems(obj.getEnumerationsOfProperty("Machine"))
-        self.machine.setCurrentText(obj.Machine)
-        self.stock = self._objects(obj.Stock, candidates(obj), "a box")
+        offer(self.machine, obj.getEnumerationsOfProperty("Machine"), obj.Machine)
+        self.stock = self._objects(obj.Stock, candidates(obj), tr("a box"))
         self.lower, self.upper = corner_boxes(obj.StockLower), corner_boxes(obj.StockUpper)
-        self.gouge, self.excess, self.touch = length_box(obj.Gouge.Value), length_box(obj.Excess.Value, "any"), length_box(obj.Touch.Value)
-        rows.addRow("Machine", self.machine)
-        rows.addRow("Stock", self.stock)
+        self.gouge, self.excess, self.touch = length_box(obj.Gouge.Value), length_box(obj.Excess.Value, tr("any")), length_box(obj.Touch.Value)
+        rows.addRow(tr("Machine"), self.machine)
+        rows.addRow(tr("Stock"), self.stock)
         self.corners = QtWidgets.QWidget()
         grid = QtWidgets.QGridLayout(self.corners)
         grid.setContentsMargins(0, 0, 0, 0)
-        for row, (words, boxes) in enumerate((("from", self.lower), ("to", self.upper))):
+        for row, (words, boxes) in enumerate(((tr("from"), self.lower), (tr("to"), self.upper))):
             grid.addWidget(QtWidgets.QLabel(words), row, 0)
             for column, box in enumerate(boxes):
                 grid.addWidget(box, row, column + 1)
-        guess = QtWidgets.QPushButton("Around the program")
-        guess.setToolTip("A box about all places that the program names")
+        guess = QtWidgets.QPushButton(tr("Around the program"))
+        guess.setToolTip(tr("A box about all places that the program names"))
         guess.clicked.connect(self.guess_stock)
         grid.addWidget(guess, 2, 1, 1, 3)
         rows.addRow("", self.corners)
-        rows.addRow("Gouge from", self.gouge)
-        rows.addRow("Left over from", self.excess)
-        rows.addRow("Contact from", self.touch)
+        rows.addRow(tr("Gouge from"), self.gouge)
+        rows.addRow(tr("Left over from"), self.excess)
+        rows.addRow(tr("Contact from"), self.touch)
         layout.addLayout(rows)
         self.tools = QtWidgets.QTableWidget(0, len(TOOL_COLUMNS))
-        self.tools.setHorizontalHeaderLabels([words for _, words in TOOL_COLUMNS])
+        self.tools.setHorizontalHeaderLabels([tr(words) for _, words in TOOL_COLUMNS])
         self.tools.verticalHeader().hide()
         self.tools.setMinimumHeight(110)
         for line in obj.Tools:
             self._add_tool(set_ups.tool_from_line(line))
         layout.addWidget(self.tools)
         row = QtWidgets.QHBoxLayout()
-        for words, function in (("Add tool", self._new_tool), ("Remove", lambda: self.tools.removeRow(self.tools.currentRow()))):
+        for words, function in ((tr("Add tool"), self._new_tool), (tr("Remove"), lambda: self.tools.removeRow(self.tools.currentRow()))):
             button = QtWidgets.QPushButton(words)
             button.clicked.connect(function)
             row.addWidget(button)
@@ -154,8 +155,7 @@ class SetupForm(QtWidgets.QWidget):
         for column, (key, _) in enumerate(TOOL_COLUMNS):
             if key == "shape":
                 box = QtWidgets.QComboBox()
-                box.addItems(SHAPES)
-                box.setCurrentText(tool.get("shape", "flat"))
+                offer(box, SHAPES, tool.get("shape", "flat"))
                 self.tools.setCellWidget(row, column, box)
             else:
                 self.tools.setItem(row, column, QtWidgets.QTableWidgetItem(f"{tool[key]:g}" if tool.get(key) else ""))
@@ -167,7 +167,7 @@ class SetupForm(QtWidgets.QWidget):
         tool = set_ups.tool_from_line(self.tools.item(row, 0).data(QtCore.Qt.UserRole) or "{}")
         for column, (key, words) in enumerate(TOOL_COLUMNS):
             if key == "shape":
-                tool[key] = self.tools.cellWidget(row, column).currentText()
+                tool[key] = self.tools.cellWidget(row, column).currentData()
                 continue
             text = self.tools.item(row, column).text().strip().replace(",", ".")
             tool.pop(key, None)
@@ -175,7 +175,7 @@ class SetupForm(QtWidgets.QWidget):
                 try:
                     tool[key] = int(text) if key == "number" else float(text)
                 except ValueError:
-                    raise ValueError(f"tool {row + 1}: {words} is a number, not {text!r}") from None
+                    raise ValueError(tr("tool {row}: {words} is a number, not {text!r}").format(row=row + 1, words=tr(words), text=text)) from None
         return tool
 
     def _follow(self):
@@ -238,7 +238,7 @@ class SetupForm(QtWidgets.QWidget):
         find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
         values = {
             "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "SetupFile": self.setup.line.text(), "Target": find(self.target),
-            "Cell": self.cell.value(), "Machine": self.machine.currentText(), "Stock": find(self.stock), "Tools": tools,
+            "Cell": self.cell.value(), "Machine": self.machine.currentData(), "Stock": find(self.stock), "Tools": tools,
             "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)), "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
             "Gouge": self.gouge.value(), "Excess": self.excess.value(), "Touch": self.touch.value(),
         }

@@ -4,7 +4,9 @@ import json
 import os
 
 from .. import kernel, meshes, work
+from ..objects.simulation import verdict
 from ..shim import QtCore, QtWidgets, flags
+from ..words import tr
 from .edit_panel import EditPanel
 from .playback import Playback, is_open
 from .setup_form import SetupForm
@@ -16,15 +18,15 @@ AROUND = 190  # pixels of a dock's height that are not the panel's
 
 class SimulationPanel(EditPanel):
     def __init__(self, obj):
-        super().__init__(obj, "Simulation")
+        super().__init__(obj, tr("Simulation"))
         self.setup, self.playback, self.run, self.task = SetupForm(obj), Playback(self.document), None, None
         self.tabs = QtWidgets.QTabWidget()
         scroll = QtWidgets.QScrollArea()
         scroll.setWidget(self.setup)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(scroll.NoFrame)
-        self.tabs.addTab(scroll, "Set-up")
-        self.tabs.addTab(self._playback_page(), "Playback")
+        self.tabs.addTab(scroll, tr("Set-up"))
+        self.tabs.addTab(self._playback_page(), tr("Playback"))
         self.layout.addWidget(self.tabs, 1)
         self.layout.addLayout(self._start_row())
         self.layout.addWidget(self.message)
@@ -35,11 +37,17 @@ class SimulationPanel(EditPanel):
         self.timer.timeout.connect(self._watch)
         self.timer.start(30)
         if obj.Verdict:
-            self.playback.events.set_events([json.loads(line) for line in obj.Events])
-            self.say(f"{obj.Label}: {obj.Verdict}", not obj.Events)
+            self.playback.events.set_events(self._events())
+            self._say_verdict()
         if obj.MadeFrom:
             self.tabs.setCurrentIndex(1)
             self._show_kept()
+
+    def _events(self):
+        return [json.loads(line) for line in self.obj.Events]
+
+    def _say_verdict(self):
+        self.say(f"{self.obj.Label}: {verdict(self._events(), tr)}", not self.obj.Events)
 
     # Widgets.
     def _playback_page(self):
@@ -50,9 +58,9 @@ class SimulationPanel(EditPanel):
         row = QtWidgets.QHBoxLayout()
         self.exports = []
         for words, tip, function in (
-            ("Report\N{HORIZONTAL ELLIPSIS}", "Write the report as an HTML page with pictures", self.ask_for_report),
-            ("Frames\N{HORIZONTAL ELLIPSIS}", "Write pictures for a film", self.ask_for_frames),
-            ("Keep as object", "Keep the stock as it is at this moment as a mesh of the document", self.keep),
+            (tr("Report…"), tr("Write the report as an HTML page with pictures"), self.ask_for_report),
+            (tr("Frames…"), tr("Write pictures for a film"), self.ask_for_frames),
+            (tr("Keep as object"), tr("Keep the stock as it is at this moment as a mesh of the document"), self.keep),
         ):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
@@ -71,7 +79,7 @@ class SimulationPanel(EditPanel):
 
     def _start_row(self):
         row = QtWidgets.QHBoxLayout()
-        self.start_button = QtWidgets.QPushButton("Simulate")
+        self.start_button = QtWidgets.QPushButton(tr("Simulate"))
         self.start_button.clicked.connect(self.start_or_stop)
         self.bar = QtWidgets.QProgressBar()
         self.bar.setRange(0, 1000)
@@ -101,7 +109,7 @@ class SimulationPanel(EditPanel):
 
     def _begin(self, function, done):
         self.task, self.done = work.Task(function), done
-        self.start_button.setText("Stop")
+        self.start_button.setText(tr("Stop"))
         self.say("", True)
         self.form.destroyed.connect(self.task.cancel)  # as when the document is closed
         self.task.start()
@@ -121,11 +129,11 @@ class SimulationPanel(EditPanel):
             return
         task, self.task = self.task, None
         self.bar.setValue(0)
-        self.start_button.setText("Simulate")
+        self.start_button.setText(tr("Simulate"))
         try:
             result = task.outcome()
         except work.Cancelled:
-            self.say("stopped; it is still what it was")
+            self.say(tr("stopped; it is still what it was"))
         except (kernel.load().Error, ValueError, OSError) as error:
             self.say(str(error))
         else:
@@ -149,27 +157,27 @@ class SimulationPanel(EditPanel):
         if run is not None:
             self._play(run)
         elif not self.obj.Events:
-            self.say("press Simulate to play it", True)
+            self.say(tr("press Simulate to play it"), True)
 
     def _play(self, run):
         self.run = run
         self.obj.ViewObject.Visibility = False  # the playback is in its place
         self.playback.show(run, run.report["events"])
         self._allow(True)
-        self.say(f"{self.obj.Label}: {self.obj.Verdict}", not self.obj.Events)
+        self._say_verdict()
 
     # Results.
     def ask_for_report(self):
-        path = QtWidgets.QFileDialog.getSaveFileName(self.form, "Report", f"{self.obj.Label}.html", "HTML (*.html)")[0]
+        path = QtWidgets.QFileDialog.getSaveFileName(self.form, tr("Report"), f"{self.obj.Label}.html", tr("HTML (*.html)"))[0]
         if path:
             self.write_report(path)
 
     def write_report(self, path):
         simulation = self.run.simulation
-        self._begin(lambda progress: simulation.html(path, progress=progress), lambda result: self.say(f"written: {path}", True))
+        self._begin(lambda progress: simulation.html(path, progress=progress), lambda result: self.say(tr("written: {path}").format(path=path), True))
 
     def ask_for_frames(self):
-        folder = QtWidgets.QFileDialog.getExistingDirectory(self.form, "Folder for frame_0001.png and so on")
+        folder = QtWidgets.QFileDialog.getExistingDirectory(self.form, tr("Folder for frame_0001.png and so on"))
         if folder:
             self.write_frames(folder)
 
@@ -180,7 +188,7 @@ class SimulationPanel(EditPanel):
             with player.busy:
                 simulation.frames(folder, count=count, progress=progress)
 
-        self._begin(write, lambda result: self.say(f"{count} frames are in {os.path.basename(folder)}", True))
+        self._begin(write, lambda result: self.say(tr("{count} frames are in {folder}").format(count=count, folder=os.path.basename(folder)), True))
 
     def keep(self):
         """The stock at the moment that is shown, as a mesh."""
@@ -198,7 +206,7 @@ class SimulationPanel(EditPanel):
         kept.Label = f"{self.obj.Label}, stock at line {line}"
         kept.Mesh = meshes.to_freecad(mesh)
         kept.ViewObject.Visibility = False
-        self.say(f"kept: {kept.Label}", True)
+        self.say(tr("kept: {label}").format(label=kept.Label), True)
 
     # What FreeCAD asks of a task panel.
     def take_over(self):

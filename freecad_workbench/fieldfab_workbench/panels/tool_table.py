@@ -3,10 +3,11 @@
 from .. import tool_bits
 from ..objects import cam_setup, cam_tool
 from ..shim import QtWidgets
-from .property_panel import spaced
+from ..words import PROPERTY, marked, property_label, tr
+from .choices import offer
 
 MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength", "Flutes", "Feed", "Plunge", "Spindle")
-COLUMNS = ("No.", "Name", "Shape", "\u2300 mm")
+COLUMNS = marked(("No.", "Name", "Shape", "\u2300 mm"))
 
 
 class ToolTable(QtWidgets.QWidget):
@@ -18,7 +19,7 @@ class ToolTable(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
-        self.table.setHorizontalHeaderLabels(COLUMNS)
+        self.table.setHorizontalHeaderLabels([tr(words) for words in COLUMNS])
         self.table.verticalHeader().hide()
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
@@ -31,8 +32,9 @@ class ToolTable(QtWidgets.QWidget):
         self.table.itemSelectionChanged.connect(self._show_more)
         column.addWidget(self.table)
         buttons = QtWidgets.QHBoxLayout()
-        for words, tip, action in (("Add", "A new end mill", self.add), ("From file\u2026", "Tool bits (.fctb) or libraries (.fctl) of FreeCAD", self.ask),
-                                   ("Remove", "The chosen tool", self.remove)):
+        for words, tip, action in ((tr("Add"), tr("A new end mill"), self.add),
+                                   (tr("From file…"), tr("Tool bits (.fctb) or libraries (.fctl) of FreeCAD"), self.ask),
+                                   (tr("Remove"), tr("The chosen tool"), self.remove)):
             button = QtWidgets.QPushButton(words)
             button.setToolTip(tip)
             button.clicked.connect(action)
@@ -58,9 +60,8 @@ class ToolTable(QtWidgets.QWidget):
             for place, value in enumerate((tool.Number, tool.Label, None, tool.Diameter.Value)):
                 if place == 2:
                     shape = QtWidgets.QComboBox()
-                    shape.addItems(cam_tool.SHAPES)
-                    shape.setCurrentText(tool.Shape)
-                    shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(tool, shape.itemText(index), line))
+                    offer(shape, cam_tool.SHAPES, tool.Shape)
+                    shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(tool, shape.itemData(index), line))
                     self.table.setCellWidget(line, place, shape)
                 else:
                     item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:g}")
@@ -75,24 +76,25 @@ class ToolTable(QtWidgets.QWidget):
         self.message.setVisible(bool(words))
 
     def _edited(self, item):
-        tool, text = self.setup.Tools[item.row()], item.text().strip()
-        try:
-            if item.column() == 0:
-                if int(text) in {other.Number for other in self.setup.Tools if other != tool}:
-                    raise ValueError(f"there is a tool {text} already")
-                tool.Number = int(text)
-            elif item.column() == 1:
-                tool.Label = text or tool.Label
-            else:
-                diameter = float(text.replace(",", "."))
-                if not diameter > 0:
-                    raise ValueError("a diameter must be above 0")
-                tool.Diameter = diameter
-            self.say("")
-        except ValueError as error:
-            self.say(str(error) if "must" in str(error) or "there is" in str(error) else f"{text!r} is no number")
+        self.say(self._problem(self.setup.Tools[item.row()], item.column(), item.text().strip()))
         self.fill(item.row())
         self.changed()
+
+    def _problem(self, tool, column, text):
+        """Gives the tool what was typed in a column; says what is wrong with it, "" for nothing."""
+        if column == 1:
+            tool.Label = text or tool.Label
+            return ""
+        try:
+            number = int(text) if column == 0 else float(text.replace(",", "."))
+        except ValueError:
+            return tr("{text!r} is no number").format(text=text)
+        if column == 0 and number in {other.Number for other in self.setup.Tools if other != tool}:
+            return tr("there is a tool {number} already").format(number=number)
+        if column != 0 and not number > 0:
+            return tr("a diameter must be above 0")
+        setattr(tool, "Number" if column == 0 else "Diameter", number)
+        return ""
 
     def _reshape(self, tool, shape, line):
         """The box that was chosen from stays: only the rows below the table are others now."""
@@ -109,7 +111,7 @@ class ToolTable(QtWidgets.QWidget):
             return
         for name in MORE:
             if "Hidden" not in tool.getEditorMode(name):
-                self.more.addRow(spaced(name), self._number(tool, name))
+                self.more.addRow(property_label(name), self._number(tool, name))
 
     def _number(self, tool, name):
         kind, value = tool.getTypeIdOfProperty(name), getattr(tool, name)
@@ -117,13 +119,13 @@ class ToolTable(QtWidgets.QWidget):
         box = QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint" else QtWidgets.QDoubleSpinBox()
         box.setRange(1 if name == "Flutes" else 0, 1000000)
         box.setValue(getattr(value, "Value", value) * factor)
-        box.setToolTip(tool.getDocumentationOfProperty(name))
+        box.setToolTip(tr(tool.getDocumentationOfProperty(name), PROPERTY))
         suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " 1/min"}.get(kind)
         if suffix:
             box.setSuffix(suffix)
             box.setDecimals(3 if suffix == " mm" else 1)
             if name not in ("Angle", "TipDiameter"):
-                box.setSpecialValueText("not known" if suffix == " mm" else "as the operation says")
+                box.setSpecialValueText(tr("not known") if suffix == " mm" else tr("as the operation says"))
 
         def write(number):
             setattr(tool, name, number / factor if kind != "App::PropertyIntegerConstraint" else int(number))
@@ -145,7 +147,7 @@ class ToolTable(QtWidgets.QWidget):
             self.changed()
 
     def ask(self):
-        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(self, "Tools", "", f"FreeCAD's {tool_bits.READABLE}")
+        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(self, tr("Tools"), "", tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
         self.take_files(paths)
 
     def take_files(self, paths):

@@ -1,5 +1,6 @@
 """A solid's mesh in the colours of its deviations, in place of its own."""
 
+from ..words import tr
 from .legend import ReachLegend
 
 
@@ -13,7 +14,7 @@ class DeviationView:
         self._node = surface.node()
         self._parent.addChild(self._node)
         self._switch.whichChild = -1
-        self._legend = ReachLegend("Deviation, mm", reach)
+        self._legend = ReachLegend(tr("Deviation, mm"), reach)
 
     def close(self):
         self._parent.removeChild(self._node)

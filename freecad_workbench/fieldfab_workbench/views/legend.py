@@ -4,6 +4,7 @@ import FreeCADGui
 
 from ..deviations import colours
 from ..shim import QtCore, QtGui, QtWidgets
+from ..words import tr
 
 LINE = 16  # pixels, of words
 EDGE = 12
@@ -46,9 +47,9 @@ class Legend(QtWidgets.QWidget):
 class ReachLegend(Legend):
     """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view."""
 
-    def __init__(self, title, reach, words=("outside", "inside")):
+    def __init__(self, title, reach):
         super().__init__(view_widget(), 150, 210)
-        self.title, self.reach, self.words = title, reach, words
+        self.title, self.reach = title, reach
         self.show()
         self.raise_()
 
@@ -61,7 +62,7 @@ class ReachLegend(Legend):
         painter.fillRect(bar, gradient)
         for share in (1, 0.5, 0, -0.5, -1):
             y = bar.top() + (1 - share) / 2 * bar.height()
-            word = {1: self.words[0], -1: self.words[1]}.get(share, "")
+            word = {1: tr("outside"), -1: tr("inside")}.get(share, "")
             painter.drawLine(bar.right() + 2, int(y), bar.right() + 6, int(y))
             painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{share * self.reach:+.3g} {word}" if share else "0")
 
@@ -79,7 +80,7 @@ class ScaleLegend(Legend):
     def paint(self, painter):
         painter.drawImage(STRIP, self.strip)
         full = self.scale["full"]
-        for y, words in ((8, ("gouge", "deviation, mm", "left over")), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:g}", "0", f"+{full:g}"))):
+        for y, words in ((8, (tr("gouge"), tr("deviation, mm"), tr("left over"))), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:g}", "0", f"+{full:g}"))):
             for side, text in zip((QtCore.Qt.AlignLeft, QtCore.Qt.AlignHCenter, QtCore.Qt.AlignRight), words):
                 painter.drawText(QtCore.QRect(STRIP.left(), y, STRIP.width(), LINE + 2), side, text)
 

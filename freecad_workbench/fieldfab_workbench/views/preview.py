@@ -10,6 +10,7 @@ import FreeCADGui
 from .. import work
 from ..objects.solid import key_of
 from ..shim import QtCore
+from ..words import tr
 from . import inventor
 from .refinement import ANGLE, Refinement
 
@@ -20,9 +21,12 @@ STILL = 0.3  # seconds that the camera rests before the solid is refined for it
 FRAME = 0.05  # seconds that a picture may take to draw: as many triangles as that allows are shown
 LEAST, MOST = 25_000, 400_000
 PATIENCE = 3  # seconds that the solid's own mesh gets before the eye's wishes come first
-SAID = {"coarse": "Coarse preview: cells of {:.3g} mm", "finer": "Preview: cells of {:.3g} mm", "final": "As it will be",
-        "divided": "Refining where you look", "detail": "Refined where you look"}
 PIXELS = 3  # that a cell may fill
+
+
+def _said(stage):
+    return {"coarse": tr("Coarse preview: cells of {cell:.3g} mm"), "finer": tr("Preview: cells of {cell:.3g} mm"), "final": tr("As it will be"),
+            "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 
 class Preview:
@@ -226,7 +230,7 @@ class Preview:
         self._own.whichChild = -1
         if stage == "coarse":
             self._coarse, self._undrawn = False, True
-        self.say(SAID[stage].format(self._refinement.voxel), True)
+        self.say(_said(stage).format(cell=self._refinement.voxel), True)
 
     def _watch_camera(self):
         eye = self._find_eye()

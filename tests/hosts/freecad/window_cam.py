@@ -15,6 +15,7 @@ from fieldfab_workbench.objects import cam_setup, frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels.tool_table import ToolTable
 from fieldfab_workbench.shim import QtCore, QtWidgets
+from fieldfab_workbench.views.solid_view import icon
 
 Button = QtWidgets.QDialogButtonBox
 BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
@@ -222,4 +223,4 @@ def test_icons_are_there():
         if command is not None:
             assert os.path.exists(command.GetResources()["Pixmap"])
     for name in ("CamSetup", "CamTool", "CamOperation", "CamOperationOff", "MachineProgram"):
-        assert os.path.exists(commands.icon(name)) and QtCore.QFileInfo(commands.icon(name)).size() > 300
+        assert os.path.exists(icon(name)) and QtCore.QFileInfo(icon(name)).size() > 300

@@ -11,11 +11,11 @@ from fieldfab_workbench import commands, preferences
 from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
 
 
-def test_every_command_has_an_icon_a_name_and_a_tip():
+def test_every_command_has_an_icon_a_name_and_help():
     FreeCADGui.activateWorkbench("FieldfabWorkbench")
     titles = []
-    for title, names in commands.register():
-        titles.append(title)
+    for title, names, toolbar in commands.register():
+        titles += [title] * toolbar
         for name in names:
             if name == "Separator":
                 continue
@@ -23,6 +23,8 @@ def test_every_command_has_an_icon_a_name_and_a_tip():
             assert told["menuText"] and told["toolTip"] and told["pixmap"], name
             assert os.path.isfile(told["pixmap"]), told["pixmap"]
             assert re.match(r"[A-Z]", told["menuText"]) and not told["toolTip"].endswith("."), name
+            assert told["statusTip"] == told["toolTip"], name
+            assert told["whatsThis"].endswith(".") and 1 <= len(re.findall(r"\.(?= [A-Z]|$)", told["whatsThis"])) <= 3 and len(told["whatsThis"]) > 60, name
     bars = {bar.windowTitle() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar) if bar.isVisible()}
     assert set(titles) <= bars
 

@@ -1,0 +1,29 @@
+"""What users read, in their language: every such text goes through `tr`. FreeCAD has the translations (resources/translations, made by its update.py);
+without them texts are English. What is compared or stored is never translated."""
+
+import FreeCAD
+
+CONTEXT = "Fieldfab"
+PROPERTY = "App::Property"  # where FreeCAD's own property editor looks for names and descriptions of properties
+
+
+def tr(text, context=CONTEXT):
+    """A text in the user's language. Numbers and names come in afterwards: tr("{count} tools").format(count=3)."""
+    return FreeCAD.Qt.translate(context, text)
+
+
+def marked(texts):
+    """The texts (one, a tuple, or the keys of a dictionary) as they are: update.py collects them, and they go through tr() where they are shown."""
+    return texts
+
+
+def described(name, words, *more):
+    """The name and the description of a property, as they are, for update.py, too."""
+    return (name, words, *more)
+
+
+def property_label(name):
+    """Of a property in a form: KeepOriginal is "Keep original". FreeCAD shows, and translates, "Keep Original"."""
+    shown = "".join(f" {c}" if c.isupper() else c for c in name).strip()
+    translated = tr(shown, PROPERTY)
+    return translated if translated != shown else shown[:1] + shown[1:].lower()

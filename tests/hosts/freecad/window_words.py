@@ -1,0 +1,124 @@
+"""Runs inside FreeCAD's window: the workbench in German, and FreeCAD's own help on its commands."""
+
+import FreeCADGui
+import pytest
+from panels import Button, QtWidgets, document, edit, frep, panels  # noqa: F401
+from window import live, press, shot, wait
+
+from fieldfab_workbench import words
+from fieldfab_workbench.commands import solids
+from fieldfab_workbench.objects import cam_setup, combine
+from fieldfab_workbench.objects import solid as solid_objects
+from fieldfab_workbench.shim import QtCore, QtGui
+
+
+@pytest.fixture
+def german(document):  # noqa: F811
+    FreeCADGui.setLocale("German")
+    live(0.3)
+    yield document
+    FreeCADGui.setLocale("English")
+    live(0.3)
+    assert words.tr("Stock") == "Stock"
+
+
+def seen(kind, text):
+    return [widget for widget in FreeCADGui.getMainWindow().findChildren(kind) if widget.isVisible() and widget.text() == text]
+
+
+def action_of(command):
+    return FreeCADGui.Command.get(command).getAction()[0]
+
+
+def test_menus_tools_and_tips_are_german(german):
+    menus = FreeCADGui.getMainWindow().menuBar().findChildren(QtWidgets.QMenu)
+    [menu] = [menu for menu in menus if menu.title() == "Fieldfab"]
+    texts = [action.text() for each in (menu, *menu.findChildren(QtWidgets.QMenu)) for action in each.actions()]
+    for text in ("Neuer F-Rep-Körper", "Vereinigung", "Gitterfüllung", "Neue CAM-Aufspannung", "Beispiele", "Prüfen und austauschen", "Auf der Startseite zeigen"):
+        assert text in texts
+    union = action_of("Fieldfab_Union")
+    assert "Die ausgewählten Körper vereinigen" in union.toolTip() and union.statusTip() == "Die ausgewählten Körper vereinigen"
+    assert "Macht einen Körper aus zweien oder mehr" in union.whatsThis()
+    assert solids.COMMANDS["Fieldfab_Union"].title == "Vereinigung"
+    bars = {bar.windowTitle() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar) if bar.isVisible()}
+    assert {"Prüfen und austauschen", "Fieldfab Entwurf"} <= bars
+    menu.popup(FreeCADGui.getMainWindow().mapToGlobal(QtCore.QPoint(300, 20)))
+    shot("german_menu")
+    menu.close()
+
+
+def test_panels_are_german_and_keep_what_documents_hold(german):
+    part = frep(german, "difference(box(20, 20, 12), sphere(r = 7))", 1)
+    edit(part)
+    wait(lambda: seen(QtWidgets.QPushButton, "Form einfügen …"), what="the panel of an f-rep solid")
+    assert seen(QtWidgets.QLabel, "Kleinste Zelle")
+    shot("german_frep")
+    press(Button.Cancel)
+
+    setup = cam_setup.create(german, part)
+    cam_setup.add_tool(setup, {"diameter": 6, "shape": "ball", "name": "Kugel"})
+    cam_setup.add_operation(setup, "rough")
+    edit(setup)
+    wait(lambda: seen(QtWidgets.QPushButton, "Planen"), what="the panel of a set-up")
+    assert seen(QtWidgets.QToolButton, "Rohteil") and seen(QtWidgets.QToolButton, "Werkzeuge")
+    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QComboBox) if box.findText("Ecke") >= 0]
+    boxes[0].setCurrentIndex(boxes[0].findText("Ecke"))
+    boxes[0].activated.emit(boxes[0].currentIndex())
+    assert setup.Zero == "corner"
+    shot("german_setup")
+    press(Button.Cancel)
+
+
+def test_choices_of_a_property_panel_are_german(german, panels):  # noqa: F811
+    both = [frep(german, text, 1) for text in ("box(20, 20, 12)", "sphere(r = 9)")]
+    made = solid_objects.create(combine.Combine, german)
+    made.Sources = both
+    german.recompute()
+    edit(made)
+    panel = panels[-1]
+    labels = [panel.rows.labelForField(panel.rows.itemAt(row, panel.rows.FieldRole).widget()).text() for row in range(panel.rows.rowCount())]
+    assert labels[0] == "Operation" and "Ausgangskörper" in labels
+    box = panel.rows.itemAt(0, panel.rows.FieldRole).widget()
+    assert box.currentText() == "Vereinigung" and box.currentData() == "Union"
+    box.setCurrentIndex(box.findText("Differenz"))
+    box.activated.emit(box.currentIndex())
+    live(0.2)
+    assert made.Operation == "Difference"
+    shot("german_combine")
+    press(Button.Ok)
+    assert made.isValid() and made.Operation == "Difference"
+
+
+def test_messages_are_german(german):
+    made = solid_objects.create(combine.Combine, german)
+    german.recompute()
+    assert "mindestens zwei Ausgangskörper wählen" in made.getStatusString()
+
+
+def test_the_property_editor_is_german(german):
+    part = frep(german, "box(20, 20, 12)", 1)
+    FreeCADGui.Selection.addSelection(part)
+    live(0.5)
+    shown = set()
+    for view in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeView):
+        model = view.model()
+        if model is None or model.metaObject().className() != "Gui::PropertyEditor::PropertyModel":
+            continue
+        for group in range(model.rowCount()):
+            top = model.index(group, 0)
+            shown |= {str(model.index(row, 0, top).data()) for row in range(model.rowCount(top))}
+    assert {"Zellgröße", "Formel", "Größter Fehler"} <= shown, shown
+
+
+def test_whats_this_is_shown(document):  # noqa: F811
+    """As by Shift+F1 and a click on a tool."""
+    [button] = [bar.widgetForAction(action_of("Fieldfab_Union")) for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QToolBar)
+                if bar.widgetForAction(action_of("Fieldfab_Union"))]
+    middle = button.rect().center()
+    QtWidgets.QApplication.sendEvent(button, QtGui.QHelpEvent(QtCore.QEvent.WhatsThis, middle, button.mapToGlobal(middle)))
+    live(0.3)
+    boxes = [widget for widget in QtWidgets.QApplication.topLevelWidgets() if widget.metaObject().className() == "QWhatsThat" and widget.isVisible()]
+    shot("whats_this")
+    QtWidgets.QWhatsThis.hideText()
+    assert len(boxes) == 1
+    assert "Makes one solid of two or more" in button.defaultAction().whatsThis()
