@@ -30,9 +30,9 @@ Solid laid_flat(const Solid& part) {
   turn.pretranslate(move);
   FieldPtr drawing = transform(part.field, turn);
   if (!part.flat) {
-    // The same at all heights: the slice in its middle, or just above, since that is where floors of pockets lie.
+    // The same at all heights: the slice in the middle of the upper half, far from floors of pockets, which lie at half height.
     const auto coordinate = [](const std::string& text) { return frep::make_field(frep::parse_infix(text)); };
-    drawing = map(drawing, coordinate("x"), coordinate("y"), coordinate(fmt::format("{:.9f}", 0.01 * box.size().z())));
+    drawing = map(drawing, coordinate("x"), coordinate("y"), coordinate(fmt::format("{:.9f}", 0.25 * box.size().z())));
   }
   return {drawing, {Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true};
 }
