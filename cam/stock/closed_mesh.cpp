@@ -173,6 +173,7 @@ class Merging {
     Flat last{};
     std::uint64_t number = 0;
     std::vector<Spot> spots;
+    spots.reserve(level.size());
     std::uint32_t v = 0;
     piece.for_each_edge([&](const Index3& p, std::size_t axis) {
       if (level[v] == axis) {
