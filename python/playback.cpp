@@ -69,7 +69,8 @@ void bind_surface(py::module_& module) {
           "the "
           "cut that made each vertex. Flats have few triangles; where coarse is above 1, blocks of so many cells become one.")
       .def(
-          "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); }, "All of it as one closed mesh.");
+          "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); },
+          "All of it as one closed mesh, level flats merged.");
 }
 
 /// One number of each move.

@@ -94,7 +94,7 @@ void bind_block(py::module_& module) {
           "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 removed by "
           "each step.")
       .def(
-          "mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left.")
+          "mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left, level flats merged.")
       .def_property_readonly("volume", &cam::Stock::volume)
       .def_property_readonly("bytes", [](const cam::Stock& stock) { return stock.statistics().bytes; })
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
@@ -209,7 +209,7 @@ void bind_simulation(py::module_& module) {
           [](const cam::Simulation& s) { return py::module_::import("json").attr("loads")(cam::to_json(s.report(), true)); },
           "Events, times, lengths and volumes, as the command's --report has them.")
       .def_property_readonly(
-          "mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left.")
+          "mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left, level flats merged.")
       .def_property_readonly("stock", [](const cam::Simulation& s) { return cam::Stock(s.stock()); })
       .def_property_readonly(
           "lines_of_vertices",

@@ -1,8 +1,8 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/core/parallel.h"
+#include "deviation_gauge.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -120,43 +120,77 @@ class Walks {
 
 }  // namespace
 
-Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double floor, Progress& progress) {
-  Deviation result;
-  const std::size_t count = mesh.vertices.size();
-  result.at_vertex.resize(count);
+void DeviationGauge::measure(std::size_t piece, std::span<const SurfacePiece::Place> places) {
+  std::vector<float>& at = at_[piece];
+  const std::size_t first = at.size();
+  at.resize(first + places.size());
   constexpr std::size_t block = 4096;
-  parallel_for((count + block - 1) / block, [&](std::size_t b) {
-    progress.check();
-    const std::size_t first = b * block, length = std::min(block, count - first);
-    Walks(&mesh.vertices[first], length, &result.at_vertex[first]).run(target);
-  });
-  for (std::size_t i = 0; i < count; ++i)
-    if (mesh.vertices[i][2] < floor) result.at_vertex[i] = 0;
-  double area = 0, sum = 0, squares = 0;
-  for (const float d : result.at_vertex) {
-    result.deepest = std::max(result.deepest, -static_cast<double>(d));
-    result.highest = std::max(result.highest, static_cast<double>(d));
+  for (std::size_t i = 0; i < places.size(); i += block)
+    Walks(&places[i], std::min(block, places.size() - i), &at[first + i]).run(target_);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (places[i][2] < floor_) at[first + i] = 0;
+}
+
+void DeviationGauge::look(std::size_t index, const SurfacePieces& pieces) {
+  const SurfacePiece& piece = pieces[index];
+  Sums& sums = sums_[index];
+  for (std::uint32_t v = 0; v < piece.size(); ++v) {
+    const Spot spot{at_[index][v], piece.cut(v), piece.place(v)};
+    if (spot.deviation > sums.highest.deviation) sums.highest = spot;
+    sums.deepest = std::max(sums.deepest, -spot.deviation);
+    if (!(spot.deviation < -gouge_)) continue;
+    const int line = line_of_cut_[std::min<std::size_t>(spot.cut, line_of_cut_.size() - 1)];
+    if (line < 0) continue;
+    const auto [found, fresh] = sums.gouges.try_emplace(line, spot);
+    if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
   }
-  result.histogram_from = -result.deepest, result.histogram_to = result.highest;
-  constexpr std::size_t bins = 64;
-  result.histogram.assign(bins, 0);
-  const double range = std::max(result.histogram_to - result.histogram_from, 1e-12);
-  for (const auto& t : mesh.triangles) {
+  AreaHistogram areas;
+  for (const auto& t : piece.corners) {
     std::array<Vec3, 3> p;
     double mean = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      p[i] = {mesh.vertices[t[i]][0], mesh.vertices[t[i]][1], mesh.vertices[t[i]][2]};
-      mean += result.at_vertex[t[i]] / 3.0;
+      const std::size_t owner = pieces.owner(index, t[i]);
+      const std::uint32_t v = t[i] & SurfacePiece::own_part;
+      const SurfacePiece::Place& place = pieces[owner].place(v);
+      p[i] = {place[0], place[1], place[2]};
+      mean += at_[owner][v] / 3.0;
     }
-    const Vec3 a = p[1] - p[0], b = p[2] - p[0];
-    const double part =
-        0.5 * Vec3(a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()).norm();
-    area += part, sum += part * mean, squares += part * mean * mean;
-    const double bin = (mean - result.histogram_from) / range * bins;
-    result.histogram[static_cast<std::size_t>(std::clamp(bin, 0.0, bins - 1.0))] += part;
+    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    sums.area += area, sums.sum += area * mean, sums.squares += area * mean * mean;
+    areas.add(mean, area);
   }
-  if (area > 0) result.mean = sum / area, result.root_mean_square = std::sqrt(squares / area);
+  const std::scoped_lock alone(areas_alone_);
+  areas_.add(areas);
+}
+
+Deviation DeviationGauge::result() const {
+  Deviation result;
+  Sums all;
+  for (const Sums& piece : sums_) {
+    all.area += piece.area, all.sum += piece.sum, all.squares += piece.squares;
+    all.deepest = std::max(all.deepest, piece.deepest);
+  }
+  result.deepest = all.deepest, result.highest = std::max(highest().deviation, 0.0F);
+  if (all.area > 0) result.mean = all.sum / all.area, result.root_mean_square = std::sqrt(all.squares / all.area);
+  result.areas = areas_;
   return result;
+}
+
+std::map<int, DeviationGauge::Spot> DeviationGauge::gouges() const {
+  std::map<int, Spot> worst;
+  for (const Sums& piece : sums_)
+    for (const auto& [line, spot] : piece.gouges) {
+      const auto [found, fresh] = worst.try_emplace(line, spot);
+      if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
+    }
+  return worst;
+}
+
+DeviationGauge::Spot DeviationGauge::highest() const {
+  Spot highest = Sums{}.highest;
+  for (const Sums& piece : sums_)
+    if (piece.highest.deviation > highest.deviation) highest = piece.highest;
+  return highest;
 }
 
 }  // namespace fieldfab::cam

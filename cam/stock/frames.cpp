@@ -70,7 +70,7 @@ class Film {
   Image frame(double seconds, Progress& progress) {
     surface_.update(playback_.stock_after(playback_.done_after_seconds(seconds), progress), progress);
     std::vector<std::uint32_t> cuts;
-    TriangleMesh mesh = std::as_const(surface_).mesh(&cuts);
+    TriangleMesh mesh = surface_.mesh(&cuts);
     std::vector<Colour> colours;
     colours.reserve(mesh.vertices.size());
     for (const std::uint32_t cut : cuts) {

@@ -42,23 +42,12 @@ double step_for(double most, int count) {
   return 10 * power;
 }
 
-/// Shares of the mesh's area: those below -full, then `bins` even steps up to full, and those above.
+/// Shares of the surface's area: those below -full, then `bins` even steps up to full, and those above.
 std::vector<double> shares_of_area(const Simulation& simulation, double full, std::size_t bins) {
-  const TriangleMesh& mesh = simulation.mesh();
-  const auto& deviation = simulation.report().deviation->at_vertex;
-  std::vector<double> areas(bins + 2, 0);
+  const double beyond = full * (1 + 2 / static_cast<double>(bins));
+  std::vector<double> areas = simulation.report().deviation->areas.steps(-beyond, beyond, bins + 2);
   double all = 0;
-  for (const auto& t : mesh.triangles) {
-    std::array<Vec3, 3> p;
-    double mean = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto& v = mesh.vertices[t[k]];
-      p[k] = {v[0], v[1], v[2]}, mean += deviation[t[k]] / 3.0;
-    }
-    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    const double bin = 1 + std::floor((mean + full) / (2 * full) * static_cast<double>(bins));
-    areas[static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(bins + 1)))] += area, all += area;
-  }
+  for (const double a : areas) all += a;
   for (double& a : areas) a /= std::max(all, 1e-300);
   return areas;
 }

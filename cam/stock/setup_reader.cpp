@@ -115,7 +115,12 @@ class SetupReader {
     if (setup_.machine.takes == "flat paths") {
       const double over = 1;
       setup_.pen_up = setup_.stock_box.upper.z() + over, setup_.pen_down = setup_.stock_box.lower.z() - over;
-      for (auto& [number, beam] : setup_.tools) beam.flute = setup_.stock_box.size().z() + 3 * over;
+      for (auto& [number, beam] : setup_.tools) {
+        beam.flute = setup_.stock_box.size().z() + 3 * over;
+        // A narrower slit could pass between samples; through the sheet it is the same everywhere.
+        if (beam.diameter > 0) setup_.sampling.cell = std::min(setup_.sampling.cell, beam.diameter / 2);
+      }
+      setup_.sampling.cell_height = setup_.stock_box.size().z() / 2;
     }
     limits_of_machine();
     if (part_) leave_where_it_was(job.zero());

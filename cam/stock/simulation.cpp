@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "closed_mesh.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/mapped_file.h"
@@ -77,42 +78,30 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
 }
 
 void Simulation::finish(Progress& progress) {
-  std::vector<std::uint32_t> cuts;
-  mesh_ = stock_.mesh(&cuts, progress);
-  vertex_lines_.resize(cuts.size()), vertex_tools_.resize(cuts.size());
-  std::vector<bool> by_shank(cuts.size());
-  for (std::size_t i = 0; i < cuts.size(); ++i) {
-    const std::size_t cut = std::min<std::size_t>(cuts[i], line_of_cut_.size() - 1);
-    vertex_lines_[i] = std::abs(line_of_cut_[cut]), vertex_tools_[i] = tool_of_cut_[cut], by_shank[i] = line_of_cut_[cut] < 0;
-  }
+  std::optional<DeviationGauge> gauge;
+  if (setup_.target) gauge.emplace(*setup_.target, setup_.floor, setup_.gouge, line_of_cut_, 0.5 * stock_.tolerance());
+  ClosedMesh closed = closed_mesh(stock_, gauge ? &*gauge : nullptr, progress);
+  mesh_ = std::move(closed.mesh);
+  vertex_lines_.clear(), vertex_tools_.clear();
+  for (const std::uint32_t cut : closed.cuts) vertex_lines_.push_back(line_of(cut)), vertex_tools_.push_back(tool_of(cut));
   report_.left = mesh_.volume();
   report_.stock = stock_.statistics();
-  if (!setup_.target) return;
-  report_.deviation = deviation_from(*setup_.target, mesh_, setup_.floor, progress);
-  // The deepest gouge of each line, and the highest rest of all.
-  std::map<int, std::size_t> worst;
-  std::size_t highest = 0;
-  const auto& at = report_.deviation->at_vertex;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    if (at[i] > at[highest]) highest = i;
-    if (!(at[i] < -setup_.gouge) || by_shank[i]) continue;  // what the shank did was told of
-    const auto [found, fresh] = worst.try_emplace(vertex_lines_[i], i);
-    if (!fresh && at[i] < at[found->second]) found->second = i;
-  }
-  const auto place = [&](std::size_t i) -> Vec3 { return {mesh_.vertices[i][0], mesh_.vertices[i][1], mesh_.vertices[i][2]}; };
-  for (const auto& [line, i] : worst) {
-    const Vec3 p = place(i);
+  if (!gauge) return;
+  report_.deviation = gauge->result();
+  report_.deviation->at_vertex = std::move(closed.deviations);
+  const auto add = [&](Kind kind, const DeviationGauge::Spot& spot, const auto& message) {
+    const Vec3 p(spot.place[0], spot.place[1], spot.place[2]);
+    const double amount = std::abs(spot.deviation);
     report_.events.push_back(
-        {Kind::gouge, line, vertex_tools_[i], p, -at[i],
-         line ? fmt::format("it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())
-              : fmt::format("the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})", -at[i], p.x(), p.y(), p.z())});
-  }
-  if (setup_.excess > 0 && !at.empty() && at[highest] > setup_.excess) {
-    const Vec3 p = place(highest);
-    report_.events.push_back(
-        {Kind::excess, vertex_lines_[highest], vertex_tools_[highest], p, at[highest],
-         fmt::format("{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})", at[highest], p.x(), p.y(), p.z())});
-  }
+        {kind, line_of(spot.cut), tool_of(spot.cut), p, amount, fmt::format(fmt::runtime(message), amount, p.x(), p.y(), p.z())});
+  };
+  for (const auto& [line, spot] : gauge->gouges())
+    add(Kind::gouge, spot,
+        line ? "it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})"
+             : "the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})");
+  const DeviationGauge::Spot highest = gauge->highest();
+  if (setup_.excess > 0 && highest.deviation > setup_.excess)
+    add(Kind::excess, highest, "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})");
 }
 
 }  // namespace fieldfab::cam

@@ -135,7 +135,8 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
 
 }  // namespace
 
-Stock::Stock(const Box& box, const StockSettings& settings) : settings_(settings), lattice_(box, settings.cell) {
+Stock::Stock(const Box& box, const StockSettings& settings)
+    : settings_(settings), lattice_(box, settings.cell, settings.cell_height) {
   divide_into_bricks();
   for (int z = 0; z < bricks_along_[2]; ++z)
     for (int y = 0; y < bricks_along_[1]; ++y)
@@ -144,7 +145,7 @@ Stock::Stock(const Box& box, const StockSettings& settings) : settings_(settings
 }
 
 Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, Progress& progress)
-    : settings_(settings), lattice_(box, settings.cell) {
+    : settings_(settings), lattice_(box, settings.cell, settings.cell_height) {
   divide_into_bricks();
   parallel_for(bricks_.size(), [&](std::size_t i) {
     progress.check();
@@ -185,12 +186,12 @@ Region Stock::brick_region(const Index3& brick) const {
 /// The bricks with any material that a sweep may reach.
 std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
   std::vector<std::size_t> found;
-  const double h = lattice_.spacing().minCoeff();
+  const Vec3& h = lattice_.spacing();
   Index3 low, high;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto axis = static_cast<Eigen::Index>(a);
-    const double first = std::floor((sweep.bounds().lower[axis] - h) / (lattice_.spacing()[axis] * brick_));
-    const double last = std::floor((sweep.bounds().upper[axis] + h) / (lattice_.spacing()[axis] * brick_));
+    const double first = std::floor((sweep.bounds().lower[axis] - h[axis]) / (h[axis] * brick_));
+    const double last = std::floor((sweep.bounds().upper[axis] + h[axis]) / (h[axis] * brick_));
     if (!(last >= 0) || !(first < bricks_along_[a])) return found;
     low[a] = static_cast<int>(std::clamp(first, 0.0, bricks_along_[a] - 1.0));
     high[a] = static_cast<int>(std::clamp(last, 0.0, bricks_along_[a] - 1.0));
@@ -206,7 +207,7 @@ std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
           const Region& r = brick.region();
           Vec3 lower, upper;
           for (int a = 0; a < 3; ++a) lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
-          if (!sweep.near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h)) continue;
+          if (!sweep.near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h.maxCoeff())) continue;
         }
         found.push_back(index);
       }

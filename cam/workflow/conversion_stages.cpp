@@ -10,12 +10,13 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Squares for a region where nothing was said: a thousandth of its longer side, but no finer than a fortieth of the tool.
+/// Squares for a region where nothing was said: a fortieth of the tool, but no finer than a 2000th of the region's longer side;
+/// then a quarter of the tool at most, since corners lose up to a cell.
 double cell_for(const Values& values, const Vec2& size, const Context& context) {
   if (is_set(values, "cell")) return values.number("cell");
-  const double fine = size.maxCoeff() / 2000,
-               tool = context.tool.diameter > 0 ? context.tool.diameter / 40 : size.maxCoeff() / 1000;
-  return std::max(fine, std::min(tool, size.maxCoeff() / 200));
+  const double longest = size.maxCoeff(), tool = context.tool.diameter;
+  if (!(tool > 0)) return longest / 1000;
+  return std::max(std::min(longest / 2000, tool / 4), std::min(tool / 40, longest / 200));
 }
 
 Setting cell_setting() {

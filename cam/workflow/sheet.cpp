@@ -8,11 +8,13 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
 
 namespace fieldfab::cam {
 namespace {
 
-/// A part lying flat: its middle at z = 0, its lower left corner at the origin.
+/// A drawing of a part that lies flat, its lower left corner at the origin.
 Solid laid_flat(const Solid& part) {
   Eigen::Index thinnest = 0;
   part.bounds.size().minCoeff(&thinnest);
@@ -26,7 +28,13 @@ Solid laid_flat(const Solid& part) {
   }
   const Vec3 move(-box.lower.x(), -box.lower.y(), -box.centre().z());
   turn.pretranslate(move);
-  return {transform(part.field, turn), {Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true};
+  FieldPtr drawing = transform(part.field, turn);
+  if (!part.flat) {
+    // The same at all heights: the slice in the middle of the upper half, far from floors of pockets, which lie at half height.
+    const auto coordinate = [](const std::string& text) { return frep::make_field(frep::parse_infix(text)); };
+    drawing = map(drawing, coordinate("x"), coordinate("y"), coordinate(fmt::format("{:.9f}", 0.25 * box.size().z())));
+  }
+  return {drawing, {Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock_surface.h"
 
 using namespace fieldfab;
 using namespace fieldfab::cam;
@@ -110,8 +111,10 @@ Stock machined(const Example& example, const StockSettings& settings, double& se
 double pointer_grid(const Stock& stock) {
   double points = 1;
   for (const int cells : stock.lattice().cells()) points *= cells + 1;
-  std::vector<std::uint32_t> cuts;
-  const double samples = static_cast<double>(stock.mesh(&cuts).vertices.size());
+  StockSurface surface;
+  surface.update(stock);
+  double samples = 0;  // one for each vertex, of which a closed mesh has half as many as triangles
+  for (std::size_t i = 0; i < surface.pieces(); ++i) samples += static_cast<double>(surface.piece(i).triangles.size()) / 2;
   // A surface has about two samples for each triplet.
   return 8 * points + samples / 2 * 3 * 8;
 }

@@ -126,3 +126,61 @@ def test_the_modela_program(tmp_path):
     lines[i] = lines[i].replace(",-4;", ",-12;")
     result = example.simulate(lines, "_g")
     assert only(result, "gouge") and set(where(result, "gouge")) <= {i + 1, i + 2}, result["events"]
+
+
+class Sheet:
+    """The job of the laser, or some parts of it on a smaller sheet, and its program."""
+
+    def __init__(self, folder, parts=slice(None), size="[600, 900]"):
+        self.folder = folder
+        text = (EXAMPLES / "mtm_az_laser.toml").read_text()
+        models = [str((EXAMPLES / name).resolve()) for name in re.findall(r'"(\.\./[^"]+)"', text)][parts]
+        self.job_text = re.sub(r"models = \[.*?\]", f"models = {models}", text, flags=re.S).replace("[600, 900]", size)
+        self.job = folder / "job.toml"
+        self.job.write_text(self.job_text)
+        done = run("cam", self.job, "-o", folder / "program.epi")
+        assert done.returncode == 0, done.stderr
+        self.lines = (folder / "program.epi").read_text(encoding="latin-1").split("\n")
+        self.outlines = [i for i, line in enumerate(self.lines) if line.startswith("PU") and "PD" in line]
+
+    def simulate(self, lines, tag="", job=None):
+        program, report = self.folder / f"program{tag}.epi", self.folder / f"report{tag}.json"
+        program.write_text("\n".join(lines), encoding="latin-1")
+        done = run("simulate", program, "--setup", job or self.job, "--report", report)
+        assert done.returncode in (0, 1), done.stderr
+        return {**json.loads(report.read_text()), "code": done.returncode}
+
+
+def test_the_laser_cuts_a_sheet(tmp_path):
+    """25 plates on 600 x 900 mm, in cells of 0.1 mm since the beam is 0.2 mm wide."""
+    sheet = Sheet(tmp_path)
+    found = sheet.simulate(sheet.lines)
+    assert found["code"] == 0 and not found["events"], found["events"][:5]
+    assert found["deviation"]["deepest_gouge"] < 0.05 and 0.95 < found["removed"] / (0.2 * found["cut"]) < 1.01
+
+
+def test_faults_of_the_laser(tmp_path):
+    """Six of the plates: ways to all sides from a corner of an outline, and a beam that is wider than planned."""
+    sheet = Sheet(tmp_path, slice(-6, None), "[150, 135]")
+    clean = sheet.simulate(sheet.lines)
+    assert clean["code"] == 0 and not clean["events"], clean["events"][:5]
+    rng = random.Random(3)
+
+    def plant(number, i):
+        lines, steps = list(sheet.lines), sheet.lines[i].split(";")
+        at = rng.randrange(2, len(steps) - 2)
+        x, y = map(int, re.findall(r"\d+", steps[at]))
+        ways = [f"PD{x + dx},{y + dy};PD{x},{y}" for dx in (-12, 0, 12) for dy in (-12, 0, 12)]  # half a millimetre
+        lines[i] = ";".join([*steps[:at + 1], *ways, *steps[at + 1:]])
+        result = sheet.simulate(lines, f"_g{number}")
+        ok = only(result, "gouge") and where(result, "gouge") == [i + 1] and 0.25 < result["events"][0]["amount"] < 0.52
+        return None if ok else f"line {i + 1} {steps[at]}: {result['events']}"
+
+    assert len(sheet.outlines) > 6
+    failed = each(rng.sample(sheet.outlines, 6), plant)
+    assert not failed, failed
+    wide = tmp_path / "wide.toml"
+    wide.write_text(sheet.job_text.replace("[setting]", "[setting]\nkerf = 0.8"))
+    result = sheet.simulate(sheet.lines, "_w", wide)
+    assert only(result, "gouge") and set(where(result, "gouge")) >= {i + 1 for i in sheet.outlines}
+    assert all(0.25 < e["amount"] < 0.35 for e in result["events"])

@@ -17,6 +17,7 @@
 #include <random>
 
 #include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
@@ -407,13 +408,22 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
   EXPECT_LT(static_cast<double>(open), 0.03 * static_cast<double>(solid + air));
 
   // The surface where it crosses the lattice's edges.
-  std::vector<std::uint32_t> cuts;
-  const TriangleMesh mesh = stock.mesh(&cuts);
+  const TriangleMesh mesh = stock.mesh();
   expect_closed(mesh);
+  StockSurface surface;
+  surface.update(stock);
+  TriangleMesh samples;  // all of them: the mesh's flats are merged
+  std::vector<std::uint32_t> cuts;
+  for (std::size_t i = 0; i < surface.pieces(); ++i) {
+    std::vector<std::uint32_t> cuts_here;
+    const TriangleMesh piece = surface.piece(i, &cuts_here);
+    samples.vertices.insert(samples.vertices.end(), piece.vertices.begin(), piece.vertices.end());
+    cuts.insert(cuts.end(), cuts_here.begin(), cuts_here.end());
+  }
   std::size_t checked = 0, wrong_seen = 0, wrong_hidden = 0;
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     if (cuts[i] == 0) continue;
-    const Vec3 place(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
+    const Vec3 place(samples.vertices[i][0], samples.vertices[i][1], samples.vertices[i][2]);
     Index3 near;
     const std::optional<int> axis = axis_of(lattice, place, near);
     ASSERT_TRUE(axis);

@@ -306,8 +306,8 @@ std::multiset<std::array<std::array<float, 3>, 3>> by_places(const TriangleMesh&
   return set;
 }
 
-// After each of many cuts the surface that is kept up to date is the one that is made at once; its pieces show the same
-// triangles, and those that are said to have stayed have stayed.
+// After each of many cuts the surface that is kept up to date is the one that is made at once, piece by piece; those that are
+// said to have stayed have stayed.
 TEST(Stock, SurfaceIsKeptUpToDate) {
   for (const int brick : {6, 11, 64}) {
     StockSettings settings;
@@ -325,7 +325,7 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
       stock.cut(strokes_of(solid, way));
       const std::vector<std::size_t> changed = surface.update(stock);
       std::vector<std::uint32_t> cuts, cuts_at_once;
-      const TriangleMesh mesh = std::as_const(surface).mesh(&cuts), at_once = stock.mesh(&cuts_at_once);
+      const TriangleMesh mesh = surface.mesh(&cuts), at_once = stock.mesh(&cuts_at_once);
       ASSERT_EQ(mesh.vertices, at_once.vertices);
       ASSERT_EQ(mesh.triangles, at_once.triangles);
       ASSERT_EQ(cuts, cuts_at_once);
@@ -335,7 +335,8 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
         for (const std::uint32_t v : t) used[v] = 1;
       EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
       pieces.resize(surface.pieces());
-      std::multiset<std::array<std::array<float, 3>, 3>> all;
+      StockSurface anew;
+      anew.update(stock);
       for (std::size_t i = 0; i < surface.pieces(); ++i) {
         const auto piece = by_places(surface.piece(i));
         const bool said = std::find(changed.begin(), changed.end(), i) != changed.end();
@@ -343,10 +344,9 @@ TEST(Stock, SurfaceIsKeptUpToDate) {
           EXPECT_EQ(piece, pieces[i]);
         }
         stayed += !said;
+        EXPECT_EQ(piece, by_places(anew.piece(i)));
         pieces[i] = piece;
-        all.insert(piece.begin(), piece.end());
       }
-      EXPECT_EQ(all, by_places(mesh));
       EXPECT_TRUE(surface.update(stock).empty());
     }
     if (brick < 64) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "fieldfab/cam/area_histogram.h"
 #include "fieldfab/cam/machine.h"
 #include "fieldfab/cam/motion.h"
 #include "fieldfab/cam/playback.h"
@@ -107,16 +108,14 @@ struct LineRecord {
   double cut = 0, air = 0;  ///< mm of feed with and without material
 };
 
-/// How a finished stock differs from its target.
+/// How a finished stock differs from its target. All but `at_vertex` is found at all vertices of its surface, before its flats
+/// are merged.
 struct Deviation {
-  double deepest = 0, highest = 0;              ///< gouge and excess at their worst, mm; neither below 0
-  double mean = 0, root_mean_square = 0;        ///< of signed distances, weighed by area, mm
-  std::vector<float> at_vertex;                 ///< signed: above 0 where material is left over
-  double histogram_from = 0, histogram_to = 0;  ///< mm
-  std::vector<double> histogram;                ///< mm^2 of surface in even steps
+  double deepest = 0, highest = 0;        ///< gouge and excess at their worst, mm; neither below 0
+  double mean = 0, root_mean_square = 0;  ///< of signed distances, weighed by area, mm
+  AreaHistogram areas;                    ///< of surface by signed distance
+  std::vector<float> at_vertex;           ///< of Simulation::mesh(), signed: above 0 where material is left over
 };
-/// Signed distances of a mesh's vertices from a solid; `places` of its coordinates below `floor` count as 0.
-Deviation deviation_from(const Field& target, const TriangleMesh& mesh, double floor, Progress& progress = Progress::none());
 
 struct SimulationReport {
   std::vector<SimulationEvent> events;
@@ -161,7 +160,8 @@ class Simulation {
   [[nodiscard]] const SimulationReport& report() const { return report_; }
   /// The file that was carried out last.
   [[nodiscard]] const std::filesystem::path& program() const { return program_; }
-  /// Of the finished stock; after finish().
+  /// Of the finished stock, as Stock::mesh() is; after finish(). Where there is a target, a flat's vertices are merged only where
+  /// their deviations are alike: within a hundredth of a cell, or, where material is left over, within half of what is.
   [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
   /// The program's line that made each vertex; 0 where it is the stock's first surface.
   [[nodiscard]] const std::vector<int>& lines_of_vertices() const { return vertex_lines_; }

@@ -28,9 +28,10 @@ enum class SplitRule : std::uint8_t {
 std::vector<SplitRule> parse_split_rules(const std::string& text);
 
 struct StockSettings {
-  double cell = 0.1;     ///< distance of samples, mm
-  double tolerance = 0;  ///< of swept surfaces, mm; 0: a fiftieth of a cell
-  int brick = 64;        ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
+  double cell = 0.1;       ///< distance of samples, mm
+  double cell_height = 0;  ///< along z, where it is larger, mm: for sheets in which every cut is the same all through
+  double tolerance = 0;    ///< of swept surfaces, mm; 0: a fiftieth of a cell
+  int brick = 64;  ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
   bool both_ends = true;  ///< columns may have a varying lower end as well (Hahn 7.4); else conflicts of sign split cells
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
@@ -91,11 +92,12 @@ class Stock {
   /// How much memory it takes beside another stock of the same lattice, which may share most of it.
   [[nodiscard]] std::uint64_t bytes_unlike(const Stock& other) const;
 
-  /// The surface: closed, outwards; `cuts`, where asked for, gets the cut that made each vertex.
+  /// The surface: closed, outwards. Flats that are level along an axis and that one cut left are merged: squares of up to 32 x 32
+  /// cells have one vertex. `cuts`, where asked for, gets the cut that made each vertex. Throws cancelled, too_large.
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none()) const;
 
  private:
-  friend class StockSurface;
+  friend class SurfacePieces;
   [[nodiscard]] std::size_t brick_index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(bricks_along_[1]) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(bricks_along_[0]) +

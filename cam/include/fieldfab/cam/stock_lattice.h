@@ -20,9 +20,9 @@ using Index3 = std::array<int, 3>;
 class StockLattice {
  public:
   StockLattice() = default;
-  /// As many cells along each axis as make them nearest to `cell` mm. Throws bad_input for an empty box or a cell that is not
-  /// positive, too_large for more than 2^21 cells along an axis.
-  StockLattice(const Box& box, double cell);
+  /// As many cells along each axis as make them nearest to `cell` mm, along z to `height` where that is more. Throws bad_input
+  /// for an empty box or a cell that is not positive, too_large for more than 2^21 cells along an axis.
+  StockLattice(const Box& box, double cell, double height = 0);
 
   [[nodiscard]] const Box& box() const { return box_; }
   /// Cells along each axis; points are one more.

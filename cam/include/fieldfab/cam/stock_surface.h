@@ -9,6 +9,8 @@
 
 namespace fieldfab::cam {
 
+class SurfacePieces;
+
 /// The surface of a stock brick by brick: a piece is made anew only where the stock has changed since the last update (Hahn 4.3).
 class StockSurface {
  public:
@@ -21,30 +23,17 @@ class StockSurface {
   /// changed. Throws cancelled; the next update then begins anew.
   std::vector<std::size_t> update(const Stock& stock, Progress& progress = Progress::none());
 
-  [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
-  /// One piece for drawing: all pieces together show the surface without gaps, but share no vertices. `cuts`, where asked for,
-  /// gets the cut that made each vertex.
+  [[nodiscard]] std::size_t pieces() const;
+  /// One piece for drawing, with all of its vertices: all pieces together show the surface without gaps, but share no vertices.
+  /// `cuts`, where asked for, gets the cut that made each vertex.
   [[nodiscard]] TriangleMesh piece(std::size_t index, std::vector<std::uint32_t>* cuts = nullptr) const;
   /// One piece as it is drawn, simplified; `coarse`: 1, or the edge of the blocks of cells that become one.
   [[nodiscard]] DrawnSurface drawn_piece(std::size_t index, int coarse = 1) const;
-  /// All of it as one closed mesh, outwards.
-  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) const&;
-  /// The same from a surface that is not needed any more, which takes less memory.
-  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) &&;
+  /// All of it as one closed mesh, outwards, its level flats merged as those of Stock::mesh() are.
+  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) const;
 
  private:
-  struct Piece;
-  class Update;
-  static void append_vertices(const Piece& piece, TriangleMesh& mesh, std::vector<std::uint32_t>* cuts);
-  template <class Surface, class TrianglesDone, class VerticesDone>
-  static TriangleMesh collected(Surface& surface, std::vector<std::uint32_t>* cuts, const TrianglesDone& triangles_done,
-                                const VerticesDone& vertices_done);
-  /// The piece that comes `step` further on: bits for x, y and z.
-  [[nodiscard]] std::size_t beside(std::size_t index, unsigned step) const;
-
-  StockLattice lattice_;
-  Index3 along_{0, 0, 0};  ///< pieces along each axis
-  std::vector<std::unique_ptr<Piece>> pieces_;
+  std::unique_ptr<SurfacePieces> pieces_;
 };
 
 }  // namespace fieldfab::cam

@@ -1,0 +1,263 @@
+// Vertices in the middle of a level flat are merged: squares of 2 x 2 to 32 x 32 of them, all left by one cut, become one in
+// their middle. Squares are those of a quadtree on the lattice, whole ones only, and nothing around them is anything but the same
+// plane: the mesh becomes that of the quadtree's squares. It stays closed and manifold, since a square's neighbours go round it
+// once. It lies where it lay, without folds: the line between the middles of two squares crosses the side that they share, and
+// where four meet, their middles lie on the diagonals through that place.
+#include "closed_mesh.h"
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr unsigned doublings = 5;                     // of the largest square's sides
+constexpr std::uint8_t axis_part = 3, not_level = 4;  // of what is known of a vertex
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// Two coordinates' bits by turns: the places of an aligned square follow each other.
+std::uint32_t interleaved(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t v) {
+    v = (v | v << 8) & 0x00FF00FFu, v = (v | v << 4) & 0x0F0F0F0Fu;
+    v = (v | v << 2) & 0x33333333u;
+    return (v | v << 1) & 0x55555555u;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
+/// Merges flats piece by piece and puts what is left together.
+class Merging {
+ public:
+  Merging(const SurfacePieces& pieces, DeviationGauge* gauge) : pieces_(pieces), gauge_(gauge), parts_(pieces.size()) {
+    if (gauge_) gauge_->begin(pieces.size());
+  }
+
+  /// Begins with a piece's vertices, before its triangles are made.
+  void begin(std::size_t index) {
+    std::vector<std::uint8_t>& level = parts_[index].level;
+    level.reserve(pieces_[index].edges);
+    pieces_[index].for_each_edge([&](const Index3&, std::size_t axis) { level.push_back(static_cast<std::uint8_t>(axis)); });
+    if (gauge_) gauge_->measure(index, pieces_[index].vertices);
+  }
+
+  /// Tells which vertices are not in the middle of a flat, by a piece's triangles. Those may be of the pieces after it, which
+  /// have to have begun.
+  void mark(std::size_t index) {
+    const SurfacePiece& piece = pieces_[index];
+    if (gauge_) gauge_->measure(index, piece.middles);
+    for (const Triangle& t : piece.corners) {
+      std::array<const SurfacePiece::Place*, 3> at;
+      std::array<std::uint8_t*, 3> level;
+      std::array<std::uint8_t, 3> axis;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t owner = pieces_.owner(index, t[i]);
+        const std::uint32_t v = t[i] & SurfacePiece::own_part;
+        std::vector<std::uint8_t>& levels = parts_[owner].level;
+        at[i] = &pieces_[owner].place(v);
+        level[i] = v < levels.size() ? &levels[v] : nullptr;  // a loop's middle has none
+        // Other pieces' triangles may tell the same at the same time.
+        axis[i] = level[i] ? std::atomic_ref(*level[i]).load(std::memory_order_relaxed) & axis_part : axis_part;
+      }
+      const std::uint8_t a = axis[0];
+      if (a < 3 && a == axis[1] && a == axis[2] && (*at[0])[a] == (*at[1])[a] && (*at[0])[a] == (*at[2])[a]) continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (level[i]) std::atomic_ref(*level[i]).store(axis[i] | not_level, std::memory_order_relaxed);
+    }
+  }
+
+  /// Finds a piece's squares. It and the pieces before it have to be marked.
+  void merge(std::size_t index) {
+    const SurfacePiece& piece = pieces_[index];
+    Part& part = parts_[index];
+    std::vector<std::uint32_t> goes_to(piece.size());
+    for (std::uint32_t v = 0; v < goes_to.size(); ++v) goes_to[v] = v;
+    const std::vector<Spot> spots = spots_on_flats(piece, part.level);
+    part.level = {};
+    std::vector<std::array<std::uint32_t, 3>> squares;  // what they become, and the two vertices beside their middle
+    for (std::size_t i = 0, size = 1; i < spots.size(); i += size) {
+      for (size = std::size_t{1} << 2 * doublings; size > 1 && !is_square(index, spots, i, size);) size /= 4;
+      for (std::size_t k = i; k < i + size; ++k) goes_to[spots[k].second] = spots[i].second;
+      // The last of the first quarter and the first of the last one.
+      if (size > 1) squares.push_back({spots[i].second, spots[i + size / 4 - 1].second, spots[i + 3 * size / 4].second});
+    }
+    std::vector<std::uint32_t> number(piece.size());
+    for (std::uint32_t v = 0; v < goes_to.size(); ++v) {
+      if (goes_to[v] != v) continue;
+      number[v] = static_cast<std::uint32_t>(part.left.cuts.size());
+      part.left.mesh.vertices.push_back(piece.place(v));
+      part.left.cuts.push_back(piece.cut(v));
+      if (gauge_) part.left.deviations.push_back(gauge_->at(index)[v]);
+    }
+    part.left.mesh.vertices.shrink_to_fit(), part.left.cuts.shrink_to_fit(), part.left.deviations.shrink_to_fit();
+    for (const auto& [v, one, other] : squares) {
+      for (std::size_t a = 0; a < 3; ++a)
+        part.left.mesh.vertices[number[v]][a] = 0.5F * (piece.place(one)[a] + piece.place(other)[a]);
+      if (gauge_) part.left.deviations[number[v]] = 0.5F * (gauge_->at(index)[one] + gauge_->at(index)[other]);
+    }
+    for (std::uint32_t& v : goes_to) v = number[v];
+    part.now = std::move(goes_to);
+    if (gauge_) gauge_->look(index, pieces_);
+  }
+
+  /// Takes what is left of the vertices of merged pieces. Triangles may follow.
+  void add_vertices(const std::vector<std::size_t>& group) {
+    for (const std::size_t index : group) {
+      parts_[index].first = static_cast<std::uint32_t>(vertices_);
+      vertices_ += parts_[index].left.cuts.size();
+      chunks_.push_back(std::exchange(parts_[index].left, {}));
+    }
+    if (vertices_ > std::numeric_limits<std::uint32_t>::max()) throw Error(ErrorKind::too_large, "stock", "too many vertices");
+  }
+
+  /// Takes what is left of pieces' triangles; they and the pieces after them have their vertices taken.
+  void add_triangles(const std::vector<std::size_t>& group) {
+    const std::size_t first = chunks_.size();
+    chunks_.resize(first + group.size());
+    parallel_for(group.size(), [&](std::size_t k) {
+      std::vector<Triangle>& left = chunks_[first + k].mesh.triangles;
+      for (Triangle t : pieces_[group[k]].corners) {
+        for (std::uint32_t& v : t) {
+          const Part& part = parts_[pieces_.owner(group[k], v)];
+          v = part.first + part.now[v & SurfacePiece::own_part];
+        }
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) left.push_back(t);
+      }
+      left.shrink_to_fit();
+    });
+  }
+  /// A piece is needed no more.
+  void forget(std::size_t index) {
+    parts_[index] = {};
+    if (gauge_) gauge_->forget(index);
+  }
+
+  ClosedMesh take() {
+    ClosedMesh whole;
+    const auto put_together = [&](auto& into, const auto& of) {
+      std::size_t count = 0;
+      for (ClosedMesh& chunk : chunks_) count += of(chunk).size();
+      into.reserve(count);
+      for (ClosedMesh& chunk : chunks_) {
+        into.insert(into.end(), of(chunk).begin(), of(chunk).end());
+        of(chunk) = {};
+      }
+    };
+    put_together(whole.mesh.triangles, [](ClosedMesh& c) -> auto& { return c.mesh.triangles; });
+    put_together(whole.mesh.vertices, [](ClosedMesh& c) -> auto& { return c.mesh.vertices; });
+    put_together(whole.cuts, [](ClosedMesh& c) -> auto& { return c.cuts; });
+    put_together(whole.deviations, [](ClosedMesh& c) -> auto& { return c.deviations; });
+    return whole;
+  }
+
+ private:
+  /// A vertex on a flat: by its flat and its place there, as `interleaved`.
+  using Spot = std::pair<std::uint64_t, std::uint32_t>;
+  struct Part {
+    std::vector<std::uint8_t> level;  ///< for each edge's vertex its axis, and whether all its triangles lie across it
+    std::vector<std::uint32_t> now;   ///< each vertex's number among those that are left
+    ClosedMesh left;                  ///< those, without triangles
+    std::uint32_t first = 0;          ///< the number of the first of them among all pieces'
+  };
+
+  /// A piece's vertices in the middle of flats, in the order of squares.
+  static std::vector<Spot> spots_on_flats(const SurfacePiece& piece, const std::vector<std::uint8_t>& level) {
+    using Flat = std::array<std::uint32_t, 4>;  // axis, the edges' lower points, level, cut
+    std::map<Flat, std::uint64_t> flats;
+    Flat last{};
+    std::uint64_t number = 0;
+    std::vector<Spot> spots;
+    spots.reserve(level.size());
+    std::uint32_t v = 0;
+    piece.for_each_edge([&](const Index3& p, std::size_t axis) {
+      if (level[v] == axis) {
+        const Flat flat{static_cast<std::uint32_t>(axis) + 1, static_cast<std::uint32_t>(p[axis] + 1),
+                        std::bit_cast<std::uint32_t>(piece.vertices[v][axis]), piece.cuts[v]};
+        if (flat != last) number = flats.try_emplace(flat, flats.size()).first->second, last = flat;  // they come row by row
+        const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] - std::max(piece.region.lower[a], 0)); };
+        spots.emplace_back(number << 32 | interleaved(along((axis + 1) % 3), along((axis + 2) % 3)), v);
+      }
+      ++v;
+    });
+    std::sort(spots.begin(), spots.end());
+    return spots;
+  }
+
+  /// Whether so many spots from one on are a square that may be one.
+  [[nodiscard]] bool is_square(std::size_t index, const std::vector<Spot>& spots, std::size_t from, std::size_t size) const {
+    if (spots[from].first % size != 0 || from + size > spots.size()) return false;
+    if (spots[from + size - 1].first != spots[from].first + size - 1) return false;
+    if (!gauge_) return true;
+    const std::vector<float>& deviations = gauge_->at(index);
+    float lowest = deviations[spots[from].second], highest = lowest;
+    for (std::size_t k = from; k < from + size; ++k) {
+      lowest = std::min(lowest, deviations[spots[k].second]);
+      highest = std::max(highest, deviations[spots[k].second]);
+    }
+    return gauge_->alike(lowest, highest);
+  }
+
+  const SurfacePieces& pieces_;
+  DeviationGauge* gauge_;
+  std::vector<Part> parts_;
+  std::vector<ClosedMesh> chunks_;
+  std::size_t vertices_ = 0;
+};
+
+}  // namespace
+
+ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& progress) {
+  SurfacePieces pieces(stock);
+  Merging merging(pieces, gauge);
+  const std::vector<std::vector<std::size_t>> waves = pieces.waves();
+  const auto each = [&](const std::vector<std::size_t>& wave, const auto& body) {
+    parallel_for(wave.size(), [&](std::size_t k) {
+      progress.check();
+      body(wave[k]);
+    });
+  };
+  const auto begin = [&](const std::vector<std::size_t>& wave) {
+    each(wave, [&](std::size_t i) { pieces.make_vertices(i, stock), merging.begin(i); });
+  };
+  const auto end = [&](const std::vector<std::size_t>& wave) {
+    merging.add_triangles(wave);
+    for (const std::size_t i : wave) pieces[i] = {}, merging.forget(i);
+  };
+  begin(waves[0]);
+  for (std::size_t w = 0; w < waves.size(); ++w) {
+    if (w + 1 < waves.size()) begin(waves[w + 1]);
+    each(waves[w], [&](std::size_t i) { pieces.march(i, stock), merging.mark(i); });
+    each(waves[w], [&](std::size_t i) { merging.merge(i); });
+    merging.add_vertices(waves[w]);
+    if (w > 0) end(waves[w - 1]);
+  }
+  end(waves.back());
+  return merging.take();
+}
+
+ClosedMesh closed_mesh(const SurfacePieces& pieces) {
+  Merging merging(pieces, nullptr);
+  std::vector<std::size_t> all;
+  for (const auto& wave : pieces.waves()) all.insert(all.end(), wave.begin(), wave.end());
+  const auto each = [&](const auto& body) { parallel_for(all.size(), [&](std::size_t k) { body(all[k]); }); };
+  each([&](std::size_t i) { merging.begin(i); });
+  each([&](std::size_t i) { merging.mark(i); });
+  each([&](std::size_t i) { merging.merge(i); });
+  merging.add_vertices(all);
+  merging.add_triangles(all);
+  return merging.take();
+}
+
+TriangleMesh Stock::mesh(std::vector<std::uint32_t>* cuts, Progress& progress) const {
+  ClosedMesh closed = closed_mesh(*this, nullptr, progress);
+  if (cuts) *cuts = std::move(closed.cuts);
+  return std::move(closed.mesh);
+}
+
+}  // namespace fieldfab::cam

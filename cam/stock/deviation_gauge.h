@@ -1,0 +1,66 @@
+/// How a surface deviates from a solid, measured piece by piece.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "fieldfab/cam/simulation.h"
+#include "surface_pieces.h"
+
+namespace fieldfab::cam {
+
+/// Several pieces may be measured, looked at and forgotten at a time. What comes out does not depend on their order.
+class DeviationGauge {
+ public:
+  /// A place that is the worst of its kind.
+  struct Spot {
+    float deviation = 0;
+    std::uint32_t cut = 0;
+    SurfacePiece::Place place{};
+  };
+
+  /// Deviations below the height `floor` count as 0; those below -`gouge` are kept by their lines. A cut whose line is negative
+  /// is no gouge. `fine` is how much deviations that are alike may differ, mm.
+  DeviationGauge(const Field& target, double floor, double gouge, std::span<const int> line_of_cut, double fine)
+      : target_(target), floor_(floor), gouge_(gouge), line_of_cut_(line_of_cut), fine_(fine) {}
+
+  /// Before any piece: how many there are.
+  void begin(std::size_t pieces) { at_.resize(pieces), sums_.resize(pieces); }
+  /// Appends signed distances of places to a piece's.
+  void measure(std::size_t piece, std::span<const SurfacePiece::Place> places);
+  /// Of the vertices of a piece so far.
+  [[nodiscard]] const std::vector<float>& at(std::size_t piece) const { return at_[piece]; }
+  /// Takes note of a piece's vertices and triangles, once they and the vertices of pieces after it are measured.
+  void look(std::size_t piece, const SurfacePieces& pieces);
+  void forget(std::size_t piece) { at_[piece] = {}; }
+  /// Whether one of these and what lies between them may stand for all: they are the same, or what is left over is about the
+  /// same.
+  [[nodiscard]] bool alike(float lowest, float highest) const { return highest - lowest <= fine_ + 0.5 * std::max(lowest, 0.0F); }
+
+  /// Of all pieces; without `at_vertex`.
+  [[nodiscard]] Deviation result() const;
+  /// The deepest place of each line, where it is a gouge.
+  [[nodiscard]] std::map<int, Spot> gouges() const;
+  [[nodiscard]] Spot highest() const;
+
+ private:
+  struct Sums {
+    double area = 0, sum = 0, squares = 0;
+    float deepest = 0;
+    Spot highest{-std::numeric_limits<float>::infinity(), 0, {}};
+    std::map<int, Spot> gouges;
+  };
+
+  const Field& target_;
+  double floor_, gouge_;
+  std::span<const int> line_of_cut_;
+  double fine_;
+  std::vector<std::vector<float>> at_;
+  std::vector<Sums> sums_;
+  AreaHistogram areas_;
+  std::mutex areas_alone_;
+};
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,118 @@
+/// The surface of a stock brick by brick, as it is made (Hahn 4.3). Cubes of the lattice are looked at brick by brick, whatever
+/// cells their points belong to: since each point and each sample is owned once, there are no seams. Outside of the stock's box
+/// everything is air, and an edge that leaves the box crosses the surface where it leaves it: that makes the exterior mesh.
+#pragma once
+
+#include <bit>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "brick.h"
+#include "cell.h"
+#include "marching.h"
+
+namespace fieldfab::cam {
+
+/// What of the surface a brick has: the edges whose lower points are its own, and the cubes whose lower corners are.
+struct SurfacePiece {
+  using Word = Occupancy::Word;
+  using Place = std::array<float, 3>;
+
+  std::shared_ptr<const Brick> brick;  ///< what it was made from
+  Region region;                       ///< of the lower points: the brick's, and at the lower faces of the stock those before it
+  std::size_t words = 0;               ///< along a row; 0: nothing is crossed anywhere near
+  std::array<std::vector<Word>, 3> crossed;  ///< edges by axis, row and bit
+  std::vector<std::uint32_t> before;         ///< vertices before each word
+  std::optional<Occupancy> shape;            ///< solid points of the brick and one more on each side, while it is made
+  std::uint32_t edges = 0;                   ///< crossed ones
+  /// Of the edges, and of loops' middles, which are counted on; with the cuts that made them.
+  std::vector<Place> vertices, middles;
+  std::vector<std::uint32_t> cuts, middle_cuts;
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of triangles: a vertex, and above `own_bits` whose it is, as `beside`
+  static constexpr unsigned own_bits = 29;
+  static constexpr std::uint32_t own_part = (1u << own_bits) - 1;
+
+  [[nodiscard]] std::size_t size() const { return vertices.size() + middles.size(); }
+  [[nodiscard]] const Place& place(std::uint32_t v) const { return v < edges ? vertices[v] : middles[v - edges]; }
+  [[nodiscard]] std::uint32_t cut(std::uint32_t v) const { return v < edges ? cuts[v] : middle_cuts[v - edges]; }
+  [[nodiscard]] std::size_t word_of(const Index3& p) const {
+    const auto row = static_cast<std::size_t>(p[2] - region.lower[2]) * static_cast<std::size_t>(region.count(1)) +
+                     static_cast<std::size_t>(p[1] - region.lower[1]);
+    return row * words + static_cast<std::size_t>(p[0] - region.lower[0]) / 64;
+  }
+  [[nodiscard]] std::uint32_t vertex(const Index3& p, std::size_t axis) const {
+    const std::size_t word = word_of(p);
+    std::uint32_t count = before[word];
+    for (std::size_t a = 0; a < axis; ++a) count += static_cast<std::uint32_t>(std::popcount(crossed[a][word]));
+    const int bit = (p[0] - region.lower[0]) % 64;
+    return count + static_cast<std::uint32_t>(std::popcount(crossed[axis][word] & ((Word{1} << bit) - 1)));
+  }
+  /// Calls with each crossed edge's lower point and axis, in the vertices' order.
+  template <class Body>
+  void for_each_edge(const Body& body) const {
+    std::size_t word = 0;
+    Index3 p;
+    for (p[2] = region.lower[2]; p[2] <= region.upper[2]; ++p[2])
+      for (p[1] = region.lower[1]; p[1] <= region.upper[1]; ++p[1])
+        for (std::size_t w = 0; w < words; ++w, ++word)
+          for (std::size_t axis = 0; axis < 3; ++axis)
+            for (Word left = crossed[axis][word]; left; left &= left - 1) {
+              p[0] = region.lower[0] + static_cast<int>(w) * 64 + std::countr_zero(left);
+              body(p, axis);
+            }
+  }
+  void clear() {
+    for (std::vector<Word>& bits : crossed) bits.clear();
+    before.clear(), vertices.clear(), cuts.clear();
+    words = 0, edges = 0;
+  }
+};
+
+/// All pieces of a stock. They are made in two steps, each of which may be done for many pieces at a time: vertices depend on
+/// bricks alone, triangles on the vertices of the pieces after them as well.
+class SurfacePieces {
+ public:
+  explicit SurfacePieces(const Stock& stock);
+
+  /// Whether it is one of a stock of this lattice and these bricks.
+  [[nodiscard]] bool fits(const Stock& stock) const;
+  [[nodiscard]] const StockLattice& lattice() const { return lattice_; }
+  [[nodiscard]] std::size_t size() const { return pieces_.size(); }
+  [[nodiscard]] SurfacePiece& operator[](std::size_t index) { return pieces_[index]; }
+  [[nodiscard]] const SurfacePiece& operator[](std::size_t index) const { return pieces_[index]; }
+  /// The piece that comes `step` further on: bits for x, y and z; size() where there is none.
+  [[nodiscard]] std::size_t beside(std::size_t index, unsigned step) const;
+  /// Whose vertex a triangle's corner is.
+  [[nodiscard]] std::size_t owner(std::size_t index, std::uint32_t corner) const {
+    return corner >> SurfacePiece::own_bits ? beside(index, corner >> SurfacePiece::own_bits) : index;
+  }
+  /// The pieces whose bricks are not what they were made from, and those just before them.
+  [[nodiscard]] std::vector<std::size_t> outdated(const Stock& stock) const;
+  /// Some pieces and those just before them.
+  [[nodiscard]] std::vector<std::size_t> with_those_before(const std::vector<char>& some) const;
+  /// All pieces in groups: those after a piece are in its own group or the next one. Groups are slices across the longest side,
+  /// several at a time where they are small.
+  [[nodiscard]] std::vector<std::vector<std::size_t>> waves() const;
+
+  void make_vertices(std::size_t index, const Stock& stock);
+  /// Makes a piece's triangles.
+  void march(std::size_t index, const Stock& stock);
+
+ private:
+  void find_edges(std::size_t index, const Stock& stock);
+  void place_vertices(std::size_t index, const Stock& stock);
+  [[nodiscard]] bool outside(int k, std::size_t axis) const { return k < 0 || k > lattice_.cells()[axis]; }
+  [[nodiscard]] Occupancy around(const Region& region, const Stock& stock) const;
+  [[nodiscard]] bool quiet(std::size_t index, const Stock& stock) const;
+  [[nodiscard]] SurfacePiece::Word at_x_faces(const Region& region, std::size_t word) const;
+  [[nodiscard]] std::uint32_t vertex(std::size_t index, Index3 from, std::size_t axis) const;
+  void add_polygons(std::size_t index, const Index3& p, const CubeCase& cube);
+
+  StockLattice lattice_;
+  Index3 along_;  ///< pieces along each axis
+  std::vector<SurfacePiece> pieces_;
+};
+
+}  // namespace fieldfab::cam
