@@ -2,6 +2,7 @@
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/field/surface_distance.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/model/model.h"
 #include "fieldfab/volume/distances.h"
@@ -30,6 +31,17 @@ Floats values(const Field& field, const Floats& points) {
   float* to = out.mutable_data();
   py::gil_scoped_release release;
   field.values(arrays.get(), to);
+  return out;
+}
+
+Floats surface_distances_of(const Field& field, const Floats& points) {
+  if (points.ndim() != 2 || points.shape(1) != 3) throw py::value_error("points must be an (n, 3) array");
+  const auto count = static_cast<std::size_t>(points.shape(0));
+  Floats out(points.shape(0));
+  const std::span places(reinterpret_cast<const std::array<float, 3>*>(points.data()), count);
+  const std::span to(out.mutable_data(), count);
+  py::gil_scoped_release release;
+  surface_distances(field, places, to);
   return out;
 }
 
@@ -126,6 +138,8 @@ void bind_fields(py::module_& module) {
           py::arg("x"), py::arg("y"), py::arg("z"))
       .def("values", values, py::arg("points"), "Values at an (n, 3) array of points.")
       .def("gradients", gradients, py::arg("points"), "Values and (n, 3) gradients at an (n, 3) array of points.")
+      .def("surface_distances", surface_distances_of, py::arg("points"),
+           "Signed distances of an (n, 3) array of points from the surface, mm, whatever the values mean; 10 is far.")
       .def(
           "interval",
           [](const Field& f, const py::object& bounds) {

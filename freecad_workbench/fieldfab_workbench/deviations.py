@@ -7,10 +7,10 @@ STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0
 
 def deviations(field, vertices, triangles):
     """Of each vertex the distance to the surface, mm, above 0 outside of the solid: its own or that of the middle of a triangle around it,
-    whichever is farther. Distances are values by slopes: of first order, right near the surface, where values are not distances, too."""
+    whichever is farther."""
     triangles = np.asarray(triangles, dtype=np.int64)
-    farthest = distances(field, vertices)
-    of_middles = distances(field, vertices[triangles].mean(axis=1, dtype=np.float32))
+    farthest = field.surface_distances(vertices)
+    of_middles = field.surface_distances(vertices[triangles].mean(axis=1, dtype=np.float32))
     order = np.argsort(np.abs(of_middles))  # so that the farthest is written last
     around = np.zeros(len(vertices), np.float32)
     for corner in range(3):
@@ -18,13 +18,6 @@ def deviations(field, vertices, triangles):
         here[triangles[order, corner]] = of_middles[order]
         around = np.where(np.abs(here) > np.abs(around), here, around)
     return np.where(np.abs(around) > np.abs(farthest), around, farthest)
-
-
-def distances(field, points):
-    """Signed distances of points near the surface, mm."""
-    values, slopes = field.gradients(np.ascontiguousarray(points, np.float32))
-    steepness = np.linalg.norm(slopes, axis=1)
-    return np.where(steepness > 1e-3, values / np.maximum(steepness, 1e-3), values)
 
 
 def colours(shares):

@@ -1,4 +1,4 @@
-// Simulation: what it remembers, against programs that end early; deviations.
+// Simulation: what it remembers, against programs that end early.
 #include "fieldfab/cam/simulation.h"
 
 #include <fmt/format.h>
@@ -8,8 +8,6 @@
 
 #include "fieldfab/cam/playback.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/mesh/contour.h"
-#include "fieldfab/volume/volume_field.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -143,29 +141,6 @@ TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   ASSERT_EQ(simulation.report().events.size(), 1u);
   EXPECT_EQ(simulation.report().events[0].line, 3);
   EXPECT_EQ(to_string(simulation.report().events[0].kind), "over-travel");
-}
-
-TEST(Deviation, OfAScansOwnSurfaceIsSmallEverywhere) {
-  // Between noisy samples a walk down the slope goes to and fro; what lies on the surface is not far from it for that.
-  std::mt19937 random(11);
-  std::normal_distribution<double> grain(100, 30);
-  SampleLattice lattice;
-  lattice.size = {40, 40, 40};
-  std::vector<float> densities(lattice.count());
-  for (float& density : densities) density = static_cast<float>(grain(random));
-  const FieldPtr solid = volume_field(*halved(volume_of(std::move(densities), lattice)), {100, false, 0.2});
-  constexpr double cell = 0.5;
-  const TriangleMesh mesh = contour(*solid, solid->known_bounds().grown(1), {cell});
-  const Deviation found = deviation_from(*solid, mesh, -1e300);
-  ASSERT_EQ(found.at_vertex.size(), mesh.vertices.size());
-  const Box inner = solid->known_bounds().grown(-1);  // slivers at the lattice's end are thinner than the cells
-  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    const Vec3 p(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
-    if (inner.contains(p)) {
-      EXPECT_LT(std::abs(found.at_vertex[i]), 4 * cell) << p.transpose() << ": " << solid->value(p);
-    }
-  }
-  EXPECT_LT(found.root_mean_square, 0.1 * cell);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/field/surface_distance.h"
+#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/model/model.h"
 #include "fieldfab/volume/distances.h"
@@ -240,6 +242,46 @@ TEST(Distances, RefuseWhatMakesNone) {
   EXPECT_THROW((void)distances(ball, ball->known_bounds(), {0, 0.5}), Error);
   EXPECT_THROW((void)distances(ball, Box::everything(), {1, 0.5}), Error);
   EXPECT_THROW((void)distances(ball, ball->known_bounds(), {1, 1e-3}), Error);
+}
+
+TEST(SurfaceDistance, OfAScansOwnSurfaceIsSmallEverywhere) {
+  // Between noisy samples a walk down the slope goes to and fro; what lies on the surface is not far from it for that.
+  std::mt19937 random(11);
+  std::normal_distribution<double> grain(100, 30);
+  SampleLattice lattice;
+  lattice.size = {40, 40, 40};
+  std::vector<float> densities(lattice.count());
+  for (float& density : densities) density = static_cast<float>(grain(random));
+  const FieldPtr solid = volume_field(*halved(volume_of(std::move(densities), lattice)), {100, false, 0.2});
+  constexpr double cell = 0.5;
+  const TriangleMesh mesh = contour(*solid, solid->known_bounds().grown(1), {cell});
+  std::vector<float> found(mesh.vertices.size());
+  surface_distances(*solid, mesh.vertices, found);
+  double squares = 0;
+  const Box inner = solid->known_bounds().grown(-1);  // slivers at the lattice's end are thinner than the cells
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vec3 p(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
+    squares += found[i] * found[i];
+    if (inner.contains(p)) {
+      EXPECT_LT(std::abs(found[i]), 4 * cell) << p.transpose() << ": " << solid->value(p);
+    }
+  }
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(found.size())), 0.1 * cell);
+}
+
+TEST(SurfaceDistance, IsThatOfClosedForms) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> place(-4, 4);
+  std::vector<std::array<float, 3>> places(5000);
+  for (auto& p : places) p = {place(random), place(random), place(random)};
+  std::vector<float> found(places.size());
+  // Values that are no distances: the square of the radius, less a square.
+  const frep::Expression x = frep::Expression::x(), y = frep::Expression::y(), z = frep::Expression::z();
+  surface_distances(*frep::make_field(x * x + y * y + z * z - 4), places, found);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const float radius = std::hypot(places[i][0], places[i][1], places[i][2]);
+    if (radius > 0.1F) EXPECT_NEAR(found[i], radius - 2, 1e-3);
+  }
 }
 
 TEST(Threshold, OtsuIsTheBestOfAll) {

@@ -1,0 +1,36 @@
+"""Takes the pictures of FreeCAD that the documents show, from the tests that drive its real window: run by ./dev docs."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+FIGURES = ROOT / "docs" / "figures"
+# From which test's screenshot each figure comes; those of the tutorial keep their names.
+FIGURE_OF = {
+    "window_solids": {"difference": "freecad"},
+    "window_cam": {"cam_planned": "freecad_cam"},
+    "window_check": {"check": "freecad_check"},
+    "window_scan": {"scan_bone": "freecad_scan"},
+    "window_simulation": {"simulation_deviation": "freecad_simulation"},
+    "window_tutorial": {name: f"tutorial/{name}" for name in ("bracket", "scan", "blend", "check", "plan", "playing", "deviations")},
+}
+
+
+def take(test):
+    """Runs a test file in FreeCAD's window and puts its screenshots in their places; whether all went well."""
+    with tempfile.TemporaryDirectory() as shots:
+        pytest = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "tests/hosts/freecad_inside_test.py", "-k", f"{test} and not {test}_"]
+        env = {**os.environ, "FIELDFAB_SHOTS": shots, "PYTHONPATH": str(ROOT / "build" / "release" / "python")}
+        good = subprocess.run(pytest, cwd=ROOT, env=env).returncode == 0
+        for shot, figure in FIGURE_OF[test].items() if good else ():
+            (FIGURES / figure).parent.mkdir(exist_ok=True)
+            shutil.copy(pathlib.Path(shots) / f"{shot}.png", FIGURES / f"{figure}.png")
+    return good
+
+
+if __name__ == "__main__":
+    sys.exit(not all([take(test) for test in sys.argv[1:] or FIGURE_OF]))
