@@ -36,6 +36,7 @@ struct ModelOptions {
   std::optional<double> resolution, voxel, max_error, thickness;
   std::string bounds;
   int level = 0;
+  bool smooth = false;
   ScanArguments scan;
 
   /// Declares them; `output` with the given description where the verb writes a file.
