@@ -40,6 +40,12 @@ class Boxed final : public Field {
   Box box_;
 };
 
+/// Cells that see what is thin, but not so many that it takes long.
+double voxel_for(double longest, double thinnest) {
+  constexpr double cells_across = 2.5, fewest = 128, most = 320;
+  return std::clamp(thinnest / cells_across, longest / most, longest / fewest);
+}
+
 }  // namespace
 
 Tree read_tree(const std::filesystem::path& path, Progress& progress) {
@@ -70,6 +76,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);
       else
         solid = {std::nullopt, flat_field(region, growth)};
+      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke());
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());
@@ -78,6 +85,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
       const double growth = loss * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
       solid = solid_of(*part, {growth, growth, options.formulas_only, &progress});
       design.bounds = box.grown(2 * growth);
+      design.voxel = voxel_for(box.size().maxCoeff(), thickness_of(*part));
     }
   }
   design.notes = evaluator.notes();
@@ -98,6 +106,7 @@ void add_model_readers() {
                       model.kind = "design";
                       model.field = design.field;
                       model.expression = design.formula;
+                      model.voxel = design.voxel;
                       model.notes = design.notes;
                       return model;
                     }});

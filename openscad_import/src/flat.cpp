@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <clipper.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "fieldfab/core/error.h"
@@ -68,6 +69,16 @@ double Region::area() const {
   for (const Outline& outline : outlines)
     for (std::size_t i = 0; i < outline.size(); ++i) twice += cross(outline[i], outline[(i + 1) % outline.size()]);
   return twice / 2;
+}
+
+double Region::stroke() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Outline& outline : outlines) {
+    double length = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i) length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+    least = std::min(least, 2 * std::abs(Region{{outline}}.area()) / length);
+  }
+  return least;
 }
 
 Eigen::AlignedBox2d Region::bounds() const {

@@ -18,6 +18,8 @@ struct Region {
 
   [[nodiscard]] bool empty() const { return outlines.empty(); }
   [[nodiscard]] double area() const;  ///< mm^2
+  /// About how wide the strokes are that it is made of, mm: the least of its pieces' areas over half their outlines' lengths.
+  [[nodiscard]] double stroke() const;
   /// The smallest rectangle that holds it; only for one that is not empty.
   [[nodiscard]] Eigen::AlignedBox2d bounds() const;
 };

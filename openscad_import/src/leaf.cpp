@@ -64,6 +64,16 @@ class Convex final : public Leaf {
   [[nodiscard]] Solid solid(const Making& making) const override { return {formula_of(planes_, making.growth), nullptr}; }
   [[nodiscard]] Polyhedron polyhedron() const override { return solid_; }
   [[nodiscard]] Box bounds() const override { return solid_.bounds(); }
+  [[nodiscard]] double thickness() const override {
+    double least = std::numeric_limits<double>::infinity();
+    const std::size_t every = 1 + planes_.size() / 64;  // of many planes some are enough
+    for (std::size_t i = 0; i < planes_.size(); i += every) {
+      double farthest = 0;
+      for (const Vec3& p : solid_.vertices) farthest = std::max(farthest, planes_[i].offset - planes_[i].normal.dot(p));
+      least = std::min(least, farthest);
+    }
+    return least;
+  }
   [[nodiscard]] bool convex() const override { return true; }
   [[nodiscard]] std::size_t count() const { return planes_.size(); }
 
@@ -84,6 +94,10 @@ class Mesh final : public Leaf {
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return solid_; }
   [[nodiscard]] Box bounds() const override { return solid_.bounds().grown(radius_); }
+  [[nodiscard]] double thickness() const override {
+    const TriangleMesh mesh = to_mesh(solid_);
+    return 2 * std::abs(mesh.volume()) / mesh.area() + 2 * radius_;
+  }
 
  private:
   Polyhedron solid_;
@@ -123,6 +137,9 @@ class Extruded final : public Leaf {
     const Eigen::AlignedBox2d flat = region_.bounds();
     return image_of({{flat.min().x(), flat.min().y(), lower_}, {flat.max().x(), flat.max().y(), upper_}}, placement_.linear(),
                     placement_.translation());
+  }
+  [[nodiscard]] double thickness() const override {
+    return std::min(upper_ - lower_, region_.stroke()) * stretch_of(placement_).least;
   }
 
  private:
@@ -197,6 +214,7 @@ class Turned final : public Leaf {
     const double r = flat.max().x();
     return image_of({{-r, -r, flat.min().y()}, {r, r, flat.max().y()}}, placement_.linear(), placement_.translation());
   }
+  [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_).least; }
 
  private:
   /// What lies between the ends of a partial turn.
@@ -221,6 +239,7 @@ class Faceted final : public Leaf {
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return planes_.polyhedron(); }
   [[nodiscard]] Box bounds() const override { return planes_.bounds(); }
+  [[nodiscard]] double thickness() const override { return planes_.thickness(); }
   [[nodiscard]] bool convex() const override { return true; }
 
  private:
@@ -246,6 +265,9 @@ class Cone final : public Leaf {
   [[nodiscard]] Box bounds() const override {
     const double r = std::max(cone_.r1, cone_.r2);
     return image_of({{-r, -r, cone_.lower}, {r, r, cone_.upper}}, placement_.linear(), placement_.translation());
+  }
+  [[nodiscard]] double thickness() const override {
+    return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) * stretch_of(placement_).least;
   }
   [[nodiscard]] bool convex() const override { return true; }
 
@@ -281,6 +303,7 @@ class Ball final : public Leaf {
     const Vec3 reach = radius_ * placement_.linear().rowwise().norm();
     return {placement_.translation() - reach, placement_.translation() + reach};
   }
+  [[nodiscard]] double thickness() const override { return 2 * radius_ * stretch_of(placement_).least; }
   [[nodiscard]] bool convex() const override { return true; }
   [[nodiscard]] std::optional<BallShape> ball() const override {
     const Stretch stretch = stretch_of(placement_);

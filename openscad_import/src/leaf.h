@@ -40,6 +40,8 @@ class Leaf {
   /// With flat faces: as OpenSCAD draws it, or finely where it is round.
   [[nodiscard]] virtual Polyhedron polyhedron() const = 0;
   [[nodiscard]] virtual Box bounds() const = 0;
+  /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
+  [[nodiscard]] virtual double thickness() const = 0;
   [[nodiscard]] virtual bool convex() const { return false; }
   /// Where it is a true ball.
   struct BallShape {
@@ -96,6 +98,8 @@ PartPtr subtract(std::vector<PartPtr> parts);
 
 /// A box that holds it; only for one that is not empty.
 Box bounds_of(const Part& part);
+/// The least thickness() of its leafs.
+double thickness_of(const Part& part);
 Solid solid_of(const Part& part, const Making& making);
 /// With flat faces, exactly, whatever it is joined from.
 Polyhedron polyhedron_of(const Part& part, Progress& progress);

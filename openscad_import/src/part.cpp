@@ -115,6 +115,13 @@ Box bounds_of(const Part& part) {
   return box;
 }
 
+double thickness_of(const Part& part) {
+  if (part.kind == Kind::leaf) return part.leaf->thickness();
+  double least = std::numeric_limits<double>::infinity();
+  for (const PartPtr& child : part.children) least = std::min(least, thickness_of(*child));
+  return least;
+}
+
 Solid solid_of(const Part& part, const Making& making) {
   making.progress->check();
   if (part.kind == Kind::nothing) return {};

@@ -30,7 +30,10 @@ struct Found {
 
 /// The nearest point of a triangle, by the region of its plane that the point is above (Ericson 2005, 5.1.5).
 void look(const Facet& f, const Vec3& p, Found& best) {
-  const Vec3 ab = f.b - f.a, ac = f.c - f.a, ap = p - f.a;
+  const Vec3 ap = p - f.a;
+  const double height = f.normals[0].dot(ap);
+  if (height * height * (1 - 1e-9) > best.square) return;  // its plane is farther away
+  const Vec3 ab = f.b - f.a, ac = f.c - f.a;
   const auto offer = [&](const Vec3& to, std::size_t normal) {
     const double square = to.squaredNorm();
     if (square < best.square) best = {square, to, &f, normal};
@@ -49,7 +52,6 @@ void look(const Facet& f, const Vec3& p, Found& best) {
   if (vb <= 0 && d2 >= 0 && d6 <= 0) return offer(ap - ac * (d2 / (d2 - d6)), 3);
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return offer(bp - (f.c - f.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))), 2);
-  const double height = f.normals[0].dot(ap);
   if (height * height < best.square) best = {height * height, height * f.normals[0], &f, 0};
 }
 
@@ -64,19 +66,26 @@ class SurfaceField final : public Field {
   }
 
   void values(const Points& points, float* out) const noexcept override {
+    const Facet* last = nullptr;
     for (std::size_t i = 0; i < points.count; ++i) {
       const Vec3 p(points.x[i], points.y[i], points.z[i]);
-      out[i] = p.allFinite() ? static_cast<float>(signed_distance(nearest(p)) - growth_) : std::numeric_limits<float>::quiet_NaN();
+      out[i] = std::numeric_limits<float>::quiet_NaN();
+      if (!p.allFinite()) continue;
+      const Found found = nearest(p, last);
+      last = found.facet;
+      out[i] = static_cast<float>(signed_distance(found) - growth_);
     }
   }
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
+    const Facet* last = nullptr;
     for (std::size_t i = 0; i < points.count; ++i) {
       const Vec3 p(points.x[i], points.y[i], points.z[i]);
       if (!p.allFinite()) {
         out[i] = slopes.dx[i] = slopes.dy[i] = slopes.dz[i] = std::numeric_limits<float>::quiet_NaN();
         continue;
       }
-      const Found found = nearest(p);
+      const Found found = nearest(p, last);
+      last = found.facet;
       const double distance = signed_distance(found);
       // On the surface itself the way from it tells nothing; the face's normal does.
       const Vec3 slope = std::abs(distance) > 1e-9 ? Vec3(found.to / distance) : found.facet->normals[0];
@@ -136,8 +145,11 @@ class SurfaceField final : public Field {
     divide(first + half, count - half);
   }
 
-  [[nodiscard]] Found nearest(const Vec3& p) const {
+  /// The nearest point; the facet that was nearest to another point, near this one as a rule, tells at once what is too far.
+  /// Where several are as near, which one is found depends on that facet; their normals at a common edge or corner are the same.
+  [[nodiscard]] Found nearest(const Vec3& p, const Facet* likely = nullptr) const {
     Found best;
+    if (likely != nullptr) look(*likely, p, best);
     std::array<std::pair<std::uint32_t, double>, 64> open;
     std::size_t count = 0;
     open[count++] = {0, 0};

@@ -23,6 +23,7 @@ struct Design {
   FieldPtr field;                           ///< null where the design is empty
   std::optional<frep::Expression> formula;  ///< the same as a formula, where all of it has one
   std::optional<Box> bounds;                ///< holds it; where it is not flat
+  std::optional<double> voxel;              ///< mm; cells that do not miss its thinnest part, where that does not take too many
   bool flat = false;                        ///< a 2D design: without ends along z
   std::vector<std::string> notes;           ///< what was left out or mended, one line each, with FILE:LINE
 };
