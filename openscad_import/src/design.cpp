@@ -1,6 +1,7 @@
 #include "fieldfab/openscad/design.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "evaluator.h"
 #include "fieldfab/core/error.h"
@@ -40,10 +41,11 @@ class Boxed final : public Field {
   Box box_;
 };
 
-/// Cells that see what is thin, but not so many that it takes long.
-double voxel_for(double longest, double thinnest) {
-  constexpr double cells_across = 2.5, fewest = 128, most = 320;
-  return std::clamp(thinnest / cells_across, longest / most, longest / fewest);
+/// Cells that see what is thin, but not so many on its surface that it takes long.
+double voxel_for(double longest, double thinnest, double area) {
+  constexpr double cells_across = 2.5, fewest = 128, most = 2000, most_on_surface = 300'000;
+  const double least = std::max(longest / most, std::sqrt(area / most_on_surface));
+  return std::min(std::max(thinnest / cells_across, least), longest / fewest);
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);
       else
         solid = {std::nullopt, flat_field(region, growth)};
-      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke());
+      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area());
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());
@@ -85,7 +87,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
       const double growth = loss * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
       solid = solid_of(*part, {growth, growth, options.formulas_only, &progress});
       design.bounds = box.grown(2 * growth);
-      design.voxel = voxel_for(box.size().maxCoeff(), thickness_of(*part));
+      design.voxel = voxel_for(box.size().maxCoeff(), thickness_of(*part), area_of(*part));
     }
   }
   design.notes = evaluator.notes();

@@ -32,10 +32,21 @@ ClipperLib::Paths to_paths(const std::vector<Outline>& outlines) {
   return paths;
 }
 
-Region to_region(const ClipperLib::Paths& paths) {
+/// Rounding leaves slivers, and edges that go there and back: what is less wide than this is nothing.
+constexpr double sliver = 8;  // units
+
+Region to_region(const ClipperLib::Paths& found) {
+  ClipperLib::Paths paths = found;
+  ClipperLib::CleanPolygons(paths, sliver);
   Region region;
   for (const ClipperLib::Path& path : paths) {
     if (path.size() < 3) continue;
+    double length = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const ClipperLib::IntPoint &a = path[i], &b = path[(i + 1) % path.size()];
+      length += std::hypot(static_cast<double>(b.X - a.X), static_cast<double>(b.Y - a.Y));
+    }
+    if (std::abs(ClipperLib::Area(path)) < 0.5 * sliver * length) continue;
     Outline outline;
     outline.reserve(path.size());
     for (const ClipperLib::IntPoint& p : path)

@@ -42,6 +42,8 @@ class Leaf {
   [[nodiscard]] virtual Box bounds() const = 0;
   /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
   [[nodiscard]] virtual double thickness() const = 0;
+  /// Of its surface, mm^2.
+  [[nodiscard]] double area() const { return to_mesh(polyhedron()).area(); }
   [[nodiscard]] virtual bool convex() const { return false; }
   /// Where it is a true ball.
   struct BallShape {
@@ -100,6 +102,8 @@ PartPtr subtract(std::vector<PartPtr> parts);
 Box bounds_of(const Part& part);
 /// The least thickness() of its leafs.
 double thickness_of(const Part& part);
+/// The sum of the areas of its leafs' surfaces, mm^2.
+double area_of(const Part& part);
 Solid solid_of(const Part& part, const Making& making);
 /// With flat faces, exactly, whatever it is joined from.
 Polyhedron polyhedron_of(const Part& part, Progress& progress);

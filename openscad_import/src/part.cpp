@@ -122,6 +122,13 @@ double thickness_of(const Part& part) {
   return least;
 }
 
+double area_of(const Part& part) {
+  if (part.kind == Kind::leaf) return part.leaf->area();
+  double sum = 0;
+  for (const PartPtr& child : part.children) sum += area_of(*child);
+  return sum;
+}
+
 Solid solid_of(const Part& part, const Making& making) {
   making.progress->check();
   if (part.kind == Kind::nothing) return {};
