@@ -77,5 +77,6 @@ std::unique_ptr<Verb> convert_verb();
 std::unique_ptr<Verb> edit_verb();
 std::unique_ptr<Verb> cam_verb();
 std::unique_ptr<Verb> simulate_verb();
+std::unique_ptr<Verb> openscad_verb();
 
 }  // namespace fieldfab::cli

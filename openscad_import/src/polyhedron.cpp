@@ -99,9 +99,12 @@ std::vector<Plane> planes_of(const Polyhedron& convex) {
 bool is_convex(const Polyhedron& solid) {
   if (solid.empty()) return false;
   const double slack = 1e-6 * solid.bounds().diagonal();
-  for (const Plane& plane : planes_of(solid))
+  for (const Triangle& t : solid.triangles) {
+    const Vec3& a = solid.vertices[t[0]];
+    const Vec3 normal = (solid.vertices[t[1]] - a).cross(solid.vertices[t[2]] - a).normalized();
     for (const Vec3& p : solid.vertices)
-      if (plane.normal.dot(p) > plane.offset + slack) return false;
+      if (normal.dot(p - a) > slack) return false;
+  }
   return true;
 }
 
