@@ -25,14 +25,15 @@ module shell3d(thickness = 1, voxel = undef, name = "") _fieldfab("shell", [_fie
 // Words as numbers: OpenSCAD does not mark quotes within words that it prints.
 function _fieldfab_codes(words) = [for (c = words) ord(c)];
 function _fieldfab_hash(words, factor, i = 0, sum = 7) =
-  i >= len(words) ? sum : _fieldfab_hash(words, factor, i + 1, (sum * factor + ord(words[i])) % 67108859);
-function _fieldfab_key(words) = str(_fieldfab_hash(words, 31) + 100000000, _fieldfab_hash(words, 131) + 100000000);
+  i >= len(words) ? sum + 100000 : _fieldfab_hash(words, factor, i + 1, (sum * factor + ord(words[i])) % 99991);
+function _fieldfab_key(words) =
+  str(_fieldfab_hash(words, 31), _fieldfab_hash(words, 131), _fieldfab_hash(words, 257), _fieldfab_hash(words, 521));
 
-// While the cache is made, $fieldfab_finding is true: then what is wanted is told in place of a mesh.
+// While the cache is made, $fieldfab_finding is set: then what is wanted is told in place of a mesh.
 module _fieldfab(kind, wanted) {
   words = str(wanted);
   key = _fieldfab_key(str(kind, words));
-  if ($fieldfab_finding == true) {
+  if (!is_undef($fieldfab_finding)) {
     group() {
       text(str("fieldfab:", kind, ":", key, ":", words));
       children();

@@ -61,7 +61,18 @@ Expression formula_of(const std::vector<Plane>& planes, double growth) {
 class Convex final : public Leaf {
  public:
   explicit Convex(Polyhedron solid) : solid_(std::move(solid)), planes_(planes_of(solid_)) {}
-  [[nodiscard]] Solid solid(const Making& making) const override { return {formula_of(planes_, making.growth), nullptr}; }
+  [[nodiscard]] Solid solid(const Making& making) const override {
+    // With the sides of its box the value is never less than the distance to that box.
+    std::vector<Plane> planes = planes_;
+    const Box box = solid_.bounds();
+    for (int axis = 0; axis < 3 && !making.formulas_only; ++axis)
+      for (const double sign : {-1.0, 1.0}) {
+        const Vec3 normal = sign * Vec3::Unit(axis);
+        if (std::none_of(planes_.begin(), planes_.end(), [&](const Plane& plane) { return plane.normal.dot(normal) > 1 - 1e-12; }))
+          planes.push_back({normal, sign > 0 ? box.upper[axis] : -box.lower[axis]});
+      }
+    return {formula_of(planes, making.growth)};
+  }
   [[nodiscard]] Polyhedron polyhedron() const override { return solid_; }
   [[nodiscard]] Box bounds() const override { return solid_.bounds(); }
   [[nodiscard]] double thickness() const override {
@@ -126,7 +137,7 @@ class Extruded final : public Leaf {
       : region_(std::move(region)), lower_(lower), upper_(upper), placement_(placement) {}
   [[nodiscard]] Solid solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
-    if (making.formulas_only) return {placed(formula(growth), placement_), nullptr};
+    if (making.formulas_only) return {placed(formula(growth), placement_)};
     return {std::nullopt, placed(extruded_field(region_, lower_, upper_, growth), placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
@@ -137,6 +148,10 @@ class Extruded final : public Leaf {
     const Eigen::AlignedBox2d flat = region_.bounds();
     return image_of({{flat.min().x(), flat.min().y(), lower_}, {flat.max().x(), flat.max().y(), upper_}}, placement_.linear(),
                     placement_.translation());
+  }
+  [[nodiscard]] double steepness() const override {
+    const Stretch stretch = stretch_of(placement_);
+    return stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override {
     return std::min(upper_ - lower_, region_.stroke()) * stretch_of(placement_).least;
@@ -214,6 +229,10 @@ class Turned final : public Leaf {
     const double r = flat.max().x();
     return image_of({{-r, -r, flat.min().y()}, {r, r, flat.max().y()}}, placement_.linear(), placement_.translation());
   }
+  [[nodiscard]] double steepness() const override {
+    const Stretch stretch = stretch_of(placement_);
+    return (shape_.turn.fragments > 0 ? std::cos(shape_.turn.step / 2) : 1) * stretch.least / stretch.greatest;
+  }
   [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_).least; }
 
  private:
@@ -239,6 +258,7 @@ class Faceted final : public Leaf {
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return planes_.polyhedron(); }
   [[nodiscard]] Box bounds() const override { return planes_.bounds(); }
+  [[nodiscard]] double steepness() const override { return std::min(planes_.steepness(), turned_.steepness()); }
   [[nodiscard]] double thickness() const override { return planes_.thickness(); }
   [[nodiscard]] bool convex() const override { return true; }
 
@@ -255,7 +275,7 @@ class Cone final : public Leaf {
     const double height = upper - lower, slant = std::hypot(height, r2 - r1);
     const Expression z = Expression::z(), r = sqrt(square(Expression::x()) + square(Expression::y()));
     const Expression side = ((r - r1) * height - (z - lower) * (r2 - r1)) / slant;
-    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_).least, placement_), nullptr};
+    return {placed(max(side, max(lower - z, z - upper)) - making.growth / stretch_of(placement_).least, placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
     constexpr int fine = 180;
@@ -265,6 +285,11 @@ class Cone final : public Leaf {
   [[nodiscard]] Box bounds() const override {
     const double r = std::max(cone_.r1, cone_.r2);
     return image_of({{-r, -r, cone_.lower}, {r, r, cone_.upper}}, placement_.linear(), placement_.translation());
+  }
+  [[nodiscard]] double steepness() const override {
+    const Stretch stretch = stretch_of(placement_);
+    const double height = cone_.upper - cone_.lower;
+    return height / std::hypot(height, cone_.r2 - cone_.r1) * stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override {
     return std::min(cone_.upper - cone_.lower, 2 * std::max(cone_.r1, cone_.r2)) * stretch_of(placement_).least;
@@ -284,9 +309,9 @@ class Ball final : public Leaf {
     if (stretch.is_even()) {
       const Vec3 at = placement_.translation();
       const frep::Expression ball = frep::shapes::sphere(radius_ * stretch.greatest + making.growth);
-      return {remap(ball, Expression::x() - at.x(), Expression::y() - at.y(), Expression::z() - at.z()), nullptr};
+      return {remap(ball, Expression::x() - at.x(), Expression::y() - at.y(), Expression::z() - at.z())};
     }
-    return {placed(frep::shapes::sphere(radius_ + making.growth / stretch.least), placement_), nullptr};
+    return {placed(frep::shapes::sphere(radius_ + making.growth / stretch.least), placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
     TurnedShape shape;
@@ -302,6 +327,10 @@ class Ball final : public Leaf {
     // How far an ellipsoid reaches along an axis: the length of that row of its map.
     const Vec3 reach = radius_ * placement_.linear().rowwise().norm();
     return {placement_.translation() - reach, placement_.translation() + reach};
+  }
+  [[nodiscard]] double steepness() const override {
+    const Stretch stretch = stretch_of(placement_);
+    return stretch.least / stretch.greatest;
   }
   [[nodiscard]] double thickness() const override { return 2 * radius_ * stretch_of(placement_).least; }
   [[nodiscard]] bool convex() const override { return true; }

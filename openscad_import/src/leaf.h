@@ -16,7 +16,9 @@ namespace fieldfab::openscad {
 /// A solid as a formula where it can be one, else as a Field; neither where there is nothing.
 struct Solid {
   std::optional<frep::Expression> formula;
-  FieldPtr field;
+  FieldPtr field = nullptr;
+  Box box = {};          ///< holds it
+  double steepness = 1;  ///< outside of the box the value is at least so many times the distance to it along the farthest axis
 
   [[nodiscard]] bool empty() const { return !formula && !field; }
   [[nodiscard]] FieldPtr as_field() const;
@@ -42,6 +44,8 @@ class Leaf {
   [[nodiscard]] virtual Box bounds() const = 0;
   /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
   [[nodiscard]] virtual double thickness() const = 0;
+  /// See Solid.
+  [[nodiscard]] virtual double steepness() const { return 1; }
   /// Of its surface, mm^2.
   [[nodiscard]] double area() const { return to_mesh(polyhedron()).area(); }
   [[nodiscard]] virtual bool convex() const { return false; }

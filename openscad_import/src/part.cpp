@@ -1,6 +1,7 @@
 // Parts joined to a design, and what is asked of them as a whole.
 #include <algorithm>
 
+#include "assembly.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "leaf.h"
@@ -25,6 +26,16 @@ FieldPtr joined(std::span<const FieldPtr> all, const Join& join) {
   return join(joined(all.first(all.size() / 2), join), joined(all.subspan(all.size() / 2), join));
 }
 
+/// The least steepness, and what is told of boxes: of a union what holds all, else what is common.
+void tell_where(Solid& result, const std::vector<Solid>& all, bool is_union) {
+  result.box = all.front().box;
+  for (const Solid& solid : all) {
+    result.steepness = std::min(result.steepness, solid.steepness);
+    result.box = is_union ? hull(result.box, solid.box) : intersection(result.box, solid.box);
+  }
+  if (!result.box.valid()) result.box = all.front().box;  // they do not meet
+}
+
 template <class JoinFormulas, class JoinFields>
 Solid joined(const std::vector<Solid>& all, const JoinFormulas& join_formulas, const JoinFields& join_fields) {
   std::vector<frep::Expression> formulas;
@@ -46,10 +57,20 @@ Solid joined(const std::vector<Solid>& all, const JoinFormulas& join_formulas, c
   return {std::nullopt, joined(std::span<const FieldPtr>(fields), join_fields)};
 }
 
-Solid united(const std::vector<Solid>& all) {
-  return joined(
-      all, [](const auto& a, const auto& b) { return min(a, b); },
-      [](const FieldPtr& a, const FieldPtr& b) { return fieldfab::unite(a, b); });
+Solid united(const std::vector<Solid>& all, const Making& making) {
+  constexpr std::size_t few = 3;  // more, and looking at where they are pays
+  Solid result;
+  if (all.size() <= few || making.formulas_only) {
+    result = joined(
+        all, [](const auto& a, const auto& b) { return min(a, b); },
+        [](const FieldPtr& a, const FieldPtr& b) { return fieldfab::unite(a, b); });
+  } else {
+    std::vector<Placed> parts;
+    for (const Solid& solid : all) parts.push_back({solid.as_field(), solid.box, solid.steepness});
+    result.field = assembly(std::move(parts));
+  }
+  tell_where(result, all, true);
+  return result;
 }
 
 bool meet(const Box& a, const Box& b) { return intersection(a, b).valid(); }
@@ -132,22 +153,35 @@ double area_of(const Part& part) {
 Solid solid_of(const Part& part, const Making& making) {
   making.progress->check();
   if (part.kind == Kind::nothing) return {};
-  if (part.kind == Kind::leaf) return part.leaf->solid(making);
+  if (part.kind == Kind::leaf) {
+    Solid solid = part.leaf->solid(making);
+    solid.box = part.leaf->bounds().grown(2 * making.growth);
+    solid.steepness = part.leaf->steepness();
+    return solid;
+  }
   std::vector<Solid> solids;
   for (std::size_t i = 0; i < part.children.size(); ++i) {
     Making here = making;
     if (part.kind == Kind::subtract && i > 0) here.growth += making.step;
     solids.push_back(solid_of(*part.children[i], here));
   }
-  if (part.kind == Kind::unite) return united(solids);
-  if (part.kind == Kind::intersect)
-    return joined(
+  if (part.kind == Kind::unite) return united(solids, making);
+  Solid result;
+  if (part.kind == Kind::intersect) {
+    result = joined(
         solids, [](const auto& a, const auto& b) { return max(a, b); },
         [](const FieldPtr& a, const FieldPtr& b) { return fieldfab::intersect(a, b); });
-  const Solid others = united({solids.begin() + 1, solids.end()});
+    tell_where(result, solids, false);
+    return result;
+  }
+  const Solid others = united({solids.begin() + 1, solids.end()}, making);
   const Solid& first = solids.front();
-  if (first.formula && others.formula) return {max(*first.formula, -*others.formula), nullptr};
-  return {std::nullopt, fieldfab::subtract(first.as_field(), others.as_field())};
+  if (first.formula && others.formula)
+    result.formula = max(*first.formula, -*others.formula);
+  else
+    result.field = fieldfab::subtract(first.as_field(), others.as_field());
+  tell_where(result, {first}, true);
+  return result;
 }
 
 Polyhedron polyhedron_of(const Part& part, Progress& progress) {
