@@ -137,8 +137,8 @@ class InfoVerb final : public Verb {
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
     outcome.json["notes"] = model.notes;
-    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_,
-                               flat ? "flat" : "solid", a.x(), b.x(), a.y(), b.y());
+    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_, flat ? "flat" : "solid",
+                               a.x(), b.x(), a.y(), b.y());
     if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
     return outcome;
   }

@@ -64,7 +64,8 @@ class ProgressLine {
 int run(int argc, char** argv) {
   CLI::App app{
       "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
-      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design (.scad .csg) or "
+      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design (.scad .csg) "
+      "or "
       "an .asdf file. Lengths are in mm."};
   app.name("fieldfab");
   app.require_subcommand(1);
@@ -80,8 +81,8 @@ int run(int argc, char** argv) {
   app.fallthrough();
 
   std::vector<std::unique_ptr<Verb>> verbs;
-  for (auto make :
-       {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb, openscad_verb}) {
+  for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb,
+                    openscad_verb}) {
     verbs.push_back(make());
     verbs.back()->declare(app);
   }

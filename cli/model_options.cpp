@@ -25,7 +25,8 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .scad .csg .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")
+  verb.add_option("MODEL", model,
+                  "the solid: .math .vm .frep .py .scad .csg .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")
       ->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
@@ -58,8 +59,8 @@ std::optional<Box> ModelOptions::region() const {
 }
 
 Model ModelOptions::load(Progress& progress) const {
-  Model loaded =
-      load_model(model, Scripts::run, progress, scan.parsed(), {level, region()}, smooth ? Roundness::smooth : Roundness::as_drawn);
+  Model loaded = load_model(model, Scripts::run, progress, scan.parsed(), {level, region()},
+                            smooth ? Roundness::smooth : Roundness::as_drawn);
   for (const std::string& note : loaded.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;

@@ -1,7 +1,7 @@
 #include "bindings.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/openscad/design.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {

@@ -68,7 +68,8 @@ std::vector<double> Arguments::numbers(std::string_view name, std::vector<double
     return fallback;
   }
   const std::vector<double> given = list_of_numbers(*value, name);
-  if (given.size() < fallback.size()) fail(fmt::format("{} must have {} numbers, and has {}", name, fallback.size(), given.size()));
+  if (given.size() < fallback.size())
+    fail(fmt::format("{} must have {} numbers, and has {}", name, fallback.size(), given.size()));
   std::copy_n(given.begin(), fallback.size(), fallback.begin());
   return fallback;
 }

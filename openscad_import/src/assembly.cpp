@@ -17,7 +17,6 @@ double apart(const Box& a, const Box& b) {
   return std::max(0.0, std::max((a.lower - b.upper).maxCoeff(), (b.lower - a.upper).maxCoeff()));
 }
 
-
 /// No value of the part in the box is less.
 double least_of(const Placed& part, const Box& box) {
   const double distance = apart(part.box, box);
@@ -108,8 +107,7 @@ class Assembly final : public Field {
       return;
     }
     std::vector<Placed> fewer;
-    for (Kept& one : kept)
-      fewer.push_back({std::move(one.restriction.field), parts_[one.part].box, parts_[one.part].steepness});
+    for (Kept& one : kept) fewer.push_back({std::move(one.restriction.field), parts_[one.part].box, parts_[one.part].steepness});
     out[0].field = std::make_shared<Assembly>(std::move(fewer));
   }
 

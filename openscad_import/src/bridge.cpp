@@ -62,7 +62,8 @@ bool find_request(const Tree& tree, const Node& node, Request& request) {
   request.words = text.substr(words + 1);
   if (request.key.empty() || request.key.find_first_not_of("0123456789") != std::string::npos) return false;
   const Tree parsed = parse_csg("wanted(" + request.words + ");", tree.file);
-  if (parsed.nodes.size() != 2 || parsed.nodes[1].arguments.empty() || parsed.nodes[1].arguments[0].value.list() == nullptr) return false;
+  if (parsed.nodes.size() != 2 || parsed.nodes[1].arguments.empty() || parsed.nodes[1].arguments[0].value.list() == nullptr)
+    return false;
   request.values = *parsed.nodes[1].arguments[0].value.list();
   request.values.resize(3);
   return true;
@@ -77,7 +78,10 @@ std::string fingerprint(std::string_view bytes) {  // FNV-1a
 class Cache {
  public:
   Cache(const std::filesystem::path& design, Tree tree, Progress& progress)
-      : design_(std::filesystem::absolute(design)), folder_(design_.parent_path() / "fieldfab-cache"), tree_(std::move(tree)), progress_(progress) {
+      : design_(std::filesystem::absolute(design)),
+        folder_(design_.parent_path() / "fieldfab-cache"),
+        tree_(std::move(tree)),
+        progress_(progress) {
     report_.sources.push_back(design_);
   }
 
@@ -102,8 +106,9 @@ class Cache {
     const std::filesystem::path note = folder_ / (request.key + ".txt");
     auto& known = contents_[request.key];
     if (!known.empty() && known != content)
-      throw Error(ErrorKind::bad_input, design_.string(),
-                  fmt::format("two uses of {} differ in their children only: give one of them another name = \"...\"", request.kind));
+      throw Error(
+          ErrorKind::bad_input, design_.string(),
+          fmt::format("two uses of {} differ in their children only: give one of them another name = \"...\"", request.kind));
     if (known == content) return;
     known = content;
     if (std::filesystem::exists(mesh) && std::filesystem::exists(note) && read_file(note) == content) {
@@ -128,7 +133,9 @@ class Cache {
     throw Error(ErrorKind::bad_input, design_.string(), fmt::format("{}: {}", request.kind, message));
   }
 
-  [[nodiscard]] std::filesystem::path source(const Request& request) const { return design_.parent_path() / decoded(request.values[0]); }
+  [[nodiscard]] std::filesystem::path source(const Request& request) const {
+    return design_.parent_path() / decoded(request.values[0]);
+  }
 
   /// All that the mesh depends on.
   std::string content_of(const Request& request, const Node& node) {
@@ -222,11 +229,15 @@ class Cache {
     };
     const std::string& kind = request.kind;
     if (kind == "smooth_union") return join([](const E& a, const E& b, const E& r) { return shapes::smooth_unite(a, b, r); });
-    if (kind == "smooth_difference") return join([](const E& a, const E& b, const E& r) { return shapes::smooth_subtract(a, b, r); });
-    if (kind == "smooth_intersection") return join([](const E& a, const E& b, const E& r) { return shapes::smooth_intersect(a, b, r); });
+    if (kind == "smooth_difference")
+      return join([](const E& a, const E& b, const E& r) { return shapes::smooth_subtract(a, b, r); });
+    if (kind == "smooth_intersection")
+      return join([](const E& a, const E& b, const E& r) { return shapes::smooth_intersect(a, b, r); });
     if (kind == "chamfer_union") return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_unite(a, b, r); });
-    if (kind == "chamfer_difference") return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_subtract(a, b, r); });
-    if (kind == "chamfer_intersection") return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_intersect(a, b, r); });
+    if (kind == "chamfer_difference")
+      return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_subtract(a, b, r); });
+    if (kind == "chamfer_intersection")
+      return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_intersect(a, b, r); });
     FieldPtr all = solids.front();
     for (std::size_t i = 1; i < solids.size(); ++i) all = unite(all, solids[i]);
     if (kind == "offset") return offset(all, size);
@@ -246,7 +257,8 @@ class Cache {
 CacheReport refresh_cache(const std::filesystem::path& design, Progress& progress) {
   if (!std::filesystem::is_regular_file(design)) throw Error(ErrorKind::io, design.string(), "there is no such file");
   const std::filesystem::path library = std::filesystem::absolute(design).parent_path() / "fieldfab.scad";
-  if (!std::filesystem::exists(library) && read_file(design).find("fieldfab.scad") != std::string::npos) write_file(library, library_text());
+  if (!std::filesystem::exists(library) && read_file(design).find("fieldfab.scad") != std::string::npos)
+    write_file(library, library_text());
   const TemporaryFolder temporary;
   const std::filesystem::path csg = temporary.path() / "design.csg";
   run_openscad(design, csg, progress, {"-D", "$fieldfab_finding=true"});

@@ -99,19 +99,19 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
 }
 
 void add_model_readers() {
-  add_model_reader({{".scad", ".csg"}, [](const std::filesystem::path& path, Roundness roundness, Progress& progress) {
-                      const Tree tree = read_tree(path, progress);
-                      const Design design =
-                          make_design(tree, path.parent_path(), {roundness == Roundness::smooth, false}, progress);
-                      if (design.field == nullptr) throw Error(ErrorKind::bad_input, path.string(), "the design is empty");
-                      Model model;
-                      model.kind = "design";
-                      model.field = design.field;
-                      model.expression = design.formula;
-                      model.voxel = design.voxel;
-                      model.notes = design.notes;
-                      return model;
-                    }});
+  add_model_reader(
+      {{".scad", ".csg"}, [](const std::filesystem::path& path, Roundness roundness, Progress& progress) {
+         const Tree tree = read_tree(path, progress);
+         const Design design = make_design(tree, path.parent_path(), {roundness == Roundness::smooth, false}, progress);
+         if (design.field == nullptr) throw Error(ErrorKind::bad_input, path.string(), "the design is empty");
+         Model model;
+         model.kind = "design";
+         model.field = design.field;
+         model.expression = design.formula;
+         model.voxel = design.voxel;
+         model.notes = design.notes;
+         return model;
+       }});
 }
 
 }  // namespace fieldfab::openscad

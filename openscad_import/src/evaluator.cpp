@@ -22,12 +22,10 @@ bool is_one_of(const std::string& name, std::initializer_list<const char*> known
 bool is_solid(const std::string& name) {
   return is_one_of(name, {"cube", "sphere", "cylinder", "polyhedron", "surface", "linear_extrude", "rotate_extrude"});
 }
-bool is_flat(const std::string& name) {
-  return is_one_of(name, {"square", "circle", "polygon", "text", "projection", "offset"});
-}
+bool is_flat(const std::string& name) { return is_one_of(name, {"square", "circle", "polygon", "text", "projection", "offset"}); }
 bool is_joint(const std::string& name) {
-  return is_one_of(name, {"group", "union", "intersection", "difference", "hull", "minkowski", "resize", "render", "color", "multmatrix",
-                          "translate", "rotate", "scale", "mirror"});
+  return is_one_of(name, {"group", "union", "intersection", "difference", "hull", "minkowski", "resize", "render", "color",
+                          "multmatrix", "translate", "rotate", "scale", "mirror"});
 }
 
 }  // namespace
@@ -71,7 +69,8 @@ std::vector<NodeIndex> Evaluator::children(const Node& node, int wanted) {
     if (dimensions_[child] == wanted)
       all.push_back(child);
     else
-      note(below, fmt::format("{} is {}D among {}D shapes, and left out as OpenSCAD does", below.name, int{dimensions_[child]}, wanted));
+      note(below,
+           fmt::format("{} is {}D among {}D shapes, and left out as OpenSCAD does", below.name, int{dimensions_[child]}, wanted));
   }
   return all;
 }
@@ -116,7 +115,8 @@ Eigen::Affine3d Evaluator::placement_of(const Arguments& a, const Node& node) {
       if (angle == nullptr && argument.name.empty()) angle = &argument.value;
     if (angle != nullptr && angle->number() != nullptr) {
       const Vec3 axis = a.find("v") != nullptr ? vector("v", 0) : Vec3::UnitZ();
-      if (axis.norm() > 0) placement.linear() = Eigen::AngleAxisd(*angle->number() * degree, axis.normalized()).toRotationMatrix();
+      if (axis.norm() > 0)
+        placement.linear() = Eigen::AngleAxisd(*angle->number() * degree, axis.normalized()).toRotationMatrix();
     } else {
       const Vec3 turns = vector("a", 0) * degree;
       placement = Eigen::AngleAxisd(turns.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turns.y(), Vec3::UnitY()) *

@@ -129,7 +129,9 @@ Region offset(const Region& region, double distance, Corner corner, int fragment
                                     : corner == Corner::mitre ? ClipperLib::jtMiter
                                                               : ClipperLib::jtSquare;
   // A polygon of n sides keeps r (1 - cos(pi / n)) from its circle.
-  const double tolerance = std::abs(distance) * units_a_mm * (1 - std::cos(std::numbers::pi / std::max(fragments, 3)));
+  // The quarter of one of 6 sides has 1.5: OpenSCAD's cosine of 30 degrees, exact to the last bit, lets that become 1.
+  const double cosine = fragments == 6 ? std::sqrt(3.0) / 2 : std::cos(std::numbers::pi / std::max(fragments, 3));
+  const double tolerance = std::abs(distance) * units_a_mm * (1 - cosine);
   constexpr double longest_mitre = 1e6;  // OpenSCAD cuts no corner off
   ClipperLib::ClipperOffset clipper(longest_mitre, std::max(tolerance, 1.0));
   clipper.AddPaths(to_paths(region.outlines), join, ClipperLib::etClosedPolygon);

@@ -64,7 +64,8 @@ Region Evaluator::resized(const Arguments& a, const Node& node, int depth) {
   const Region region = united_flat(node, depth);
   if (region.empty()) return region;
   const Vec2 size = region.bounds().sizes();
-  const std::vector<double> factors = resize_factors(a.numbers("newsize", {0, 0}), a.numbers("auto", {0, 0}), {size.x(), size.y()});
+  const std::vector<double> factors =
+      resize_factors(a.numbers("newsize", {0, 0}), a.numbers("auto", {0, 0}), {size.x(), size.y()});
   return moved(region, Eigen::Affine2d(Eigen::Scaling(factors[0], factors[1])));
 }
 

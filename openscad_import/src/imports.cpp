@@ -37,7 +37,8 @@ std::vector<Outline> outlines_of_svg(const std::string& text, const std::string&
       for (int i = 0; i < 2; ++i) {
         while (at < text.data() + end && (*at == ',' || *at == ' ' || *at == '\n')) ++at;
         const auto [next, failure] = std::from_chars(at, text.data() + end, p[i]);
-        if (failure != std::errc{} || outlines.empty()) throw Error(ErrorKind::internal, name, "OpenSCAD's drawing is not understood");
+        if (failure != std::errc{} || outlines.empty())
+          throw Error(ErrorKind::internal, name, "OpenSCAD's drawing is not understood");
         at = next;
       }
       outlines.back().emplace_back(p.x(), -p.y());
@@ -81,7 +82,8 @@ std::vector<std::vector<double>> heights_of_picture(const std::filesystem::path&
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t first = ((height - 1 - y) * width + x) * channels;
-      const double light = channels == 1 ? sample(first) : 0.2126 * sample(first) + 0.7152 * sample(first + 1) + 0.0722 * sample(first + 2);
+      const double light =
+          channels == 1 ? sample(first) : 0.2126 * sample(first) + 0.7152 * sample(first + 1) + 0.0722 * sample(first + 2);
       rows[y][x] = 100.0 / 255 * (invert ? 1 - light : light);
     }
   return rows;
@@ -104,7 +106,8 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
     const auto* name = argument.value.text();
     if (name == nullptr) throw Error(ErrorKind::bad_input, tree.place(tree.nodes[node]), "import: file must be words in quotes");
     const std::filesystem::path file = std::filesystem::absolute(folder / *name);
-    if (!std::filesystem::is_regular_file(file)) throw Error(ErrorKind::io, tree.place(tree.nodes[node]), file.string() + ": there is no such file");
+    if (!std::filesystem::is_regular_file(file))
+      throw Error(ErrorKind::io, tree.place(tree.nodes[node]), file.string() + ": there is no such file");
     argument.value.held = file.string();
   }
   std::erase_if(alone.nodes[0].arguments, [](const Argument& argument) { return argument.name == "timestamp"; });
@@ -148,7 +151,8 @@ Polyhedron surface(const std::filesystem::path& file, bool centre, bool invert) 
   double floor = 0;
   for (const auto& row : rows)
     for (const double z : row) floor = std::min(floor, z - 1);
-  const double left = centre ? -0.5 * static_cast<double>(columns - 1) : 0, front = centre ? -0.5 * static_cast<double>(lines - 1) : 0;
+  const double left = centre ? -0.5 * static_cast<double>(columns - 1) : 0,
+               front = centre ? -0.5 * static_cast<double>(lines - 1) : 0;
   Polyhedron solid;
   const auto add = [&](double x, double y, double z) {
     solid.vertices.emplace_back(left + x, front + y, z);

@@ -68,7 +68,8 @@ class Convex final : public Leaf {
     for (int axis = 0; axis < 3 && !making.formulas_only; ++axis)
       for (const double sign : {-1.0, 1.0}) {
         const Vec3 normal = sign * Vec3::Unit(axis);
-        if (std::none_of(planes_.begin(), planes_.end(), [&](const Plane& plane) { return plane.normal.dot(normal) > 1 - 1e-12; }))
+        if (std::none_of(planes_.begin(), planes_.end(),
+                         [&](const Plane& plane) { return plane.normal.dot(normal) > 1 - 1e-12; }))
           planes.push_back({normal, sign > 0 ? box.upper[axis] : -box.lower[axis]});
       }
     return {formula_of(planes, making.growth)};
@@ -220,8 +221,8 @@ class Turned final : public Leaf {
   [[nodiscard]] Polyhedron polyhedron() const override {
     constexpr int fine = 180;
     const bool round = shape_.turn.fragments == 0;
-    const int steps =
-        round ? std::max(1, static_cast<int>(std::ceil(fine * std::abs(shape_.total) / (2 * std::numbers::pi)))) : shape_.turn.fragments;
+    const int steps = round ? std::max(1, static_cast<int>(std::ceil(fine * std::abs(shape_.total) / (2 * std::numbers::pi))))
+                            : shape_.turn.fragments;
     return moved(turned(shape_.profile, shape_.turn.first, shape_.total / steps, steps, shape_.full), placement_);
   }
   [[nodiscard]] Box bounds() const override {

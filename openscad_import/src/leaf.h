@@ -29,7 +29,7 @@ struct Making {
   /// Solids that touch are one solid, though a Field is 0, and so not inside, where their faces meet. So each is grown by so many
   /// mm: much less than matters, and more than single precision loses.
   double growth = 0;
-  double step = 0;  ///< so much more for what is taken away, so that no skin stays where faces meet
+  double step = 0;             ///< so much more for what is taken away, so that no skin stays where faces meet
   bool formulas_only = false;  ///< throw bad_input rather than give what has no formula
   Progress* progress = &Progress::none();
 };

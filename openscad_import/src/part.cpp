@@ -108,7 +108,8 @@ PartPtr unite(std::vector<PartPtr> parts) {
 }
 
 PartPtr intersect(std::vector<PartPtr> parts) {
-  if (parts.empty() || std::any_of(parts.begin(), parts.end(), [](const PartPtr& part) { return part->empty(); })) return nothing();
+  if (parts.empty() || std::any_of(parts.begin(), parts.end(), [](const PartPtr& part) { return part->empty(); }))
+    return nothing();
   return joined(Kind::intersect, std::move(parts));
 }
 

@@ -21,9 +21,7 @@ struct Span {
   double lower, upper;
 };
 
-Interval rounded(const Span& span) {
-  return {static_cast<float>(span.lower), static_cast<float>(span.upper), false};
-}
+Interval rounded(const Span& span) { return {static_cast<float>(span.lower), static_cast<float>(span.upper), false}; }
 
 /// Distances over the rectangle about `centre` with that half diagonal, and what is near of the outlines.
 Span distances(const Distance& whole, const Vec2& centre, double reach, Distance& near) {
@@ -71,8 +69,9 @@ class Extruded final : public Field {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Part part = restricted_to(boxes[i]);
       out[i].range = part.range;
-      out[i].field = part.outlines == outlines_ ? shared_from_this()
-                                                : std::make_shared<Extruded>(part.outlines, middle_ - half_, middle_ + half_, growth_);
+      out[i].field = part.outlines == outlines_
+                         ? shared_from_this()
+                         : std::make_shared<Extruded>(part.outlines, middle_ - half_, middle_ + half_, growth_);
     }
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return 10 + (outlines_ ? outlines_->cost() : 0); }
@@ -121,7 +120,8 @@ class Turned final : public Field {
       const auto [distance, direction] = out_from_axis(points.x[i], points.y[i]);
       const Vec2 at(distance, points.z[i]);
       const PolygonDistance::Nearest nearest = profile_->at(at);
-      out[i] = at.allFinite() ? static_cast<float>(shrink_ * nearest.distance - growth_) : std::numeric_limits<float>::quiet_NaN();
+      out[i] =
+          at.allFinite() ? static_cast<float>(shrink_ * nearest.distance - growth_) : std::numeric_limits<float>::quiet_NaN();
       slopes.dx[i] = static_cast<float>(nearest.slope.x() * direction.x());
       slopes.dy[i] = static_cast<float>(nearest.slope.x() * direction.y());
       slopes.dz[i] = static_cast<float>(nearest.slope.y() * shrink_);

@@ -108,7 +108,8 @@ bool is_convex(const Polyhedron& solid) {
   return true;
 }
 
-Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const Vec2&, int)>& place, bool caps) {
+Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const Vec2&, int)>& place,
+                 const SweepChoices& choices) {
   Polyhedron solid;
   std::size_t corners = 0;
   for (const Outline& outline : region.outlines) corners += outline.size();
@@ -125,7 +126,8 @@ Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const
         const std::size_t here = first + i, next = first + (i + 1) % outline.size();
         const std::uint32_t a = at(here, step), b = at(next, step), c = at(next, step + 1), d = at(here, step + 1);
         const auto& v = solid.vertices;
-        if ((v[a] - v[c]).squaredNorm() < (v[b] - v[d]).squaredNorm()) {
+        const double ac = (v[a] - v[c]).norm(), bd = (v[b] - v[d]).norm(), same = 1e-9 * (ac + bd);
+        if (choices.forwards_if_equal ? ac <= bd + same : ac < bd - same) {
           solid.triangles.push_back({a, b, c});
           solid.triangles.push_back({a, c, d});
         } else {
@@ -136,7 +138,7 @@ Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const
       first += outline.size();
     }
   }
-  if (!caps) return welded(solid);
+  if (!choices.caps) return welded(solid);
   for (const auto& t : triangulate(region)) {
     solid.triangles.push_back({at(t[0], 0), at(t[2], 0), at(t[1], 0)});
     solid.triangles.push_back({at(t[0], steps), at(t[1], steps), at(t[2], steps)});
@@ -149,7 +151,7 @@ Polyhedron turned(const Region& profile, double first, double step, int steps, b
     const double angle = first + step * (full && layer == steps ? 0 : layer);
     return {p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()};
   };
-  Polyhedron solid = sweep(profile, steps, place, !full);
+  Polyhedron solid = sweep(profile, steps, place, {!full, false});
   if (step > 0)  // x, z and the way round are a left-handed frame then
     for (Triangle& t : solid.triangles) std::swap(t[1], t[2]);
   return solid;

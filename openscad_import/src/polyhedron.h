@@ -47,8 +47,13 @@ std::vector<Plane> planes_of(const Polyhedron& convex);
 bool is_convex(const Polyhedron& solid);
 
 /// Outlines in layers, joined by triangles; `place` tells where a point of the flat shape is in each layer of 0 to `steps`. With
-/// caps at both ends unless told otherwise. Four-sided faces are divided by their shorter diagonal.
-Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const Vec2&, int)>& place, bool caps = true);
+/// caps at both ends unless told otherwise. Four-sided faces are divided by their shorter diagonal; where both are as long, by
+/// that which goes forwards along the outline as it goes up, or by the other.
+struct SweepChoices {
+  bool caps = true, forwards_if_equal = false;
+};
+Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const Vec2&, int)>& place,
+                 const SweepChoices& choices = {});
 /// Outlines in the half plane x >= 0 turned about z, first at the angle `first` and then by `step` radians `steps` times; a full
 /// turn closes itself.
 Polyhedron turned(const Region& profile, double first, double step, int steps, bool full);

@@ -44,8 +44,9 @@ class Child {
     if (failure == 0) return;
     process_ = 0;
     close(output_);
-    throw Error(ErrorKind::io, words[0],
-                failure == ENOENT ? "is not installed: .scad files, text() and some imports need OpenSCAD" : std::strerror(failure));
+    throw Error(
+        ErrorKind::io, words[0],
+        failure == ENOENT ? "is not installed: .scad files, text() and some imports need OpenSCAD" : std::strerror(failure));
   }
   ~Child() {
     if (process_ > 0) {
@@ -88,7 +89,8 @@ std::string complaint_of(const std::string& said) {
     at = end + 1;
     if (line.empty()) continue;
     all += (all.empty() ? "" : "; ") + line;
-    if (line.find("ERROR") != std::string::npos || line.find("rror:") != std::string::npos || line.find("Can't") != std::string::npos)
+    if (line.find("ERROR") != std::string::npos || line.find("rror:") != std::string::npos ||
+        line.find("Can't") != std::string::npos)
       told += (told.empty() ? "" : "; ") + line;
   }
   return (told.empty() ? all : told).substr(0, 1000);
@@ -127,10 +129,13 @@ std::string run_openscad(const std::filesystem::path& input, const std::filesyst
   const int status = child.wait();
   if (WIFSIGNALED(status))
     throw Error(ErrorKind::bad_input, input.string(), fmt::format("OpenSCAD was ended by signal {}", WTERMSIG(status)));
-  if (WEXITSTATUS(status) != 0 || !std::filesystem::exists(output)) {
+  // After a failed assertion OpenSCAD writes a file and calls it a success.
+  const bool complained = said.starts_with("ERROR:") || said.find("\nERROR:") != std::string::npos;
+  if (WEXITSTATUS(status) != 0 || complained || !std::filesystem::exists(output)) {
     const std::string complaint = complaint_of(said);
-    throw Error(ErrorKind::bad_input, input.string(),
-                complaint.empty() ? fmt::format("OpenSCAD failed with status {}", WEXITSTATUS(status)) : "OpenSCAD says: " + complaint);
+    throw Error(
+        ErrorKind::bad_input, input.string(),
+        complaint.empty() ? fmt::format("OpenSCAD failed with status {}", WEXITSTATUS(status)) : "OpenSCAD says: " + complaint);
   }
   return said;
 }

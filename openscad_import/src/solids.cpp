@@ -31,7 +31,8 @@ void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
   for (const std::uint32_t i : corners) outline.push_back((flatten * solid.vertices[i]).head<2>());
   bool convex = true;
   for (std::size_t i = 0; i < outline.size() && convex; ++i) {
-    const Vec2 u = outline[(i + 1) % outline.size()] - outline[i], v = outline[(i + 2) % outline.size()] - outline[(i + 1) % outline.size()];
+    const Vec2 u = outline[(i + 1) % outline.size()] - outline[i],
+               v = outline[(i + 2) % outline.size()] - outline[(i + 1) % outline.size()];
     convex = u.x() * v.y() - u.y() * v.x() >= 0;
   }
   if (convex) return fan();
@@ -50,7 +51,8 @@ std::size_t open_edges(const Polyhedron& solid) {
       const std::uint32_t from = t[i], to = t[(i + 1) % 3];
       balance[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
     }
-  return static_cast<std::size_t>(std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
+  return static_cast<std::size_t>(
+      std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
 /// Slices of an extrusion that is twisted or becomes wider unevenly, where none are asked for.
@@ -59,7 +61,7 @@ int slices_of(const Arguments& a, const Region& region, double height, double tw
   double farthest = 0, widest = 0;  // from the axis; and the farthest that a corner moves outwards
   for (const Outline& outline : region.outlines)
     for (const Vec2& p : outline) {
-      farthest = std::max({farthest, p.norm(), p.cwiseProduct(scale).norm()});
+      farthest = std::max(farthest, p.norm());
       widest = std::max(widest, (p - p.cwiseProduct(scale)).norm());
     }
   double slices = 1;
@@ -85,7 +87,8 @@ PartPtr Evaluator::cube(const Arguments& a, const Eigen::Affine3d& placement) {
   Polyhedron solid;
   for (int i = 0; i < 8; ++i)
     solid.vertices.push_back(lower + Vec3((i & 1) != 0 ? size[0] : 0, (i & 2) != 0 ? size[1] : 0, (i & 4) != 0 ? size[2] : 0));
-  for (const auto& face : {std::vector<std::uint32_t>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
+  for (const auto& face :
+       {std::vector<std::uint32_t>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
     add_face(solid, face);
   if (placement.linear().determinant() == 0) return nothing();
   return part_of(convex_leaf(moved(solid, placement)));
@@ -134,7 +137,9 @@ PartPtr Evaluator::polyhedron(const Arguments& a, const Node& node, const Eigen:
   }
   if (solid.empty() || placement.linear().determinant() == 0) return nothing();
   if (const std::size_t open = open_edges(solid); open > 0)
-    note(node, fmt::format("{} edges of this polyhedron have not one face on each side; gaps are closed as its faces wind around it", open));
+    note(node,
+         fmt::format("{} edges of this polyhedron have not one face on each side; gaps are closed as its faces wind around it",
+                     open));
   double volume = 0;
   for (const Triangle& t : solid.triangles) volume += solid.vertices[t[0]].dot(solid.vertices[t[1]].cross(solid.vertices[t[2]]));
   if (volume < 0)
@@ -160,7 +165,7 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
     return {wide.x() * std::cos(angle) - wide.y() * std::sin(angle), wide.x() * std::sin(angle) + wide.y() * std::cos(angle),
             lower + height * share};
   };
-  return part_of(mesh_leaf(moved(sweep(region, steps, place), placement)));
+  return part_of(mesh_leaf(moved(sweep(region, steps, place, {true, twist > 0}), placement)));
 }
 
 PartPtr Evaluator::rotate_extrude(const Arguments& a, const Node& node, const Eigen::Affine3d& placement, int depth) {
@@ -206,14 +211,16 @@ PartPtr Evaluator::imported(const Arguments& a, const Node& node, const Eigen::A
   auto& mesh = meshes_[key];
   try {
     if (mesh == nullptr)
-      mesh = std::make_shared<const Polyhedron>(node.name == "surface" ? surface(file, centre, invert) : import_mesh(file, progress_));
+      mesh = std::make_shared<const Polyhedron>(node.name == "surface" ? surface(file, centre, invert)
+                                                                       : import_mesh(file, progress_));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
     throw Error(error.kind(), a.place(), error.what());
   }
   if (mesh->empty() || placement.linear().determinant() == 0) return nothing();
   if (const std::size_t open = open_edges(*mesh); open > 0)
-    note(node, fmt::format("{} edges of {} have not one face on each side; gaps are closed as its faces wind around it", open, name));
+    note(node,
+         fmt::format("{} edges of {} have not one face on each side; gaps are closed as its faces wind around it", open, name));
   return part_of(mesh_leaf(moved(*mesh, placement)));
 }
 

@@ -235,7 +235,8 @@ FieldPtr surface_field(const Polyhedron& solid, double growth) {
     faces.push_back((b - a).cross(c - a).normalized());  // 0 of one without area
     for (std::size_t i = 0; i < 3; ++i) {
       edges.try_emplace(edge_key(t[i], t[(i + 1) % 3]), Vec3::Zero()).first->second += faces.back();
-      corners[t[i]] += faces.back() * angle_at(solid.vertices[t[i]], solid.vertices[t[(i + 1) % 3]], solid.vertices[t[(i + 2) % 3]]);
+      corners[t[i]] +=
+          faces.back() * angle_at(solid.vertices[t[i]], solid.vertices[t[(i + 1) % 3]], solid.vertices[t[(i + 2) % 3]]);
     }
   }
   auto facets = std::make_shared<std::vector<Facet>>();

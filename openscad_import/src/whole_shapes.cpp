@@ -53,7 +53,8 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
     const Part &ball = swapped ? *one : *two, &other = swapped ? *two : *one;
     if (ball.kind != Part::Kind::leaf) continue;
     if (const auto round = ball.leaf->ball())
-      return part_of(rounded_leaf(openscad::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))), round->radius));
+      return part_of(rounded_leaf(
+          openscad::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))), round->radius));
   }
   bool one_convex = true, two_convex = true;
   std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_), second = pieces_of(*two, two_convex, progress_);

@@ -34,7 +34,8 @@ double volume(std::string_view text, double voxel, const DesignOptions& options 
 }
 
 TEST(CsgText, IsReadWithModifiersAndValues) {
-  const Tree tree = parse_csg("%group(){#cube(size=[1,2.5,-3e-2],center=true);*sphere(r=inf);}!text(text=\"a\"b\", t = undef);// end", "t");
+  const Tree tree =
+      parse_csg("%group(){#cube(size=[1,2.5,-3e-2],center=true);*sphere(r=inf);}!text(text=\"a\"b\", t = undef);// end", "t");
   ASSERT_EQ(tree.nodes.size(), 5U);
   EXPECT_TRUE(tree.nodes[1].background);
   EXPECT_EQ(tree.nodes[2].arguments[0].value.list()->at(2).number()[0], -0.03);
@@ -98,12 +99,14 @@ TEST(CsgSolids, KeepWhatModifiersSay) {
 
 TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
   // Faces that meet lie on lattice planes here.
-  const Design two = design("cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
+  const Design two =
+      design("cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
   const TriangleMesh joined = contour(*two.field, {{-1, -1, -1}, {9, 5, 5}}, {0.5, -1, true});
   EXPECT_NEAR(joined.volume(), 128, 0.05);
   EXPECT_NEAR(joined.area(), 2 * (16 + 32 + 32), 0.05);
   const Design open = design(
-      "difference() { cube(size = [4, 4, 4]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,0],[0,0,0,1]]) { cube(size = [2, 2, 4]); } }");
+      "difference() { cube(size = [4, 4, 4]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,0],[0,0,0,1]]) { cube(size = [2, 2, 4]); } "
+      "}");
   const TriangleMesh tube = contour(*open.field, {{-1, -1, -1}, {5, 5, 5}}, {0.5, -1, true});
   EXPECT_NEAR(tube.volume(), 48, 0.05);
   EXPECT_NEAR(tube.area(), 4 * 16 + 4 * 8 + 2 * 12, 0.1);
@@ -114,7 +117,8 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
   EXPECT_NEAR(volume("cylinder($fn = 6, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * six, 0.3);
   EXPECT_NEAR(volume("cylinder($fn = 60, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * 30 * std::sin(std::numbers::pi / 30), 0.3);
   EXPECT_NEAR(volume("cylinder(h = 2, r1 = 5, r2 = 5);", 0.3, {true, false}), 50 * std::numbers::pi, 0.3);
-  EXPECT_NEAR(volume("hull() { cube(size = 1); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = 1); } }", 0.1), 5, 0.02);
+  EXPECT_NEAR(volume("hull() { cube(size = 1); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = 1); } }", 0.1),
+              5, 0.02);
   EXPECT_NEAR(volume("minkowski() { cube(size = 2); cube(size = [1, 2, 3]); }", 0.2), 60, 0.1);
   EXPECT_NEAR(volume("resize(newsize = [8, 0, 0], auto = [0, 1, 0]) { cube(size = [2, 1, 1]); }", 0.2), 32, 0.1);
   // A ring of square section turned by half: Pappus with the hexagonal sides' factor.
@@ -123,10 +127,11 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
   const double rounded = 8 + 6 * 4 * 1 + 12 * 2 * std::numbers::pi / 4 + 4 * std::numbers::pi / 3;
   EXPECT_NEAR(volume("minkowski() { cube(size = 2); sphere(r = 1); }", 0.1, {true, false}), rounded, 0.2);
   // A hollow block plus a cube.
-  EXPECT_NEAR(volume("minkowski() { difference() { cube(size = [6,6,2]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1],[0,0,0,1]]) { "
-                     "cube(size = [4,4,4]); } } cube(size = 1); }",
-                     0.2),
-              (49 - 9) * 3, 0.3);
+  EXPECT_NEAR(
+      volume("minkowski() { difference() { cube(size = [6,6,2]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1],[0,0,0,1]]) { "
+             "cube(size = [4,4,4]); } } cube(size = 1); }",
+             0.2),
+      (49 - 9) * 3, 0.3);
 }
 
 /// Everything that has a Field of its own.
@@ -149,7 +154,8 @@ TEST(CsgFields, AgreeWithTheirIntervalsAndRestrictions) {
       const Box box{corner, corner + Vec3(size, size * share(random), size * share(random))};
       const Restriction inside = field->restricted(box), sign = field->restricted(box, Purpose::occupancy);
       for (int k = 0; k < 4; ++k) {
-        const Vec3 p = (box.lower + Vec3(share(random), share(random), share(random)).cwiseProduct(box.size())).cast<float>().cast<double>();
+        const Vec3 p =
+            (box.lower + Vec3(share(random), share(random), share(random)).cwiseProduct(box.size())).cast<float>().cast<double>();
         if (!box.contains(p)) continue;
         const float value = field->value(p);
         EXPECT_TRUE(inside.range.contains(value)) << p.transpose() << " " << value;
@@ -173,7 +179,8 @@ TEST(CsgFields, NeverExceedTheDistance) {
 
 TEST(CsgFormulas, AreTheSameSolids) {
   const char* const text =
-      "difference() { cylinder($fn = 50, h = 9, r1 = 6, r2 = 5); linear_extrude(height = 20, center = true) { difference() { circle(r = "
+      "difference() { cylinder($fn = 50, h = 9, r1 = 6, r2 = 5); linear_extrude(height = 20, center = true) { difference() { "
+      "circle(r = "
       "4, $fn = 8); circle(r = 2, $fn = 5); } } }";
   const FieldPtr field = solid(text), formula = solid(text, {false, true});
   std::mt19937 random(3);

@@ -23,7 +23,8 @@ struct CacheReport {
 CacheReport refresh_cache(const std::filesystem::path& design, Progress& progress = Progress::none());
 
 /// Runs OpenSCAD to make `output` of a design, by its extension. Throws as refresh_cache() does.
-void export_design(const std::filesystem::path& design, const std::filesystem::path& output, Progress& progress = Progress::none());
+void export_design(const std::filesystem::path& design, const std::filesystem::path& output,
+                   Progress& progress = Progress::none());
 
 /// The text of fieldfab.scad.
 std::string library_text();

@@ -14,8 +14,8 @@
 namespace fieldfab::openscad {
 
 struct DesignOptions {
-  bool smooth = false;          ///< circles, spheres, cylinders and turned shapes round, not faceted as OpenSCAD draws them
-  bool formulas_only = false;   ///< throw bad_input rather than give what has no formula
+  bool smooth = false;         ///< circles, spheres, cylinders and turned shapes round, not faceted as OpenSCAD draws them
+  bool formulas_only = false;  ///< throw bad_input rather than give what has no formula
 };
 
 /// What was read.
