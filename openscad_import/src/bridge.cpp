@@ -201,10 +201,10 @@ class Cache {
     const double* size = request.values[1].number();
     if (size == nullptr || !std::isfinite(*size)) fail(request, "its size must be a number of mm");
     std::vector<FieldPtr> solids;
-    for (std::size_t i = 1; i < node.children.size(); ++i) {
+    for (const NodeIndex index : shapes_of(node)) {
       Tree child;
       child.file = tree_.file;
-      child = subtree(node.children[i]);
+      child = subtree(index);
       const Design design = make_design(child, design_.parent_path(), {}, progress_);
       report_.notes.insert(report_.notes.end(), design.notes.begin(), design.notes.end());
       if (design.flat) fail(request, "takes solids, not flat shapes");
@@ -212,6 +212,16 @@ class Cache {
     }
     if (solids.empty()) fail(request, "has no children");
     return joined(request, solids, *size);
+  }
+
+  /// What a module was given: OpenSCAD puts groups around what it hands on.
+  [[nodiscard]] std::vector<NodeIndex> shapes_of(const Node& node) const {
+    std::vector<NodeIndex> shapes(node.children.begin() + 1, node.children.end());
+    while (shapes.size() == 1 && tree_.nodes[shapes.front()].name == "group" && !tree_.nodes[shapes.front()].children.empty()) {
+      const std::vector<NodeIndex> inner = tree_.nodes[shapes.front()].children;
+      shapes = inner;
+    }
+    return shapes;
   }
 
   /// A node and what is below it as a tree of its own.

@@ -83,6 +83,11 @@ def test_fieldfab_within_openscad(tmp_path):
     assert done.returncode == 0 and "2 meshes made" in done.stdout, done
     plain = subprocess.run(["openscad", "-o", str(tmp_path / "plain.off"), str(design)], capture_output=True, text=True, timeout=300)
     assert plain.returncode == 0 and "Simple:        yes" in plain.stderr and "ERROR" not in plain.stderr and "WARNING" not in plain.stderr, plain.stderr
+    made = json.loads(run("--json", "info", tmp_path / "part.stl").stdout)["volume"]
+    design.write_text(DESIGN.replace("smooth_union(r = 2, voxel = 0.7)", "union()"))
+    assert run("openscad", design, "-o", tmp_path / "sharp.stl").returncode == 0
+    assert made > json.loads(run("--json", "info", tmp_path / "sharp.stl").stdout)["volume"] + 5  # the fillet
+    design.write_text(DESIGN)
     assert "0 meshes made, 2 kept" in run("openscad", design).stdout
     design.write_text(DESIGN.replace("sphere(4, $fn = 20)", "sphere(3)"))
     assert "1 mesh made, 1 kept" in run("openscad", design).stdout
