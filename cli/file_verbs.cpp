@@ -11,6 +11,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/mesh/contour.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
 #include "verbs.h"
@@ -95,7 +96,8 @@ class InfoVerb final : public Verb {
     if (extension == ".png") return image_info();
     if (extension == ".asdf") return asdf_info(*Asdf::load(file_));
     if (is_volume_path(file_)) return volume_info(progress);
-    return frep_info(load_model(file_, Scripts::run, progress), progress);
+    const Model model = load_model(file_, Scripts::run, progress);
+    return model.kind == "design" ? design_info(model, progress) : frep_info(model, progress);
   }
 
  private:
@@ -123,6 +125,21 @@ class InfoVerb final : public Verb {
       outcome.json["bounds"] = ranges;
     }
     outcome.line = fmt::format("{}: f-rep, {} nodes ({} simplified), {}", file_, nodes, simplified, bounds);
+    return outcome;
+  }
+  Outcome design_info(const Model& model, Progress& progress) const {
+    for (const std::string& note : model.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    const SolidBounds found = solid_bounds(*model.field, progress);
+    const Vec3 &a = found.box.lower, &b = found.box.upper;
+    const bool flat = !found.bounded[2];
+    Outcome outcome;
+    outcome.json = {{"file", file_}, {"kind", model.kind}, {"flat", flat}, {"formula", model.expression.has_value()}};
+    outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
+    outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
+    outcome.json["notes"] = model.notes;
+    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_, flat ? "flat" : "solid",
+                               a.x(), b.x(), a.y(), b.y());
+    if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
     return outcome;
   }
   Outcome asdf_info(const Asdf& asdf) const {
@@ -229,10 +246,11 @@ class ConvertVerb final : public Verb {
       write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
       return outcome;
     }
-    const Model model = options_.load(progress);
+    const bool to_text = is_one_of(to, {".math", ".vm", ".frep", ".dot"});
+    const Model model = to_text && is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.load(progress);
     if (to == ".math" || to == ".vm" || to == ".frep" || to == ".dot") {
       if (!model.expression || options_.thickness)
-        throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text can be written as another");
+        throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text or an OpenSCAD design can be written as a text");
       write_file(options_.output, to == ".math"  ? frep::print_math(*model.expression)
                                   : to == ".vm"  ? frep::print_vm(*model.expression)
                                   : to == ".dot" ? frep::print_dot(*model.expression)
@@ -259,6 +277,20 @@ class ConvertVerb final : public Verb {
   }
 
  private:
+  /// An OpenSCAD design as one expression. Throws bad_input where it has none.
+  [[nodiscard]] Model design_as_formula(Progress& progress) const {
+    const std::filesystem::path path = options_.model;
+    const openscad::Design design =
+        openscad::make_design(openscad::read_tree(path, progress), path.parent_path(), {options_.smooth, true}, progress);
+    if (!design.formula) throw Error(ErrorKind::bad_input, options_.model, "the design is empty");
+    for (const std::string& note : design.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    Model model;
+    model.kind = "design";
+    model.field = design.field;
+    model.expression = frep::simplify(*design.formula);
+    return model;
+  }
+
   ModelOptions options_;
 };
 

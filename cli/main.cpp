@@ -9,6 +9,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/frep/frep_field.h"
+#include "fieldfab/openscad/design.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -63,8 +64,9 @@ class ProgressLine {
 int run(int argc, char** argv) {
   CLI::App app{
       "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
-      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run) or an .asdf file. Lengths are in "
-      "mm."};
+      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design (.scad .csg) "
+      "or "
+      "an .asdf file. Lengths are in mm."};
   app.name("fieldfab");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(FIELDFAB_VERSION));
@@ -79,8 +81,8 @@ int run(int argc, char** argv) {
   app.fallthrough();
 
   std::vector<std::unique_ptr<Verb>> verbs;
-  for (auto make :
-       {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb}) {
+  for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb,
+                    openscad_verb}) {
     verbs.push_back(make());
     verbs.back()->declare(app);
   }
@@ -96,6 +98,7 @@ int run(int argc, char** argv) {
   } catch (const Error& error) {
     return complain(bad_input, error.what());
   }
+  openscad::add_model_readers();
   const ThreadLimit limit(threads);
   ProgressLine line(show_progress || ::isatty(STDERR_FILENO) != 0);
   Progress progress(std::ref(line));

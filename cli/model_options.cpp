@@ -25,7 +25,8 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model, "the solid: .math .vm .frep .py .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")
+  verb.add_option("MODEL", model,
+                  "the solid: .math .vm .frep .py .scad .csg .asdf, a mesh (.stl .ply .off .obj .3mf), or a CT volume")
       ->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
@@ -36,6 +37,7 @@ void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
   verb.add_option("--bounds,--region", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
   verb.add_option("--level", level, "of an .asdf file with several resolutions; 0 is the finest")->check(CLI::Range(0, 31));
+  verb.add_flag("--smooth", smooth, "of an OpenSCAD design: true circles and spheres, not faceted as OpenSCAD draws them");
   scan.declare(verb);
 }
 
@@ -57,7 +59,9 @@ std::optional<Box> ModelOptions::region() const {
 }
 
 Model ModelOptions::load(Progress& progress) const {
-  Model loaded = load_model(model, Scripts::run, progress, scan.parsed(), {level, region()});
+  Model loaded = load_model(model, Scripts::run, progress, scan.parsed(), {level, region()},
+                            smooth ? Roundness::smooth : Roundness::as_drawn);
+  for (const std::string& note : loaded.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
 }

@@ -36,6 +36,7 @@ struct ModelOptions {
   std::optional<double> resolution, voxel, max_error, thickness;
   std::string bounds;
   int level = 0;
+  bool smooth = false;
   ScanArguments scan;
 
   /// Declares them; `output` with the given description where the verb writes a file.
@@ -76,5 +77,6 @@ std::unique_ptr<Verb> convert_verb();
 std::unique_ptr<Verb> edit_verb();
 std::unique_ptr<Verb> cam_verb();
 std::unique_ptr<Verb> simulate_verb();
+std::unique_ptr<Verb> openscad_verb();
 
 }  // namespace fieldfab::cli

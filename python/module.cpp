@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {
@@ -20,6 +21,7 @@ const char* name_of(ErrorKind kind) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Fieldfab's kernel; use it through the package fieldfab.";
+  openscad::add_model_readers();
   static py::exception<Error> error_type(module, "Error");
   error_type.doc() =
       "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";

@@ -1,4 +1,7 @@
-"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- model <- {render, check} <- cam <- {cli, python} <- hosts."""
+"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- model <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
+
+openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
+models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings its reader by add_model_reader()."""
 
 import pathlib
 import re
@@ -13,6 +16,7 @@ BELOW["model"] = {"core", "field"} | SOURCES
 BELOW["render"] = {"core", "field"}
 BELOW["check"] = {"core", "field", "model"} | SOURCES
 BELOW["cam"] = set(BELOW)
+BELOW["openscad"] = set(BELOW) - {"cam", "check"}
 BELOW["cli"] = BELOW["python"] = set(BELOW)
 # FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
 HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "Model/COM")
@@ -25,7 +29,7 @@ def room_of(path):
         return parts[2]
     if parts[:3] == ("kernel", "include", "fieldfab"):
         return parts[3]
-    return parts[0]
+    return "openscad" if parts[0] == "openscad_import" else parts[0]
 
 
 def violations(path, text):
@@ -42,7 +46,7 @@ def violations(path, text):
 
 
 def files():
-    for folder in ("kernel", "cam", "cli", "python"):
+    for folder in ("kernel", "cam", "openscad_import", "cli", "python"):
         for pattern in ("*.h", "*.cpp", "*.inl"):
             yield from (ROOT / folder).rglob(pattern)
 

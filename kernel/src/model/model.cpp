@@ -26,6 +26,11 @@ Model from_expression(frep::Expression expression) {
   return model;
 }
 
+std::vector<ModelReader>& further_readers() {
+  static std::vector<ModelReader> readers;
+  return readers;
+}
+
 Model from_text(frep::Expression (*parse)(std::string_view, std::string_view), const std::filesystem::path& path) {
   return from_expression(parse(read_file(path, most_text), path.string()));
 }
@@ -64,8 +69,10 @@ Model model_of(const Scan& scan, Progress& progress) {
   return model;
 }
 
+void add_model_reader(ModelReader reader) { further_readers().push_back(std::move(reader)); }
+
 Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& progress, const ScanOptions& scan,
-                 const AsdfPart& part) {
+                 const AsdfPart& part, Roundness roundness) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -100,9 +107,15 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     return model;
   }
   if (is_volume_path(path)) return model_of(open_scan(path, scan, progress), progress);
+  std::string further;
+  for (const ModelReader& reader : further_readers()) {
+    if (std::find(reader.extensions.begin(), reader.extensions.end(), extension) != reader.extensions.end())
+      return reader.read(path, roundness, progress);
+    for (const std::string& known : reader.extensions) further += known + " ";
+  }
   throw Error(ErrorKind::bad_input, path.string(),
-              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf .stl .ply .off .obj .3mf {}",
-                          extension, volume_extensions()));
+              fmt::format("there is no reader for '{}' yet; known are .math .vm .frep .py .asdf .stl .ply .off .obj .3mf {}{}",
+                          extension, further, volume_extensions()));
 }
 
 Box working_bounds(const Model& model, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {

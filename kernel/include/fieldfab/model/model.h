@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fieldfab/asdf/import.h"
 #include "fieldfab/core/progress.h"
@@ -16,19 +18,33 @@ namespace fieldfab {
 /// A solid read from a file.
 struct Model {
   FieldPtr field;
-  std::string kind;                            ///< "f-rep", "asdf", "mesh" or "volume"
+  std::string kind;                            ///< "f-rep", "asdf", "mesh", "volume" or "design"
   std::optional<frep::Expression> expression;  ///< where it came from text
   std::optional<double> voxel;                 ///< where the file has a resolution of its own
   std::optional<Box> bounds;                   ///< where the file has a region of its own
+  std::vector<std::string> notes = {};         ///< what was left out or mended, for people, one line each
 };
 
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.
 enum class Scripts { refused, run };
 
-/// Reads .math, .vm, .frep, .asdf, a mesh or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script.
-/// Throws io, or bad_input (also for an extension no reader knows, with a list of those known), or cancelled.
+/// How designs that are drawn with flat faces are taken: as drawn, or with true circles and spheres.
+enum class Roundness { as_drawn, smooth };
+
+/// Reads .math, .vm, .frep, .asdf, a mesh or a volume (`scan` says how; `part`, what of an .asdf file), or runs a .py script, or
+/// what add_model_reader() has brought. Throws io, or bad_input (also for an extension no reader knows, with a list of those
+/// known), or cancelled.
 Model load_model(const std::filesystem::path& path, Scripts scripts = Scripts::refused, Progress& progress = Progress::none(),
-                 const ScanOptions& scan = {}, const AsdfPart& part = {});
+                 const ScanOptions& scan = {}, const AsdfPart& part = {}, Roundness roundness = Roundness::as_drawn);
+
+/// A reader that a library above this one brings.
+struct ModelReader {
+  std::vector<std::string> extensions;  ///< in lower case, with the dot
+  std::function<Model(const std::filesystem::path& path, Roundness roundness, Progress& progress)> read;
+};
+/// From now on load_model() knows it. Call it before anything is loaded: when a program starts, or a module is initialised.
+void add_model_reader(ModelReader reader);
+
 /// Writes the .asdf file of a scan, in as much memory as the settings say, whatever its size (see import_asdf()); its levels are
 /// halved volumes.
 ImportCounts import_scan(const Scan& scan, const std::filesystem::path& path, const ImportSettings& settings,

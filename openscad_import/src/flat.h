@@ -1,0 +1,54 @@
+/// Flat shapes as polygons, and what is done with them (by Clipper, which OpenSCAD uses, too).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace fieldfab::openscad {
+
+using Vec2 = Eigen::Vector2d;
+using Outline = std::vector<Vec2>;
+
+/// What lies within outlines that cross neither themselves nor each other: anticlockwise around the solid, clockwise around
+/// holes. mm.
+struct Region {
+  std::vector<Outline> outlines;
+
+  [[nodiscard]] bool empty() const { return outlines.empty(); }
+  [[nodiscard]] double area() const;  ///< mm^2
+  /// About how wide the strokes are that it is made of, mm: the least of its pieces' areas over half their outlines' lengths.
+  [[nodiscard]] double stroke() const;
+  /// The smallest rectangle that holds it; only for one that is not empty.
+  [[nodiscard]] Eigen::AlignedBox2d bounds() const;
+};
+
+/// What an odd number of outlines is around, whatever way round they go.
+Region even_odd(const std::vector<Outline>& outlines);
+/// What outlines wind around; those that go the other way round cancel each other.
+Region wound(const std::vector<Outline>& outlines);
+
+Region unite(const std::vector<Region>& all);
+Region intersect(const std::vector<Region>& all);
+/// The first less the others.
+Region subtract(const std::vector<Region>& all);
+
+/// How an offset goes round corners.
+enum class Corner { round, mitre, chamfer };
+/// Grown by `distance` mm (shrunk where negative); round corners are polygons of `fragments` sides to the circle.
+Region offset(const Region& region, double distance, Corner corner, int fragments);
+
+/// The sums of points of two shapes.
+Region minkowski(const Region& a, const Region& b);
+/// The convex hull of all points.
+Region hull_of(const std::vector<Region>& all);
+
+/// Moved; a map that mirrors keeps outlines the right way round. One that is not invertible gives an empty region.
+Region moved(const Region& region, const Eigen::Affine2d& placement);
+
+/// Triangles that fill it, by its own corners, anticlockwise; each corner as outline and place in it, flattened into one count.
+/// Throws internal where an outline crosses another.
+std::vector<std::array<std::uint32_t, 3>> triangulate(const Region& region);
+
+}  // namespace fieldfab::openscad

@@ -1,0 +1,208 @@
+"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel from the other.
+
+    openscad_designs.py [NAME ...]     the table of docs/openscad.md: all examples, the three designs of ../shared/data/scad, 200 random trees
+"""
+
+import json
+import os
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = pathlib.Path(os.environ.get("FIELDFAB_BUILD", ROOT / "build" / "release"))
+COMMAND = BUILD / "bin" / "fieldfab"
+EXAMPLES = pathlib.Path("/usr/share/openscad/examples")
+SHARED = ROOT.parent / "shared" / "data" / "scad"
+THICKNESS = 10  # mm, of flat designs
+
+sys.path.insert(0, str(BUILD / "python"))
+
+
+def read_off(path):
+    lines = [line for line in pathlib.Path(path).read_text().splitlines() if line.strip()]
+    words = lines[0].split()
+    counts, rest = (words[1:3], lines[1:]) if len(words) > 1 else (lines[1].split()[:2], lines[2:])
+    vertices, faces = map(int, counts)
+    points = np.array([[float(w) for w in line.split()[:3]] for line in rest[:vertices]])
+    triangles = []
+    for line in rest[vertices : vertices + faces]:
+        count, *corners = map(int, line.split()[: 1 + int(line.split()[0])])
+        triangles += [(corners[0], corners[i - 1], corners[i]) for i in range(2, count)]
+    return points, np.array(triangles)
+
+
+def volume(points, triangles):
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def places_on(points, triangles, count, seed):
+    """Random places on a surface, evenly by area."""
+    source = np.random.default_rng(seed)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    pick = source.choice(len(triangles), count, p=area / area.sum())
+    u, v = np.sqrt(source.random(count))[:, None], source.random(count)[:, None]
+    return (a[pick] * (1 - u) + b[pick] * (u * (1 - v)) + c[pick] * (u * v)).astype(np.float32)
+
+
+def theirs(design, output):
+    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is empty."""
+
+    def run(path):
+        started = time.monotonic()
+        done = subprocess.run(["openscad", "-o", str(output), str(path)], capture_output=True, text=True, timeout=600)
+        return done, time.monotonic() - started
+
+    done, seconds = run(design)
+    if "not a 3D object" not in done.stderr:
+        return (None, seconds, False) if done.returncode else (output, seconds, False)
+    csg = output.with_suffix(".csg")
+    subprocess.run(["openscad", "-o", str(csg), str(design)], capture_output=True, check=True, timeout=600)
+    text = re.sub(r'file = "', f'file = "{design.parent}/', csg.read_text())
+    plate = output.with_suffix(".plate.scad")
+    plate.write_text(f"linear_extrude({THICKNESS}) {{\n{text}\n}}\n")
+    done, seconds = run(plate)
+    assert done.returncode == 0, done.stderr
+    return output, seconds, True
+
+
+def ours(design, output, flat, *options):
+    command = [COMMAND, "--json", "mesh", design, "-o", output, *options, *(["--thickness", THICKNESS] if flat else [])]
+    started = time.monotonic()
+    done = subprocess.run([str(c) for c in command], capture_output=True, text=True, timeout=600)
+    seconds = time.monotonic() - started
+    assert done.returncode == 0, f"{design}: {done.stderr}"
+    return json.loads(done.stdout), seconds
+
+
+def compare(design, folder, refine=0):
+    """One row: name, volumes, distances in voxels, times. Where the default cells are too coarse it is tried with half of them, `refine` times."""
+    import fieldfab
+
+    folder = pathlib.Path(folder)
+    reference, their_seconds, flat = theirs(design, folder / "theirs.off")
+    row = {"name": design.stem, "theirs": their_seconds}
+    if reference is None:
+        row.update(empty=True, right=subprocess.run([COMMAND, "mesh", design, "-o", folder / "ours.off"], capture_output=True).returncode == 2)
+        return row
+    wanted, a, voxel = fieldfab.load(reference), read_off(reference), None
+    for attempt in range(refine + 1):
+        summary, seconds = ours(design, folder / "ours.off", flat, *(["--voxel", voxel] if voxel else []))
+        made, b = fieldfab.load(folder / "ours.off"), read_off(folder / "ours.off")
+        voxel = summary["voxel"]
+        error = volume(*b) / volume(*a) - 1
+        distance = max(np.abs(made.values(places_on(*a, 3000, 1))).max(), np.abs(wanted.values(places_on(*b, 3000, 2))).max())
+        row.update(ours=seconds, voxel=voxel, error=error, distance=float(distance) / voxel, triangles=summary["triangles"], halvings=attempt)
+        row["right"] = abs(error) < 0.005 and row["distance"] < 1
+        if row["right"]:
+            break
+        voxel /= 2
+    return row
+
+
+def random_design(seed):
+    """OpenSCAD text of a random tree of solids."""
+    chance = random.Random(seed)
+
+    def number(low, high):
+        return round(chance.uniform(low, high), 2)
+
+    def flat():
+        kind = chance.randrange(4)
+        if kind == 0:
+            return f"square([{number(3, 12)}, {number(3, 12)}], center={chance.choice(['true', 'false'])});"
+        if kind == 1:
+            return f"circle(r={number(2, 7)}, $fn={chance.randrange(3, 24)});"
+        if kind == 2:
+            return f"offset(r={number(0.5, 2)}) square({number(3, 8)});"
+        return f"difference() {{ circle(r={number(5, 8)}); translate([{number(-2, 2)}, 0]) square({number(2, 4)}); }}"
+
+    def leaf():
+        kind = chance.randrange(6)
+        if kind == 0:
+            return f"cube([{number(3, 14)}, {number(3, 14)}, {number(3, 14)}], center={chance.choice(['true', 'false'])});"
+        if kind == 1:
+            return f"sphere(r={number(3, 8)}, $fn={chance.randrange(4, 20)});"
+        if kind == 2:
+            return f"cylinder(h={number(4, 14)}, r1={number(2, 7)}, r2={number(0, 7)}, $fn={chance.randrange(3, 20)});"
+        if kind == 3:
+            return f"linear_extrude(height={number(3, 10)}) {flat()}"
+        if kind == 4:
+            return f"linear_extrude(height={number(4, 10)}, twist={number(-60, 60)}, scale={number(0.5, 1.5)}) {flat()}"
+        return f"rotate_extrude(angle={chance.choice([360, 90, 200, -120])}, $fn={chance.randrange(5, 30)}) translate([{number(8, 11)}, 0]) {flat()}"
+
+    def placed(inner):
+        kind = chance.randrange(4)
+        if kind == 0:
+            return f"translate([{number(-8, 8)}, {number(-8, 8)}, {number(-8, 8)}]) {inner}"
+        if kind == 1:
+            return f"rotate([{number(0, 180)}, {number(0, 180)}, {number(0, 180)}]) {inner}"
+        if kind == 2:
+            return f"{chance.choice(['mirror([1, 0.5, 0])', 'scale([1.2, 0.8, 1])', 'rotate([90, 0, 90])'])} {inner}"
+        return inner
+
+    def tree(depth):
+        if depth == 0:
+            return placed(leaf())
+        if chance.random() < 0.12:
+            return placed("hull() { " + " ".join(placed(leaf()) for _ in range(2)) + " }")
+        kind = chance.choice(["union", "union", "difference", "intersection"])
+        count = 2 if kind == "intersection" else chance.randrange(2, 4)
+        return placed(f"{kind}() {{ " + " ".join(tree(depth - 1) for _ in range(count)) + " }")
+
+    return tree(chance.choice([1, 2, 2, 3])) + "\n"
+
+
+def designs():
+    return sorted(EXAMPLES.rglob("*.scad"), key=lambda path: path.stem) + (sorted(SHARED.glob("*.scad")) if SHARED.exists() else [])
+
+
+def line(row):
+    if row.get("empty"):
+        return f"| {row['name']} | empty, as OpenSCAD says | | | {row['theirs']:.2f} | | {'yes' if row['right'] else '**no**'} |"
+    return (
+        f"| {row['name']} | {100 * row['error']:+.3f} % | {row['distance']:.2f} | {row['voxel']:.3g}{'*' * row['halvings']} | {row['theirs']:.2f} | {row['ours']:.2f} | "
+        f"{'yes' if row['right'] else '**no**'} |"
+    )
+
+
+def main(names):
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        print("| design | volume off by | farthest, voxels | voxel, mm | OpenSCAD, s | ours, s | right |\n|---|---|---|---|---|---|---|", flush=True)
+        for design in designs():
+            if names and design.stem not in names:
+                continue
+            try:
+                rows.append(compare(design, folder, refine=2))
+            except (AssertionError, subprocess.TimeoutExpired) as why:
+                rows.append({"name": design.stem, "empty": True, "theirs": 0, "right": False, "why": str(why)})
+                print(f"<!-- {design.stem}: {str(why)[:200]} -->")
+            print(line(rows[-1]), flush=True)
+        print(f"\n{sum(r['right'] for r in rows)} of {len(rows)} right.\n", flush=True)
+        right, total = 0, 0
+        for seed in range(0 if names else 200):
+            design = pathlib.Path(folder) / f"random{seed}.scad"
+            design.write_text(random_design(seed))
+            try:
+                row = compare(design, folder, refine=2)
+            except (AssertionError, subprocess.TimeoutExpired) as why:
+                row = {"name": design.stem, "empty": True, "theirs": 0, "right": False, "why": str(why)}
+            total += 1
+            right += row["right"]
+            if not row["right"]:
+                print(f"random tree {seed}: {row}", flush=True)
+        if total:
+            print(f"{right} of {total} random trees right.")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

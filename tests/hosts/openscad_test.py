@@ -1,0 +1,107 @@
+"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The full table: openscad_designs.py."""
+
+import json
+import shutil
+import signal
+import subprocess
+import time
+
+import openscad_designs
+import pytest
+from conftest import COMMAND
+
+pytestmark = pytest.mark.skipif(shutil.which("openscad") is None, reason="openscad is not installed")
+
+QUICK = "CSG LetterBlock example002 example003 example004 example007 example008 example009 example011 example012 example013 example014 example015 example016 offset sign echo list_comprehensions hull3-tests minkowski3-difference-test".split()
+
+
+def run(*arguments, cwd=None, **more):
+    return subprocess.run([str(a) for a in (COMMAND, *arguments)], capture_output=True, text=True, timeout=300, cwd=cwd, **more)
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_examples_are_the_same_solids(name, tmp_path):
+    found = [path for path in openscad_designs.designs() if path.stem == name]
+    if not found:
+        pytest.skip("../shared is not here")
+    row = openscad_designs.compare(found[0], tmp_path, refine=1)
+    assert row["right"], row
+
+
+@pytest.mark.parametrize("seed", [seed for seed in range(17) if seed not in (5, 9, 13)])
+def test_random_trees_are_the_same_solids(seed, tmp_path):
+    design = tmp_path / "random.scad"
+    design.write_text(openscad_designs.random_design(seed))
+    row = openscad_designs.compare(design, tmp_path, refine=2)
+    assert row["right"], (row, design.read_text())
+
+
+def test_what_is_wrong_is_said_in_one_line(tmp_path):
+    for text, said in {
+        "cube(1": "OpenSCAD says: ERROR: Parser error",
+        "teapot();": "the design is empty",
+        'import("gone.stl");': "no such file",
+        "assert(false);": "Assertion",
+    }.items():
+        design = tmp_path / "a design's \"name\" $(touch x).scad"
+        design.write_text(text)
+        done = run("mesh", design, "-o", tmp_path / "out.stl")
+        assert done.returncode == 2 and said in done.stderr and done.stderr.count("\n") == 1, done
+    assert not (tmp_path / "x").exists() and not (tmp_path / "out.stl").exists()
+
+
+def test_without_openscad(tmp_path):
+    (tmp_path / "a.scad").write_text("cube(1);")
+    (tmp_path / "a.csg").write_text("cube(size = [1, 2, 3], center = false);")
+    done = run("mesh", tmp_path / "a.scad", "-o", tmp_path / "a.stl", env={"PATH": "/nowhere"})
+    assert done.returncode == 2 and "is not installed" in done.stderr
+    assert run("mesh", tmp_path / "a.csg", "-o", tmp_path / "a.stl", env={"PATH": "/nowhere"}).returncode == 0
+
+
+def test_designs_become_formulas(tmp_path):
+    (tmp_path / "a.scad").write_text("difference() { cube(10, center = true); cylinder(h = 20, r = 3, center = true, $fn = 12); }")
+    assert run("convert", tmp_path / "a.scad", "-o", tmp_path / "a.frep").returncode == 0
+    volumes = [json.loads(run("--json", "mesh", tmp_path / f, "-o", tmp_path / "a.stl", "--voxel", 0.2).stdout)["volume"] for f in ("a.scad", "a.frep")]
+    assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)
+    (tmp_path / "b.scad").write_text("rotate_extrude() translate([5, 0]) circle(2);")
+    done = run("convert", tmp_path / "b.scad", "-o", tmp_path / "b.frep")
+    assert done.returncode == 2 and "formula" in done.stderr
+
+
+DESIGN = """use <fieldfab.scad>
+difference() {
+  union() { frep("sphere(5) - 0.3 * sin(2 * x)", voxel = 0.7); translate([12, 0, 0]) smooth_union(r = 2, voxel = 0.7) { cube(6); sphere(4, $fn = 20); } }
+  cylinder(h = 30, r = 1, center = true);
+}
+"""
+
+
+def test_fieldfab_within_openscad(tmp_path):
+    design = tmp_path / "it's a \"part\".scad"
+    design.write_text(DESIGN)
+    done = run("openscad", design, "-o", tmp_path / "part.stl")
+    assert done.returncode == 0 and "2 meshes made" in done.stdout, done
+    plain = subprocess.run(["openscad", "-o", str(tmp_path / "plain.off"), str(design)], capture_output=True, text=True, timeout=300)
+    assert plain.returncode == 0 and "Simple:        yes" in plain.stderr and "ERROR" not in plain.stderr and "WARNING" not in plain.stderr, plain.stderr
+    made = json.loads(run("--json", "info", tmp_path / "part.stl").stdout)["volume"]
+    design.write_text(DESIGN.replace("smooth_union(r = 2, voxel = 0.7)", "union()"))
+    assert run("openscad", design, "-o", tmp_path / "sharp.stl").returncode == 0
+    assert made > json.loads(run("--json", "info", tmp_path / "sharp.stl").stdout)["volume"] + 5  # the fillet
+    design.write_text(DESIGN)
+    assert "0 meshes made, 2 kept" in run("openscad", design).stdout
+    design.write_text(DESIGN.replace("sphere(4, $fn = 20)", "sphere(3)"))
+    assert "1 mesh made, 1 kept" in run("openscad", design).stdout
+
+
+def test_watching(tmp_path):
+    design = tmp_path / "part.scad"
+    design.write_text(DESIGN)
+    watching = subprocess.Popen([str(COMMAND), "openscad", "--watch", "part.scad"], cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    try:
+        assert "watching" in watching.stderr.readline()
+        time.sleep(1.1)  # file times may be whole seconds
+        design.write_text(DESIGN.replace("sphere(5)", "sphere(6)"))
+        assert "1 made, 1 kept" in watching.stderr.readline()
+    finally:
+        watching.send_signal(signal.SIGINT)
+        assert watching.wait(30) == 130
