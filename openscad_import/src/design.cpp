@@ -78,7 +78,8 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);
       else
         solid = {std::nullopt, flat_field(region, growth)};
-      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area());
+      design.voxel =
+          voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area() + region.length() * box.sizes().maxCoeff() / 32);
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());

@@ -82,12 +82,18 @@ double Region::area() const {
   return twice / 2;
 }
 
+double Region::length() const {
+  double length = 0;
+  for (const Outline& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i) length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  return length;
+}
+
 double Region::stroke() const {
   double least = std::numeric_limits<double>::infinity();
   for (const Outline& outline : outlines) {
-    double length = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
-    least = std::min(least, 2 * std::abs(Region{{outline}}.area()) / length);
+    const Region one{{outline}};
+    least = std::min(least, 2 * std::abs(one.area()) / one.length());
   }
   return least;
 }
@@ -187,6 +193,16 @@ Region hull_of(const std::vector<Region>& all) {
   chain(points.rbegin(), points.rend());
   if (hull.size() < 3) return {};
   return {{hull}};
+}
+
+Region separated(const Region& region) {
+  std::vector<std::pair<double, double>> points;
+  for (const Outline& outline : region.outlines)
+    for (const Vec2& p : outline) points.emplace_back(p.x(), p.y());
+  std::sort(points.begin(), points.end());
+  if (std::adjacent_find(points.begin(), points.end()) == points.end()) return region;
+  constexpr double little = 4 * sliver / units_a_mm;
+  return offset(region, -little, Corner::mitre, 4);
 }
 
 Region moved(const Region& region, const Eigen::Affine2d& placement) {

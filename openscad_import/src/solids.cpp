@@ -165,7 +165,7 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
     return {wide.x() * std::cos(angle) - wide.y() * std::sin(angle), wide.x() * std::sin(angle) + wide.y() * std::cos(angle),
             lower + height * share};
   };
-  return part_of(mesh_leaf(moved(sweep(region, steps, place, {true, twist > 0}), placement)));
+  return part_of(mesh_leaf(moved(sweep(separated(region), steps, place, {true, twist > 0}), placement)));
 }
 
 PartPtr Evaluator::rotate_extrude(const Arguments& a, const Node& node, const Eigen::Affine3d& placement, int depth) {
