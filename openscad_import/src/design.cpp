@@ -67,7 +67,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
   constexpr double loss = 1e-6;
   Solid solid;
   if (evaluator.dimensions(start) == 2) {
-    const Region region = evaluator.flat(start);
+    const Region region = tidied(evaluator.flat(start));
     design.flat = true;
     if (!region.empty()) {
       const Eigen::AlignedBox2d box = region.bounds();

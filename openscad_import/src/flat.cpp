@@ -195,15 +195,26 @@ Region hull_of(const std::vector<Region>& all) {
   return {{hull}};
 }
 
-Region separated(const Region& region) {
+namespace {
+
+bool has_point_twice(const Region& region) {
   std::vector<std::pair<double, double>> points;
   for (const Outline& outline : region.outlines)
     for (const Vec2& p : outline) points.emplace_back(p.x(), p.y());
   std::sort(points.begin(), points.end());
-  if (std::adjacent_find(points.begin(), points.end()) == points.end()) return region;
-  constexpr double little = 4 * sliver / units_a_mm;
-  return offset(region, -little, Corner::mitre, 4);
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
 }
+
+constexpr double little = 4 * sliver / units_a_mm;  // mm
+
+}  // namespace
+
+Region tidied(const Region& region) {
+  if (!has_point_twice(region)) return region;
+  return offset(offset(offset(region, little, Corner::mitre, 4), -2 * little, Corner::mitre, 4), little, Corner::mitre, 4);
+}
+
+Region separated(const Region& region) { return has_point_twice(region) ? offset(region, -little, Corner::mitre, 4) : region; }
 
 Region moved(const Region& region, const Eigen::Affine2d& placement) {
   const double determinant = placement.linear().determinant();
