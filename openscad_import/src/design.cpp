@@ -67,7 +67,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
   constexpr double loss = 1e-6;
   Solid solid;
   if (evaluator.dimensions(start) == 2) {
-    const Region region = evaluator.flat(start);
+    const Region region = tidied(evaluator.flat(start));
     design.flat = true;
     if (!region.empty()) {
       const Eigen::AlignedBox2d box = region.bounds();
@@ -78,7 +78,8 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);
       else
         solid = {std::nullopt, flat_field(region, growth)};
-      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area());
+      design.voxel =
+          voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area() + region.length() * box.sizes().maxCoeff() / 32);
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());

@@ -82,12 +82,18 @@ double Region::area() const {
   return twice / 2;
 }
 
+double Region::length() const {
+  double length = 0;
+  for (const Outline& outline : outlines)
+    for (std::size_t i = 0; i < outline.size(); ++i) length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
+  return length;
+}
+
 double Region::stroke() const {
   double least = std::numeric_limits<double>::infinity();
   for (const Outline& outline : outlines) {
-    double length = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i) length += (outline[(i + 1) % outline.size()] - outline[i]).norm();
-    least = std::min(least, 2 * std::abs(Region{{outline}}.area()) / length);
+    const Region one{{outline}};
+    least = std::min(least, 2 * std::abs(one.area()) / one.length());
   }
   return least;
 }
@@ -188,6 +194,27 @@ Region hull_of(const std::vector<Region>& all) {
   if (hull.size() < 3) return {};
   return {{hull}};
 }
+
+namespace {
+
+bool has_point_twice(const Region& region) {
+  std::vector<std::pair<double, double>> points;
+  for (const Outline& outline : region.outlines)
+    for (const Vec2& p : outline) points.emplace_back(p.x(), p.y());
+  std::sort(points.begin(), points.end());
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
+}
+
+constexpr double little = 4 * sliver / units_a_mm;  // mm
+
+}  // namespace
+
+Region tidied(const Region& region) {
+  if (!has_point_twice(region)) return region;
+  return offset(offset(offset(region, little, Corner::mitre, 4), -2 * little, Corner::mitre, 4), little, Corner::mitre, 4);
+}
+
+Region separated(const Region& region) { return has_point_twice(region) ? offset(region, -little, Corner::mitre, 4) : region; }
 
 Region moved(const Region& region, const Eigen::Affine2d& placement) {
   const double determinant = placement.linear().determinant();

@@ -17,7 +17,8 @@ struct Region {
   std::vector<Outline> outlines;
 
   [[nodiscard]] bool empty() const { return outlines.empty(); }
-  [[nodiscard]] double area() const;  ///< mm^2
+  [[nodiscard]] double area() const;    ///< mm^2
+  [[nodiscard]] double length() const;  ///< of all outlines, mm
   /// About how wide the strokes are that it is made of, mm: the least of its pieces' areas over half their outlines' lengths.
   [[nodiscard]] double stroke() const;
   /// The smallest rectangle that holds it; only for one that is not empty.
@@ -46,6 +47,11 @@ Region hull_of(const std::vector<Region>& all);
 
 /// Moved; a map that mirrors keeps outlines the right way round. One that is not invertible gives an empty region.
 Region moved(const Region& region, const Eigen::Affine2d& placement);
+
+/// The same without slits and spikes that have no width: the union of many shadows has some, and their sides cannot be told.
+Region tidied(const Region& region);
+/// The same where no point is on the rim twice; else so little smaller that what touched lies apart.
+Region separated(const Region& region);
 
 /// Triangles that fill it, by its own corners, anticlockwise; each corner as outline and place in it, flattened into one count.
 /// Throws internal where an outline crosses another.

@@ -152,7 +152,7 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
   const std::vector<double> factors = a.numbers("scale", {1, 1});
   const Vec2 scale(std::max(factors[0], 0.0), std::max(factors[1], 0.0));
   if (!std::isfinite(height) || !std::isfinite(twist) || !scale.allFinite()) a.fail("has numbers that are not finite");
-  const Region region = united_flat(node, depth);
+  const Region region = tidied(united_flat(node, depth));
   if (!(height > 0) || region.empty() || placement.linear().determinant() == 0) return nothing();
   const double lower = a.truth("center", false) ? -height / 2 : 0;
   if (twist == 0 && scale == Vec2(1, 1)) return part_of(extruded_leaf(region, lower, lower + height, placement));
@@ -165,13 +165,13 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
     return {wide.x() * std::cos(angle) - wide.y() * std::sin(angle), wide.x() * std::sin(angle) + wide.y() * std::cos(angle),
             lower + height * share};
   };
-  return part_of(mesh_leaf(moved(sweep(region, steps, place, {true, twist > 0}), placement)));
+  return part_of(mesh_leaf(moved(sweep(separated(region), steps, place, {true, twist > 0}), placement)));
 }
 
 PartPtr Evaluator::rotate_extrude(const Arguments& a, const Node& node, const Eigen::Affine3d& placement, int depth) {
   double angle = a.number("angle", 360);
   if (!std::isfinite(angle) || angle < -360 || angle > 360) angle = 360;
-  Region region = united_flat(node, depth);
+  Region region = tidied(united_flat(node, depth));
   if (region.empty() || angle == 0 || placement.linear().determinant() == 0) return nothing();
   const Eigen::AlignedBox2d box = region.bounds();
   const bool full = std::abs(angle) == 360;
