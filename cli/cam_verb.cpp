@@ -51,7 +51,7 @@ class CamVerb final : public Verb {
                             {"air_after", r.air.after},
                             {"seconds", r.seconds}});
     }
-    for (const std::string& note : job.notes()) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    print_notes(job.notes());
     outcome.line = fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
                                job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
                                rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);

@@ -128,7 +128,7 @@ class InfoVerb final : public Verb {
     return outcome;
   }
   Outcome design_info(const Model& model, Progress& progress) const {
-    for (const std::string& note : model.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    print_notes(model.notes);
     const SolidBounds found = solid_bounds(*model.field, progress);
     const Vec3 &a = found.box.lower, &b = found.box.upper;
     const bool flat = !found.bounded[2];
@@ -283,7 +283,7 @@ class ConvertVerb final : public Verb {
     const openscad::Design design =
         openscad::make_design(openscad::read_tree(path, progress), path.parent_path(), {options_.smooth, true}, progress);
     if (!design.formula) throw Error(ErrorKind::bad_input, options_.model, "the design is empty");
-    for (const std::string& note : design.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    print_notes(design.notes);
     Model model;
     model.kind = "design";
     model.field = design.field;

@@ -8,6 +8,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/openscad/design.h"
 #include "verbs.h"
@@ -31,10 +32,7 @@ int exit_code(ErrorKind kind) {
 }
 
 int complain(int code, const std::string& message) {
-  std::string line = message;
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';  // files can say anything
-  fmt::print(stderr, "fieldfab: {}\n", line);
+  fmt::print(stderr, "fieldfab: {}\n", printable(message));
   return code;
 }
 

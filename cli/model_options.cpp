@@ -61,7 +61,7 @@ std::optional<Box> ModelOptions::region() const {
 Model ModelOptions::load(Progress& progress) const {
   Model loaded = load_model(model, Scripts::run, progress, scan.parsed(), {level, region()},
                             smooth ? Roundness::smooth : Roundness::as_drawn);
-  for (const std::string& note : loaded.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+  print_notes(loaded.notes);
   if (thickness) loaded.field = plate(loaded.field, positive(thickness, "--thickness"));
   return loaded;
 }

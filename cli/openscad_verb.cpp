@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/openscad/bridge.h"
 #include "verbs.h"
 
@@ -38,7 +39,7 @@ class OpenscadVerb final : public Verb {
  private:
   openscad::CacheReport round(Progress& progress) const {
     openscad::CacheReport report = openscad::refresh_cache(file_, progress);
-    for (const std::string& note : report.notes) fmt::print(stderr, "fieldfab: note: {}\n", note);
+    print_notes(report.notes);
     for (const std::string& output : outputs_) openscad::export_design(file_, output, progress);
     return report;
   }
@@ -65,7 +66,7 @@ class OpenscadVerb final : public Verb {
         fmt::print(stderr, "fieldfab: {} made, {} kept\n", report.made, report.kept);
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
-        fmt::print(stderr, "fieldfab: {}\n", error.what());  // the next save may mend it
+        fmt::print(stderr, "fieldfab: {}\n", printable(error.what()));  // the next save may mend it
       }
     }
   }

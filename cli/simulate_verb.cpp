@@ -11,6 +11,7 @@
 #include "fieldfab/cam/stock_report.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "verbs.h"
@@ -98,9 +99,9 @@ class SimulateVerb final : public Verb {
   [[nodiscard]] Outcome report(const cam::Simulation& simulation, Progress& progress) const {
     const cam::SimulationReport& r = simulation.report();
     for (const cam::ReadingNote& note : r.notes)
-      fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, note.message);
+      fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, printable(note.message));
     for (const cam::SimulationEvent& e : r.events)
-      fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), e.message);
+      fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), printable(e.message));
     Outcome outcome;
     outcome.json = nlohmann::ordered_json::parse(cam::to_json(r, false));
     for (const std::string& path : reports_)

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "fieldfab/core/progress.h"
 #include "fieldfab/model/model.h"
@@ -55,6 +56,9 @@ struct ModelOptions {
   /// Throws bad_input unless `output` is given.
   void need_output() const;
 };
+
+/// Tells what a reader or a planner noticed, a line each, on stderr.
+void print_notes(const std::vector<std::string>& notes);
 
 /// A verb: declared on the command line, then run.
 class Verb {

@@ -1,6 +1,7 @@
 #include "bindings.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
@@ -31,9 +32,9 @@ PYBIND11_MODULE(_core, module) {
     try {
       if (raised) std::rethrow_exception(raised);
     } catch (const Error& error) {
-      py::object instance = py::handle(error_type)(error.what());
+      py::object instance = py::handle(error_type)(printable(error.what()));
       instance.attr("kind") = name_of(error.kind());
-      instance.attr("place") = error.place();
+      instance.attr("place") = printable(error.place());
       PyErr_SetObject(error_type.ptr(), instance.ptr());
     }
   });

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include "fieldfab/core/text.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -29,24 +29,18 @@ std::string base64(const std::string& bytes) {
   return out;
 }
 
-/// Bytes that are no UTF-8 replaced by U+FFFD: the JSON library knows how.
-std::string valid_utf8(const std::string& bytes) {
-  using nlohmann::json;
-  return json::parse(json(bytes).dump(-1, ' ', false, json::error_handler_t::replace)).get<std::string>();
-}
-
 }  // namespace
 
 std::string html_text(const std::string& bytes) {
   std::string out;
-  for (const char c : valid_utf8(bytes)) {
+  for (const char c : printable(bytes)) {
     switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
       case '\'': out += "&#39;"; break;
-      default: out += static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
+      default: out += c;
     }
   }
   return out;

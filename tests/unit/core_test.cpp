@@ -1,12 +1,15 @@
-// Files written whole or not at all, progress, memory.
+// Files written whole or not at all, progress, memory, text.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/progress.h"
+#include "fieldfab/core/text.h"
 
 namespace fieldfab {
 namespace {
@@ -79,6 +82,30 @@ TEST(Memory, RefusesWhatIsNotThere) {
   EXPECT_GT(available_memory(), 1U << 20);
   EXPECT_THROW(require_memory(std::uintmax_t{1} << 60, "a test"), Error);
   EXPECT_NO_THROW(require_memory(1000, "a test"));
+}
+
+TEST(Text, IsOneLineOfValidCharacters) {
+  EXPECT_EQ(printable("Ø 3 mm – ✓ 😀"), "Ø 3 mm – ✓ 😀");
+  EXPECT_EQ(printable("a\tb\nc\x7f"), "a b c ");
+  EXPECT_EQ(printable("\xcd\x35|\xc0\x80\xed\xa0\x80\xf5"), "\uFFFD5|\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(printable("\xe2\x82"), "\uFFFD\uFFFD");  // half a character at the end
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> byte(0, 255);
+  for (int n = 0; n < 2000; ++n) {
+    std::string bytes(static_cast<std::size_t>(n % 40), 0);
+    for (char& c : bytes)
+      c = static_cast<char>(n % 2 ? byte(random) : "\xf0\x9f\x98\x80\xe2\x82\xac\xc3\xa4z"[byte(random) % 10]);
+    const std::string line = printable(bytes);
+    EXPECT_NO_THROW((void)nlohmann::json(line).dump());  // it refuses what is no UTF-8
+    EXPECT_EQ(printable(line), line);
+    bool valid = true;
+    try {
+      (void)nlohmann::json(bytes).dump();
+    } catch (const nlohmann::json::exception&) {
+      valid = false;
+    }
+    EXPECT_EQ(valid, line.find("\uFFFD") == std::string::npos) << n;
+  }
 }
 
 }  // namespace
