@@ -280,7 +280,9 @@ TEST(SurfaceDistance, IsThatOfClosedForms) {
   surface_distances(*frep::make_field(x * x + y * y + z * z - 4), places, found);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const float radius = std::hypot(places[i][0], places[i][1], places[i][2]);
-    if (radius > 0.1F) EXPECT_NEAR(found[i], radius - 2, 1e-3);
+    if (radius > 0.1F) {
+      EXPECT_NEAR(found[i], radius - 2, 1e-3);
+    }
   }
 }
 
