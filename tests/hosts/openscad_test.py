@@ -1,7 +1,6 @@
 """OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The full table: openscad_designs.py."""
 
 import json
-import shutil
 import signal
 import subprocess
 import time
@@ -9,8 +8,6 @@ import time
 import openscad_designs
 import pytest
 from conftest import COMMAND
-
-pytestmark = pytest.mark.skipif(shutil.which("openscad") is None, reason="openscad is not installed")
 
 QUICK = "CSG LetterBlock example002 example003 example004 example007 example008 example009 example011 example012 example013 example014 example015 example016 offset sign echo list_comprehensions hull3-tests minkowski3-difference-test".split()
 
@@ -28,6 +25,7 @@ def test_examples_are_the_same_solids(name, tmp_path):
     assert row["right"], row
 
 
+# Tree 5 is not right yet (NOTES.md); 9 and 13 take minutes.
 @pytest.mark.parametrize("seed", [seed for seed in range(17) if seed not in (5, 9, 13)])
 def test_random_trees_are_the_same_solids(seed, tmp_path):
     design = tmp_path / "random.scad"

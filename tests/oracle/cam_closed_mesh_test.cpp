@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "closed.h"
 #include "fieldfab/cam/simulation.h"
 #include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/check/check.h"
@@ -43,16 +44,6 @@ struct Fine {
     }
   }
 };
-
-void expect_closed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [edge, count] : edges) {
-    ASSERT_EQ(count, 1);
-    ASSERT_TRUE(edges.contains({edge.second, edge.first}));
-  }
-}
 
 Tool cutter(const std::string& shape) {
   Tool tool;

@@ -16,6 +16,7 @@
 #include <optional>
 #include <random>
 
+#include "closed.h"
 #include "fieldfab/cam/stock.h"
 #include "fieldfab/cam/stock_surface.h"
 #include "fieldfab/field/field.h"
@@ -189,17 +190,6 @@ struct Job {
   std::optional<Start> start;
   std::optional<Stock> stock;
 };
-
-/// Each edge of a closed mesh belongs to two triangles, once in each direction.
-void expect_closed(const TriangleMesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [edge, count] : edges) {
-    ASSERT_EQ(count, 1);
-    ASSERT_TRUE(edges.contains({edge.second, edge.first}));
-  }
-}
 
 // Dexels.
 

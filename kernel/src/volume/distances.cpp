@@ -5,15 +5,16 @@
 #include <limits>
 #include <vector>
 
+#include "../field/chunk.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/volume/volume_field.h"
 
 namespace fieldfab {
 namespace {
 
-constexpr std::size_t batch = 256;
-constexpr double most_places = 4e8;
+constexpr double bytes_a_place = 16;  // with what is needed to work them out
 
 /// Distances on a lattice: each place learns from its neighbours which point of the surface is nearest.
 class Sweeping {
@@ -156,16 +157,16 @@ class Sweeping {
       for (std::size_t i = k * lattice_.slice(); i < (k + 1) * lattice_.slice(); ++i) {
         if (foot_[i] == nobody) continue;
         places.push_back(i);
-        if (places.size() == batch) flush();
+        if (places.size() == chunk_size) flush();
       }
       flush();
     });
   }
 
   void follow(const std::vector<std::size_t>& places) {
-    using Rows = Eigen::Matrix<float, 3, batch, Eigen::RowMajor>;
+    using Rows = Eigen::Matrix<float, 3, chunk_size, Eigen::RowMajor>;
     Rows at, slope;
-    std::array<float, batch> value;
+    Chunk value;
     const auto voxel = static_cast<float>(lattice_.spacing.x());
     const auto ask = [&] {
       solid_.gradients({at.row(0).data(), at.row(1).data(), at.row(2).data(), places.size()}, value.data(),
@@ -212,16 +213,16 @@ class DistanceField final : public Field {
       : solid_(std::move(solid)), far_(std::move(far)), voxel_(static_cast<float>(voxel)) {}
 
   void values(const Points& points, float* out) const noexcept override {
-    for_batches(points, [&](const Points& part, std::size_t first) {
-      std::array<float, batch> far;
+    for_chunks(points, [&](const Points& part, std::size_t first) {
+      Chunk far;
       solid_->values(part, out + first);
       far_->values(part, far.data());
       for (std::size_t i = 0; i < part.count; ++i) out[first + i] = mixed(out[first + i], far[i]);
     });
   }
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
-    for_batches(points, [&](const Points& part, std::size_t first) {
-      std::array<float, batch> far, dx, dy, dz;
+    for_chunks(points, [&](const Points& part, std::size_t first) {
+      Chunk far, dx, dy, dz;
       const std::array<float*, 3> to{slopes.dx + first, slopes.dy + first, slopes.dz + first};
       const std::array<const float*, 3> from{dx.data(), dy.data(), dz.data()};
       solid_->gradients(part, out + first, {to[0], to[1], to[2]});
@@ -263,12 +264,6 @@ class DistanceField final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return solid_->cost() + far_->cost(); }
 
  private:
-  template <class Body>
-  static void for_batches(const Points& points, const Body& body) {
-    for (std::size_t first = 0; first < points.count; first += batch)
-      body(points.part(first, std::min(batch, points.count - first)), first);
-  }
-
   /// 0 within a voxel of the surface, 1 beyond two, and 0 where the lattice has missed a thin part.
   [[nodiscard]] float share_of_far(float own, float far) const {
     return (own < 0) == (far < 0) && own == own ? std::clamp(std::abs(far) / voxel_ - 1, 0.0F, 1.0F) : 0;
@@ -302,8 +297,7 @@ FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& se
   const Box region = bounds.grown(settings.reach + 2 * voxel);
   SampleLattice lattice;
   const Vec3 cells = (region.size() / voxel).array().ceil();
-  if ((cells.array() + 1).prod() > most_places)
-    throw Error(ErrorKind::too_large, "distances", "too many voxels; take larger ones or less reach");
+  require_memory(static_cast<std::uintmax_t>(std::min((cells.array() + 1).prod() * bytes_a_place, 1e18)), "distances");
   for (int axis = 0; axis < 3; ++axis) lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(cells[axis]) + 1;
   lattice.spacing = Vec3::Constant(voxel);
   lattice.origin = region.lower;

@@ -16,7 +16,7 @@ struct DistanceSettings {
 /// distances only next to its surface. Within a voxel of the surface, and wherever the solid has parts that are thinner than a
 /// voxel, the values are still its own, so that the solid does not change; within the next voxel they go over into distances.
 /// These are to the nearest of the surface's points found along the edges of the lattice, up to a tenth of a voxel or so too
-/// large, and interpolated trilinearly. `bounds` must hold the solid. Memory: 12 bytes a place. Throws bad_input, too_large,
+/// large, and interpolated trilinearly. `bounds` must hold the solid. Memory: 16 bytes a place. Throws bad_input, too_large,
 /// cancelled.
 FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings, Progress& progress = Progress::none());
 
