@@ -15,9 +15,10 @@ struct DistanceSettings {
 /// The same solid, its values signed distances in mm: what offsets, shells, blends and morphs need of a scan, whose densities are
 /// distances only next to its surface. Within a voxel of the surface, and wherever the solid has parts that are thinner than a
 /// voxel, the values are still its own, so that the solid does not change; within the next voxel they go over into distances.
-/// These are to the nearest of the surface's points found along the edges of the lattice, up to a tenth of a voxel or so too
-/// large, and interpolated trilinearly. `bounds` must hold the solid. Memory: 16 bytes a place. Throws bad_input, too_large,
-/// cancelled.
+/// These
+/// are found from the crossings of the lattice's edges and followed along the surface (within some hundredths of a voxel where it
+/// is smooth), then interpolated trilinearly, which cuts off ridges between parts that are equally near. `bounds` must hold the
+/// solid. Memory: 16 bytes a place. Throws bad_input, too_large, cancelled.
 FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings, Progress& progress = Progress::none());
 
 }  // namespace fieldfab
