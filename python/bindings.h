@@ -19,6 +19,7 @@ void bind_expressions(py::module_& module);
 void bind_fields(py::module_& module);
 void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);
+void bind_openscad(py::module_& module);
 void bind_cam(py::module_& parent);
 /// Of the module `cam`.
 void bind_workflow(py::module_& module);

@@ -51,6 +51,7 @@ PYBIND11_MODULE(_core, module) {
   bind_fields(module);
   bind_results(module);
   bind_volumes(module);
+  bind_openscad(module);
   bind_cam(module);
   bind_stock(module);
 }

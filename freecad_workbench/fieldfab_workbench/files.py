@@ -15,6 +15,7 @@ from .words import tr
 VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom", "ima", "vdb")
 SLICES = ("tif", "tiff", "png")
 TEXTS = ("frep", "math", "vm")
+DESIGNS = ("scad", "csg")
 MESHES = ("stl", "ply", "off", "obj", "3mf")
 MODULE = "fieldfab_workbench.files"
 
@@ -28,6 +29,7 @@ def register():
     FreeCAD.addImportType(f"CT volume ({pattern(VOLUMES)})", MODULE)
     FreeCAD.addImportType(f"F-rep ({pattern(TEXTS)})", MODULE)
     FreeCAD.addImportType("Distance field (*.asdf)", MODULE)
+    FreeCAD.addImportType(f"OpenSCAD design by Fieldfab ({pattern(DESIGNS)})", MODULE)
     FreeCAD.addExportType("Distance field (*.asdf)", MODULE)
     FreeCAD.addExportType("F-rep (*.frep *.math *.vm)", MODULE)
     FreeCAD.addExportType("OpenVDB level set (*.vdb)", MODULE)
@@ -43,6 +45,13 @@ def insert(filename, docname):
     """Adds the file's solid to a document, a new one where there is none of that name; in the window a scan's panel opens, and nothing is
     computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
     ending = _ending(filename)
+    if ending in DESIGNS:
+        from . import openscad_files
+
+        made = openscad_files.insert(filename, docname, name_of(filename))
+        if FreeCAD.GuiUp:
+            _show_all(made.Document)
+        return made
     if ending in TEXTS:
         from .objects.frep_solid import FrepSolid as Kind
 

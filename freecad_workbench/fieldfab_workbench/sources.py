@@ -21,7 +21,7 @@ class Source:
 
     def field(self, progress=None):
         """The Field. Raises fieldfab.Error."""
-        return _kept(("field", self.digest), lambda: self._make(progress))
+        return kept(("field", self.digest), lambda: self._make(progress))
 
     def distances(self, reach, progress=None):
         """The Field for offsets, shells, blends and morphs that look so many mm beyond the surface: of a scan, whose values are distances only
@@ -30,12 +30,12 @@ class Source:
         if not field.sampled:
             return field
         enough = 2.0 ** (math.floor(math.log2(reach)) + 1)  # so that moving a slider seldom asks for others
-        return _kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
+        return kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
 
     def mesh(self, progress=None, cells=None, **settings):
         """The mesh with these settings of fieldfab.mesh(), or so many `cells` along the longest side of its bounds."""
         key = ("mesh", self.digest, cells, *sorted(settings.items()))
-        return _kept(key, lambda: self._meshed(progress, cells, settings))
+        return kept(key, lambda: self._meshed(progress, cells, settings))
 
     def _meshed(self, progress, cells, settings):
         field, bounds = self.field(progress), settings.get("bounds")
@@ -56,7 +56,7 @@ class Source:
 _store, _lock = OrderedDict(), threading.Lock()
 
 
-def _kept(key, make):
+def kept(key, make):
     with _lock:
         if key in _store:
             _store.move_to_end(key)

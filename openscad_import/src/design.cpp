@@ -58,6 +58,13 @@ Tree read_tree(const std::filesystem::path& path, Progress& progress) {
   return parse_csg(read_file(csg, most_text), path.string());
 }
 
+std::vector<int> dimensions_of(const Tree& tree) {
+  const Evaluator evaluator(tree, {}, {}, Progress::none());
+  std::vector<int> dimensions;
+  for (NodeIndex i = 0; i < tree.nodes.size(); ++i) dimensions.push_back(evaluator.dimensions(i));
+  return dimensions;
+}
+
 Design make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options, Progress& progress) {
   Evaluator evaluator(tree, folder, options, progress);
   progress.report(0, "building the solid");

@@ -56,7 +56,9 @@ class Parser {
         node.disabled = true;
       else if (c == '!')
         node.root = true;
-      else if (c != '#')
+      else if (c == '#')
+        node.highlight = true;
+      else
         break;
       ++at_;
     }
@@ -263,13 +265,17 @@ void print(const Value& value, std::string& out) {
 
 Tree parse_csg(std::string_view text, std::string_view file) { return Parser(text, file).run(); }
 
-std::string print_csg(const Tree& tree, NodeIndex node) {
+std::string print_csg(const Tree& tree, NodeIndex node, Modifiers modifiers) {
   std::string out;
   struct Open {
     NodeIndex node;
     std::size_t next;
   };
   const auto head = [&](const Node& here) {
+    if (modifiers == Modifiers::kept)
+      for (const auto& [is_set, sign] :
+           {std::pair{here.background, '%'}, {here.disabled, '*'}, {here.root, '!'}, {here.highlight, '#'}})
+        if (is_set) out += sign;
     out += here.name + "(";
     const char* between = "";
     for (const Argument& argument : here.arguments) {

@@ -46,7 +46,7 @@ class Child {
     close(output_);
     throw Error(
         ErrorKind::io, words[0],
-        failure == ENOENT ? "is not installed: .scad files, text() and some imports need OpenSCAD" : std::strerror(failure));
+        failure == ENOENT ? "is not installed (Debian's package openscad): .scad files, text() and some imports need it" : std::strerror(failure));
   }
   ~Child() {
     if (process_ > 0) {

@@ -2,9 +2,10 @@
 
 import functools
 
+from ..openscad import OpenScadSource, node
 from ..sources import Source
 from ..words import marked, tr
-from .solid import Solid, source_of
+from .solid import Solid, csg_of, source_of
 
 OPERATIONS = marked(("Union", "Intersection", "Difference", "Blend", "Morph"))
 
@@ -32,6 +33,11 @@ class Combine(Solid):
             if name in obj.PropertiesList:
                 obj.setEditorMode(name, 0 if obj.Operation == operation else 2)
 
+    def csg(self, obj):
+        """Of shapes of OpenSCAD: it knows how their faces meet, and flat ones."""
+        texts = [csg_of(each) for each in obj.Sources] if obj.Operation in ("Union", "Intersection", "Difference") else []
+        return node(f"{obj.Operation.lower()}()", obj.Label, texts) if len(texts) > 1 and None not in texts else None
+
     def source(self, obj):
         operation, radius, weight = obj.Operation, obj.Radius.Value, obj.Weight
         if len(obj.Sources) < 2:
@@ -40,6 +46,9 @@ class Combine(Solid):
             raise ValueError(tr("{label}: a morph has two Sources").format(label=obj.Label))
         if operation == "Blend" and not radius > 0:
             raise ValueError(tr("{label}: the Radius of a blend must be above 0").format(label=obj.Label))
+        text = self.csg(obj)
+        if text is not None:
+            return OpenScadSource(text, obj.Label)
         sources = [source_of(each) for each in obj.Sources]
         join = {
             "Union": lambda a, b: a | b,

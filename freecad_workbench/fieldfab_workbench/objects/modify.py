@@ -6,9 +6,10 @@ import math
 import FreeCAD
 
 from .. import kernel
+from ..openscad import OpenScadSource
 from ..sources import Source
 from ..words import marked, tr
-from .solid import Solid, source_of
+from .solid import Solid, csg_of, source_of
 
 # What each operation needs.
 OPERATIONS = marked({
@@ -69,12 +70,29 @@ class Modify(Solid):
             if name in obj.PropertiesList:
                 obj.setEditorMode(name, 0 if name in OPERATIONS[obj.Operation] else 2)
 
+    def csg(self, obj):
+        """Of a transform of a shape of OpenSCAD, which may be flat."""
+        text = csg_of(obj.Source) if obj.Operation == "Transform" and obj.Source is not None else None
+        return text and text.placed(self.matrix(obj).A, obj.Label)
+
+    @staticmethod
+    def matrix(obj):
+        """Of a transform."""
+        scaled = FreeCAD.Matrix()
+        scaled.scale(obj.Factors)
+        turn = FreeCAD.Rotation(obj.Direction, obj.Turn.Value) if obj.Turn.Value else FreeCAD.Rotation()
+        return FreeCAD.Placement(obj.Step, turn, obj.Centre).toMatrix() * scaled
+
     def source(self, obj):
         if obj.Source is None:
             raise ValueError(tr("{label}: choose a Source").format(label=obj.Label))
-        source, operation = source_of(obj.Source), obj.Operation
+        operation = obj.Operation
         values = {name: self._plain(getattr(obj, name)) for name in OPERATIONS[operation]}
         self.check(obj, values)
+        text = self.csg(obj)
+        if text is not None:
+            return OpenScadSource(text, obj.Label)
+        source = source_of(obj.Source)
         make = getattr(self, "_" + operation.lower().replace(" ", "_"))
         reach = abs(values[REACHES[operation]]) if operation in REACHES else 0
 

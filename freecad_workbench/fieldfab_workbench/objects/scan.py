@@ -1,16 +1,15 @@
 """A solid from a CT volume, or from an .asdf file."""
 
 import functools
-import os
 
 import FreeCAD
 
 from ..scans import DENOISING, SAMPLE_TYPES, AsdfSource, Cut, ScanFile, ScanSource
 from ..words import marked, tr
+from .outside import HIDDEN, OUTPUT, forget, path_of
 from .solid import Solid
 
-OUTPUT = 8 | 16  # neither a reason to recompute nor a change of the object
-READ_ONLY, HIDDEN = 1, 4
+READ_ONLY = 1
 MISSING, CHANGED, AS_READ, UNREAD = marked(("missing", "changed since it was read", "as it was read", "not read yet"))
 
 
@@ -47,14 +46,12 @@ class Scan(Solid):
 
     def onChanged(self, obj, name):
         if name == "File" and not obj.Document.Restoring and "FileState" in obj.PropertiesList:
-            obj.FileBeside = ""
+            forget(obj, "File")
             self.look(obj)
 
     def path(self, obj):
-        """Where the file is: beside the document if it was there and still is, else where it was. "" where none is named."""
-        folder = os.path.dirname(obj.Document.FileName)
-        beside = os.path.join(folder, obj.FileBeside) if folder and obj.FileBeside else ""
-        return os.path.normpath(beside) if beside and os.path.exists(beside) else obj.File
+        """Where the file is; "" where none is named."""
+        return path_of(obj, "File")
 
     def file(self, obj):
         """The scans.ScanFile. Raises ValueError."""
@@ -114,19 +111,3 @@ class Scan(Solid):
         if obj.FileState in (MISSING, CHANGED):
             FreeCAD.Console.PrintWarning(tr("{label}: the scan {path} is {state}; the mesh is what it was").format(
                 label=obj.Label, path=self.path(obj), state=tr(obj.FileState)) + "\n")
-
-
-class _Places:
-    """Remembers, whenever a document is saved, where its scans are from there."""
-
-    def slotStartSaveDocument(self, document, filename):
-        folder = os.path.dirname(os.path.abspath(filename))
-        for obj in document.Objects:
-            if isinstance(getattr(obj, "Proxy", None), Scan):
-                path = obj.Proxy.path(obj)
-                if path and os.path.exists(path) and os.path.splitdrive(path)[0] == os.path.splitdrive(folder)[0]:
-                    obj.FileBeside = os.path.relpath(path, folder)
-
-
-_places = _Places()
-FreeCAD.addDocumentObserver(_places)

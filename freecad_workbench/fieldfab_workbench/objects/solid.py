@@ -23,6 +23,10 @@ class Solid(DocumentObject):
         """A sources.Source of the solid in its own coordinates. Raises ValueError with a line for the user."""
         raise NotImplementedError
 
+    def csg(self, obj):
+        """The solid in its own coordinates as OpenSCAD's text, an openscad.Text; None where OpenSCAD has no word for it. Raises ValueError."""
+        return None
+
     def default_voxel(self, obj):
         """Edge of the smallest cell where none is given; None: by the preferences' cells along the longest side."""
         return None
@@ -36,6 +40,7 @@ class Solid(DocumentObject):
         add = self.add
         add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side", 0)
         add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
+        add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
         add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
         add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
@@ -56,7 +61,22 @@ class Solid(DocumentObject):
         return {name: value for name, value in settings.items() if value is not None}
 
     def execute(self, obj):
-        """Makes the mesh. What goes wrong is raised: FreeCAD then marks the object, which keeps the mesh it had."""
+        """Makes the mesh, unless it waits until the solid is shown. What goes wrong is raised: FreeCAD then marks the object, which keeps the mesh
+        it had."""
+        if self.waits(obj):
+            return
+        try:
+            self.make_mesh(obj)
+        except work.Cancelled:
+            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
+
+    @staticmethod
+    def waits(obj):
+        """Whether nobody needs the mesh now: other solids are made of Fields, not of meshes."""
+        return obj.OnlyWhenShown and not obj.Visibility and all(is_solid(user) for user in obj.InList)
+
+    def make_mesh(self, obj):
+        """Makes the mesh, where it is not what it should be. Raises ValueError, and work.Cancelled."""
         fieldfab = kernel.load()
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
@@ -68,8 +88,6 @@ class Solid(DocumentObject):
             mesh = work.run(lambda progress: source.mesh(progress, **settings), obj.Label)
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
-        except work.Cancelled:
-            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
         self.put_mesh(obj, mesh)
         obj.MadeFrom = made_from
 
@@ -103,6 +121,13 @@ def source_of(obj, placed=True):
     if not placed:
         return source
     return source.moved(obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement)
+
+
+def csg_of(obj):
+    """A solid as OpenSCAD's text, where it is in the document; None where OpenSCAD has no word for it. Raises ValueError."""
+    text = obj.Proxy.csg(obj) if is_solid(obj) else None
+    placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
+    return text if text is None or placement.isIdentity() else text.placed(placement.toMatrix().A, obj.Label)
 
 
 def create(kind, document, name=None):

@@ -2,9 +2,12 @@
 
 import os
 
+import FreeCAD
 import FreeCADGui
 
 from .. import preferences
+from ..shim import QtCore
+from ..words import tr
 
 ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "icons")
 
@@ -63,6 +66,10 @@ class SolidView(ObjectView):
         if name == "Operation":
             obj.ViewObject.signalChangeIcon()
 
+    def onChanged(self, view, name):
+        if name == "Visibility" and view.Visibility and getattr(view.Object, "OnlyWhenShown", False) and not view.Object.Document.Restoring:
+            make_mesh_later(view.Object)
+
     def claimChildren(self):
         return sources_of(self.Object)
 
@@ -71,6 +78,29 @@ class SolidView(ObjectView):
         for source in sources_of(view.Object):
             source.ViewObject.Visibility = True
         return True
+
+
+def make_mesh_later(obj):
+    """Gives a solid that is shown the mesh that it had no need of while it was hidden: once the change that shows it is done."""
+    document, name = obj.Document.Name, obj.Name
+
+    def make():
+        found = FreeCAD.listDocuments().get(document)
+        shown = found and found.getObject(name)
+        if not shown or not shown.Visibility or found.Recomputing:
+            return
+        began = not found.HasPendingTransaction
+        if began:
+            found.openTransaction(tr("Show {label}").format(label=shown.Label))
+        try:
+            shown.Proxy.execute(shown)
+            shown.purgeTouched()
+        except ValueError as error:
+            FreeCAD.Console.PrintError(f"{error}\n")
+        if began:
+            found.commitTransaction()
+
+    QtCore.QTimer.singleShot(0, make)
 
 
 def sources_of(obj):

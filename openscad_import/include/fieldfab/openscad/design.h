@@ -32,6 +32,10 @@ struct Design {
 /// where it fails.
 Tree read_tree(const std::filesystem::path& path, Progress& progress = Progress::none());
 
+/// How many dimensions each node's shape has: 2 or 3, or 0 where it draws nothing. Throws bad_input with FILE:LINE for what is
+/// unknown.
+std::vector<int> dimensions_of(const Tree& tree);
+
 /// The solid of a tree; `folder` is where the files that it imports are looked for. Throws bad_input with FILE:LINE for what is
 /// unknown or cannot be, io for a missing file, cancelled.
 Design make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options = {},

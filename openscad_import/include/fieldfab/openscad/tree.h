@@ -40,6 +40,7 @@ struct Node {
   bool background = false;  ///< %: shown, not part of the solid
   bool disabled = false;    ///< *: as if it were not there
   bool root = false;        ///< !: the design is this node alone
+  bool highlight = false;   ///< #: shown in another colour, too
 };
 
 /// All nodes; the first is a group of what stands at the top of the file. Children have greater numbers than their parent.
@@ -57,8 +58,10 @@ struct Tree {
 /// bad_input with FILE:LINE:COLUMN, what was found and what was expected.
 Tree parse_csg(std::string_view text, std::string_view file);
 
-/// A node and what is below it as .csg text, without modifiers: what parse_csg() reads back as the same tree. Words that contain
-/// quotes or backslashes are written with backslashes before them, as OpenSCAD reads them.
-std::string print_csg(const Tree& tree, NodeIndex node);
+enum class Modifiers { left_out, kept };
+
+/// A node and what is below it as .csg text: what parse_csg() reads back as the same tree. Words that contain quotes or
+/// backslashes are written with backslashes before them, as OpenSCAD reads them.
+std::string print_csg(const Tree& tree, NodeIndex node, Modifiers modifiers = Modifiers::left_out);
 
 }  // namespace fieldfab::openscad

@@ -1,0 +1,130 @@
+"""Nodes of an OpenSCAD design as solids: their arguments are properties, their children are links."""
+
+import functools
+
+from .. import openscad
+from ..openscad_nodes import KINDS, values_of
+from ..words import tr
+from . import outside
+from .solid import Solid, csg_of
+
+LONG = 100_000  # letters; a longer text is no good in a property editor
+
+
+class OpenScadSolid(Solid):
+    """A solid that OpenSCAD's text says."""
+
+    def source(self, obj):
+        return openscad.OpenScadSource(self.csg(obj), obj.Label)
+
+    def onChanged(self, obj, name):
+        if name in outside.NAMES and not obj.Document.Restoring:
+            outside.forget(obj, name)
+
+    def mustExecute(self, obj):
+        """Where a file that it names has changed since."""
+        return "Stamps" in obj.PropertiesList and bool(obj.Stamps) and obj.Stamps != self.stamps(obj)
+
+    def execute(self, obj):
+        super().execute(obj)
+        if "Stamps" in obj.PropertiesList:
+            obj.Stamps = self.stamps(obj)
+
+    def files(self, obj):
+        """The paths of those that it names itself."""
+        raise NotImplementedError
+
+    def stamps(self, obj):
+        """Of the files that it names, where they are there."""
+        stamps = []
+        for path in self.files(obj):
+            try:
+                stamps.append(openscad.stamp(path, obj.Label))
+            except ValueError:
+                stamps.append("missing")
+        return stamps
+
+    def add_outside(self, obj, name, words):
+        """A property of a file or folder that stays outside."""
+        self.add(obj, "File" if name == "File" else "Path", name, "OpenSCAD", words)
+        self.add(obj, "String", f"{name}Beside", "OpenSCAD", "The same, from the document's folder", mode=outside.HIDDEN | outside.OUTPUT)
+        self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=outside.HIDDEN | outside.OUTPUT)
+
+
+class OpenScadNode(OpenScadSolid):
+    """A cube, an extrusion, a hull, ...: whatever openscad_nodes.py has."""
+
+    NAME = "OpenScadNode"
+
+    def add_own_properties(self, obj):
+        self.add(obj, "String", "Node", "Base", "What OpenSCAD calls it", mode=1)  # read only
+        self.add_arguments(obj)
+
+    def onChanged(self, obj, name):
+        super().onChanged(obj, name)
+        if name == "Node" and not obj.Document.Restoring:
+            self.add_arguments(obj)
+
+    def add_arguments(self, obj):
+        if obj.Node not in KINDS:
+            return
+        add, kind = functools.partial(self.add, obj), KINDS[obj.Node]
+        for argument in kind.arguments:
+            for (name, words), default in zip(argument.properties, argument.defaults):
+                if argument.kind == "File":
+                    self.add_outside(obj, name, words)
+                else:
+                    add(argument.kind, name, "OpenSCAD", words, default)
+        if kind.children:
+            add("LinkList", "Sources", "OpenSCAD", "What it is made of")
+
+    def csg(self, obj):
+        key = obj.Node
+        if key not in KINDS:
+            raise ValueError(tr("{label}: OpenSCAD has no '{node}'").format(label=obj.Label, node=key))
+        try:
+            values = values_of(key, obj)
+        except ValueError as error:
+            raise ValueError(f"{obj.Label}: {error}") from None
+        if "file" in values:
+            values["file"] = outside.path_of(obj, "File")
+        files = [values["file"]] if "file" in values else []
+        words = ", ".join(f"{name} = {openscad.literal(value)}" if name else openscad.literal(value) for name, value in values.items())
+        return openscad.node(f"{KINDS[key].name}({words})", obj.Label, [self._child(obj, source) for source in getattr(obj, "Sources", [])], files)
+
+    def files(self, obj):
+        return [outside.path_of(obj, "File")]
+
+    @staticmethod
+    def _child(obj, source):
+        text = csg_of(source)
+        if text is None:
+            raise ValueError(tr("{label}: {source} is no shape of OpenSCAD, and {node} takes no other").format(
+                label=obj.Label, source=source.Label, node=obj.Node))
+        return text
+
+
+class OpenScadText(OpenScadSolid):
+    """A design, or a part of one, as its .csg text."""
+
+    NAME = "OpenScadText"
+
+    def add_own_properties(self, obj):
+        self.add(obj, "String", "Text", "OpenSCAD", "The solid as OpenSCAD's .csg text")
+        self.add_outside(obj, "Folder", "Where the files are that the text names")
+        self.show_what_is_short(obj)
+
+    def onChanged(self, obj, name):
+        super().onChanged(obj, name)
+        if name == "Text":
+            self.show_what_is_short(obj)
+
+    @staticmethod
+    def show_what_is_short(obj):
+        obj.setEditorMode("Text", 2 if len(obj.Text) > LONG else 0)
+
+    def csg(self, obj):
+        return openscad.whole(obj.Text, outside.path_of(obj, "Folder"), obj.Label)
+
+    def files(self, obj):
+        return self.csg(obj).files

@@ -1,0 +1,128 @@
+"""OpenSCAD's text of solids, and the Source that evaluates it. Nothing here looks at a document.
+
+Every object that came out of a design keeps its own arguments only; what it is with all that is below it is put together as .csg text, and the kernel
+evaluates that as one. So faces that coincide meet exactly, as they do when a whole file is read, and a hull has its children's corners."""
+
+import os
+import re
+
+from . import kernel
+from .sources import Source, kept
+from .words import tr
+
+PLATE = 1.0  # mm that a flat shape is thick where a solid is wanted, as OpenSCAD shows it
+_PLACE = re.compile(r"^design:(\d+)(?::\d+)?: ?")
+_FILE = re.compile(r'(\b(?:import|surface)\s*\([^()"]*?\bfile\s*=\s*)"((?:[^"\\]|\\["\\])*)"')
+
+
+def literal(value):
+    """A value as OpenSCAD writes it."""
+    if value is None:
+        return "undef"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(literal, value)) + "]"
+    return repr(float(value))
+
+
+class Text:
+    """Lines of .csg text, each with the label of the object that it is from, and the paths of the files that it names."""
+
+    def __init__(self, lines, files=()):
+        self.lines, self.files = tuple(lines), tuple(files)
+
+    def __str__(self):
+        return "\n".join(line for line, _ in self.lines)
+
+    def within(self, head, label):
+        """As the only child of a node."""
+        return node(head, label, [self])
+
+    def placed(self, matrix, label):
+        """Where a matrix of 16 numbers, row by row, puts it."""
+        return self.within(f"multmatrix({literal([matrix[i:i + 4] for i in (0, 4, 8, 12)])})", label)
+
+
+def node(head, label, children=(), files=()):
+    """The Text of a node with children; `head` is its name and its arguments in brackets."""
+    if "\n" in head:  # words may have several lines, and each has to have its label
+        first = [(line, label) for line in head.split("\n")]
+    else:
+        first = [(head, label)]
+    if not children:
+        return Text([*first[:-1], (first[-1][0] + ";", label)], files)
+    lines = [*first[:-1], (first[-1][0] + " {", label)]
+    for child in children:
+        lines += child.lines
+    return Text([*lines, ("}", label)], [*files, *(path for child in children for path in child.files)])
+
+
+def whole(text, folder, label):
+    """The Text of a file's own text, which names its files from a folder."""
+    found = []
+
+    def absolute(match):
+        path = os.path.join(folder, re.sub(r"\\([\"\\])", r"\1", match[2]))
+        found.append(path)
+        return match[1] + literal(path)
+
+    return Text([(line, label) for line in _FILE.sub(absolute, text).split("\n")], found).within("group()", label)
+
+
+def stamp(path, label):
+    """Size and time of last change: another stamp, another content. Raises ValueError where there is no such file."""
+    try:
+        seen = os.stat(path)
+    except OSError:
+        raise ValueError(tr("{label}: the file {path} is not there").format(label=label, path=path)) from None
+    return f"{seen.st_size} {seen.st_mtime_ns}"
+
+
+class OpenScadSource(Source):
+    """The solid of a Text. Its mesh has cells that its thinnest part can be seen with, where none are given. Raises ValueError where a file is missing."""
+
+    def __init__(self, text, label):
+        self.text = text
+        stamps = [(path, stamp(path, label)) for path in dict.fromkeys(text.files)]
+        super().__init__(("openscad", str(text), stamps), None)
+
+    def design(self, progress=None):
+        """The fieldfab.OpenScadDesign. Raises fieldfab.Error, with labels of objects in place of lines."""
+        return kept(("design", self.digest), lambda: self._designed(progress))
+
+    def _designed(self, progress):
+        fieldfab = kernel.load()
+        try:
+            design = fieldfab.openscad_design(str(self.text), thickness=PLATE, progress=progress)
+        except fieldfab.Error as error:
+            if error.kind == "cancelled":
+                raise
+            raise fieldfab.Error(self._said(str(error))) from None
+        if design.field is None:
+            raise fieldfab.Error(tr("draws nothing"))
+        return design
+
+    def _said(self, message):
+        """A message with the label of the object that it is about."""
+        match = _PLACE.match(message)
+        line = int(match[1]) if match else 0
+        return f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines) else message
+
+    def field(self, progress=None):
+        return self.design(progress).field
+
+    def voxel(self, progress=None):
+        """Of the smallest cell; None where nothing is known of it."""
+        return self.design(progress).voxel
+
+    def notes(self):
+        """What was left out or mended, one line each."""
+        return [self._said(note) for note in self.design().notes]
+
+    def _meshed(self, progress, cells, settings):
+        if not cells and "voxel" not in settings and (voxel := self.voxel(progress)):
+            settings = {**settings, "voxel": voxel}
+        return super()._meshed(progress, cells, settings)

@@ -1,0 +1,119 @@
+"""OpenSCAD's designs that come in: .csg files, and .scad files through the installed OpenSCAD. One tree of objects, in one undo step, or nothing at all."""
+
+import os
+
+import FreeCAD
+
+from . import kernel, work
+from .openscad_tree import MOST_PARTS, Design, TooLarge
+from .words import tr
+
+TINT = (1.0, 0.32, 0.32)  # of what a design highlights (#)
+BACKGROUND, TRANSPARENCY = (0.6, 0.6, 0.65), 70  # of what it only shows (%)
+
+
+def insert(filename, docname, name):
+    """Adds a design to the document of that name, a new one where there is none. Returns the root object, the only one that is seen but for those that
+    the design only shows. Raises ValueError with a line for the user, and then all is as it was."""
+    fieldfab, filename = kernel.load(), os.path.abspath(filename)
+    try:
+        tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress), tr("Reading {name}").format(name=os.path.basename(filename)))
+    except fieldfab.Error as error:
+        raise ValueError(str(error)) from None
+    except work.Cancelled:
+        raise _cancelled(filename) from None
+    root, shown = _parts(tree, filename)
+    if root is None:
+        raise ValueError(tr("{filename}: the design is empty").format(filename=filename))
+    there = docname in FreeCAD.listDocuments()
+    document = FreeCAD.getDocument(docname) if there else FreeCAD.newDocument(docname or name)
+    try:
+        return _add(document, root, shown, name)
+    except work.Cancelled:
+        raise _cancelled(filename) from None
+    except ValueError as error:
+        raise ValueError(f"{filename}: {error}") from None
+    finally:
+        if not there and not document.Objects:
+            FreeCAD.closeDocument(document.Name)
+        elif not there:
+            document.Label = docname or name
+
+
+def _cancelled(filename):
+    return ValueError(tr("{filename}: cancelled; nothing was added").format(filename=filename))
+
+
+def _parts(tree, filename):
+    """(the root, what is only shown) of a tree; one part with its text where there would be too many."""
+    try:
+        design = Design(tree, os.path.dirname(filename))
+        return design.root, design.shown
+    except TooLarge:
+        FreeCAD.Console.PrintMessage(tr("{filename}: too large for a tree (more than {most} parts, or too deep): one object with its text").format(
+            filename=filename, most=MOST_PARTS) + "\n")
+    if tree[0].dimensions == 0:
+        return None, []
+    from .openscad_tree import Part
+
+    return Part("", "text", {"Text": tree[0].text(), "Folder": os.path.dirname(filename)}), []
+
+
+def _add(document, root, shown, name):
+    """All objects in one undo step, with the meshes of those that are seen. Raises ValueError and work.Cancelled; then none of them is there."""
+    began = not document.HasPendingTransaction
+    if began:
+        document.openTransaction(tr("Import {label}").format(label=name))
+    made = []
+    try:
+        top = _create(document, root, made)
+        top.Label = name
+        seen = [top]
+        for part in shown:
+            seen.append(_create(document, part, made))
+            _look(seen[-1], BACKGROUND, TRANSPARENCY)
+        for obj in seen:
+            obj.OnlyWhenShown, obj.Visibility = False, True
+            obj.Proxy.make_mesh(obj)
+            for note in getattr(obj.Proxy.source(obj), "notes", list)():
+                FreeCAD.Console.PrintWarning(note + "\n")
+    except (ValueError, work.Cancelled):
+        for obj in reversed(made):
+            document.removeObject(obj.Name)
+        if began:
+            document.abortTransaction()
+        raise
+    document.recompute()
+    if began:
+        document.commitTransaction()
+    return top
+
+
+def _create(document, part, made):
+    """The objects of a part, those it is made of first; none of them is seen."""
+    from .objects import combine, modify, openscad_node, solid
+
+    children = [_create(document, child, made) for child in part.children]
+    kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify, "text": openscad_node.OpenScadText}[part.make]
+    obj = solid.create(kind, document, part.label or "design")
+    made.append(obj)
+    if part.label:
+        obj.Label = part.label
+    if part.make == "scaled":
+        obj.Operation = "Transform"
+        obj.Step, obj.Source = FreeCAD.Vector(), children[0]
+    elif children:
+        obj.Sources = children
+    for name, value in part.values.items():
+        setattr(obj, name, value)
+    obj.Placement, obj.OnlyWhenShown, obj.Visibility = part.placement, True, False
+    if part.highlight:
+        _look(obj, TINT, 0)
+    elif part.colour:
+        _look(obj, part.colour[:3], round(100 * (1 - part.colour[3])))
+    return obj
+
+
+def _look(obj, colour, transparency):
+    if FreeCAD.GuiUp:
+        obj.ViewObject.ShapeColor, obj.ViewObject.Transparency = colour, transparency

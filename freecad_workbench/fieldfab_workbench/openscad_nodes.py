@@ -1,0 +1,195 @@
+"""OpenSCAD's nodes as properties of FreeCAD's objects, both ways: one table."""
+
+import dataclasses
+import math
+
+from .words import described
+
+IGNORED = {"convexity", "timestamp"}  # of OpenSCAD's preview and its cache; nothing of the solid
+
+
+class Unfit(Exception):
+    """A node's arguments are none that properties can hold: infinite numbers, values of other kinds, unknown names."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Argument:
+    """An argument and the properties that hold it: (name, description) each; several hold a list. `kind`: of the properties."""
+
+    name: str
+    kind: str
+    properties: tuple
+    defaults: tuple
+
+    def to_properties(self, value):
+        """{property: value} of an argument's value. Raises Unfit."""
+        if value is None:
+            values = self.defaults
+        elif len(self.properties) == 1:
+            values = (value,)
+        elif isinstance(value, list) and len(value) >= len(self.properties):
+            values = value
+        else:
+            raise Unfit(self.name)
+        read = READERS[self.kind]
+        return {name: read(each) for (name, _), each in zip(self.properties, values)}
+
+    def value(self, obj):
+        """The argument's value, of an object's properties."""
+        values = [WRITERS.get(self.kind, lambda held: held)(getattr(obj, name)) for name, _ in self.properties]
+        return values[0] if len(values) == 1 else values
+
+
+def _number(value):
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise Unfit(value)
+    return value
+
+
+def _truth(value):
+    if isinstance(value, (bool, float, int)):
+        return bool(value)
+    raise Unfit(value)
+
+
+def _words(value):
+    if isinstance(value, str):
+        return value
+    raise Unfit(value)
+
+
+def _points(value):
+    if not isinstance(value, (list, tuple)) or any(not isinstance(point, list) or len(point) not in (2, 3) for point in value):
+        raise Unfit(value)
+    return [tuple(map(_number, [*point, 0][:3])) for point in value]
+
+
+def _paths(value):
+    """Lists of places in a list of points, a line each."""
+    if value == ():
+        return []
+    if not isinstance(value, list) or any(not isinstance(path, list) for path in value):
+        raise Unfit(value)
+    return [", ".join(f"{_number(place):g}" for place in path) for path in value]
+
+
+def _paths_of(lines):
+    """Raises ValueError for what is no number."""
+    return [[float(word) for word in line.replace(",", " ").split()] for line in lines] or None
+
+
+def _matrix(value):
+    import FreeCAD
+
+    if not isinstance(value, list) or len(value) not in (3, 4) or any(not isinstance(row, list) or len(row) != 4 for row in value):
+        raise Unfit(value)
+    return FreeCAD.Matrix(*(_number(each) for row in (*value, [0, 0, 0, 1])[:4] for each in row))
+
+
+READERS = {"Length": _number, "Distance": _number, "Angle": _number, "Float": _number, "Bool": _truth, "String": _words, "File": _words,
+           "VectorList": _points, "StringList": _paths, "Matrix": _matrix}
+WRITERS = {"Length": lambda held: held.Value, "Distance": lambda held: held.Value, "Angle": lambda held: held.Value,
+           "VectorList": lambda held: [tuple(point) for point in held], "StringList": _paths_of,
+           "Matrix": lambda held: [held.A[i:i + 4] for i in (0, 4, 8, 12)]}
+
+
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """What OpenSCAD calls a node, its arguments, and whether it has children."""
+
+    name: str
+    arguments: tuple = ()
+    children: bool = False
+
+
+def _flat_points(value):
+    return [point[:2] for point in value]
+
+
+FRAGMENTS = (
+    Argument("$fn", "Float", (described("Fn", "Sides of a circle; 0: by Fa and Fs"),), (0,)),
+    Argument("$fa", "Angle", (described("Fa", "Least angle that a side of a circle spans"),), (12,)),
+    Argument("$fs", "Length", (described("Fs", "Least length of a side of a circle"),), (2,)),
+)
+CENTRED = Argument("center", "Bool", (described("Centred", "Around the origin"),), (False,))
+HEIGHT = described("Height", "Along z")
+LENGTH, WIDTH = described("Length", "Along x"), described("Width", "Along y")
+RADIUS = Argument("r", "Length", (described("Radius", "Of the circle or sphere"),), (1,))
+FILE = Argument("file", "File", (described("File", "The file that is imported"),), ("",))
+
+# By the property Node of the objects.
+KINDS = {
+    "cube": Kind("cube", (Argument("size", "Length", (LENGTH, WIDTH, HEIGHT), (1, 1, 1)), CENTRED)),
+    "sphere": Kind("sphere", (RADIUS, *FRAGMENTS)),
+    "cylinder": Kind("cylinder", (
+        Argument("h", "Length", (HEIGHT,), (1,)),
+        Argument("r1", "Length", (described("BottomRadius", "Of the lower circle"),), (1,)),
+        Argument("r2", "Length", (described("TopRadius", "Of the upper circle"),), (1,)), CENTRED, *FRAGMENTS)),
+    "polyhedron": Kind("polyhedron", (
+        Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
+        Argument("faces", "StringList", (described("Faces", "The corners of each face, clockwise from outside, counted from 0"),), ((),)))),
+    "square": Kind("square", (Argument("size", "Length", (LENGTH, WIDTH), (1, 1)), CENTRED)),
+    "circle": Kind("circle", (RADIUS, *FRAGMENTS)),
+    "polygon": Kind("polygon", (
+        Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
+        Argument("paths", "StringList", (described("Paths", "The corners of each outline, counted from 0; none: all in their order"),), ((),)))),
+    "text": Kind("text", (
+        Argument("text", "String", (described("Words", "What is written"),), ("",)),
+        Argument("size", "Length", (described("TextSize", "Height of a capital letter"),), (10,)),
+        Argument("font", "String", (described("Font", "Its name, and style=..."),), ("",)),
+        Argument("halign", "String", (described("HorizontalAlignment", "left, center or right"),), ("left",)),
+        Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),), ("baseline",)),
+        Argument("spacing", "Float", (described("Spacing", "Of letters; 1 is usual"),), (1,)),
+        Argument("direction", "String", (described("WritingDirection", "ltr, rtl, ttb or btt"),), ("ltr",)),
+        Argument("language", "String", (described("Language", "Of the words: en, de, ..."),), ("en",)),
+        Argument("script", "String", (described("Script", "Of the words: Latn, ..."),), ("Latn",)), *FRAGMENTS)),
+    "linear_extrude": Kind("linear_extrude", (
+        Argument("height", "Length", (HEIGHT,), (100,)), CENTRED,
+        Argument("twist", "Angle", (described("Twist", "From the lower to the upper end"),), (0,)),
+        Argument("scale", "Float", (described("ScaleX", "Of the upper end along x"), described("ScaleY", "Of the upper end along y")), (1, 1)),
+        Argument("slices", "Float", (described("Slices", "Of what is twisted or scaled; 0: by Fn, Fa and Fs"),), (0,)), *FRAGMENTS), True),
+    "rotate_extrude": Kind("rotate_extrude", (Argument("angle", "Angle", (described("Angle", "Of the turn, from the x axis"),), (360,)), *FRAGMENTS), True),
+    "hull": Kind("hull", (), True),
+    "minkowski": Kind("minkowski", (), True),
+    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "What lies at z = 0, not the shadow"),), (False,)),), True),
+    "offset": Kind("offset", (
+        Argument("delta", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)),
+        Argument("chamfer", "Bool", (described("Chamfered", "Corners are cut off"),), (False,))), True),
+    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)), *FRAGMENTS), True),
+    "resize": Kind("resize", (
+        Argument("newsize", "Length", (described("NewLength", "Along x; 0: as it is"), described("NewWidth", "Along y; 0: as it is"),
+                                       described("NewHeight", "Along z; 0: as it is")), (0, 0, 0)),
+        Argument("auto", "Bool", (described("AutoLength", "Where NewLength is 0: in proportion"), described("AutoWidth", "Where NewWidth is 0: in proportion"),
+                                  described("AutoHeight", "Where NewHeight is 0: in proportion")), (False, False, False))), True),
+    "multmatrix": Kind("multmatrix", (Argument("", "Matrix", (described("Matrix", "Where the children are put"),), (None,)),), True),
+    "import": Kind("import", (
+        FILE, Argument("layer", "String", (described("Layer", "Of a .dxf file; none: all"),), ("",)),
+        Argument("origin", "Float", (described("OriginX", "Of a .dxf file's drawing"), described("OriginY", "Of a .dxf file's drawing")), (0, 0)),
+        Argument("scale", "Float", (described("Scale", "Of a .dxf or .svg file's drawing"),), (1,)),
+        CENTRED, Argument("dpi", "Float", (described("Dpi", "Dots of an .svg file to an inch"),), (72,)), *FRAGMENTS)),
+    "surface": Kind("surface", (FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Of a picture: dark is high"),), (False,)))),
+}
+
+
+def key_of(node):
+    """The key in KINDS of a fieldfab.OpenScadNode. Raises Unfit for a node of no kind."""
+    key = "round offset" if node.name == "offset" and "r" in node.arguments else node.name
+    if key not in KINDS:
+        raise Unfit(key)
+    return key
+
+
+def properties_of(node):
+    """{property: value} of a fieldfab.OpenScadNode. Raises Unfit."""
+    kind, given = KINDS[key_of(node)], node.arguments
+    if set(given) - {argument.name for argument in kind.arguments} - IGNORED:
+        raise Unfit(node.name)
+    return {name: value for argument in kind.arguments for name, value in argument.to_properties(given.get(argument.name)).items()}
+
+
+def values_of(key, obj):
+    """{argument: value} of an object. Raises ValueError for properties that mean nothing."""
+    values = {argument.name: argument.value(obj) for argument in KINDS[key].arguments}
+    if key == "polygon":
+        values["points"] = _flat_points(values["points"])
+    return values
