@@ -99,13 +99,12 @@ def _create(document, part, made):
     made.append(obj)
     if part.label:
         obj.Label = part.label
-    if part.make == "scaled":
-        obj.Operation = "Transform"
-        obj.Step, obj.Source = FreeCAD.Vector(), children[0]
-    elif children:
-        obj.Sources = children
     for name, value in part.values.items():
         setattr(obj, name, value)
+    if part.make == "scaled":
+        obj.Source = children[0]
+    elif children:
+        obj.Sources = children
     obj.Placement, obj.OnlyWhenShown, obj.Visibility = part.placement, True, False
     if part.highlight:
         _look(obj, TINT, 0)

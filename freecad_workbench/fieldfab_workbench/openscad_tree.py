@@ -121,7 +121,8 @@ class Design:
             factors[turned] = -factors[turned]
         placement = _placement(columns, factors, (matrix.A14, matrix.A24, 0 if node.dimensions == 2 else matrix.A34))
         if factors != [1, 1, 1]:
-            part = Part("mirror" if mirrored and sorted(map(abs, factors)) == [1, 1, 1] else "scale", "scaled", {"Factors": FreeCAD.Vector(*factors)},
+            part = Part("mirror" if mirrored and sorted(map(abs, factors)) == [1, 1, 1] else "scale", "scaled",
+                        {"Operation": "Transform", "Factors": FreeCAD.Vector(*factors), "Step": FreeCAD.Vector()},
                         [part], colour=part.colour)
         part.placement = placement.multiply(part.placement)
         return part

@@ -23,7 +23,7 @@ class OpenScadSolid(Solid):
 
     def mustExecute(self, obj):
         """Where a file that it names has changed since."""
-        return "Stamps" in obj.PropertiesList and bool(obj.Stamps) and obj.Stamps != self.stamps(obj)
+        return bool(getattr(obj, "Stamps", None)) and obj.Stamps != self.stamps(obj)
 
     def execute(self, obj):
         super().execute(obj)
@@ -47,7 +47,7 @@ class OpenScadSolid(Solid):
     def add_outside(self, obj, name, words):
         """A property of a file or folder that stays outside."""
         self.add(obj, "File" if name == "File" else "Path", name, "OpenSCAD", words)
-        self.add(obj, "String", f"{name}Beside", "OpenSCAD", "The same, from the document's folder", mode=outside.HIDDEN | outside.OUTPUT)
+        self.add(obj, "String", f"{name}Beside", "Result", "The same, from the document's folder", mode=outside.HIDDEN | outside.OUTPUT)
         self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=outside.HIDDEN | outside.OUTPUT)
 
 

@@ -13,7 +13,7 @@ from .edit_panel import EditPanel
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
 HIDDEN = "Hidden"
 TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"), "PartShape": marked("Part shape"),
-          "PathOfProgram": marked("Path of program")}
+          "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"), "OpenScadText": marked("OpenSCAD text")}
 
 
 class PropertyPanel(EditPanel):
@@ -94,6 +94,23 @@ class PropertyPanel(EditPanel):
         box.valueChanged.connect(self.changed)
         return box, lambda: setattr(self.obj, name, box.value())
 
+    def _free_number(self, name):
+        box = QtWidgets.QDoubleSpinBox()
+        box.setDecimals(4)
+        box.setRange(-1e6, 1e6)
+        box.setValue(getattr(self.obj, name))
+        box.valueChanged.connect(self.changed)
+        return box, lambda: setattr(self.obj, name, box.value())
+
+    def _words(self, name):
+        if name == "Text":  # many lines
+            box = QtWidgets.QPlainTextEdit(getattr(self.obj, name))
+            box.textChanged.connect(self.changed)
+            return box, lambda: setattr(self.obj, name, box.toPlainText())
+        box = QtWidgets.QLineEdit(getattr(self.obj, name))
+        box.editingFinished.connect(self.changed)
+        return box, lambda: setattr(self.obj, name, box.text())
+
     def _count(self, name):
         box = QtWidgets.QSpinBox()
         box.setRange(1, 1_000_000)  # the property has its own limits
@@ -161,6 +178,8 @@ MAKERS = {
     "App::PropertyAngle": PropertyPanel._quantity,
     "App::PropertyFloatConstraint": PropertyPanel._number,
     "App::PropertyIntegerConstraint": PropertyPanel._count,
+    "App::PropertyFloat": PropertyPanel._free_number,
+    "App::PropertyString": PropertyPanel._words,
     "App::PropertyBool": PropertyPanel._yes,
     "App::PropertyVector": PropertyPanel._vector,
     "App::PropertyLink": PropertyPanel._link,

@@ -524,6 +524,34 @@
         <translation>Was ihn füllt</translation>
     </message>
     <message>
+        <source>Stamps</source>
+        <translation>Zeitstempel</translation>
+    </message>
+    <message>
+        <source>Sizes and times of the files that it was made from</source>
+        <translation>Größen und Zeiten der Dateien, aus denen es entstand</translation>
+    </message>
+    <message>
+        <source>Node</source>
+        <translation>Knoten</translation>
+    </message>
+    <message>
+        <source>What OpenSCAD calls it</source>
+        <translation>Wie OpenSCAD es nennt</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The solid as OpenSCAD's .csg text</source>
+        <translation>Der Körper als .csg-Text von OpenSCAD</translation>
+    </message>
+    <message>
+        <source>What it is made of</source>
+        <translation>Woraus es entsteht</translation>
+    </message>
+    <message>
         <source>A solid or a mesh</source>
         <translation>Ein Körper oder ein Netz</translation>
     </message>
@@ -948,6 +976,14 @@
         <translation>Wie weit das Netz vom Körper abweichen darf; 0 heißt ein Zehntel der kleinsten Zelle</translation>
     </message>
     <message>
+        <source>Only When Shown</source>
+        <translation>Nur wenn sichtbar</translation>
+    </message>
+    <message>
+        <source>While it is hidden, and only other solids are made of it, it gets no mesh</source>
+        <translation>Solange es verborgen ist und nur andere Körper daraus entstehen, bekommt es kein Netz</translation>
+    </message>
+    <message>
         <source>Auto Bounds</source>
         <translation>Grenzen automatisch</translation>
     </message>
@@ -1010,6 +1046,326 @@
     <message>
         <source>How far triangles may be from a Part shape; 0 means 1/2000 of its size</source>
         <translation>Wie weit Dreiecke von einer Part-Form abweichen dürfen; 0 heißt 1/2000 ihrer Größe</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Entlang z</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Entlang x</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>Entlang y</translation>
+    </message>
+    <message>
+        <source>Centred</source>
+        <translation>Zentriert</translation>
+    </message>
+    <message>
+        <source>Around the origin</source>
+        <translation>Um den Ursprung</translation>
+    </message>
+    <message>
+        <source>Of the circle or sphere</source>
+        <translation>Des Kreises oder der Kugel</translation>
+    </message>
+    <message>
+        <source>The file that is imported</source>
+        <translation>Die Datei, die importiert wird</translation>
+    </message>
+    <message>
+        <source>Fn</source>
+        <translation>Fn</translation>
+    </message>
+    <message>
+        <source>Sides of a circle; 0: by Fa and Fs</source>
+        <translation>Seiten eines Kreises; 0: nach Fa und Fs</translation>
+    </message>
+    <message>
+        <source>Fa</source>
+        <translation>Fa</translation>
+    </message>
+    <message>
+        <source>Least angle that a side of a circle spans</source>
+        <translation>Kleinster Winkel, den eine Seite eines Kreises überspannt</translation>
+    </message>
+    <message>
+        <source>Fs</source>
+        <translation>Fs</translation>
+    </message>
+    <message>
+        <source>Least length of a side of a circle</source>
+        <translation>Kleinste Länge einer Seite eines Kreises</translation>
+    </message>
+    <message>
+        <source>Bottom Radius</source>
+        <translation>Unterer Radius</translation>
+    </message>
+    <message>
+        <source>Of the lower circle</source>
+        <translation>Des unteren Kreises</translation>
+    </message>
+    <message>
+        <source>Top Radius</source>
+        <translation>Oberer Radius</translation>
+    </message>
+    <message>
+        <source>Of the upper circle</source>
+        <translation>Des oberen Kreises</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>The corners of each face, clockwise from outside, counted from 0</source>
+        <translation>Die Ecken jeder Fläche, von außen im Uhrzeigersinn, von 0 an gezählt</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>The corners of each outline, counted from 0; none: all in their order</source>
+        <translation>Die Ecken jedes Umrisses, von 0 an gezählt; keine: alle in ihrer Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Worte</translation>
+    </message>
+    <message>
+        <source>What is written</source>
+        <translation>Was geschrieben steht</translation>
+    </message>
+    <message>
+        <source>Text Size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Height of a capital letter</source>
+        <translation>Höhe eines Großbuchstabens</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schriftart</translation>
+    </message>
+    <message>
+        <source>Its name, and style=...</source>
+        <translation>Ihr Name und style=...</translation>
+    </message>
+    <message>
+        <source>Horizontal Alignment</source>
+        <translation>Waagerechte Ausrichtung</translation>
+    </message>
+    <message>
+        <source>left, center or right</source>
+        <translation>left, center oder right</translation>
+    </message>
+    <message>
+        <source>Vertical Alignment</source>
+        <translation>Senkrechte Ausrichtung</translation>
+    </message>
+    <message>
+        <source>baseline, bottom, center or top</source>
+        <translation>baseline, bottom, center oder top</translation>
+    </message>
+    <message>
+        <source>Of letters; 1 is usual</source>
+        <translation>Der Buchstaben; 1 ist üblich</translation>
+    </message>
+    <message>
+        <source>Writing Direction</source>
+        <translation>Schreibrichtung</translation>
+    </message>
+    <message>
+        <source>ltr, rtl, ttb or btt</source>
+        <translation>ltr, rtl, ttb oder btt</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of the words: en, de, ...</source>
+        <translation>Der Worte: en, de, ...</translation>
+    </message>
+    <message>
+        <source>Script</source>
+        <translation>Schriftsystem</translation>
+    </message>
+    <message>
+        <source>Of the words: Latn, ...</source>
+        <translation>Der Worte: Latn, ...</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verdrehung</translation>
+    </message>
+    <message>
+        <source>From the lower to the upper end</source>
+        <translation>Vom unteren zum oberen Ende</translation>
+    </message>
+    <message>
+        <source>Scale X</source>
+        <translation>Faktor X</translation>
+    </message>
+    <message>
+        <source>Of the upper end along x</source>
+        <translation>Des oberen Endes entlang x</translation>
+    </message>
+    <message>
+        <source>Scale Y</source>
+        <translation>Faktor Y</translation>
+    </message>
+    <message>
+        <source>Of the upper end along y</source>
+        <translation>Des oberen Endes entlang y</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Of what is twisted or scaled; 0: by Fn, Fa and Fs</source>
+        <translation>Von Verdrehtem oder Verjüngtem; 0: nach Fn, Fa und Fs</translation>
+    </message>
+    <message>
+        <source>Of the turn, from the x axis</source>
+        <translation>Der Drehung, von der x-Achse an</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>What lies at z = 0, not the shadow</source>
+        <translation>Was bei z = 0 liegt, nicht der Schatten</translation>
+    </message>
+    <message>
+        <source>Chamfered</source>
+        <translation>Gefast</translation>
+    </message>
+    <message>
+        <source>Corners are cut off</source>
+        <translation>Ecken werden abgeschnitten</translation>
+    </message>
+    <message>
+        <source>New Length</source>
+        <translation>Neue Länge</translation>
+    </message>
+    <message>
+        <source>Along x; 0: as it is</source>
+        <translation>Entlang x; 0: wie sie ist</translation>
+    </message>
+    <message>
+        <source>New Width</source>
+        <translation>Neue Breite</translation>
+    </message>
+    <message>
+        <source>Along y; 0: as it is</source>
+        <translation>Entlang y; 0: wie sie ist</translation>
+    </message>
+    <message>
+        <source>New Height</source>
+        <translation>Neue Höhe</translation>
+    </message>
+    <message>
+        <source>Along z; 0: as it is</source>
+        <translation>Entlang z; 0: wie sie ist</translation>
+    </message>
+    <message>
+        <source>Auto Length</source>
+        <translation>Länge im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Where NewLength is 0: in proportion</source>
+        <translation>Wo NewLength 0 ist: im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Auto Width</source>
+        <translation>Breite im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Where NewWidth is 0: in proportion</source>
+        <translation>Wo NewWidth 0 ist: im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Auto Height</source>
+        <translation>Höhe im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Where NewHeight is 0: in proportion</source>
+        <translation>Wo NewHeight 0 ist: im Verhältnis</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>Where the children are put</source>
+        <translation>Wohin die Kinder gestellt werden</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Of a .dxf file; none: all</source>
+        <translation>Einer .dxf-Datei; keine: alle</translation>
+    </message>
+    <message>
+        <source>Origin X</source>
+        <translation>Ursprung X</translation>
+    </message>
+    <message>
+        <source>Of a .dxf file's drawing</source>
+        <translation>Der Zeichnung einer .dxf-Datei</translation>
+    </message>
+    <message>
+        <source>Origin Y</source>
+        <translation>Ursprung Y</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Of a .dxf or .svg file's drawing</source>
+        <translation>Der Zeichnung einer .dxf- oder .svg-Datei</translation>
+    </message>
+    <message>
+        <source>Dpi</source>
+        <translation>Dpi</translation>
+    </message>
+    <message>
+        <source>Dots of an .svg file to an inch</source>
+        <translation>Punkte einer .svg-Datei auf einen Zoll</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Umgekehrt</translation>
+    </message>
+    <message>
+        <source>Of a picture: dark is high</source>
+        <translation>Eines Bildes: Dunkles ist hoch</translation>
     </message>
 </context>
 <context>
@@ -1275,6 +1631,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: {name} muss über 0 liegen</translation>
     </message>
     <message>
+        <source>{label}: OpenSCAD has no '{node}'</source>
+        <translation>{label}: OpenSCAD hat kein „{node}“</translation>
+    </message>
+    <message>
+        <source>{label}: {source} is no shape of OpenSCAD, and {node} takes no other</source>
+        <translation>{label}: {source} ist keine Form von OpenSCAD, und {node} nimmt keine andere</translation>
+    </message>
+    <message>
         <source>{label}: the mesh is empty</source>
         <translation>{label}: Das Netz ist leer</translation>
     </message>
@@ -1441,6 +1805,30 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label}: choose a mesh, a Part object or a body as its Source</source>
         <translation>{label}: ein Netz, ein Part-Objekt oder einen Body als Quelle wählen</translation>
+    </message>
+    <message>
+        <source>draws nothing</source>
+        <translation>ergibt nichts</translation>
+    </message>
+    <message>
+        <source>{label}: the file {path} is not there</source>
+        <translation>{label}: Die Datei {path} ist nicht da</translation>
+    </message>
+    <message>
+        <source>{filename}: cancelled; nothing was added</source>
+        <translation>{filename}: abgebrochen; nichts wurde hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Reading {name}</source>
+        <translation>{name} wird gelesen</translation>
+    </message>
+    <message>
+        <source>{filename}: the design is empty</source>
+        <translation>{filename}: Der Entwurf ist leer</translation>
+    </message>
+    <message>
+        <source>{filename}: too large for a tree (more than {most} parts, or too deep): one object with its text</source>
+        <translation>{filename}: zu groß für einen Baum (mehr als {most} Teile oder zu tief): ein Objekt mit seinem Text</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1877,6 +2265,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Path of program</source>
         <translation>Pfad des Programms</translation>
+    </message>
+    <message>
+        <source>OpenSCAD shape</source>
+        <translation>OpenSCAD-Form</translation>
+    </message>
+    <message>
+        <source>OpenSCAD text</source>
+        <translation>OpenSCAD-Text</translation>
     </message>
     <message>
         <source>Scan</source>
@@ -2385,6 +2781,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Refined where you look</source>
         <translation>Verfeinert, wo Sie hinsehen</translation>
+    </message>
+    <message>
+        <source>Show {label}</source>
+        <translation>{label} zeigen</translation>
     </message>
     <message>
         <source>Cancel</source>
