@@ -67,6 +67,9 @@ def _add(document, root, shown, name):
     made = []
     try:
         top = _create(document, root, made)
+        for obj in made:
+            if obj.Label == name:  # labels differ, and the whole has the name of its file
+                obj.Label = f"{name} 1"
         top.Label = name
         seen = [top]
         for part in shown:

@@ -1,0 +1,176 @@
+"""Runs inside FreeCAD's window: an OpenSCAD design by File > Import, its tree, its parts, its colours, and cancelling."""
+
+import math
+import pathlib
+import sys
+
+import FreeCAD
+import FreeCADGui
+import pytest
+import window
+from window import Heartbeat, live, wait
+
+from fieldfab_workbench import files, openscad_files, work
+from fieldfab_workbench.shim import QtCore, QtWidgets
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+import openscad_designs  # noqa: E402
+
+Button = QtWidgets.QDialogButtonBox
+EXAMPLES = pathlib.Path("/usr/share/openscad/examples")
+
+DESIGN = """$fn = 48;
+difference() {
+  union() {
+    color("SteelBlue") hull() { translate([-20, 0, 0]) cylinder(h = 8, r = 9); translate([20, 0, 0]) cylinder(h = 8, r = 14); }
+    color("SteelBlue") translate([20, 0, 0]) cylinder(h = 24, r1 = 12, r2 = 9);
+  }
+  translate([20, 0, -1]) cylinder(h = 40, r = 5);
+  translate([-20, 0, -1]) linear_extrude(height = 40) offset(r = 2) square(4, center = true);
+  #translate([0, 0, 6]) linear_extrude(height = 5) text("FF", size = 9, halign = "center", valign = "center");
+}
+%translate([20, 0, -6]) cylinder(h = 40, r = 4.5);
+"""
+
+
+@pytest.fixture
+def document():
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    made = FreeCAD.newDocument()
+    live(0.2)
+    yield made
+    if FreeCADGui.Control.activeDialog():
+        FreeCADGui.Control.closeDialog()
+    for name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def design(tmp_path):
+    path = tmp_path / "lever.scad"
+    path.write_text(DESIGN)
+    return path
+
+
+def named(document, label):
+    return document.getObjectsByLabel(label)[0]
+
+
+def items(tree, wanted):
+    """The items of FreeCAD's tree with a text."""
+    return tree.findItems(wanted, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
+
+
+def test_file_import(document, design):
+    """The dialog that the user sees: the file's name, our kind of file, Open."""
+
+    def choose():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        assert isinstance(dialog, QtWidgets.QFileDialog)
+        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters() if kind.startswith("OpenSCAD design by Fieldfab")))
+        dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
+        dialog.findChild(Button).button(Button.Open).click()
+
+    QtCore.QTimer.singleShot(500, choose)
+    FreeCADGui.runCommand("Std_Import")
+    wait(lambda: document.Objects and not document.HasPendingTransaction, 60, "the import")
+    root = named(document, "lever")
+    assert root.isValid() and root.Operation == "Difference" and document.UndoCount == 1
+    seen = [obj for obj in document.Objects if obj.ViewObject.Visibility]
+    shown = next(obj for obj in seen if obj != root)
+    assert len(seen) == 2 and shown.ViewObject.Transparency == openscad_files.TRANSPARENCY and shown.Node == "cylinder"
+    blue = (0x46 / 255, 0x82 / 255, 0xB4 / 255)
+    assert root.ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01) and named(document, "hull").ViewObject.ShapeColor[:3] == pytest.approx(blue, abs=0.01)
+    tinted = [obj for obj in document.Objects if obj.ViewObject.ShapeColor[:3] == pytest.approx(openscad_files.TINT, abs=0.01)]
+    assert [obj.Node for obj in tinted] == ["linear_extrude"] and tinted[0] in root.Sources
+    volume = root.Volume.Value
+    reference, _, _ = openscad_designs.theirs(design, design.with_suffix(".off"))
+    assert volume == pytest.approx(openscad_designs.volume(*openscad_designs.read_off(reference)), rel=2e-3)
+
+    # The tree of the window, opened to the hull's cylinders; one of them edited in its panel.
+    tree = next(tree for tree in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget) if items(tree, "lever"))
+    tree.expandAll()
+    live(0.3)
+    parts = items(tree, "lever")[0]
+    assert [parts.child(i).text(0) for i in range(parts.childCount())] == [source.Label for source in root.Sources]
+    hull = items(tree, "hull")[0]
+    assert hull.parent().text(0) == root.Sources[0].Label and hull.childCount() == 2
+    end = next(obj for obj in named(document, "hull").Sources if obj.TopRadius.Value == 14)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(end)
+    end.ViewObject.Proxy.doubleClicked(end.ViewObject)
+    live(0.5)
+    labels = [label.text() for label in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if label.isVisible()]
+    assert {"Height", "Bottom radius", "Top radius", "Fn"} <= set(labels)
+    end.TopRadius = end.BottomRadius = 18
+    leave_the_panel(end)
+    assert root.isValid() and root.Volume.Value > volume + 8 * math.pi * (18**2 - 14**2) * 0.6
+    FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()  # isometric would light walls and floors alike
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.Selection.clearSelection()
+    hidden = [dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.objectName() != "Combo View"]
+    for dock in hidden:
+        dock.hide()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(end)
+    live(0.3)
+    tree.scrollToTop()
+    live(0.5)
+    window.shot("openscad")
+    for dock in hidden:
+        dock.show()
+    document.undo()
+    document.undo()
+    assert not document.Objects
+
+
+def leave_the_panel(obj):
+    """Without OK: the panel would write the values that it was opened with."""
+    FreeCADGui.ActiveDocument.resetEdit()
+    FreeCADGui.Control.closeDialog()
+    obj.Document.commitTransaction()
+    obj.Document.recompute()
+    live(0.2)
+
+
+def test_a_part_that_is_shown_gets_its_mesh(document, design):
+    root = files.insert(str(design), document.Name)
+    part = named(document, "hull")
+    assert part.Mesh.CountFacets == 0
+    steps = document.UndoCount
+    part.ViewObject.Visibility = True
+    wait(lambda: part.Mesh.CountFacets > 0, what="its mesh")
+    assert part.Volume.Value > 5000 and document.UndoCount == steps + 1 and root.isValid() and "Touched" not in root.State + part.State
+    part.ViewObject.Visibility = False
+    part.Sources[0].Height = 16
+    document.recompute()
+    stale = part.Volume.Value
+    part.ViewObject.Visibility = True
+    wait(lambda: part.Volume.Value != stale, what="its new mesh")
+
+
+def test_a_cancelled_import_leaves_the_document_as_it_was(document, monkeypatch):
+    """Cancel of the progress dialog, while OpenSCAD's slowest example is made."""
+    pressed = []
+
+    def cancel():
+        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
+        if dialogs:
+            pressed.append(dialogs[0].labelText())
+            dialogs[0].cancel()
+        else:
+            QtCore.QTimer.singleShot(50, cancel)
+
+    QtCore.QTimer.singleShot(800, cancel)
+    with Heartbeat() as beat, pytest.raises(ValueError, match="cancelled; nothing was added"):
+        files.insert(str(EXAMPLES / "Old" / "example024.scad"), document.Name)
+    assert pressed and beat.longest < 3, beat.gaps[-3:]
+    assert not document.Objects and not document.HasPendingTransaction and document.UndoCount == 0
+
+
+def test_work_is_beside_the_window(document, monkeypatch):
+    """OpenSCAD and the kernel run on another thread."""
+    ran = []
+    monkeypatch.setattr(work, "run", lambda function, title, real=work.run: ran.append(title) or real(function, title))
+    files.insert(str(EXAMPLES / "Old" / "example006.scad"), document.Name)
+    assert ran[0] == "Reading example006.scad" and len(ran) == 2
