@@ -5,7 +5,7 @@ import os
 import FreeCAD
 
 from . import kernel, work
-from .openscad_tree import MOST_PARTS, Design, TooLarge
+from .openscad_tree import MOST_PARTS, Design, Part, TooLarge
 from .words import tr
 
 TINT = (1.0, 0.32, 0.32)  # of what a design highlights (#)
@@ -46,17 +46,16 @@ def _cancelled(filename):
 
 def _parts(tree, filename):
     """(the root, what is only shown) of a tree; one part with its text where there would be too many."""
+    folder = os.path.dirname(filename)
     try:
-        design = Design(tree, os.path.dirname(filename))
-        return design.root, design.shown
+        design = Design(tree, folder)
+        root, shown, branches = design.root, design.shown, design.branches
     except TooLarge:
-        FreeCAD.Console.PrintMessage(tr("{filename}: too large for a tree (more than {most} parts, or too deep): one object with its text").format(
-            filename=filename, most=MOST_PARTS) + "\n")
-    if tree[0].dimensions == 0:
-        return None, []
-    from .openscad_tree import Part
-
-    return Part("", "text", {"Text": tree[0].text(), "Folder": os.path.dirname(filename)}), []
+        root, shown, branches = Part("design", "text", {"Text": tree[0].text(), "Folder": folder}), [], 1
+    if branches:
+        FreeCAD.Console.PrintMessage(tr("{filename}: too large for a tree of {most} parts; whole branches are one object each, with their text: {count}").format(
+            filename=filename, most=MOST_PARTS, count=branches) + "\n")
+    return (root, shown) if tree[0].dimensions else (None, [])
 
 
 def _add(document, root, shown, name):
@@ -98,10 +97,9 @@ def _create(document, part, made):
 
     children = [_create(document, child, made) for child in part.children]
     kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify, "text": openscad_node.OpenScadText}[part.make]
-    obj = solid.create(kind, document, part.label or "design")
+    obj = solid.create(kind, document, part.label)
     made.append(obj)
-    if part.label:
-        obj.Label = part.label
+    obj.Label = part.label
     for name, value in part.values.items():
         setattr(obj, name, value)
     if part.make == "scaled":

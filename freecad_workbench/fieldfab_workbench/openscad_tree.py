@@ -2,22 +2,24 @@
 themselves have. Nothing here changes a document."""
 
 import dataclasses
+import heapq
+import itertools
 import os
 
 import FreeCAD
 
 from .openscad_nodes import Unfit, key_of, properties_of
 
-MOST_PARTS = 300  # a larger design becomes one object with its text: the tree would be no help, and slow
+MOST_PARTS = 300  # of a larger design whole branches become one object with their text: a larger tree would be no help, and slow
 DEEPEST = 100  # parts within parts
-MOST_NODES = 20_000  # of the file, groups and moves among them
+MOST_NODES = 20_000  # of the file, groups and moves among them; a larger one is one object
 RIGID = 1e-5  # OpenSCAD writes matrices with six digits
 
 SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union", "difference": "Difference", "intersection": "Intersection"}
 
 
 class TooLarge(Exception):
-    """More parts, or deeper ones, than a tree should have."""
+    """More nodes, or deeper ones, than can be made a tree."""
 
 
 @dataclasses.dataclass
@@ -31,6 +33,7 @@ class Part:
     placement: FreeCAD.Placement = dataclasses.field(default_factory=FreeCAD.Placement)
     colour: tuple = None  # red, green, blue, and how opaque
     highlight: bool = False
+    origins: tuple = ()  # fieldfab.OpenScadNodes: all of it but for where it is
 
     def walk(self):
         """It and all that is below it."""
@@ -40,18 +43,14 @@ class Part:
             yield part
             waiting += part.children
 
-    def depth(self):
-        deepest, waiting = 0, [(self, 1)]
-        while waiting:
-            part, depth = waiting.pop()
-            deepest = max(deepest, depth)
-            waiting += [(child, depth + 1) for child in part.children]
-        return deepest
+    def become_text(self, folder):
+        """One part in place of a branch."""
+        self.make, self.values, self.children = "text", {"Text": "".join(node.text() for node in self.origins), "Folder": folder}, []
 
 
 class Design:
     """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where it draws nothing, and those that are only shown
-    (%). Raises TooLarge."""
+    (%). `branches`: how many were too large. Raises TooLarge."""
 
     def __init__(self, tree, folder):
         self.tree, self.folder = tree, folder
@@ -63,12 +62,28 @@ class Design:
         for i in reversed(range(len(nodes))):  # children come after their parents
             made[i] = self._made(nodes[i], [(nodes[child], *made[child]) for child in nodes[i].children])
         self.root, self.shown = made[start]
-        self.parts = sum(1 for part in self._all() for _ in part.walk())
-        if self.parts > MOST_PARTS or max((part.depth() for part in self._all()), default=0) > DEEPEST:
-            raise TooLarge(self.parts)
+        self.branches = self._prune(([self.root] if self.root else []) + self.shown)
 
-    def _all(self):
-        return ([self.root] if self.root else []) + self.shown
+    def _prune(self, tops):
+        """Leaves MOST_PARTS: the largest branches are divided first, and those that are left undivided become text. Returns how many those are."""
+        parts = [part for top in tops for part in top.walk()]
+        sizes = {}
+        for part in reversed(parts):
+            sizes[id(part)] = 1 + sum(sizes[id(child)] for child in part.children)
+        order, kept, pruned = itertools.count(), len(tops), 0
+        waiting = [(-sizes[id(top)], next(order), top, 1) for top in tops]
+        heapq.heapify(waiting)
+        while waiting:
+            _, _, part, depth = heapq.heappop(waiting)
+            if part.children and part.origins and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS)):
+                part.become_text(self.folder)
+                pruned += 1
+            if depth > 2 * DEEPEST:
+                raise TooLarge(depth)
+            kept += len(part.children)
+            for child in part.children:
+                heapq.heappush(waiting, (-sizes[id(child)], next(order), child, depth + 1))
+        return pruned
 
     def _made(self, node, below):
         """A node's part, of its children, each with what was made of it."""
@@ -80,14 +95,15 @@ class Design:
             return None, shown
         try:
             if node.name not in SETS:
-                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children)
+                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children, origins=(node,))
             elif not children or (node.name == "difference" and counted[0] is None):
                 raise Unfit(node.name)  # nothing at all; others may mind that
             elif len(children) == 1:
                 part = children[0]
             else:
                 part = Part(node.name if node.name in ("difference", "intersection") else "union", "set", {"Operation": SETS[node.name]}, children,
-                            colour=_common([child.colour for child in (children[:1] if node.name == "difference" else children)]))
+                            colour=_common([child.colour for child in (children[:1] if node.name == "difference" else children)]),
+                            origins=tuple(child for child, _, _ in below) if SETS[node.name] == "Union" else (node,))
             if node.name == "multmatrix":
                 part, shown = self._moved(part, node), [self._moved(other, node) for other in shown]
             if node.name == "color":

@@ -1827,8 +1827,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{filename}: Der Entwurf ist leer</translation>
     </message>
     <message>
-        <source>{filename}: too large for a tree (more than {most} parts, or too deep): one object with its text</source>
-        <translation>{filename}: zu groß für einen Baum (mehr als {most} Teile oder zu tief): ein Objekt mit seinem Text</translation>
+        <source>{filename}: too large for a tree of {most} parts; whole branches are one object each, with their text: {count}</source>
+        <translation>{filename}: zu groß für einen Baum aus {most} Teilen; ganze Äste sind je ein Objekt mit ihrem Text: {count}</translation>
     </message>
     <message>
         <source>Operation</source>

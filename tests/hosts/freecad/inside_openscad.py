@@ -79,7 +79,7 @@ def test_examples_are_openscads_own_solids(document, tmp_path, name):
         mine = np.array([tuple(point.Vector) for point in root.Mesh.Points], dtype=np.float32)
         voxel = root.Proxy.source(root).voxel()
         assert np.abs(kernel.load().load(reference).values(mine)).max() < voxel, "no vertex is farther than a voxel from OpenSCAD's surface"
-    assert [obj for obj in document.Objects if obj.Visibility] == [root]
+    assert root.Visibility and not any(obj.Visibility for obj in root.OutListRecursive)
 
 
 @pytest.mark.parametrize("seed", [0, 1, 2, 3, 4, 6, 7, 8])
@@ -287,11 +287,23 @@ def test_large_designs_are_one_object(document, read, tmp_path):
     ball(tmp_path / "ball.stl", 3)
     row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
     root = read(row + '\n%cube(size = [9, 9, 9]); multmatrix([[1, 0, 0, -9], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { import(file = "ball.stl"); }')
-    assert document.Objects == [root] and isinstance(root.Proxy, openscad_node.OpenScadText)
+    assert shape(root) == ["text"] and [obj.Visibility for obj in document.Objects] == [True, True] and root.OutList == []
     assert root.Volume.Value == pytest.approx(400 + 36 * math.pi, rel=0.01)
     root.Text = "cube(size = [1, 2, 3]);"
     document.recompute()
     assert root.Volume.Value == pytest.approx(6, rel=1e-3)
+
+
+def test_the_trunk_of_a_large_design_is_a_tree(document, read):
+    """Branches that are too large are one object each, where they were, also within moves."""
+    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
+    text = "difference() { multmatrix([[1, 0, 0, 0], [0, 1, 0, 9], [0, 0, 1, 0], [0, 0, 0, 1]]) { %sphere(r = 3); " + row + " } cube(size = [199, 99, 2]); }"
+    root = read(text)
+    assert shape(root) == ["Difference", ["text"], ["cube"]] and root.Sources[0].Placement.Base.y == 9 and len(document.Objects) == 4
+    assert root.Volume.Value == pytest.approx(400 - 100, rel=0.01) and root.Volume.Value == pytest.approx(volume_of(text), rel=1e-3)
+    named(document, "cube").Length = 399
+    document.recompute()
+    assert root.Volume.Value == pytest.approx(400 - 200, rel=0.01)
 
 
 def test_deep_designs(document, read):
@@ -300,7 +312,8 @@ def test_deep_designs(document, read):
     assert shape(root) == ["cube"] and root.Placement.Base.x == pytest.approx(3000)
     nested = "cube(size = [1, 1, 1]); " + "".join(f"union() {{ cube(size = [{i + 1}, 1, 1]); " for i in range(150)) + "}" * 150
     root = read(nested, "nested.csg")
-    assert isinstance(root.Proxy, openscad_node.OpenScadText) and root.Volume.Value == pytest.approx(150, rel=1e-2)
+    assert len(document.Objects) > 150 and isinstance(document.Objects[-1].Proxy, combine.Combine) and root.Volume.Value == pytest.approx(150, rel=1e-2)
+    assert [obj.Label for obj in document.Objects if isinstance(obj.Proxy, openscad_node.OpenScadText)] == ["union"], "what is deeper is text"
 
 
 def test_what_cannot_be_read_adds_nothing(document, tmp_path, monkeypatch):
