@@ -14,6 +14,7 @@ FIGURE_OF = {
     "window_solids": {"difference": "freecad"},
     "window_cam": {"cam_planned": "freecad_cam"},
     "window_check": {"check": "freecad_check"},
+    "window_openscad": {"openscad": "freecad_openscad"},
     "window_scan": {"scan_bone": "freecad_scan"},
     "window_simulation": {"simulation_deviation": "freecad_simulation"},
     "window_tutorial": {name: f"tutorial/{name}" for name in ("bracket", "scan", "blend", "check", "plan", "playing", "deviations")},

@@ -160,8 +160,9 @@ def _settings(objects):
     asked = [obj.Proxy.mesh_settings(obj) for obj in objects if hasattr(getattr(obj, "Proxy", None), "mesh_settings")]
     for obj in objects:
         source = obj.Proxy.source(obj) if hasattr(getattr(obj, "Proxy", None), "source") else None
-        if hasattr(source, "voxel"):
-            asked.append({"voxel": obj.VoxelSize.Value or source.voxel(None)})
+        voxel = obj.VoxelSize.Value or source.voxel(None) if hasattr(source, "voxel") else None
+        if voxel:
+            asked.append({"voxel": voxel})
     finest = {name: min(values) for name in ("voxel", "max_error") if (values := [s[name] for s in asked if name in s])}
     if len(objects) == 1 and asked and "bounds" in asked[0] and objects[0].Placement.isIdentity():
         finest["bounds"] = asked[0]["bounds"]

@@ -1,6 +1,7 @@
 """The Python module: expressions, fields, arrays without copies, progress and errors."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -189,3 +190,50 @@ def test_freecads_mesh_bytes_name_all_neighbours():
         for i in range(3):
             other = rows[row[3 + i], :3].tolist()
             assert row[3 + i] != t and row[i] in other and row[(i + 1) % 3] in other
+
+
+DESIGN = """%sphere(r = 9);
+difference() {
+  cube(size = [10, 20, 30], center = true);
+  #multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cylinder($fn = 4, h = 40, r1 = 3, r2 = 3, center = true); }
+  *cube(size = [1, 1, 1]);
+  text(text = "a \\"b\\"", size = 5);
+}
+"""
+
+
+def test_an_openscad_design_is_a_tree(tmp_path):
+    (tmp_path / "design.csg").write_text(DESIGN)
+    tree = ff.read_openscad_tree(tmp_path / "design.csg")
+    nodes = [tree[i] for i in range(len(tree))]
+    assert [node.name for node in nodes] == ["group", "sphere", "difference", "cube", "multmatrix", "cylinder", "cube", "text"]
+    assert [node.dimensions for node in nodes] == [3, 3, 3, 3, 3, 3, 3, 2] and nodes[2].children == [3, 4, 6, 7] and nodes[2].line == 2
+    assert [i for i, node in enumerate(nodes) if node.background] == [1] and [i for i, node in enumerate(nodes) if node.disabled] == [6]
+    assert [i for i, node in enumerate(nodes) if node.highlight] == [4] and not any(node.root for node in nodes)
+    assert nodes[3].arguments == {"size": [10, 20, 30], "center": True} and nodes[4].arguments[""][0] == [1, 0, 0, 2]
+    assert nodes[7].arguments == {"text": 'a "b"', "size": 5}
+    with pytest.raises(IndexError):
+        tree[len(tree)]
+    (tmp_path / "again.csg").write_text(nodes[0].text())
+    again = ff.read_openscad_tree(tmp_path / "again.csg")
+    assert again[0].children == [1] and again[1].text() == nodes[0].text(), "modifiers and all"
+    alone = ff.openscad_design(nodes[4].text())
+    assert ff.mesh(alone.field, voxel=0.5).volume == pytest.approx(2 * 3 * 3 * 40, rel=1e-3)
+
+
+def test_openscad_text_is_a_solid(tmp_path):
+    design = ff.openscad_design("cube(size = [1, 2, 3]); square(size = [1, 1]);", name="part")
+    assert ff.mesh(design.field, voxel=design.voxel).volume == pytest.approx(6, rel=1e-3) and not design.flat
+    assert design.notes == ["part:1: square is 2D among 3D shapes, and left out as OpenSCAD does"]
+    plate = ff.openscad_design("square(size = [4, 5]);", thickness=2)
+    assert plate.flat and plate.field.bounds()[5] == pytest.approx(2, abs=0.05) and ff.mesh(plate.field, voxel=0.1).volume == pytest.approx(40, rel=1e-3)
+    assert ff.openscad_design("group();").field is None
+    assert ff.openscad_design("sphere(r = 10, $fn = 6);", smooth=True).field.value(0, 0, 9.99) < 0 < ff.openscad_design("sphere(r = 10, $fn = 6);").field.value(0, 0, 9.99)
+    ff.mesh(BALL, voxel=0.1).save(tmp_path / "ball.stl")
+    assert ff.openscad_design('import(file = "ball.stl");', tmp_path).field.value(0, 0, 0) < 0
+    for text, said in (("cube(", "part:1:6"), ("teapot();", "part:1: 'teapot' is not known"), ('import(file = "gone.stl");', "gone.stl")):
+        with pytest.raises(ff.Error, match=re.escape(said)):
+            ff.openscad_design(text, name="part")
+    with pytest.raises(ff.Error) as told:
+        ff.openscad_design("minkowski() { cube(size = [1, 1, 1]); sphere(r = 3, $fn = 50); }", progress=lambda fraction, message: False)
+    assert told.value.kind == "cancelled"

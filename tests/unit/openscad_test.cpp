@@ -38,12 +38,21 @@ TEST(CsgText, IsReadWithModifiersAndValues) {
       parse_csg("%group(){#cube(size=[1,2.5,-3e-2],center=true);*sphere(r=inf);}!text(text=\"a\"b\", t = undef);// end", "t");
   ASSERT_EQ(tree.nodes.size(), 5U);
   EXPECT_TRUE(tree.nodes[1].background);
+  EXPECT_TRUE(tree.nodes[2].highlight && !tree.nodes[1].highlight);
   EXPECT_EQ(tree.nodes[2].arguments[0].value.list()->at(2).number()[0], -0.03);
   EXPECT_TRUE(*tree.nodes[2].arguments[1].value.truth());
   EXPECT_TRUE(tree.nodes[3].disabled);
   EXPECT_TRUE(tree.nodes[4].root);
   EXPECT_EQ(*tree.nodes[4].arguments[0].value.text(), "a\"b");
   EXPECT_TRUE(tree.nodes[4].arguments[1].value.is_undef());
+}
+
+TEST(CsgText, IsPrintedWithItsModifiersOnRequest) {
+  const Tree tree = parse_csg("%group() { #cube(size = [1, 2, 3]); *!sphere(r = 2); }", "t");
+  EXPECT_EQ(print_csg(tree, 1), "group() {\ncube(size = [1, 2, 3]);\nsphere(r = 2);\n}\n");
+  EXPECT_EQ(print_csg(tree, 1, Modifiers::kept), "%group() {\n#cube(size = [1, 2, 3]);\n*!sphere(r = 2);\n}\n");
+  EXPECT_EQ(dimensions_of(parse_csg("group(); group() { square(); } union() { *square(); cube(); }", "t")),
+            (std::vector<int>{2, 0, 2, 2, 3, 2, 3}));
 }
 
 TEST(CsgText, IsRefusedWithItsPlace) {

@@ -351,3 +351,11 @@ def test_combine_is_what_it_was(document):
     both = solids.create(combine.Combine, document)
     both.Sources = [a, b]
     assert both.Proxy.csg(both) is None
+
+
+def test_the_root_goes_out_as_a_mesh(document, read, tmp_path):
+    root = read("union() { cube(size = [4, 4, 4]); sphere(r = 4, $fn = 20); }")
+    root.Placement.Base = FreeCAD.Vector(100, 0, 0)
+    files.export([root], str(tmp_path / "out.stl"))
+    mesh = kernel.load().Mesh.load(tmp_path / "out.stl")
+    assert mesh.volume == pytest.approx(root.Volume.Value, rel=1e-3) and mesh.vertices[:, 0].min() == pytest.approx(96, abs=0.1)

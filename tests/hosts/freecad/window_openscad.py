@@ -3,6 +3,7 @@
 import math
 import pathlib
 import sys
+import time
 
 import FreeCAD
 import FreeCADGui
@@ -174,3 +175,18 @@ def test_work_is_beside_the_window(document, monkeypatch):
     monkeypatch.setattr(work, "run", lambda function, title, real=work.run: ran.append(title) or real(function, title))
     files.insert(str(EXAMPLES / "Old" / "example006.scad"), document.Name)
     assert ran[0] == "Reading example006.scad" and len(ran) == 2
+
+
+def test_a_tree_of_three_hundred_parts(document, tmp_path):
+    """As many as there may be: made, and changed, while nobody waits long."""
+    row = "\n".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, {1 + i / 100}]); }}" for i in range(290))
+    (tmp_path / "row.csg").write_text(row)
+    began = time.monotonic()
+    root = files.insert(str(tmp_path / "row.csg"), document.Name)
+    imported = time.monotonic() - began
+    assert len(root.Sources) == 290
+    began = time.monotonic()
+    root.Sources[7].Length = 1.5
+    document.recompute()
+    print(f"300 parts: imported in {imported:.2f} s, changed in {time.monotonic() - began:.2f} s")
+    assert root.isValid() and imported < 20
