@@ -79,9 +79,7 @@ class Solid(DocumentObject):
         """Makes the mesh, where it is not what it should be. Raises ValueError, and work.Cancelled."""
         fieldfab = kernel.load()
         try:
-            source, settings = self.source(obj), self.mesh_settings(obj)
-            if "voxel" not in settings and preferences.cells() != preferences.STANDARD_CELLS:
-                settings["cells"] = preferences.cells()
+            source, settings = self._wanted(obj)
             made_from = key_of(source, settings)
             if obj.MadeFrom == made_from:
                 return
@@ -90,6 +88,17 @@ class Solid(DocumentObject):
             raise ValueError(f"{obj.Label}: {error}") from None
         self.put_mesh(obj, mesh)
         obj.MadeFrom = made_from
+
+    def has_its_mesh(self, obj):
+        """Whether the mesh is what it should be. Raises ValueError."""
+        return obj.MadeFrom == key_of(*self._wanted(obj))
+
+    def _wanted(self, obj):
+        """The source of the mesh, and its settings."""
+        settings = self.mesh_settings(obj)
+        if "voxel" not in settings and preferences.cells() != preferences.STANDARD_CELLS:
+            settings["cells"] = preferences.cells()
+        return self.source(obj), settings
 
     @staticmethod
     def put_mesh(obj, mesh, made=None):

@@ -89,10 +89,13 @@ def make_mesh_later(obj):
         shown = found and found.getObject(name)
         if not shown or not shown.Visibility or found.Recomputing:
             return
-        began = not found.HasPendingTransaction
-        if began:
-            found.openTransaction(tr("Show {label}").format(label=shown.Label))
+        began = False
         try:
+            if shown.Proxy.has_its_mesh(shown):
+                return
+            began = not found.HasPendingTransaction
+            if began:
+                found.openTransaction(tr("Show {label}").format(label=shown.Label))
             shown.Proxy.execute(shown)
             shown.purgeTouched()
         except ValueError as error:

@@ -9,9 +9,10 @@ import FreeCAD
 import FreeCADGui
 import pytest
 import window
-from window import Heartbeat, live, wait
+from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench import files, openscad_files, work
+from fieldfab_workbench.panels import property_panel
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -53,6 +54,14 @@ def design(tmp_path):
     return path
 
 
+@pytest.fixture
+def opened(monkeypatch):
+    """The panels that were opened, newest last."""
+    made, real = [], property_panel.PropertyPanel.__init__
+    monkeypatch.setattr(property_panel.PropertyPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))
+    return made
+
+
 def named(document, label):
     return document.getObjectsByLabel(label)[0]
 
@@ -62,7 +71,7 @@ def items(tree, wanted):
     return tree.findItems(wanted, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
 
 
-def test_file_import(document, design):
+def test_file_import(document, design, opened):
     """The dialog that the user sees: the file's name, our kind of file, Open."""
 
     def choose():
@@ -103,8 +112,13 @@ def test_file_import(document, design):
     live(0.5)
     labels = [label.text() for label in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if label.isVisible()]
     assert {"Height", "Bottom radius", "Top radius", "Fn"} <= set(labels)
-    end.TopRadius = end.BottomRadius = 18
-    leave_the_panel(end)
+    form = opened[-1].rows
+    for row in range(form.rowCount()):
+        if form.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() in ("Bottom radius", "Top radius"):
+            form.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget().setProperty("rawValue", 18.0)
+    wait(lambda: opened[-1].preview.stage in ("final", "detail"), what="the preview of a part that is hidden")
+    press(Button.Ok)
+    assert end.TopRadius.Value == end.BottomRadius.Value == 18 and end.Mesh.CountFacets == 0
     assert root.isValid() and root.Volume.Value > volume + 8 * math.pi * (18**2 - 14**2) * 0.6
     FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()  # isometric would light walls and floors alike
     FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -123,15 +137,6 @@ def test_file_import(document, design):
     document.undo()
     document.undo()
     assert not document.Objects
-
-
-def leave_the_panel(obj):
-    """Without OK: the panel would write the values that it was opened with."""
-    FreeCADGui.ActiveDocument.resetEdit()
-    FreeCADGui.Control.closeDialog()
-    obj.Document.commitTransaction()
-    obj.Document.recompute()
-    live(0.2)
 
 
 def test_a_part_that_is_shown_gets_its_mesh(document, design):

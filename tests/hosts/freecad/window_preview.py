@@ -37,8 +37,8 @@ def test_ok_takes_the_mesh_that_was_shown(document, panels, monkeypatch):
     edit(solid)
     panels[-1].rows["size"].box.setValue(22)
     shown(panels[-1].preview, "final", "detail")
-    made, real = [], sources._kept
-    monkeypatch.setattr(sources, "_kept", lambda key, make: real(key, lambda: made.append(key) or make()))
+    made, real = [], sources.kept
+    monkeypatch.setattr(sources, "kept", lambda key, make: real(key, lambda: made.append(key) or make()))
     press(Button.Ok)
     assert solid.size == 22 and solid.isValid() and not made
 
