@@ -70,18 +70,11 @@ def _add(document, root, shown, name):
             if obj.Label == name:  # labels differ, and the whole has the name of its file
                 obj.Label = f"{name} 1"
         top.Label = name
-        seen = [top]
+        _show(top)
         for part in shown:
-            seen.append(_create(document, part, made))
-            _look(seen[-1], BACKGROUND, TRANSPARENCY)
-        for obj in seen:
-            obj.OnlyWhenShown, obj.Visibility = False, True
-            obj.Proxy.make_mesh(obj)
-            for note in getattr(obj.Proxy.source(obj), "notes", list)():
-                FreeCAD.Console.PrintWarning(note + "\n")
+            _add_shown(document, part, made)
     except (ValueError, work.Cancelled):
-        for obj in reversed(made):
-            document.removeObject(obj.Name)
+        _remove(document, made)
         if began:
             document.abortTransaction()
         raise
@@ -89,6 +82,35 @@ def _add(document, root, shown, name):
     if began:
         document.commitTransaction()
     return top
+
+
+def _add_shown(document, part, made):
+    """What a design only shows. Where it cannot be made, the design is as good without it."""
+    own = []
+    try:
+        obj = _create(document, part, own)
+        _look(obj, BACKGROUND, TRANSPARENCY)
+        _show(obj)
+        made += own
+    except ValueError as error:
+        _remove(document, own)
+        FreeCAD.Console.PrintWarning(f"{error}\n")
+    except work.Cancelled:
+        made += own
+        raise
+
+
+def _remove(document, objects):
+    for obj in reversed(objects):
+        document.removeObject(obj.Name)
+
+
+def _show(obj):
+    """Raises ValueError and work.Cancelled."""
+    obj.OnlyWhenShown, obj.Visibility = False, True
+    obj.Proxy.make_mesh(obj)
+    for note in getattr(obj.Proxy.source(obj), "notes", list)():
+        FreeCAD.Console.PrintWarning(note + "\n")
 
 
 def _create(document, part, made):

@@ -119,6 +119,22 @@ def test_the_tree_is_that_of_the_design(document, read):
     assert box.Center.distanceToPoint(FreeCAD.Vector(20, 0, 0)) < 1e-4 and box.XLength == pytest.approx(2, abs=1e-3), "turned by a quarter"
 
 
+def test_what_is_only_shown_may_be_wrong(document, read):
+    root = read('cube(size = [2, 2, 2]); %import(file = "gone.stl"); %cube(size = [0, 1, 1]); %union() { sphere(r = 1); cube(size = [3, 3, 3]); }')
+    assert root.Volume.Value == pytest.approx(8, rel=1e-3)
+    assert [shape(obj) for obj in document.Objects if obj.Visibility] == [["cube"], ["Union", ["sphere"], ["cube"]]]
+    assert len(document.Objects) == 4
+
+
+@pytest.mark.parametrize("turn", ["[[1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]", "[[0.612372, -0.353553, 0.707107, 3], [0.5, 0.866025, 0, 0], [-0.612372, 0.353553, 0.707107, 0], [0, 0, 0, 1]]"])
+def test_faces_that_meet_leave_no_skin(read, turn):
+    """One more hole than the whole has, each flush with a face: what is left is one closed piece."""
+    holes = "cube(size = [5, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [5, 5, 5]); }"
+    root = read(f"difference() {{ multmatrix({turn}) {{ cube(size = [10, 10, 10]); }} multmatrix({turn}) {{ {holes} }} }}")
+    found = kernel.load().inspect(root.Proxy.source(root).mesh(voxel=0.3))
+    assert found.closed and found.manifold and found.components == 1 and root.Volume.Value == pytest.approx(375, rel=1e-3)
+
+
 def test_a_marked_root_is_the_design(document, read):
     root = read("cube(size = [1, 1, 1]); union() { !cube(size = [2, 2, 2]); sphere(r = 9); }")
     assert shape(root) == ["cube"] and root.Volume.Value == pytest.approx(8, rel=1e-3)

@@ -155,21 +155,38 @@ def test_a_part_that_is_shown_gets_its_mesh(document, design):
     wait(lambda: part.Volume.Value != stale, what="its new mesh")
 
 
-def test_a_cancelled_import_leaves_the_document_as_it_was(document, monkeypatch):
-    """Cancel of the progress dialog, while OpenSCAD's slowest example is made."""
-    pressed = []
+def test_text_has_a_panel(document, tmp_path, opened):
+    (tmp_path / "odd.csg").write_text("cube(size = [inf, 1, 1]); cube(size = [4, 4, 4]);")
+    root = files.insert(str(tmp_path / "odd.csg"), document.Name)
+    text = next(obj for obj in root.Sources if obj.Proxy.NAME == "OpenScadText")
+    text.ViewObject.Proxy.doubleClicked(text.ViewObject)
+    live(0.3)
+    box = next(box for box in opened[-1].form.findChildren(QtWidgets.QPlainTextEdit))
+    assert "inf" in box.toPlainText()
+    box.setPlainText("cube(size = [1, 1, 9]);")
+    press(Button.Ok)
+    assert text.Text == "cube(size = [1, 1, 9]);" and root.Volume.Value == pytest.approx(64 + 5, rel=1e-3)
+
+
+@pytest.mark.parametrize("stage", ["Reading", "slow"])
+def test_a_cancelled_import_leaves_the_document_as_it_was(document, tmp_path, stage):
+    """Cancel of the progress dialog, while OpenSCAD runs its program, and while the solid is made."""
+    pressed, path = [], EXAMPLES / "Old" / "example024.scad"
+    design = tmp_path / "slow.scad"
+    loop = "x = [for (i = [0 : 9999]) [for (k = [0 : 4999]) i * k][0]];" if stage == "Reading" else ""
+    design.write_text(loop + path.read_text())
 
     def cancel():
         dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
-        if dialogs:
+        if dialogs and dialogs[0].labelText().startswith(stage):
             pressed.append(dialogs[0].labelText())
             dialogs[0].cancel()
         else:
             QtCore.QTimer.singleShot(50, cancel)
 
-    QtCore.QTimer.singleShot(800, cancel)
+    QtCore.QTimer.singleShot(50, cancel)
     with Heartbeat() as beat, pytest.raises(ValueError, match="cancelled; nothing was added"):
-        files.insert(str(EXAMPLES / "Old" / "example024.scad"), document.Name)
+        files.insert(str(design), document.Name)
     assert pressed and beat.longest < 3, beat.gaps[-3:]
     assert not document.Objects and not document.HasPendingTransaction and document.UndoCount == 0
 
