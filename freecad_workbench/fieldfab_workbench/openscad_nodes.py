@@ -102,10 +102,6 @@ class Kind:
     children: bool = False
 
 
-def _flat_points(value):
-    return [point[:2] for point in value]
-
-
 FRAGMENTS = (
     Argument("$fn", "Float", (described("Fn", "Sides of a circle; 0: by Fa and Fs"),), (0,)),
     Argument("$fa", "Angle", (described("Fa", "Least angle that a side of a circle spans"),), (12,)),
@@ -191,5 +187,5 @@ def values_of(key, obj):
     """{argument: value} of an object. Raises ValueError for properties that mean nothing."""
     values = {argument.name: argument.value(obj) for argument in KINDS[key].arguments}
     if key == "polygon":
-        values["points"] = _flat_points(values["points"])
+        values["points"] = [point[:2] for point in values["points"]]
     return values

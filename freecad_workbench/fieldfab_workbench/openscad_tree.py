@@ -33,7 +33,7 @@ class Part:
     placement: FreeCAD.Placement = dataclasses.field(default_factory=FreeCAD.Placement)
     colour: tuple = None  # red, green, blue, and how opaque
     highlight: bool = False
-    origins: tuple = ()  # fieldfab.OpenScadNodes: all of it but for where it is
+    origin: callable = None  # gives its text, but for where it is
 
     def walk(self):
         """It and all that is below it."""
@@ -45,7 +45,7 @@ class Part:
 
     def become_text(self, folder):
         """One part in place of a branch."""
-        self.make, self.values, self.children = "text", {"Text": "".join(node.text() for node in self.origins), "Folder": folder}, []
+        self.make, self.values, self.children = "text", {"Text": self.origin(), "Folder": folder}, []
 
 
 class Design:
@@ -53,7 +53,7 @@ class Design:
     (%). `branches`: how many were too large. Raises TooLarge."""
 
     def __init__(self, tree, folder):
-        self.tree, self.folder = tree, folder
+        self.folder = folder
         if len(tree) > MOST_NODES:
             raise TooLarge(len(tree))
         nodes = [tree[i] for i in range(len(tree))]
@@ -75,7 +75,7 @@ class Design:
         heapq.heapify(waiting)
         while waiting:
             _, _, part, depth = heapq.heappop(waiting)
-            if part.children and part.origins and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS)):
+            if part.children and part.origin and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS)):
                 part.become_text(self.folder)
                 pruned += 1
             if depth > 2 * DEEPEST:
@@ -95,7 +95,7 @@ class Design:
             return None, shown
         try:
             if node.name not in SETS:
-                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children, origins=(node,))
+                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children, origin=lambda: _alone(node))
             elif not children or (node.name == "difference" and counted[0] is None):
                 raise Unfit(node.name)  # nothing at all; others may mind that
             elif len(children) == 1:
@@ -103,7 +103,7 @@ class Design:
             else:
                 part = Part(node.name if node.name in ("difference", "intersection") else "union", "set", {"Operation": SETS[node.name]}, children,
                             colour=_common([child.colour for child in (children[:1] if node.name == "difference" else children)]),
-                            origins=tuple(child for child, _, _ in below) if SETS[node.name] == "Union" else (node,))
+                            origin=lambda: "".join(child.text() for child, _, _ in below) if SETS[node.name] == "Union" else _alone(node))
             if node.name == "multmatrix":
                 part, shown = self._moved(part, node), [self._moved(other, node) for other in shown]
             if node.name == "color":
@@ -115,7 +115,7 @@ class Design:
 
     def text(self, node, label):
         """A node and what is below it as one part with its text."""
-        return Part(label, "text", {"Text": node.text(), "Folder": self.folder})
+        return Part(label, "text", {"Text": _alone(node), "Folder": self.folder})
 
     def _with_paths(self, values):
         return {**values, "File": os.path.join(self.folder, values["File"])} if values.get("File") else values
@@ -154,6 +154,11 @@ class Design:
             return
         for each in part.walk():
             each.colour = shares
+
+
+def _alone(node):
+    """The text of a node without its own modifiers."""
+    return node.text().lstrip("%*!#")
 
 
 def _common(colours):

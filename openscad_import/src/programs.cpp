@@ -44,9 +44,9 @@ class Child {
     if (failure == 0) return;
     process_ = 0;
     close(output_);
-    throw Error(
-        ErrorKind::io, words[0],
-        failure == ENOENT ? "is not installed (Debian's package openscad): .scad files, text() and some imports need it" : std::strerror(failure));
+    throw Error(ErrorKind::io, words[0],
+                failure == ENOENT ? "is not installed (Debian's package openscad): .scad files, text() and some imports need it"
+                                  : std::strerror(failure));
   }
   ~Child() {
     if (process_ > 0) {

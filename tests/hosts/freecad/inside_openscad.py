@@ -322,6 +322,13 @@ def test_the_trunk_of_a_large_design_is_a_tree(document, read):
     assert root.Volume.Value == pytest.approx(400 - 200, rel=0.01)
 
 
+def test_what_is_only_shown_may_be_large(document, read):
+    row = "".join(f"multmatrix([[1, 0, 0, {2 * i}], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {{ cube(size = [1, 1, 1]); }}" for i in range(400))
+    root = read(f"cube(size = [2, 2, 2]); %difference() {{ union() {{ {row} }} cube(size = [199, 1, 1]); {row.replace('cube(size = [1,', 'cube(size = [0.5,')} }}")
+    shown = next(obj for obj in document.Objects if obj.Visibility and obj != root)
+    assert shape(shown) == ["text"] and shown.Volume.Value == pytest.approx(150, rel=0.01) and root.Volume.Value == pytest.approx(8, rel=1e-3)
+
+
 def test_deep_designs(document, read):
     move = "multmatrix([[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { "
     root = read("group() { " * 3000 + move * 3000 + "cube(size = [1, 1, 1]);" + " }" * 6000)
