@@ -21,7 +21,7 @@ VOLUME = "Fieldfab: Volume import with threshold"
 DEVIATION = "Fieldfab: Deviation from a layer or f-rep"
 REPORT = "Fieldfab: Validity report"
 
-# Every parameter of each filter, in its order: meshlabserver of 2020.09 wants a script to have either none or all of them.
+# Every parameter of each filter, in its order: Debian's meshlabserver wants a script to have all of them (it stops at an assertion otherwise).
 PARAMETERS = {
     REMESH: {"Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0), "GapWidth": ("AbsPerc", 0)},
     OFFSET: {"Distance": ("AbsPerc", 1), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},

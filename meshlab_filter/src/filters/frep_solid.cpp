@@ -30,7 +30,7 @@ namespace {
 
 std::vector<Parameter> parameters(const Document&) {
   return {text_parameter("Formula", "Formula or file",
-                         "The language of docs/frep-language.md, such as sphere(10) - cylinder(4, 40), or max(x^2 + y^2 - 25, "
+                         "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + y^2 - 25, "
                          "abs(z) - 3); or the path of a .frep, .math or .vm file.",
                          "smooth_union(sphere(10), move(box(12, 12, 12), 9, 0, 0), 3)"),
           text_parameter("Bounds", "Bounds (mm)",
