@@ -62,7 +62,7 @@ std::vector<Parameter> fineness_parameters(const Document& document) {
                            "Edge of the smallest cell. Lengths are in the units of the mesh, which are taken for millimetres. "
                            "What is thinner than a voxel may be lost." +
                                cost,
-                           voxel, 0, diagonal / 4),
+                           voxel, 0, diagonal),
           choice_parameter("Edges", "Sharp edges",
                            "Automatic keeps them where triangles are larger than a few voxels (drawn parts), and samples "
                            "distances on a lattice where they are smaller "

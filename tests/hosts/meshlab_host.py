@@ -3,6 +3,7 @@
 import os
 import pathlib
 import subprocess
+import time
 import xml.sax.saxutils
 
 import numpy as np
@@ -179,3 +180,83 @@ def scan(path, voxel=1.5):
 
 
 DATA_CT = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data" / "ct"
+
+
+class Window:
+    """MeshLab's window on a screen of its own, driven by keys as a user does; what it logs is on its stdout."""
+
+    def __init__(self, home, screen, *files):
+        self.home, self.env = pathlib.Path(home), environment(home, DISPLAY=screen)
+        self.log = self.home / "window.log"
+        self.process = subprocess.Popen([str(WINDOW), *map(str, files)], env=self.env, cwd=home, stdout=open(self.log, "w"), stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+        self.wait_for("All files opened" if files else "gdp files", 90)
+        time.sleep(1.5)
+        self.window = max((self._width(each), each) for each in self._windows("MeshLab"))[1]
+        self._do("windowsize", "--sync", self.window, "1400", "860", "windowmove", self.window, "0", "0")
+        self.focus(self.window)
+
+    def _do(self, *arguments):
+        return subprocess.run(["xdotool", *map(str, arguments)], env=self.env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60).stdout.decode()
+
+    def _windows(self, name):
+        return self._do("search", "--onlyvisible", "--name", name).split()
+
+    def _width(self, window):
+        return int(next(line for line in self._do("getwindowgeometry", "--shell", window).splitlines() if line.startswith("WIDTH")).split("=")[1])
+
+    def focus(self, window):
+        self._do("windowfocus", "--sync", window)
+        time.sleep(0.7)
+
+    def keys(self, *names):
+        self._do("key", "--delay", "60", *names)
+        time.sleep(0.4)
+
+    def click(self, x, y):
+        self._do("mousemove", x, y, "click", "1")
+
+    def type(self, text):
+        self._do("type", "--delay", "40", text)
+        time.sleep(0.5)
+
+    def said(self):
+        return self.log.read_text(errors="replace")
+
+    def wait_for(self, words, seconds=60, times=1):
+        """Until it has logged these words so often. Raises AssertionError."""
+        end = time.time() + seconds
+        while self.said().count(words) < times:
+            assert self.process.poll() is None, f"MeshLab has ended: {self.said()[-2000:]}"
+            assert time.time() < end, f"'{words}' was not said: {self.said()[-2000:]}"
+            time.sleep(0.1)
+
+    def open_filter(self, name):
+        """By MeshLab's own search; leaves its dialog in front, with the focus on Apply."""
+        self.focus(self.window)
+        self.keys("ctrl+f")
+        self.type(name.replace(":", "").split("(")[0])
+        self.keys("Down", "Return")
+        time.sleep(1)
+        dialogs = self._windows(name.split("(")[0])
+        if dialogs:
+            self.focus(dialogs[-1])
+        return dialogs
+
+    def fill_in(self, rows_from_the_last):
+        """Types values into the dialog: numbers of steps back from Apply, and texts; goes back to Apply."""
+        for steps, text in rows_from_the_last:
+            self.keys(*["shift+Tab"] * steps)
+            self.keys("ctrl+a")
+            self.type(text)
+            self.keys(*["Tab"] * steps)
+
+    def apply(self):
+        self.keys("space")
+
+    def picture(self, path):
+        pathlib.Path(path).parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run(["import", "-window", "root", str(path)], env=self.env, check=True, timeout=60)
+
+    def close(self):
+        self.process.kill()
+        self.process.wait()

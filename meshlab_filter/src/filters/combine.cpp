@@ -19,7 +19,7 @@ std::vector<Parameter> parameters(const Document& document) {
       layer_parameter("First", "First layer", "The one that a difference begins with.", document.current),
       layer_parameter("Second", "Second layer", "The other one.", other),
       length_parameter("Radius", "Smooth (mm)", "How far a fillet reaches where the two surfaces meet; 0 makes a sharp seam.", 0,
-                       0, diagonal / 10)};
+                       0, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }

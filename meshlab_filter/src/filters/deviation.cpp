@@ -19,15 +19,15 @@ std::vector<Parameter> parameters(const Document& document) {
   std::size_t other = document.current;
   if (document.layers.size() > 1) other = document.current == 0 ? 1 : 0;
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
-  return {choice_parameter("Reference", "Measured from", "What the layer should be.", {"a layer", "a formula or file"}),
-          layer_parameter("Layer", "Reference layer", "It may be open; what it winds around is inside.", other),
-          text_parameter("Formula", "Formula or file",
-                         "The language of docs/frep-language.md, or the path of a .frep, .math, .vm, .asdf, mesh or volume file. "
-                         "Beyond 10 mm these tell 10 mm.",
-                         ""),
-          length_parameter("Range", "Ends of the colour ramp (mm)",
-                           "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0,
-                           diagonal / 10)};
+  return {
+      choice_parameter("Reference", "Measured from", "What the layer should be.", {"a layer", "a formula or file"}),
+      layer_parameter("Layer", "Reference layer", "It may be open; what it winds around is inside.", other),
+      text_parameter("Formula", "Formula or file",
+                     "The language of docs/frep-language.md, or the path of a .frep, .math, .vm, .asdf, mesh or volume file. "
+                     "Beyond 10 mm these tell 10 mm.",
+                     ""),
+      length_parameter("Range", "Ends of the colour ramp (mm)",
+                       "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0, diagonal)};
 }
 
 using Colour = std::array<std::uint8_t, 3>;

@@ -29,10 +29,11 @@ std::optional<Box> bounds_of(const std::string& text) {
 namespace {
 
 std::vector<Parameter> parameters(const Document&) {
-  return {text_parameter("Formula", "Formula or file",
-                         "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + y^2 - 25, "
-                         "abs(z) - 3); or the path of a .frep, .math or .vm file.",
-                         "smooth_union(sphere(10), move(box(12, 12, 12), 9, 0, 0), 3)"),
+  return {text_parameter(
+              "Formula", "Formula or file",
+              "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + y^2 - 25, "
+              "abs(z) - 3); or the path of a .frep, .math or .vm file.",
+              "smooth_union(sphere(10), move(box(12, 12, 12), 9, 0, 0), 3)"),
           text_parameter("Bounds", "Bounds (mm)",
                          "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""),
           number_parameter("Voxel", "Voxel (mm)", "Edge of the smallest cell; 0 takes 1/128 of the longest side.", 0)};

@@ -22,7 +22,7 @@ namespace {
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
-      length_parameter("Wall", "Wall thickness (mm)", "Everywhere the same.", diagonal / 40, 0, diagonal / 4),
+      length_parameter("Wall", "Wall thickness (mm)", "Everywhere the same.", diagonal / 40, 0, diagonal),
       choice_parameter("Side", "The wall lies", "On both sides it may be an open sheet, which gets that thickness.",
                        {"inside the surface", "outside the surface", "on both sides"}),
       whole_parameter("DrainHoles", "Drain holes in each hollow",
@@ -30,7 +30,7 @@ std::vector<Parameter> parameters(const Document& document) {
                       "each other. They run along z.",
                       0),
       length_parameter("HoleDiameter", "Drain hole diameter (mm)", "Wide enough for powder or resin.", diagonal / 30, 0,
-                       diagonal / 4)};
+                       diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }

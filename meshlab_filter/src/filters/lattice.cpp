@@ -17,10 +17,10 @@ std::vector<Parameter> parameters(const Document& document) {
       choice_parameter("Lattice", "Lattice", "A surface that repeats along x, y and z, made a wall.",
                        {"gyroid", "Schwarz P", "diamond"}),
       length_parameter("Period", "Period (mm)", "Edge of the lattice's cell.", diagonal / 10, 0, diagonal),
-      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice.", diagonal / 60, 0, diagonal / 4),
+      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice.", diagonal / 60, 0, diagonal),
       length_parameter("Wall", "Outer wall (mm)",
                        "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.", diagonal / 60, 0,
-                       diagonal / 4)};
+                       diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }
@@ -36,7 +36,9 @@ frep::Expression surface(int lattice, double period) {
 
 Result run(const Values& values, Progress& progress) {
   Result result;
-  const Fineness fineness = fineness_of(values);
+  Fineness fineness = fineness_of(values);
+  // The lattice's walls are thin: looking for edges there is slow, so it is done on demand only.
+  if (fineness.edges == Fineness::Edges::automatic) fineness.edges = Fineness::Edges::rounded;
   const double period = values.positive("Period"), strut = values.positive("Strut"), wall = values.not_negative("Wall");
   const FieldPtr lattice = frep::make_field(frep::simplify(frep::shapes::shell(surface(values.whole("Lattice"), period), strut)));
   const Layer& layer = values.layer();

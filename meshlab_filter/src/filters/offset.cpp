@@ -15,7 +15,7 @@ std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{length_parameter("Distance", "Distance (mm)",
                                                "Above 0 outwards, where edges become round; below 0 inwards.", diagonal / 100,
-                                               -diagonal / 5, diagonal / 5)};
+                                               -diagonal, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }

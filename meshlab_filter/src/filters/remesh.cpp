@@ -14,7 +14,7 @@ std::vector<Parameter> parameters(const Document& document) {
   rows.push_back(length_parameter("GapWidth", "Gap width to close (mm)",
                                   "Slits and cracks that are narrower than this are filled, also between parts; 0 fills none. "
                                   "Holes of open meshes are closed always.",
-                                  0, 0, diagonal / 10));
+                                  0, 0, diagonal));
   return rows;
 }
 
