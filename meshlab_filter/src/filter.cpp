@@ -17,13 +17,15 @@ const Parameter& Values::find(const std::string& name) const {
 
 double Values::positive(const std::string& name) const {
   const double value = number(name);
-  if (!std::isfinite(value) || value <= 0) throw Error(ErrorKind::bad_input, name, fmt::format("must be above 0, not {:g}", value));
+  if (!std::isfinite(value) || value <= 0)
+    throw Error(ErrorKind::bad_input, name, fmt::format("must be above 0, not {:g}", value));
   return value;
 }
 
 double Values::not_negative(const std::string& name) const {
   const double value = number(name);
-  if (!std::isfinite(value) || value < 0) throw Error(ErrorKind::bad_input, name, fmt::format("must not be below 0, as {:g} is", value));
+  if (!std::isfinite(value) || value < 0)
+    throw Error(ErrorKind::bad_input, name, fmt::format("must not be below 0, as {:g} is", value));
   return value;
 }
 

@@ -17,7 +17,8 @@
 
 namespace fieldfab::meshlab {
 
-/// A layer as MeshLab has it, in mm and where its transform puts it. It may be anything: open, inverted, with places that are NaN.
+/// A layer as MeshLab has it, in mm and where its transform puts it. It may be anything: open, inverted, with places that are
+/// NaN.
 struct Layer {
   std::string name;
   TriangleMesh mesh;

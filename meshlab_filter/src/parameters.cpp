@@ -63,11 +63,12 @@ std::vector<Parameter> fineness_parameters(const Document& document) {
                            "What is thinner than a voxel may be lost." +
                                cost,
                            voxel, 0, diagonal),
-          choice_parameter("Edges", "Sharp edges",
-                           "Automatic keeps them where triangles are larger than a few voxels (drawn parts), and samples "
-                           "distances on a lattice where they are smaller "
-                           "(scans), which is faster. Keeping the edges of small triangles is slow.",
-                           {"automatic", "keep", "round off"})};
+          choice_parameter(
+              "Edges", "Sharp edges",
+              "Automatic keeps them where triangles are larger than a few voxels and walls thick (drawn parts), and samples "
+              "distances on a lattice where they are smaller "
+              "(scans), which is faster. Keeping the edges of small triangles is slow.",
+              {"automatic", "keep", "round off"})};
 }
 
 Fineness fineness_of(const Values& values) {

@@ -50,8 +50,9 @@ double area_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t) 
   return 0.5 * (place(mesh, t[1]) - a).cross(place(mesh, t[2]) - a).norm();
 }
 
-/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise.
-bool large_triangles(const TriangleMesh& mesh, double voxel) {
+/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise. In what is
+/// only a few voxels thick they take too long to find.
+bool worth_sharpening(const TriangleMesh& mesh, double voxel) {
   double all = 0, large = 0;
   for (const auto& t : mesh.triangles) {
     const double area = area_of(mesh, t);
@@ -60,7 +61,7 @@ bool large_triangles(const TriangleMesh& mesh, double voxel) {
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (place(mesh, t[i]) - place(mesh, t[(i + 1) % 3])).norm());
     if (longest > 4 * voxel) large += area;
   }
-  return large > 0.8 * all;
+  return large > 0.8 * all && 2 * std::abs(mesh.volume()) > 8 * voxel * all;
 }
 
 /// The lattice's distances as a Field; what is beyond its samples is outside.
@@ -124,7 +125,7 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   const double voxel = fineness.voxel;
   const Box tight = mesh.bounds();
   bool sharp =
-      fineness.edges == Fineness::Edges::kept || (fineness.edges == Fineness::Edges::automatic && large_triangles(mesh, voxel));
+      fineness.edges == Fineness::Edges::kept || (fineness.edges == Fineness::Edges::automatic && worth_sharpening(mesh, voxel));
   require(sharp ? surface_cost(mesh.area(), voxel) : lattice_cost(tight.grown(3 * voxel), voxel), voxel, sharp ? 2 : 3);
 
   if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {

@@ -29,9 +29,10 @@ def on_surface(mesh, count=200_000, seed=1):
     return np.concatenate([a[chosen] + u * (b - a)[chosen] + v * (c - a)[chosen], vertices[np.unique(triangles)]]).astype(np.float32)
 
 
-def farthest(places, mesh):
-    """Of the places the largest distance to the mesh's nearest triangle (CGAL)."""
-    return float(np.abs(mesh.field().values(places)).max()) if hasattr(mesh.field(), "values") else float(np.abs(mesh.field()(*places.T)).max())
+def away(places, mesh):
+    """Of the places the mean and the largest distance to the mesh's nearest triangle (CGAL)."""
+    distances = np.abs(mesh.field().values(places))
+    return f"{distances.mean():.3g} / {distances.max():.3g}"
 
 
 def seconds(folder, path, steps, tries=3):
@@ -57,12 +58,12 @@ def measured(folder, path, step, source):
         return None, f"stops: assertion {reason}"
     mesh = fieldfab.Mesh.load(out)
     verdict = fieldfab.inspect(mesh)
-    return took, (f"{took:.2f} s", len(mesh.triangles), f"{farthest(on_surface(source), mesh):.3g}", f"{farthest(on_surface(mesh), source):.3g}",
+    return took, (f"{took:.2f} s", len(mesh.triangles), away(on_surface(source), mesh), away(on_surface(mesh), source),
                   "yes" if verdict.closed and verdict.manifold else "no", verdict.self_intersections)
 
 
 def main():
-    print("| mesh | cell, mm | by | time | triangles | input to result, mm | result to input, mm | closed, manifold | self-intersections |")
+    print("| mesh | cell, mm | by | time | triangles | input to result, mm (mean / largest) | result to input, mm | closed, manifold | self-intersections |")
     print("|---|---|---|---|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -250,6 +250,11 @@ class Window:
             self.type(text)
             self.keys(*["Tab"] * steps)
 
+    def aside(self):
+        """Moves the dialog to where it hides little of the mesh."""
+        self._do("windowmove", self._do("getwindowfocus").strip(), "4", "500")
+        time.sleep(0.5)
+
     def apply(self):
         self.keys("space")
 
