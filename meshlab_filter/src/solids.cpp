@@ -129,21 +129,24 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   require(sharp ? surface_cost(mesh.area(), voxel) : lattice_cost(tight.grown(3 * voxel), voxel), voxel, sharp ? 2 : 3);
 
   if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {
-    if (lids.area <= 0.5 * mesh.area()) {
-      mesh.vertices.insert(mesh.vertices.end(), lids.middles.begin(), lids.middles.end());
-      mesh.triangles.insert(mesh.triangles.end(), lids.triangles.begin(), lids.triangles.end());
-      log.push_back(fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.middles.size(),
-                                lids.area));
-    } else {  // pieces: where half of the view is triangles
-      log.push_back(
-          fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half", layer.name));
+    TriangleMesh closed = mesh;
+    closed.vertices.insert(closed.vertices.end(), lids.middles.begin(), lids.middles.end());
+    closed.triangles.insert(closed.triangles.end(), lids.triangles.begin(), lids.triangles.end());
+    bool pieces = lids.area > 0.5 * mesh.area();
+    if (pieces) {  // of mere pieces lids are the pieces again, from behind: then it counts where half of the view is triangles
       const TriangleMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
-      if (wrapped.triangles.empty())
-        throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'",
-                    "its pieces enclose nothing; a sheet becomes solid by Shell, on both sides");
-      mesh = wrapped;
+      pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
       sharp = false;
+      if (pieces) closed = wrapped;
     }
+    if (std::abs(closed.volume()) < 1e-9 * std::pow(mesh.area(), 1.5))
+      throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'",
+                  "encloses nothing; a sheet becomes solid by Shell, on both sides");
+    log.push_back(
+        pieces ? fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half", layer.name)
+               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.middles.size(),
+                             lids.area));
+    mesh = std::move(closed);
   }
 
   if (sharp) {

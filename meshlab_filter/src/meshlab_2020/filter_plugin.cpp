@@ -31,6 +31,18 @@ std::map<std::size_t, std::shared_ptr<const Layer>> layers_for(const std::vector
   return layers;
 }
 
+void add_layer(const Layer& layer, MeshDocument& document) {
+  MeshModel* const before = document.mm();
+  MeshModel* const added = document.addNewMesh("", text_of(layer.name));
+  try {
+    write_layer(layer, *added);
+  } catch (...) {  // there was no memory left: not half a layer either
+    document.delMesh(added);
+    if (before != nullptr) document.setCurrentMesh(before->id());
+    throw;
+  }
+}
+
 }  // namespace
 
 FieldfabFilters::FieldfabFilters() {
@@ -87,7 +99,7 @@ bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const
     work_beside([&](Progress& progress) { result = filter.run(values, progress); }, bar);
     for (const std::string& line : result.log) Log(GLLogStream::FILTER, printable(line));
     if (!result.quality.empty()) write_colours(result, *chosen);
-    if (result.layer) write_layer(*result.layer, *document.addNewMesh("", text_of(result.layer->name)));
+    if (result.layer) add_layer(*result.layer, document);
     return true;
   } catch (const std::bad_alloc&) {
     errorMessage = "There is not enough memory for it; the layers are as they were.";
