@@ -24,6 +24,9 @@
 namespace fieldfab::meshlab {
 namespace {
 
+constexpr double cheap =
+    600e6;  // bytes of a lattice up to which it may have twice as many places along each axis as there are voxels, for closeness
+
 Vec3 place(const TriangleMesh& mesh, std::uint32_t vertex) {
   const auto& p = mesh.vertices[vertex];
   return {p[0], p[1], p[2]};
@@ -161,14 +164,14 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   // Round numbers are where drawn faces lie; the lattice's planes do not.
   Box lattice = tight.grown(3 * voxel);
   lattice.lower -= voxel * Vec3(0.137, 0.241, 0.319);
-  FieldPtr field = sampled(mesh, lattice, voxel, progress);
+  FieldPtr field = sampled(mesh, lattice, lattice_cost(lattice, voxel / 2) <= cheap ? voxel / 2 : voxel, progress);
   if (reach > 0) field = with_distances(field, tight, reach, voxel, progress);
   return {field, tight.grown(reach + 2 * voxel), false};
 }
 
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
                Progress& progress) {
-  TriangleMesh mesh = contour(*field, bounds, {fineness.voxel, 0.05 * fineness.voxel, sharp}, progress);
+  TriangleMesh mesh = contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp}, progress);
   if (mesh.triangles.empty())
     throw Error(ErrorKind::bad_input, "result",
                 fmt::format("there is nothing left that is as thick as a voxel of {:.3g} mm", fineness.voxel));

@@ -246,8 +246,11 @@ class Window:
         """Types values into the dialog: numbers of steps back from Apply, and texts; goes back to Apply."""
         for steps, text in rows_from_the_last:
             self.keys(*["shift+Tab"] * steps)
-            self.keys("ctrl+a")
-            self.type(text)
+            if text == "Down":  # the next choice of a list
+                self.keys("Down")
+            else:
+                self.keys("ctrl+a")
+                self.type(text)
             self.keys(*["Tab"] * steps)
 
     def aside(self):

@@ -56,9 +56,11 @@ def test_menu_dialog_and_result(tmp_path, open_window, shot):
 
 
 def test_deviation_in_colour(tmp_path, open_window, shot):
-    window = open_window(write_ply(tmp_path / "ball.ply", *sphere(96, at=(0.8, 0, 0.3))), write_ply(tmp_path / "measured.ply", *sphere(60)))
+    window = open_window(write_ply(tmp_path / "measured.ply", *sphere(96)))
     window.open_filter(DEVIATION)
     window.aside()
+    # Apply, Close, Help, range in %, range, formula, layer, and what it is measured from: a layer or a formula
+    window.fill_in([(7, "Down"), (5, "move(sphere(20), 0.8, 0, 0.3)")])
     window.apply()
     window.wait_for(f"Applied filter {DEVIATION}")
     time.sleep(1)
@@ -72,7 +74,7 @@ def test_cancel_leaves_the_window_and_the_layer(tmp_path, open_window, shot, way
     window = open_window(write_ply(tmp_path / "eight.ply", *figure_eight()))
     assert window.open_filter(REMESH)
     window.aside()
-    window.fill_in([(7, "0.2"), (5, "k")])  # keep: sharp edges of 23,000 small triangles take minutes
+    window.fill_in([(7, "0.2"), (5, "Down")])  # keep: sharp edges of 23,000 small triangles take minutes
     began = time.time()
     window.apply()
     time.sleep(2)
