@@ -17,7 +17,7 @@ BELOW["render"] = {"core", "field"}
 BELOW["check"] = {"core", "field", "model"} | SOURCES
 BELOW["cam"] = set(BELOW)
 BELOW["openscad"] = set(BELOW) - {"cam", "check"}
-BELOW["cli"] = BELOW["python"] = set(BELOW)
+BELOW["cli"] = BELOW["python"] = BELOW["meshlab_filter"] = set(BELOW)
 # FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
 HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "Model/COM")
 HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask for it by name
@@ -32,6 +32,11 @@ def room_of(path):
     return "openscad" if parts[0] == "openscad_import" else parts[0]
 
 
+def is_of_meshlab(name):
+    """Headers of MeshLab, VCG or Qt."""
+    return name.startswith(("common/", "vcg/", "wrap/", "Q")) and not name.startswith("Qu")
+
+
 def violations(path, text):
     """What a file at `path` (relative to the root) includes that it must not."""
     room, found = room_of(path), []
@@ -42,11 +47,13 @@ def violations(path, text):
                 found.append(f"{path}: {room} must not include {other} ({name})")
         if path.suffix == ".h" and "include" in path.parts and str(path) not in HEAVY_ALLOWED and name.startswith(HEAVY):
             found.append(f"{path}: the heavy header {name} belongs into a .cpp file")
+        if room == "meshlab_filter" and path.parts[2] != "meshlab_2020" and is_of_meshlab(name):
+            found.append(f"{path}: {name} belongs into the folder of MeshLab's interface")
     return found
 
 
 def files():
-    for folder in ("kernel", "cam", "openscad_import", "cli", "python"):
+    for folder in ("kernel", "cam", "openscad_import", "cli", "python", "meshlab_filter"):
         for pattern in ("*.h", "*.cpp", "*.inl"):
             yield from (ROOT / folder).rglob(pattern)
 
@@ -63,5 +70,8 @@ def test_planted_violations_are_caught():
     assert violations(path("kernel/src/mesh/a.cpp"), '#include "fieldfab/asdf/asdf.h"')
     assert violations(path("kernel/src/render/a.cpp"), '#include "fieldfab/frep/text.h"')
     assert violations(path("kernel/include/fieldfab/mesh/a.h"), "#include <CGAL/Kernel.h>")
+    assert violations(path("meshlab_filter/src/filters/a.cpp"), "#include <common/interfaces.h>")
+    assert violations(path("meshlab_filter/src/a.h"), "#include <QString>")
+    assert not violations(path("meshlab_filter/src/meshlab_2020/a.cpp"), "#include <QString>")
     assert not violations(path("kernel/src/check/a.cpp"), "#include <CGAL/Kernel.h>")
     assert not violations(path("cli/a.cpp"), '#include "fieldfab/render/render.h"')

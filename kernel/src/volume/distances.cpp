@@ -80,6 +80,7 @@ class Sweeping {
     };
     std::vector<std::vector<Crossing>> of_slice(static_cast<std::size_t>(size(2)));
     parallel_for(of_slice.size(), [&](std::size_t slice) {
+      progress_.check();
       const auto k = static_cast<int>(slice);
       for (int j = 0; j < size(1); ++j)
         for (int i = 0; i < size(0); ++i)
@@ -91,12 +92,14 @@ class Sweeping {
               of_slice[slice].push_back({a, b, zero(place(i, j, k), place(next[0], next[1], next[2]))});
           }
     });
-    for (const std::vector<Crossing>& crossings : of_slice)
+    for (const std::vector<Crossing>& crossings : of_slice) {
+      progress_.check();
       for (const Crossing& crossing : crossings) {
         feet_.push_back(crossing.at);
         const auto foot = static_cast<std::uint32_t>(feet_.size() - 1);
         for (const std::size_t end : {crossing.lower, crossing.upper}) offer(end, place_of(end), foot);
       }
+    }
   }
 
   /// The end of one sign and that of the other are drawn together.

@@ -238,8 +238,11 @@ Isosurface isosurface(const Volume& volume, double threshold, bool below) {
 FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   std::vector<float> samples = read_all(volume, progress);
+  progress.check();
   for (float& sample : samples) sample = surface.value(sample);
+  progress.check();
   const FieldPtr solid = std::make_shared<VolumeField>(std::move(samples), lattice);
+  progress.check();
   return lattice.straight() ? solid : transform(solid, lattice.placement());
 }
 

@@ -1,0 +1,69 @@
+// Two layers made one.
+#include <fmt/format.h>
+
+#include "../solids.h"
+#include "all.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::meshlab {
+namespace {
+
+std::vector<Parameter> parameters(const Document& document) {
+  const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
+  std::size_t other = 0;
+  if (document.layers.size() > 1 && document.current == 0) other = 1;
+  std::vector<Parameter> rows{
+      choice_parameter("Operation", "Operation", "What is made of the two.",
+                       {"union", "intersection", "difference (first without second)"}),
+      layer_parameter("First", "First layer", "The one that a difference begins with.", document.current),
+      layer_parameter("Second", "Second layer", "The other one.", other),
+      length_parameter("Radius", "Smooth (mm)", "How far a fillet reaches where the two surfaces meet; 0 makes a sharp seam.", 0,
+                       0, diagonal)};
+  for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
+  return rows;
+}
+
+FieldPtr joined(int operation, const FieldPtr& a, const FieldPtr& b, double radius) {
+  const auto join = [&](const FieldPtr& one, const FieldPtr& two) {
+    return radius > 0 ? blend(one, two, radius) : unite(one, two);
+  };
+  if (operation == 0) return join(a, b);
+  if (operation == 1) return complement(join(complement(a), complement(b)));
+  if (operation == 2) return complement(join(complement(a), b));
+  throw Error(ErrorKind::bad_input, "Operation", fmt::format("is 0, 1 or 2, not {}", operation));
+}
+
+Result run(const Values& values, Progress& progress) {
+  Result result;
+  const Fineness fineness = fineness_of(values);
+  const double radius = values.not_negative("Radius");
+  const int operation = values.whole("Operation");
+  const Layer &first = values.layer("First"), &second = values.layer("Second");
+  const Solid a = solid_of(first, fineness, radius, result.log, progress),
+              b = solid_of(second, fineness, radius, result.log, progress);
+  constexpr const char* words[] = {"with", "and", "without"};
+  const FieldPtr both = joined(operation, a.field, b.field, radius);
+  const Box bounds = operation == 2 ? a.bounds : hull(a.bounds, b.bounds);
+  result.layer = layer_of(both, bounds, fineness, a.sharp || b.sharp,
+                          fmt::format("{} {} {}", first.name, words[operation], second.name), progress);
+  const TriangleMesh& mesh = result.layer->mesh;
+  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  return result;
+}
+
+}  // namespace
+
+Filter combine_layers() {
+  return {"Fieldfab: Boolean of two layers",
+          "Union, intersection or difference of the solids of two layers, sharp or with a fillet. Neither has to be closed or "
+          "free of self-intersections, "
+          "coplanar faces are no trouble, and the result is always a closed mesh. It is a new layer.",
+          Filter::Group::remeshing,
+          true,
+          false,
+          parameters,
+          run};
+}
+
+}  // namespace fieldfab::meshlab

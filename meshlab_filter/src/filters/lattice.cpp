@@ -1,0 +1,69 @@
+// A wall, and a lattice within it.
+#include <fmt/format.h>
+
+#include "../solids.h"
+#include "all.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/shapes.h"
+
+namespace fieldfab::meshlab {
+namespace {
+
+std::vector<Parameter> parameters(const Document& document) {
+  const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
+  std::vector<Parameter> rows{
+      choice_parameter("Lattice", "Lattice", "A surface that repeats along x, y and z, made a wall.",
+                       {"gyroid", "Schwarz P", "diamond"}),
+      length_parameter("Period", "Period (mm)", "Edge of the lattice's cell.", diagonal / 10, 0, diagonal),
+      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice.", diagonal / 60, 0, diagonal),
+      length_parameter("Wall", "Outer wall (mm)",
+                       "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.", diagonal / 60, 0,
+                       diagonal)};
+  for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
+  return rows;
+}
+
+frep::Expression surface(int lattice, double period) {
+  switch (lattice) {
+    case 0: return frep::shapes::gyroid(period);
+    case 1: return frep::shapes::schwarz_p(period);
+    case 2: return frep::shapes::diamond(period);
+    default: throw Error(ErrorKind::bad_input, "Lattice", fmt::format("is 0, 1 or 2, not {}", lattice));
+  }
+}
+
+Result run(const Values& values, Progress& progress) {
+  Result result;
+  Fineness fineness = fineness_of(values);
+  // The lattice's walls are thin: looking for edges there is slow, so it is done on demand only.
+  if (fineness.edges == Fineness::Edges::automatic) fineness.edges = Fineness::Edges::rounded;
+  const double period = values.positive("Period"), strut = values.positive("Strut"), wall = values.not_negative("Wall");
+  const FieldPtr lattice = frep::make_field(frep::simplify(frep::shapes::shell(surface(values.whole("Lattice"), period), strut)));
+  const Layer& layer = values.layer();
+  const Solid solid = solid_of(layer, fineness, wall, result.log, progress);
+  FieldPtr filled = intersect(solid.field, lattice);
+  if (wall > 0) filled = unite(subtract(solid.field, offset(solid.field, -wall)), filled);
+  result.layer = layer_of(filled, solid.bounds, fineness, solid.sharp, layer.name + " with lattice", progress);
+  const TriangleMesh& mesh = result.layer->mesh;
+  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  if (strut < 2 * fineness.voxel)
+    result.log.push_back(fmt::format("the lattice's wall is {:.2g} voxels: below 2 it may have holes", strut / fineness.voxel));
+  return result;
+}
+
+}  // namespace
+
+Filter lattice_infill() {
+  return {"Fieldfab: Lattice infill",
+          "The solid made light: a wall of even thickness, and within it a gyroid, Schwarz P or diamond lattice. The result is a "
+          "new layer.",
+          Filter::Group::remeshing,
+          true,
+          false,
+          parameters,
+          run};
+}
+
+}  // namespace fieldfab::meshlab

@@ -1,0 +1,54 @@
+// Any soup of triangles to a closed mesh, through a distance field.
+#include <fmt/format.h>
+
+#include "../solids.h"
+#include "all.h"
+#include "fieldfab/field/operations.h"
+
+namespace fieldfab::meshlab {
+namespace {
+
+std::vector<Parameter> parameters(const Document& document) {
+  std::vector<Parameter> rows = fineness_parameters(document);
+  const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
+  rows.push_back(length_parameter("GapWidth", "Gap width to close (mm)",
+                                  "Slits and cracks that are narrower than this are filled, also between parts; 0 fills none. "
+                                  "Holes of open meshes are closed always.",
+                                  0, 0, diagonal));
+  return rows;
+}
+
+Result run(const Values& values, Progress& progress) {
+  Result result;
+  const Fineness fineness = fineness_of(values);
+  const double gap = values.not_negative("GapWidth");
+  const Layer& layer = values.layer();
+  const Solid solid = solid_of(layer, fineness, 0, result.log, progress);
+  FieldPtr field = solid.field;
+  Box bounds = solid.bounds;
+  if (gap > 0) {  // grown by half of the gap and shrunk again; what was there stays as it is
+    bounds = bounds.grown(gap);
+    const FieldPtr grown = offset(with_distances(field, bounds, gap, fineness.voxel, progress), gap / 2);
+    field = unite(field, offset(with_distances(grown, bounds, gap, fineness.voxel, progress), -gap / 2));
+  }
+  result.layer = layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", progress);
+  const TriangleMesh& mesh = result.layer->mesh;
+  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  return result;
+}
+
+}  // namespace
+
+Filter remesh() {
+  return {"Fieldfab: Remesh through a distance field",
+          "A closed, manifold mesh without self-intersections from <b>any</b> soup of triangles: open, inside out, crossing "
+          "itself, in pieces. "
+          "What the triangles wind around becomes solid; overlaps are solid once. The result is a new layer.",
+          Filter::Group::remeshing,
+          true,
+          false,
+          parameters,
+          run};
+}
+
+}  // namespace fieldfab::meshlab

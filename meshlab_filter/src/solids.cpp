@@ -1,0 +1,193 @@
+#include "solids.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "cost.h"
+#include "fieldfab/check/check.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/mesh_distances.h"
+#include "fieldfab/mesh/mesh_field.h"
+#include "fieldfab/model/model.h"
+#include "fieldfab/volume/distances.h"
+#include "fieldfab/volume/volume_field.h"
+
+namespace fieldfab::meshlab {
+namespace {
+
+constexpr double cheap =
+    600e6;  // bytes of a lattice up to which it may have twice as many places along each axis as there are voxels, for closeness
+
+Vec3 place(const TriangleMesh& mesh, std::uint32_t vertex) {
+  const auto& p = mesh.vertices[vertex];
+  return {p[0], p[1], p[2]};
+}
+
+/// Which vertex stands for each of those at the same place.
+std::vector<std::uint32_t> merged(const std::vector<std::array<float, 3>>& vertices) {
+  std::vector<std::uint32_t> order(vertices.size()), stands(vertices.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto finite = [&](std::uint32_t v) {
+    return std::isfinite(vertices[v][0]) && std::isfinite(vertices[v][1]) && std::isfinite(vertices[v][2]);
+  };
+  std::iota(stands.begin(), stands.end(), 0u);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !finite(v); }), order.end());
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (vertices[order[i]] == vertices[order[i - 1]]) stands[order[i]] = stands[order[i - 1]];
+  return stands;
+}
+
+double area_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t) {
+  const Vec3 a = place(mesh, t[0]);
+  return 0.5 * (place(mesh, t[1]) - a).cross(place(mesh, t[2]) - a).norm();
+}
+
+/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise. In what is
+/// only a few voxels thick they take too long to find.
+bool worth_sharpening(const TriangleMesh& mesh, double voxel) {
+  double all = 0, large = 0;
+  for (const auto& t : mesh.triangles) {
+    const double area = area_of(mesh, t);
+    all += area;
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (place(mesh, t[i]) - place(mesh, t[(i + 1) % 3])).norm());
+    if (longest > 4 * voxel) large += area;
+  }
+  return large > 0.8 * all && 2 * std::abs(mesh.volume()) > 8 * voxel * all;
+}
+
+/// The lattice's distances as a Field; what is beyond its samples is outside.
+FieldPtr sampled(const TriangleMesh& mesh, const Box& bounds, double voxel, Progress& progress) {
+  DistanceLattice lattice;
+  lattice.spacing = voxel;
+  lattice.origin = bounds.lower;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    lattice.size[axis] = static_cast<int>(std::ceil(bounds.size()[static_cast<Eigen::Index>(axis)] / voxel)) + 1;
+  SampleLattice samples;
+  samples.size = lattice.size, samples.spacing = Vec3::Constant(voxel), samples.origin = lattice.origin;
+  const VolumePtr volume = volume_of(mesh_distances(mesh, lattice, 2 * voxel, progress), samples);
+  return volume_field(*volume, {0, true, 1}, progress);
+}
+
+}  // namespace
+
+TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log) {
+  const std::string place_of_error = "layer '" + layer.name + "'";
+  if (layer.mesh.triangles.empty()) throw Error(ErrorKind::bad_input, place_of_error, "has no triangles");
+  const std::vector<std::uint32_t> stands = merged(layer.mesh.vertices);
+  TriangleMesh usable;
+  std::vector<std::uint32_t> name(layer.mesh.vertices.size(), ~0u);
+  std::size_t nowhere = 0, flat = 0;
+  for (const auto& t : layer.mesh.triangles) {
+    const double area = area_of(layer.mesh, t);
+    if (!std::isfinite(area)) {
+      ++nowhere;
+      continue;
+    }
+    const std::array<std::uint32_t, 3> own{stands[t[0]], stands[t[1]], stands[t[2]]};
+    if (own[0] == own[1] || own[1] == own[2] || own[2] == own[0]) {  // what has no area, but three places, is needed to be closed
+      ++flat;
+      continue;
+    }
+    for (const std::uint32_t v : own)
+      if (name[v] == ~0u) {
+        name[v] = static_cast<std::uint32_t>(usable.vertices.size());
+        usable.vertices.push_back(layer.mesh.vertices[v]);
+      }
+    usable.triangles.push_back({name[own[0]], name[own[1]], name[own[2]]});
+  }
+  if (nowhere > 0)
+    log.push_back(
+        fmt::format("{}: {} triangles have places that are not finite numbers; they are left out", place_of_error, nowhere));
+  if (flat > 0) log.push_back(fmt::format("{}: {} triangles have no area; they are left out", place_of_error, flat));
+  if (usable.triangles.empty() || !(usable.area() > 0))
+    throw Error(ErrorKind::bad_input, place_of_error,
+                fmt::format("none of its {} triangles has an area and finite places", layer.mesh.triangles.size()));
+  return usable;
+}
+
+FieldPtr with_distances(const FieldPtr& field, const Box& bounds, double reach, double voxel, Progress& progress) {
+  require(lattice_cost(bounds.grown(reach + 2 * voxel), voxel), voxel, 3);
+  return distances(field, bounds.grown(reach + 2 * voxel), {reach + 2 * voxel, voxel}, progress);
+}
+
+Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress) {
+  progress.report(0, "reading the layer");
+  TriangleMesh mesh = usable_triangles(layer, log);
+  const double voxel = fineness.voxel;
+  const Box tight = mesh.bounds();
+  bool sharp =
+      fineness.edges == Fineness::Edges::kept || (fineness.edges == Fineness::Edges::automatic && worth_sharpening(mesh, voxel));
+  require(sharp ? surface_cost(mesh.area(), voxel) : lattice_cost(tight.grown(3 * voxel), voxel), voxel, sharp ? 2 : 3);
+
+  if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {
+    TriangleMesh closed = mesh;
+    closed.vertices.insert(closed.vertices.end(), lids.middles.begin(), lids.middles.end());
+    closed.triangles.insert(closed.triangles.end(), lids.triangles.begin(), lids.triangles.end());
+    bool pieces = lids.area > 0.5 * mesh.area();
+    if (pieces) {  // of mere pieces lids are the pieces again, from behind: then it counts where half of the view is triangles
+      const TriangleMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
+      pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
+      sharp = false;
+      if (pieces) closed = wrapped;
+    }
+    if (std::abs(closed.volume()) < 1e-9 * std::pow(mesh.area(), 1.5))
+      throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'",
+                  "encloses nothing; a sheet becomes solid by Shell, on both sides");
+    log.push_back(
+        pieces ? fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half", layer.name)
+               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.middles.size(),
+                             lids.area));
+    mesh = std::move(closed);
+  }
+
+  if (sharp) {
+    if (reach > 0 && inspect(mesh).self_intersections > 0) {  // triangles within the solid are no surface to measure from
+      log.push_back(fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
+      mesh = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);
+      if (mesh.triangles.empty())
+        throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'", "encloses nothing that is as thick as a voxel");
+    }
+    return {mesh_field(mesh, progress), tight.grown(reach + 2 * voxel), true};
+  }
+  // Round numbers are where drawn faces lie; the lattice's planes do not.
+  Box lattice = tight.grown(3 * voxel);
+  lattice.lower -= voxel * Vec3(0.137, 0.241, 0.319);
+  FieldPtr field = sampled(mesh, lattice, lattice_cost(lattice, voxel / 2) <= cheap ? voxel / 2 : voxel, progress);
+  if (reach > 0) field = with_distances(field, tight, reach, voxel, progress);
+  return {field, tight.grown(reach + 2 * voxel), false};
+}
+
+Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
+               Progress& progress) {
+  TriangleMesh mesh = contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp}, progress);
+  if (mesh.triangles.empty())
+    throw Error(ErrorKind::bad_input, "result",
+                fmt::format("there is nothing left that is as thick as a voxel of {:.3g} mm", fineness.voxel));
+  return {std::move(name), std::move(mesh)};
+}
+
+Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress) {
+  Model model;
+  std::error_code ignored;
+  if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored))
+    model = load_model(text, Scripts::refused, progress);
+  else if (text.find_first_not_of(" \t\n") == std::string::npos)
+    throw Error(ErrorKind::bad_input, "formula", "is empty");
+  else
+    model.field = frep::make_field(frep::simplify(frep::parse_infix(text, "formula"))), model.kind = "f-rep";
+  return {model.field, working_bounds(model, bounds, progress), model.kind != "volume" && model.kind != "asdf"};
+}
+
+}  // namespace fieldfab::meshlab

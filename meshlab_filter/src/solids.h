@@ -1,0 +1,65 @@
+/// From layers to Fields and back: what all filters share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fieldfab/field/field.h"
+#include "filter.h"
+
+namespace fieldfab::meshlab {
+
+/// How fine a result is, and what becomes of sharp edges.
+struct Fineness {
+  enum class Edges { automatic, kept, rounded };
+  double voxel = 0;  ///< mm
+  Edges edges = Edges::automatic;
+};
+
+/// The rows of a dialog that say so, and what was chosen. The voxel's help tells what it costs with this document.
+std::vector<Parameter> fineness_parameters(const Document& document);
+Fineness fineness_of(const Values& values);
+
+/// A row for a length: `value` mm, with a slider from `least` to `most`.
+Parameter length_parameter(std::string name, std::string label, std::string help, double value, double least, double most);
+Parameter number_parameter(std::string name, std::string label, std::string help, double value);
+Parameter whole_parameter(std::string name, std::string label, std::string help, int value);
+Parameter choice_parameter(std::string name, std::string label, std::string help, std::vector<std::string> choices,
+                           int value = 0);
+Parameter layer_parameter(std::string name, std::string label, std::string help, std::size_t value);
+Parameter text_parameter(std::string name, std::string label, std::string help, std::string value);
+Parameter flag_parameter(std::string name, std::string label, std::string help, bool value);
+
+/// A solid and what is known of it.
+struct Solid {
+  FieldPtr field;
+  Box bounds;          ///< holds the solid
+  bool sharp = false;  ///< its Field is exact and has edges to be kept
+};
+
+/// The layer's triangles with vertices at the same place merged; those with places that are NaN, or without area, are left out
+/// and counted in the log. Throws bad_input where none is left.
+TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log);
+
+/// The layer as a solid: what its triangles wind around, holes closed by lids. Within `reach` mm of the surface its values are
+/// distances (0: only next to it), as offsets and walls need. Exact where triangles are larger than a few voxels or edges are to
+/// be kept, else sampled on a lattice. Throws bad_input, too_large (before anything is begun, with how much it would take),
+/// cancelled.
+Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress);
+
+/// The same solid with distances within `reach` mm, whatever its values were.
+FieldPtr with_distances(const FieldPtr& field, const Box& bounds, double reach, double voxel, Progress& progress);
+
+/// The solid's surface as a new layer: closed, manifold, without self-intersections. Throws bad_input for nothing, too_large,
+/// cancelled.
+Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
+               Progress& progress);
+
+/// A solid from a file of any kind that load_model() knows, or from an infix formula where the text is no file's name; its bounds
+/// as found, or `bounds` where it has none of its own.
+Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress);
+
+/// 1.23 MB, 4 GB ...
+std::string as_bytes(double bytes);
+
+}  // namespace fieldfab::meshlab
