@@ -102,19 +102,24 @@ class MeshVerb final : public Verb {
                   fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
     const Stopwatch clock;
     const Model model = options_.load(progress);
-    const Box bounds = working_bounds(model, options_.region(), progress);
+    std::optional<TriangleMesh> faces;
+    if (model.faces && !options_.region()) faces = model.faces(options_.thickness, progress);
+    const Box bounds = faces ? faces->bounds() : working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model);
-    const TriangleMesh mesh = contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
+    const TriangleMesh mesh =
+        faces ? std::move(*faces) : contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
     write_mesh(mesh, options_.output, progress);
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {:.2f} s", options_.output,
-                               mesh.triangles.size(), mesh.vertices.size(), mesh.volume(), clock.seconds());
+    outcome.line =
+        fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3{}, {:.2f} s", options_.output, mesh.triangles.size(),
+                    mesh.vertices.size(), mesh.volume(), faces ? ", exact faces" : "", clock.seconds());
     outcome.json = {{"output", options_.output},
                     {"triangles", mesh.triangles.size()},
                     {"vertices", mesh.vertices.size()},
                     {"volume", mesh.volume()},
                     {"area", mesh.area()},
                     {"voxel", cell},
+                    {"exact", faces.has_value()},
                     {"bounds", json_of(bounds)},
                     {"seconds", clock.seconds()}};
     return outcome;

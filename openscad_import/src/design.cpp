@@ -79,6 +79,11 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
     if (!region.empty()) {
       const Eigen::AlignedBox2d box = region.bounds();
       constexpr double far_away = 1e9;
+      if (!options.smooth)
+        design.faces = [region](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
+          if (!thickness) return std::nullopt;
+          return faces_of(*part_of(extruded_leaf(separated(region), 0, *thickness, Eigen::Affine3d::Identity())), shown);
+        };
       const double growth = loss * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
       Making making{growth, growth, options.formulas_only, &progress};
       if (options.formulas_only)
@@ -95,6 +100,11 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
       const double growth = loss * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
       solid = solid_of(*part, {growth, growth, options.formulas_only, &progress});
       design.bounds = box.grown(2 * growth);
+      if (!options.smooth)
+        design.faces = [part](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
+          if (thickness) return std::nullopt;  // a slice of it
+          return faces_of(*part, shown);
+        };
       design.voxel = voxel_for(box.size().maxCoeff(), thickness_of(*part), area_of(*part));
     }
   }
@@ -117,6 +127,7 @@ void add_model_readers() {
          model.field = design.field;
          model.expression = design.formula;
          model.voxel = design.voxel;
+         model.faces = design.faces;
          model.notes = design.notes;
          return model;
        }});

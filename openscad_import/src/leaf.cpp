@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_solid.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
@@ -100,11 +101,12 @@ class Mesh final : public Leaf {
   [[nodiscard]] Solid solid(const Making& making) const override {
     if (making.formulas_only) no_formula("a polyhedron that is not convex");
     constexpr std::size_t many = 500'000;  // triangles: to look for crossings takes too long
-    if (solid_.triangles.size() < many && is_closed(solid_) && !crosses_itself(solid_))
+    if (solid_.triangles.size() < many && bounds_a_solid(solid_))
       return {std::nullopt, surface_field(solid_, radius_ + making.growth)};
     return {std::nullopt, offset(mesh_field(to_mesh(solid_), *making.progress), radius_ + making.growth)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return solid_; }
+  [[nodiscard]] bool has_flat_faces() const override { return radius_ == 0 && bounds_a_solid(solid_); }
   [[nodiscard]] Box bounds() const override { return solid_.bounds().grown(radius_); }
   [[nodiscard]] double thickness() const override {
     const TriangleMesh mesh = to_mesh(solid_);
@@ -225,6 +227,7 @@ class Turned final : public Leaf {
                             : shape_.turn.fragments;
     return moved(turned(shape_.profile, shape_.turn.first, shape_.total / steps, steps, shape_.full), placement_);
   }
+  [[nodiscard]] bool has_flat_faces() const override { return shape_.turn.fragments > 0; }
   [[nodiscard]] Box bounds() const override {
     const Eigen::AlignedBox2d flat = shape_.profile.bounds();
     const double r = flat.max().x();
@@ -283,6 +286,7 @@ class Cone final : public Leaf {
     Outline profile{{0, cone_.lower}, {cone_.r1, cone_.lower}, {cone_.r2, cone_.upper}, {0, cone_.upper}};
     return moved(turned({{profile}}, 0, 2 * std::numbers::pi / fine, fine, true), placement_);
   }
+  [[nodiscard]] bool has_flat_faces() const override { return false; }
   [[nodiscard]] Box bounds() const override {
     const double r = std::max(cone_.r1, cone_.r2);
     return image_of({{-r, -r, cone_.lower}, {r, r, cone_.upper}}, placement_.linear(), placement_.translation());
@@ -324,6 +328,7 @@ class Ball final : public Leaf {
     }
     return moved(turned({{arc}}, 0, std::numbers::pi / fine, 2 * fine, true), placement_);
   }
+  [[nodiscard]] bool has_flat_faces() const override { return false; }
   [[nodiscard]] Box bounds() const override {
     // How far an ellipsoid reaches along an axis: the length of that row of its map.
     const Vec3 reach = radius_ * placement_.linear().rowwise().norm();

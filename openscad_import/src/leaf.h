@@ -41,6 +41,8 @@ class Leaf {
   [[nodiscard]] virtual Solid solid(const Making& making) const = 0;
   /// With flat faces: as OpenSCAD draws it, or finely where it is round.
   [[nodiscard]] virtual Polyhedron polyhedron() const = 0;
+  /// Whether polyhedron() is the leaf itself, and the surface of a solid.
+  [[nodiscard]] virtual bool has_flat_faces() const { return true; }
   [[nodiscard]] virtual Box bounds() const = 0;
   /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
   [[nodiscard]] virtual double thickness() const = 0;
@@ -113,6 +115,11 @@ Solid solid_of(const Part& part, const Making& making);
 Polyhedron polyhedron_of(const Part& part, Progress& progress);
 /// Solids whose union is the part: convex where `all_convex` is told so.
 std::vector<Polyhedron> pieces_of(const Part& part, bool& all_convex, Progress& progress);
+/// The surface of a part whose leafs have flat faces only, with the corners and edges that exact arithmetic gives, rounded to
+/// single precision once. Nothing where a leaf is round, or is not a solid; where no surface with rounded corners is valid; or
+/// where it would take long: such a part is contoured. Solids that touch along an edge, or have very many faces in common planes,
+/// are first grown by a few millionths of the farthest coordinate, each by another amount. Throws cancelled.
+std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress);
 /// Where the plane z = 0 cuts it.
 Region slice_of(const Part& part, Progress& progress);
 

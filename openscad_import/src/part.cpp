@@ -75,20 +75,6 @@ Solid united(const std::vector<Solid>& all, const Making& making) {
 
 bool meet(const Box& a, const Box& b) { return intersection(a, b).valid(); }
 
-Polyhedron all_of(std::vector<Polyhedron> solids, Operation operation, Progress& progress) {
-  if (solids.empty()) return {};
-  while (solids.size() > 1) {
-    std::vector<Polyhedron> half;
-    for (std::size_t i = 0; i + 1 < solids.size(); i += 2) {
-      progress.check();
-      half.push_back(combined(solids[i], solids[i + 1], operation));
-    }
-    if (solids.size() % 2 == 1) half.push_back(std::move(solids.back()));
-    solids = std::move(half);
-  }
-  return std::move(solids.front());
-}
-
 }  // namespace
 
 PartPtr nothing() { return std::make_shared<Part>(); }
@@ -182,26 +168,6 @@ Solid solid_of(const Part& part, const Making& making) {
   else
     result.field = fieldfab::subtract(first.as_field(), others.as_field());
   tell_where(result, {first}, true);
-  return result;
-}
-
-Polyhedron polyhedron_of(const Part& part, Progress& progress) {
-  progress.check();
-  if (part.kind == Kind::nothing) return {};
-  if (part.kind == Kind::leaf) return part.leaf->polyhedron();
-  std::vector<Polyhedron> solids;
-  for (const PartPtr& child : part.children) solids.push_back(polyhedron_of(*child, progress));
-  if (part.kind == Kind::intersect) return all_of(std::move(solids), Operation::intersect, progress);
-  if (part.kind == Kind::unite) {
-    std::erase_if(solids, [](const Polyhedron& solid) { return solid.empty(); });
-    return all_of(std::move(solids), Operation::unite, progress);
-  }
-  Polyhedron result = std::move(solids.front());
-  for (std::size_t i = 1; i < solids.size() && !result.empty(); ++i)
-    if (!solids[i].empty() && meet(result.bounds(), solids[i].bounds())) {
-      progress.check();
-      result = combined(result, solids[i], Operation::subtract);
-    }
   return result;
 }
 

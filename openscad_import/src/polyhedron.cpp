@@ -6,29 +6,6 @@
 #include <map>
 
 namespace fieldfab::openscad {
-namespace {
-
-/// Joins corners at the same place and drops triangles that have no three of them.
-Polyhedron welded(const Polyhedron& solid) {
-  Polyhedron result;
-  std::map<std::array<double, 3>, std::uint32_t> known;
-  std::vector<std::uint32_t> number;
-  number.reserve(solid.vertices.size());
-  for (const Vec3& p : solid.vertices) {
-    const auto [found, is_new] =
-        known.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<std::uint32_t>(result.vertices.size()));
-    if (is_new) result.vertices.push_back(p);
-    number.push_back(found->second);
-  }
-  for (const Triangle& t : solid.triangles) {
-    const Triangle here{number[t[0]], number[t[1]], number[t[2]]};
-    if (here[0] != here[1] && here[1] != here[2] && here[2] != here[0]) result.triangles.push_back(here);
-  }
-  return result;
-}
-
-}  // namespace
-
 Box Polyhedron::bounds() const {
   Box box{vertices.front(), vertices.front()};
   for (const Vec3& p : vertices) box = {box.lower.cwiseMin(p), box.upper.cwiseMax(p)};
@@ -46,6 +23,24 @@ Polyhedron moved(const Polyhedron& solid, const Eigen::Affine3d& placement) {
   for (Vec3& p : result.vertices) p = placement * p;
   if (placement.linear().determinant() < 0)
     for (Triangle& t : result.triangles) std::swap(t[1], t[2]);
+  return result;
+}
+
+Polyhedron welded(const Polyhedron& solid) {
+  Polyhedron result;
+  std::map<std::array<double, 3>, std::uint32_t> known;
+  std::vector<std::uint32_t> number;
+  number.reserve(solid.vertices.size());
+  for (const Vec3& p : solid.vertices) {
+    const auto [found, is_new] =
+        known.try_emplace({p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}, static_cast<std::uint32_t>(result.vertices.size()));
+    if (is_new) result.vertices.push_back(p);
+    number.push_back(found->second);
+  }
+  for (const Triangle& t : solid.triangles) {
+    const Triangle here{number[t[0]], number[t[1]], number[t[2]]};
+    if (here[0] != here[1] && here[1] != here[2] && here[2] != here[0]) result.triangles.push_back(here);
+  }
   return result;
 }
 

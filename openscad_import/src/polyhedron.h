@@ -35,6 +35,9 @@ struct Plane {
 
 Polyhedron moved(const Polyhedron& solid, const Eigen::Affine3d& placement);
 
+/// Joins corners at the same place and drops triangles that have no three of them.
+Polyhedron welded(const Polyhedron& solid);
+
 /// In single precision, for mesh_field() and files.
 TriangleMesh to_mesh(const Polyhedron& solid);
 Polyhedron to_polyhedron(const TriangleMesh& mesh);
@@ -62,9 +65,5 @@ Polyhedron turned(const Region& profile, double first, double step, int steps, b
 Region slice(const Polyhedron& solid);
 /// Its shadow along z.
 Region shadow(const Polyhedron& solid);
-
-/// What two closed polyhedra make, by exact arithmetic. Throws bad_input where one of them is not a solid.
-enum class Operation { unite, intersect, subtract };
-Polyhedron combined(const Polyhedron& a, const Polyhedron& b, Operation operation);
 
 }  // namespace fieldfab::openscad

@@ -8,8 +8,6 @@ namespace fieldfab::openscad {
 
 /// Whether each edge belongs to two triangles, once each way.
 bool is_closed(const Polyhedron& solid);
-/// Whether two of its triangles meet other than in a common edge or corner.
-bool crosses_itself(const Polyhedron& solid);
 
 /// The exact signed distance to the surface less `growth`, mm. The side is told by the nearest triangle, or by the mean normal of
 /// the nearest edge or corner (Baerentzen and Aanaes 2005), which only holds for a surface that is closed and does not cross

@@ -11,6 +11,7 @@
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/expression.h"
+#include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/volume/scan.h"
 
 namespace fieldfab {
@@ -22,7 +23,11 @@ struct Model {
   std::optional<frep::Expression> expression;  ///< where it came from text
   std::optional<double> voxel;                 ///< where the file has a resolution of its own
   std::optional<Box> bounds;                   ///< where the file has a region of its own
-  std::vector<std::string> notes = {};         ///< what was left out or mended, for people, one line each
+  /// Makes the surface of a solid that has flat faces only, exactly: valid as contour()'s is, with the corners that the solid
+  /// has. Nothing where that is not possible, or would take long; a flat (2D) solid needs a thickness in mm. Null where contour()
+  /// is all there is. Throws cancelled.
+  std::function<std::optional<TriangleMesh>(std::optional<double> thickness, Progress& progress)> faces = {};
+  std::vector<std::string> notes = {};  ///< what was left out or mended, for people, one line each
 };
 
 /// Whether a model may be a program: a .py script can do anything its user can, so only those run it who were told to by name.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/expression.h"
+#include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/openscad/tree.h"
 
 namespace fieldfab::openscad {
@@ -24,8 +26,10 @@ struct Design {
   std::optional<frep::Expression> formula;  ///< the same as a formula, where all of it has one
   std::optional<Box> bounds;                ///< holds it; where it is not flat
   std::optional<double> voxel;              ///< mm; cells that do not miss its thinnest part, where that does not take too many
-  bool flat = false;                        ///< a 2D design: without ends along z
-  std::vector<std::string> notes;           ///< what was left out or mended, one line each, with FILE:LINE
+  /// Makes its surface as it is, see Model::faces; null where nothing but a contour can be had.
+  std::function<std::optional<TriangleMesh>(std::optional<double> thickness, Progress& progress)> faces;
+  bool flat = false;               ///< a 2D design: without ends along z
+  std::vector<std::string> notes;  ///< what was left out or mended, one line each, with FILE:LINE
 };
 
 /// Reads a .csg file, or a .scad file through the installed `openscad`. Throws io, bad_input: also with OpenSCAD's own message
