@@ -88,42 +88,56 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   return result;
 }
 
-/// Axes along which, or against which, most faces of boxes look: there cuts are exact, and turned boxes are of rounded numbers.
+/// The normals of a solid's faces with the area of each; of a round one's many.
+std::vector<std::pair<Vec3, double>> areas_by_normal(const Polyhedron& solid) {
+  std::map<std::array<std::int64_t, 3>, std::pair<Vec3, double>> found;
+  for (const Triangle& t : solid.triangles) {
+    const Vec3& a = solid.vertices[t[0]];
+    const Vec3 area = (solid.vertices[t[1]] - a).cross(solid.vertices[t[2]] - a);
+    if (!(area.norm() > 0)) continue;
+    const Vec3 normal = area.normalized();
+    std::array<std::int64_t, 3> key{};
+    for (std::size_t i = 0; i < 3; ++i) key[i] = std::llround(1e8 * normal[static_cast<Eigen::Index>(i)]);
+    found.try_emplace(key, normal, 0.0).first->second.second += area.norm();
+  }
+  std::vector<std::pair<Vec3, double>> all;
+  for (const auto& [key, face] : found) all.push_back(face);
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  return all;
+}
+
+/// The axes, as rows, along which the greatest faces of most leafs look: seen along them what was turned is of rounded numbers,
+/// and faces that were drawn in one plane are in one.
 Eigen::Matrix3d best_axes(const Part& part) {
   struct Axes {
     Eigen::Matrix3d rows;
-    std::size_t leafs = 1;
-    [[nodiscard]] bool along(const Vec3& normal) const { return (rows * normal).cwiseAbs().maxCoeff() > 1 - 1e-12; }
+    std::size_t leafs;
   };
   std::vector<Axes> known{{Eigen::Matrix3d::Identity(), 0}};
   constexpr std::size_t most = 32;
+  constexpr double nearly = 1e-9;
   const std::function<void(const Part&)> visit = [&](const Part& here) {
     for (const PartPtr& child : here.children) visit(*child);
     if (here.leaf == nullptr) return;
-    const Polyhedron solid = here.leaf->polyhedron();
-    constexpr std::size_t box_faces = 12;
-    if (solid.triangles.size() != box_faces) return;
-    Axes axes{Eigen::Matrix3d::Zero()};
-    for (const Triangle& t : solid.triangles) {
-      const Vec3& a = solid.vertices[t[0]];
-      const Vec3 normal = (solid.vertices[t[1]] - a).cross(solid.vertices[t[2]] - a).normalized();
-      Eigen::Index row = 0;
-      while (row < 3 && !axes.rows.row(row).isZero() && std::abs(axes.rows.row(row).dot(normal)) > 1e-9) ++row;
-      if (row < 3 && axes.rows.row(row).isZero()) axes.rows.row(row) = normal.transpose();
-    }
-    if (std::abs(std::abs(axes.rows.determinant()) - 1) > 1e-9) return;
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Axes& other) {
-      return other.along(axes.rows.row(0).transpose()) && other.along(axes.rows.row(1).transpose());
+    const auto faces = areas_by_normal(here.leaf->polyhedron());
+    if (faces.empty()) return;
+    const Vec3 first = faces.front().first;
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Axes& axes) {
+      return ((axes.rows * first).cwiseAbs().array() > nearly).count() == 1;
     });
-    if (found != known.end())
+    if (found != known.end()) {
       ++found->leafs;
-    else if (known.size() < most)
+    } else if (known.size() < most) {
+      const auto across =
+          std::find_if(faces.begin(), faces.end(), [&](const auto& face) { return std::abs(face.first.dot(first)) < nearly; });
+      const Vec3 second = across != faces.end() ? across->first : Vec3(first.unitOrthogonal());
+      Axes axes{Eigen::Matrix3d::Zero(), 1};
+      axes.rows << first.transpose(), second.transpose(), first.cross(second).transpose();
       known.push_back(axes);
+    }
   };
   visit(part);
-  const Axes& best =
-      *std::max_element(known.begin(), known.end(), [](const Axes& a, const Axes& b) { return a.leafs < b.leafs; });
-  return best.rows.determinant() < 0 ? Eigen::Matrix3d(-best.rows) : best.rows;
+  return std::max_element(known.begin(), known.end(), [](const Axes& a, const Axes& b) { return a.leafs < b.leafs; })->rows;
 }
 
 /// Each face moved out by `growth` mm, as far as its corners can follow: where more than three planes meet, as near as can be.
@@ -170,7 +184,9 @@ std::optional<TriangleMesh> rounded(const Polyhedron& exact) {
 std::optional<TriangleMesh> surface_of(const Part& part, const CornersOf& corners_of, const Eigen::Affine3d& placement,
                                        Progress& progress) {
   try {
-    return rounded(moved(exact_of(part, corners_of, progress).polyhedron(), placement));
+    const ExactSolid solid = exact_of(part, corners_of, progress);
+    if (solid.empty()) return std::nullopt;  // as it is for whoever looks for its bounds
+    return rounded(moved(solid.polyhedron(), placement));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::io) throw;
     return std::nullopt;

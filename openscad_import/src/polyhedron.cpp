@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "surface_field.h"
+
 namespace fieldfab::openscad {
 Box Polyhedron::bounds() const {
   Box box{vertices.front(), vertices.front()};
@@ -192,14 +194,38 @@ Region slice(const Polyhedron& solid) {
 }
 
 Region shadow(const Polyhedron& solid) {
+  // Triangles that look up wind around what they cover; where two of them meet they wind both ways, which cancels out. So the
+  // rims of all of them together wind as often around a place as there are triangles over it.
+  const auto area = [&](const Triangle& t) {
+    const Vec2 a = solid.vertices[t[0]].head<2>(), u = solid.vertices[t[1]].head<2>() - a, v = solid.vertices[t[2]].head<2>() - a;
+    return u.x() * v.y() - u.y() * v.x();
+  };
+  std::multimap<std::uint32_t, std::uint32_t> rims;  // from corner to corner
+  const bool closed = is_closed(solid);
+  for (Triangle t : solid.triangles) {
+    const double up = area(t);
+    if (up == 0 || (closed && up < 0)) continue;
+    if (up < 0) std::swap(t[1], t[2]);  // of an open surface: who knows which side is up
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+      const auto [first, last] = rims.equal_range(to);
+      const auto back = std::find_if(first, last, [&](const auto& edge) { return edge.second == from; });
+      if (back != last)
+        rims.erase(back);
+      else
+        rims.emplace(from, to);
+    }
+  }
   std::vector<Outline> outlines;
-  for (const Triangle& t : solid.triangles) {
+  while (!rims.empty()) {
     Outline outline;
-    for (const std::uint32_t i : t) outline.push_back(solid.vertices[i].head<2>());
-    const Vec2 u = outline[1] - outline[0], v = outline[2] - outline[0];
-    const double area = u.x() * v.y() - u.y() * v.x();
-    if (area < 0) std::swap(outline[1], outline[2]);
-    if (area != 0) outlines.push_back(std::move(outline));
+    for (auto at = rims.begin(); at != rims.end();) {
+      outline.push_back(solid.vertices[at->first].head<2>());
+      const std::uint32_t next = at->second;
+      rims.erase(at);
+      at = rims.find(next);
+    }
+    outlines.push_back(std::move(outline));
   }
   return wound(outlines);
 }

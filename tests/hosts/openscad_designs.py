@@ -85,8 +85,17 @@ def ours(design, output, flat, *options):
     return json.loads(done.stdout), seconds
 
 
-def compare(design, folder, refine=0):
-    """One row: name, volumes, distances in voxels, times. Where the default cells are too coarse it is tried with half of them, `refine` times."""
+def contoured(design, folder):
+    """Options by which a design is contoured although its faces can be had: bounds a little wider than it."""
+    done = subprocess.run([str(c) for c in (COMMAND, "--json", "mesh", design, "-o", folder / "faces.off")], capture_output=True, text=True, timeout=150)
+    assert done.returncode == 0, f"{design}: {done.stderr}"
+    *lower, x, y, z = json.loads(done.stdout)["bounds"]
+    return ["--bounds=" + ",".join(str(v) for v in (*(v - 1 for v in lower), x + 1, y + 1, z + 1))]
+
+
+def compare(design, folder, refine=0, contour=False):
+    """One row: name, volumes, distances in voxels, times; of the exact faces where there are any, unless a contour is wanted. Where the default cells of a
+    contour are too coarse it is tried with half of them, `refine` times."""
     import fieldfab
 
     folder = pathlib.Path(folder)
@@ -96,13 +105,14 @@ def compare(design, folder, refine=0):
         row.update(empty=True, right=subprocess.run([COMMAND, "mesh", design, "-o", folder / "ours.off"], capture_output=True).returncode == 2)
         return row
     wanted, a, voxel = fieldfab.load(reference), read_off(reference), None
+    options = contoured(design, folder) if contour else []
     for attempt in range(refine + 1):
-        summary, seconds = ours(design, folder / "ours.off", flat, *(["--voxel", voxel] if voxel else []))
+        summary, seconds = ours(design, folder / "ours.off", flat, *options, *(["--voxel", voxel] if voxel else []))
         made, b = fieldfab.load(folder / "ours.off"), read_off(folder / "ours.off")
         voxel = summary["voxel"]
         error = volume(*b) / volume(*a) - 1
         distance = max(np.abs(made.values(places_on(*a, 3000, 1))).max(), np.abs(wanted.values(places_on(*b, 3000, 2))).max())
-        row.update(ours=seconds, voxel=voxel, error=error, distance=float(distance) / voxel, triangles=summary["triangles"], halvings=attempt)
+        row.update(ours=seconds, voxel=voxel, error=error, distance=float(distance) / voxel, triangles=summary["triangles"], halvings=attempt, exact=summary["exact"])
         row["right"] = abs(error) < 0.005 and row["distance"] < 1
         if row["right"]:
             break
@@ -169,11 +179,11 @@ def designs():
 
 def line(row):
     if "why" in row:
-        return f"| {row['name']} | {row['why'][:80]} | | | | | **no** |"
+        return f"| {row['name']} | {row['why'][:80]} | | | | | | **no** |"
     if row.get("empty"):
-        return f"| {row['name']} | empty, as OpenSCAD says | | | {row['theirs']:.2f} | | {'yes' if row['right'] else '**no**'} |"
+        return f"| {row['name']} | empty, as OpenSCAD says | | | | {row['theirs']:.2f} | | {'yes' if row['right'] else '**no**'} |"
     return (
-        f"| {row['name']} | {100 * row['error']:+.3f} % | {row['distance']:.2f} | {row['voxel']:.3g}{'*' * row['halvings']} | {row['theirs']:.2f} | {row['ours']:.2f} | "
+        f"| {row['name']} | {100 * row['error']:+.3f} % | {row['distance']:.2f} | {row['voxel']:.3g}{'*' * row['halvings']} | {'faces' if row['exact'] else 'contour'} | {row['theirs']:.2f} | {row['ours']:.2f} | "
         f"{'yes' if row['right'] else '**no**'} |"
     )
 
@@ -181,7 +191,7 @@ def line(row):
 def main(names):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        print("| design | volume off by | farthest, voxels | voxel, mm | OpenSCAD, s | ours, s | right |\n|---|---|---|---|---|---|---|", flush=True)
+        print("| design | volume off by | farthest, voxels | voxel, mm | made of | OpenSCAD, s | ours, s | right |\n|---|---|---|---|---|---|---|---|", flush=True)
         for design in designs() if not names or not names[0].isdigit() else []:
             if names and design.stem not in names:
                 continue

@@ -16,21 +16,43 @@ def run(*arguments, cwd=None, **more):
     return subprocess.run([str(a) for a in (COMMAND, *arguments)], capture_output=True, text=True, timeout=300, cwd=cwd, **more)
 
 
-@pytest.mark.parametrize("name", QUICK)
-def test_examples_are_the_same_solids(name, tmp_path):
+def example(name):
     found = [path for path in openscad_designs.designs() if path.stem == name]
     if not found:
         pytest.skip("../shared is not here")
-    row = openscad_designs.compare(found[0], tmp_path, refine=1)
-    assert row["right"], row
+    return found[0]
 
 
-# Tree 5 is not right yet (NOTES.md); 9 and 13 take minutes.
-@pytest.mark.parametrize("seed", [seed for seed in range(17) if seed not in (5, 9, 13)])
-def test_random_trees_are_the_same_solids(seed, tmp_path):
-    design = tmp_path / "random.scad"
+@pytest.mark.parametrize("name", QUICK)
+def test_examples_are_the_same_solids(name, tmp_path):
+    row = openscad_designs.compare(example(name), tmp_path, refine=1)
+    assert row["right"] and (row.get("exact", True) or name == "minkowski3-difference-test"), row
+
+
+@pytest.mark.parametrize("name", "CSG LetterBlock example002 example004 example007 example008 example009 example012 example013 hull3-tests".split())
+def test_contours_of_examples_are_the_same_solids(name, tmp_path):
+    row = openscad_designs.compare(example(name), tmp_path, refine=1, contour=True)
+    assert row["right"] and not row["exact"], row
+
+
+def random_design(seed, folder):
+    design = folder / "random.scad"
     design.write_text(openscad_designs.random_design(seed))
+    return design
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_random_trees_are_the_same_solids(seed, tmp_path):
+    design = random_design(seed, tmp_path)
     row = openscad_designs.compare(design, tmp_path, refine=2)
+    assert row["right"], (row, design.read_text())
+
+
+# Of 5 the contour is wrong where slivers are thinner than its cells (NOTES.md); 9 and 13 take minutes.
+@pytest.mark.parametrize("seed", [seed for seed in range(12) if seed not in (5, 9, 11)])
+def test_contours_of_random_trees_are_the_same_solids(seed, tmp_path):
+    design = random_design(seed, tmp_path)
+    row = openscad_designs.compare(design, tmp_path, refine=2, contour=True)
     assert row["right"], (row, design.read_text())
 
 
