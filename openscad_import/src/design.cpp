@@ -79,12 +79,18 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
     if (!region.empty()) {
       const Eigen::AlignedBox2d box = region.bounds();
       constexpr double far_away = 1e9;
+      const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
       if (!options.smooth)
-        design.faces = [region](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
+        design.faces = [region, farthest](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
           if (!thickness) return std::nullopt;
-          return faces_of(*part_of(extruded_leaf(separated(region), 0, *thickness, Eigen::Affine3d::Identity())), shown);
+          constexpr double narrow = 8e-6;  // of the farthest coordinate: some last places of single precision
+          for (const Region& shape : {separated(region), without_narrows(region, narrow * farthest)}) {
+            const PartPtr plate = part_of(extruded_leaf(shape, 0, *thickness, Eigen::Affine3d::Identity()));
+            if (auto faces = faces_of(*plate, shown)) return faces;
+          }
+          return std::nullopt;
         };
-      const double growth = loss * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+      const double growth = loss * farthest;
       Making making{growth, growth, options.formulas_only, &progress};
       if (options.formulas_only)
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);

@@ -8,6 +8,7 @@
 #include "exact_solid.h"
 #include "fieldfab/core/error.h"
 #include "leaf.h"
+#include "surface_field.h"
 
 namespace fieldfab::openscad {
 namespace {
@@ -48,22 +49,27 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   for (std::size_t i = 0; i < convex.triangles.size(); ++i)
     for (std::size_t j = 0; j < 3; ++j) triangle_at[{convex.triangles[i][j], convex.triangles[i][(j + 1) % 3]}] = i;
   Polyhedron result{convex.vertices, {}};
-  std::vector<bool> done(convex.triangles.size());
+  constexpr std::size_t none = -1;
+  std::vector<std::size_t> face_of(convex.triangles.size(), none);  // the first triangle of the face that each belongs to
   for (std::size_t start = 0; start < convex.triangles.size(); ++start) {
-    if (done[start]) continue;
+    if (face_of[start] != none) continue;
     const Vec3 normal = normal_of(convex.triangles[start]);
     std::vector<std::size_t> face{start};
     std::map<std::uint32_t, std::uint32_t> rim;  // from corner to corner
-    done[start] = true;
+    std::size_t edges = 0;
+    face_of[start] = start;
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Triangle& t = convex.triangles[face[i]];
       for (std::size_t j = 0; j < 3; ++j) {
         const auto beyond = triangle_at.find({t[(j + 1) % 3], t[j]});
-        const bool same = beyond != triangle_at.end() && (normal_of(convex.triangles[beyond->second]) - normal).norm() < 1e-9;
-        if (!same)
+        if (beyond != triangle_at.end() && face_of[beyond->second] == none &&
+            (normal_of(convex.triangles[beyond->second]) - normal).norm() < 1e-9) {
+          face_of[beyond->second] = start;
+          face.push_back(beyond->second);
+        } else if (beyond == triangle_at.end() || face_of[beyond->second] != start) {
           rim[t[j]] = t[(j + 1) % 3];
-        else if (!done[beyond->second])
-          done[beyond->second] = true, face.push_back(beyond->second);
+          ++edges;
+        }
       }
     }
     std::vector<std::uint32_t> corners;
@@ -72,7 +78,7 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
       at = rim.find(at->second);
       if (at == rim.begin()) break;
     }
-    if (corners.size() != rim.size()) {  // not one loop: left as it is
+    if (corners.size() != edges) {  // not one loop: left as it is
       for (const std::size_t i : face) result.triangles.push_back(convex.triangles[i]);
       continue;
     }
@@ -85,7 +91,7 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
     };
     divide(0, corners.size() - 1);
   }
-  return result;
+  return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
 }
 
 /// The normals of a solid's faces with the area of each; of a round one's many.

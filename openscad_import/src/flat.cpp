@@ -209,10 +209,12 @@ constexpr double little = 4 * sliver / units_a_mm;  // mm
 
 }  // namespace
 
-Region tidied(const Region& region) {
-  if (!has_point_twice(region)) return region;
-  return offset(offset(offset(region, little, Corner::mitre, 4), -2 * little, Corner::mitre, 4), little, Corner::mitre, 4);
+Region without_narrows(const Region& region, double width) {
+  const double half = width / 2;
+  return offset(offset(offset(region, half, Corner::mitre, 4), -2 * half, Corner::mitre, 4), half, Corner::mitre, 4);
 }
+
+Region tidied(const Region& region) { return has_point_twice(region) ? without_narrows(region, 2 * little) : region; }
 
 Region separated(const Region& region) { return has_point_twice(region) ? offset(region, -little, Corner::mitre, 4) : region; }
 

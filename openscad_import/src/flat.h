@@ -48,6 +48,8 @@ Region hull_of(const std::vector<Region>& all);
 /// Moved; a map that mirrors keeps outlines the right way round. One that is not invertible gives an empty region.
 Region moved(const Region& region, const Eigen::Affine2d& placement);
 
+/// The same with gaps narrower than `width` mm closed, and strips narrower than that gone.
+Region without_narrows(const Region& region, double width);
 /// The same without slits and spikes that have no width: the union of many shadows has some, and their sides cannot be told.
 Region tidied(const Region& region);
 /// The same where no point is on the rim twice; else so little smaller that what touched lies apart.
