@@ -103,6 +103,34 @@ void require_little_work(const Mesh& a, const Mesh& b) {
   });
 }
 
+/// How far a triangle's corner is from its longest edge, which begins at the first corner.
+double height(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).norm() / (b - a).norm(); }
+
+/// Where a corner of a triangle all but lies on the edge opposite: the triangle beyond that edge is divided there instead, if
+/// both halves look where it does and neither is as narrow.
+bool turn_longest_edge(QuickMesh& mesh, QuickMesh::Face_index face, double narrowest) {
+  auto longest = mesh.halfedge(face);
+  const auto length = [&](QuickMesh::Halfedge_index half) {
+    return CGAL::squared_distance(mesh.point(mesh.source(half)), mesh.point(mesh.target(half)));
+  };
+  for (const auto half : mesh.halfedges_around_face(mesh.halfedge(face)))
+    if (length(half) > length(longest)) longest = half;
+  const auto opposite = mesh.opposite(longest);
+  const auto corner = mesh.target(mesh.next(longest)), beyond = mesh.target(mesh.next(opposite));
+  const Vec3 a = rounded(mesh.point(mesh.source(longest))), b = rounded(mesh.point(mesh.target(longest))),
+             c = rounded(mesh.point(corner)), d = rounded(mesh.point(beyond));
+  const double narrow = height(a, b, c);
+  if (!(narrow < narrowest) || mesh.halfedge(corner, beyond).is_valid()) return false;
+  const Vec3 there = (a - b).cross(d - b), one = (d - c).cross(b - c), other = (c - d).cross(a - d);
+  if (!(one.dot(there) > 0 && other.dot(there) > 0)) return false;
+  const auto least = [](const Vec3& area, const Vec3& p, const Vec3& q, const Vec3& r) {
+    return area.norm() / std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+  };
+  if (!(std::min(least(one, c, d, b), least(other, d, c, a)) > narrow)) return false;
+  CGAL::Euler::flip_edge(longest, mesh);
+  return true;
+}
+
 }  // namespace
 
 struct ExactSolid::Surface {
@@ -159,7 +187,7 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     return result.number_of_faces() == 0 ? ExactSolid() : ExactSolid(std::make_shared<Surface>(std::move(result)));
   } catch (const pmp::Corefinement::Self_intersection_exception&) {
     throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses itself");
-  } catch (const CGAL::Failure_exception&) {
+  } catch (const std::logic_error&) {  // CGAL's own failures are such
     throw Error(ErrorKind::bad_input, "polyhedron", "its faces could not be joined");
   }
 }
@@ -178,7 +206,7 @@ ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress&
   return std::move(solids.front());
 }
 
-Polyhedron without_slivers(const Polyhedron& surface, double shortest) {
+Polyhedron without_slivers(const Polyhedron& surface, double narrowest) {
   QuickMesh mesh;
   if (!to_quick(surface, mesh)) return surface;
   const std::vector<QuickMesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
@@ -186,8 +214,14 @@ Polyhedron without_slivers(const Polyhedron& surface, double shortest) {
     if (mesh.is_removed(edge)) continue;
     const auto half = mesh.halfedge(edge);
     const double square = CGAL::squared_distance(mesh.point(mesh.source(half)), mesh.point(mesh.target(half)));
-    if (square < shortest * shortest && CGAL::Euler::does_satisfy_link_condition(edge, mesh))
+    if (square < narrowest * narrowest && CGAL::Euler::does_satisfy_link_condition(edge, mesh))
       CGAL::Euler::collapse_edge(edge, mesh);
+  }
+  constexpr int rounds = 4;
+  bool turned = true;
+  for (int round = 0; round < rounds && turned; ++round) {
+    turned = false;
+    for (const auto face : mesh.faces()) turned = turn_longest_edge(mesh, face, narrowest) || turned;
   }
   pmp::remove_degenerate_faces(mesh);
   mesh.collect_garbage();

@@ -33,9 +33,9 @@ class ExactSolid {
 /// What many make together. Throws as combined() does, and cancelled.
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress);
 
-/// A surface without edges shorter than `shortest` mm, and without faces that have no area: corners are joined and edges turned
-/// as far as the surface stays one.
-Polyhedron without_slivers(const Polyhedron& surface, double shortest);
+/// A surface without edges shorter than `narrowest` mm, and without triangles narrower than that: corners are joined and edges
+/// turned as far as the surface stays one.
+Polyhedron without_slivers(const Polyhedron& surface, double narrowest);
 
 /// Whether it is the surface of a solid: closed, facing out, not crossing itself, without faces that have no area.
 bool bounds_a_solid(const Polyhedron& surface);

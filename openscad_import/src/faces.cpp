@@ -180,11 +180,13 @@ Polyhedron settled(Polyhedron solid, double farthest) {
 
 /// With corners in single precision; nothing where the surface is no longer valid.
 std::optional<TriangleMesh> rounded(const Polyhedron& exact) {
-  const Polyhedron surface = welded(to_polyhedron(to_mesh(exact)));
-  if (bounds_a_solid(surface)) return to_mesh(surface);
-  const Polyhedron mended = without_slivers(surface, 1e-6 * surface.bounds().diagonal());
-  if (bounds_a_solid(mended)) return to_mesh(mended);
-  return std::nullopt;
+  const auto if_valid = [](const Polyhedron& surface) -> std::optional<TriangleMesh> {
+    const TriangleMesh mesh = to_mesh(welded(to_polyhedron(to_mesh(surface))));
+    return bounds_a_solid(to_polyhedron(mesh)) ? std::optional(mesh) : std::nullopt;
+  };
+  constexpr double narrowest = 1e-6;  // of the size: less may be turned over by rounding
+  if (auto mesh = if_valid(exact)) return mesh;
+  return if_valid(without_slivers(exact, narrowest * exact.bounds().diagonal()));
 }
 
 std::optional<TriangleMesh> surface_of(const Part& part, const CornersOf& corners_of, const Eigen::Affine3d& placement,
@@ -215,8 +217,8 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   Eigen::Affine3d turn = Eigen::Affine3d::Identity();
   turn.linear() = best_axes(part);
   const auto as_drawn = [&](const Leaf& leaf, int) {
-    const Polyhedron solid = leaf.polyhedron();
-    return settled(moved(leaf.convex() ? divided_evenly(solid) : solid, turn), farthest);
+    const Polyhedron solid = settled(moved(leaf.polyhedron(), turn), farthest);
+    return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;
   };
   if (auto surface = surface_of(part, as_drawn, turn.inverse(), progress)) return surface;
   // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
