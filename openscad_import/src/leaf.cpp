@@ -362,7 +362,7 @@ LeafPtr convex_leaf(Polyhedron solid) {
 LeafPtr mesh_leaf(Polyhedron solid) {
   if (solid.empty()) return nullptr;
   constexpr std::size_t many = 2000;  // triangles; more are seldom convex, and are asked faster as a mesh
-  if (solid.triangles.size() < many && is_convex(solid)) return convex_leaf(std::move(solid));
+  if (solid.triangles.size() < many && is_closed(solid) && is_convex(solid)) return convex_leaf(std::move(solid));
   return std::make_shared<Mesh>(std::move(solid), 0);
 }
 LeafPtr rounded_leaf(Polyhedron solid, double radius) {
