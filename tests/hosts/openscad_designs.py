@@ -65,7 +65,8 @@ def theirs(design, output):
 
     done, seconds = run(design)
     if "not a 3D object" not in done.stderr:
-        return (None, seconds, False) if done.returncode else (output, seconds, False)
+        empty = done.returncode != 0 or len(read_off(output)[1]) == 0  # OpenSCAD writes a file of nothing, too
+        return None if empty else output, seconds, False
     csg = output.with_suffix(".csg")
     subprocess.run(["openscad", "-o", str(csg), str(design)], capture_output=True, check=True, timeout=600)
     text = re.sub(r'file = "', f'file = "{design.parent}/', csg.read_text())
