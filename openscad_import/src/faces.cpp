@@ -230,7 +230,10 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
     number = (number + 5) % amounts;
     return grown(as_drawn(leaf, taken), (1 + number + amounts * taken) * step);
   };
-  return surface_of(part, set_apart, turn.inverse(), progress);
+  auto surface = surface_of(part, set_apart, turn.inverse(), progress);
+  // What is no thicker than solids were grown is not there: they touched.
+  if (surface && surface->volume() < 2 * amounts * step * surface->area()) surface.reset();
+  return surface;
 }
 
 }  // namespace fieldfab::openscad

@@ -87,6 +87,7 @@ TEST(CsgFaces, AreFewAndHaveTheCornersOfTheDesign) {
 TEST(CsgFaces, AreNotHadOfWhatIsRoundOrEmptyOrOpen) {
   EXPECT_EQ(design("sphere(r = 3);", true).faces, nullptr);
   EXPECT_EQ(faces("intersection() { " + block + moved(9, 0, 0, block) + " }"), std::nullopt);
+  EXPECT_EQ(faces("intersection() { " + block + turned(moved(-4, -4, -4, block)) + " }"), std::nullopt);  // a corner in common
   EXPECT_EQ(faces("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);"), std::nullopt);
   EXPECT_EQ(faces("square(size = 2);"), std::nullopt);
   EXPECT_EQ(faces(block, 2.0), std::nullopt);
