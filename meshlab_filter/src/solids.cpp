@@ -53,18 +53,24 @@ double area_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t) 
   return 0.5 * (place(mesh, t[1]) - a).cross(place(mesh, t[2]) - a).norm();
 }
 
-/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise. In what is
-/// only a few voxels thick they take too long to find.
-bool worth_sharpening(const TriangleMesh& mesh, double voxel) {
+/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise.
+bool is_drawn(const TriangleMesh& mesh, const Fineness& fineness) {
+  if (fineness.edges == Fineness::Edges::rounded) return false;
   double all = 0, large = 0;
   for (const auto& t : mesh.triangles) {
     const double area = area_of(mesh, t);
     all += area;
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (place(mesh, t[i]) - place(mesh, t[(i + 1) % 3])).norm());
-    if (longest > 4 * voxel) large += area;
+    if (longest > 4 * fineness.voxel) large += area;
   }
-  return large > 0.8 * all && 2 * std::abs(mesh.volume()) > 8 * voxel * all;
+  return large > 0.8 * all;
+}
+
+/// Whether edges are looked for: in what is only a few voxels thick they take too long to find.
+bool is_sharpened(const TriangleMesh& mesh, const Fineness& fineness) {
+  return fineness.edges == Fineness::Edges::kept ||
+         (is_drawn(mesh, fineness) && 2 * std::abs(mesh.volume()) > 8 * fineness.voxel * mesh.area());
 }
 
 /// The lattice's distances as a Field; what is beyond its samples is outside.
@@ -122,13 +128,27 @@ FieldPtr with_distances(const FieldPtr& field, const Box& bounds, double reach, 
   return distances(field, bounds.grown(reach + 2 * voxel), {reach + 2 * voxel, voxel}, progress);
 }
 
+std::optional<ExactSolid> exact_solid_of(const Layer& layer, const Fineness& fineness, std::vector<std::string>& log,
+                                         Progress& progress) {
+  constexpr std::size_t most = 50'000;  // triangles
+  if (layer.mesh.triangles.size() > most) return std::nullopt;
+  std::vector<std::string> said;
+  const TriangleMesh mesh = usable_triangles(layer, said);
+  if (!is_drawn(mesh, fineness)) return std::nullopt;
+  require(surface_cost(mesh.area(), fineness.voxel), fineness.voxel, 2);
+  auto exact = fieldfab::exact_solid_of(mesh, progress);
+  if (!exact) return std::nullopt;
+  said.push_back(fmt::format("layer '{}' is a drawn part: its faces stay as they are, exactly", layer.name));
+  log.insert(log.end(), said.begin(), said.end());
+  return exact;
+}
+
 Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress) {
   progress.report(0, "reading the layer");
   TriangleMesh mesh = usable_triangles(layer, log);
   const double voxel = fineness.voxel;
   const Box tight = mesh.bounds();
-  bool sharp =
-      fineness.edges == Fineness::Edges::kept || (fineness.edges == Fineness::Edges::automatic && worth_sharpening(mesh, voxel));
+  bool sharp = is_sharpened(mesh, fineness);
   require(sharp ? surface_cost(mesh.area(), voxel) : lattice_cost(tight.grown(3 * voxel), voxel), voxel, sharp ? 2 : 3);
 
   if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {
@@ -167,6 +187,12 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   FieldPtr field = sampled(mesh, lattice, lattice_cost(lattice, voxel / 2) <= cheap ? voxel / 2 : voxel, progress);
   if (reach > 0) field = with_distances(field, tight, reach, voxel, progress);
   return {field, tight.grown(reach + 2 * voxel), false};
+}
+
+std::optional<Layer> layer_of(const ExactSolid& solid, std::string name) {
+  auto mesh = solid.empty() ? std::nullopt : in_single_precision(solid.polyhedron());
+  if (!mesh) return std::nullopt;
+  return Layer{std::move(name), std::move(*mesh)};
 }
 
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,

@@ -1,10 +1,12 @@
 /// From layers to Fields and back: what all filters share.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fieldfab/field/field.h"
+#include "fieldfab/mesh/exact_solid.h"
 #include "filter.h"
 
 namespace fieldfab::meshlab {
@@ -47,8 +49,16 @@ TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log)
 /// cancelled.
 Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress);
 
+/// The layer as an exact solid: where it is a drawn part, of triangles larger than a few voxels, and closed, and its edges are
+/// not to be rounded. Throws bad_input, too_large, cancelled.
+std::optional<ExactSolid> exact_solid_of(const Layer& layer, const Fineness& fineness, std::vector<std::string>& log,
+                                         Progress& progress);
+
 /// The same solid with distances within `reach` mm, whatever its values were.
 FieldPtr with_distances(const FieldPtr& field, const Box& bounds, double reach, double voxel, Progress& progress);
+
+/// An exact solid as a new layer; nothing where single precision cannot hold it.
+std::optional<Layer> layer_of(const ExactSolid& solid, std::string name);
 
 /// The solid's surface as a new layer: closed, manifold, without self-intersections. Throws bad_input for nothing, too_large,
 /// cancelled.

@@ -5,8 +5,8 @@
 #include <functional>
 #include <map>
 
-#include "exact_solid.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/mesh/exact_solid.h"
 #include "leaf.h"
 #include "surface_field.h"
 
@@ -178,23 +178,12 @@ Polyhedron settled(Polyhedron solid, double farthest) {
   return welded(solid);
 }
 
-/// With corners in single precision; nothing where the surface is no longer valid.
-std::optional<TriangleMesh> rounded(const Polyhedron& exact) {
-  const auto if_valid = [](const Polyhedron& surface) -> std::optional<TriangleMesh> {
-    const TriangleMesh mesh = to_mesh(welded(to_polyhedron(to_mesh(surface))));
-    return bounds_a_solid(to_polyhedron(mesh)) ? std::optional(mesh) : std::nullopt;
-  };
-  constexpr double narrowest = 1e-6;  // of the size: less may be turned over by rounding
-  if (auto mesh = if_valid(exact)) return mesh;
-  return if_valid(without_slivers(exact, narrowest * exact.bounds().diagonal()));
-}
-
 std::optional<TriangleMesh> surface_of(const Part& part, const CornersOf& corners_of, const Eigen::Affine3d& placement,
                                        Progress& progress) {
   try {
     const ExactSolid solid = exact_of(part, corners_of, progress);
     if (solid.empty()) return std::nullopt;  // as it is for whoever looks for its bounds
-    return rounded(moved(solid.polyhedron(), placement));
+    return in_single_precision(moved(solid.polyhedron(), placement));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::io) throw;
     return std::nullopt;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exact_solid.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
+#include "fieldfab/mesh/exact_solid.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "surface_field.h"
 

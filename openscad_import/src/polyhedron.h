@@ -1,46 +1,22 @@
-/// Solids by their corners and triangles.
+/// Polyhedra made of points and outlines.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "fieldfab/core/geometry.h"
-#include "fieldfab/core/progress.h"
-#include "fieldfab/mesh/triangle_mesh.h"
+#include "fieldfab/mesh/polyhedron.h"
 #include "flat.h"
 
 namespace fieldfab::openscad {
 
-using Triangle = std::array<std::uint32_t, 3>;
-
-/// Corners in mm and triangles, anticlockwise seen from outside; closed, unless it comes from a file or a polyhedron() that is
-/// not.
-struct Polyhedron {
-  std::vector<Vec3> vertices;
-  std::vector<Triangle> triangles;
-
-  [[nodiscard]] bool empty() const { return triangles.empty(); }
-  [[nodiscard]] Box bounds() const;  ///< of all vertices; only where there are some
-  void add(const Polyhedron& other);
-};
+using Triangle = Polyhedron::Triangle;
 
 /// normal * p <= offset; the normal has length 1.
 struct Plane {
   Vec3 normal;
   double offset;
 };
-
-Polyhedron moved(const Polyhedron& solid, const Eigen::Affine3d& placement);
-
-/// Joins corners at the same place and drops triangles that have no three of them.
-Polyhedron welded(const Polyhedron& solid);
-
-/// In single precision, for mesh_field() and files.
-TriangleMesh to_mesh(const Polyhedron& solid);
-Polyhedron to_polyhedron(const TriangleMesh& mesh);
 
 /// The convex hull; empty where the points lie in a plane.
 Polyhedron convex_hull(std::span<const Vec3> points);

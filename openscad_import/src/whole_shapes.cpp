@@ -54,7 +54,7 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
     if (ball.kind != Part::Kind::leaf) continue;
     if (const auto round = ball.leaf->ball())
       return part_of(rounded_leaf(
-          openscad::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))), round->radius));
+          fieldfab::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))), round->radius));
   }
   bool one_convex = true, two_convex = true;
   std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_), second = pieces_of(*two, two_convex, progress_);
@@ -63,7 +63,7 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
   // What is not convex is its surface, triangle by triangle, and itself moved to one point of the other.
   const auto open = [&](std::vector<Polyhedron>& pieces, const PartPtr& part, const Polyhedron& other) {
     const Polyhedron whole = polyhedron_of(*part, progress_);
-    parts.push_back(part_of(mesh_leaf(openscad::moved(whole, Eigen::Affine3d(Eigen::Translation3d(other.vertices.front()))))));
+    parts.push_back(part_of(mesh_leaf(fieldfab::moved(whole, Eigen::Affine3d(Eigen::Translation3d(other.vertices.front()))))));
     pieces = triangles_of(whole);
   };
   const Polyhedron one_piece = first.front(), other_piece = second.front();

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/core/together.h"
 
 namespace fieldfab {
 namespace {
@@ -50,20 +50,6 @@ std::vector<Rim> rims_of(const TriangleMesh& mesh) {
   }
   return rims;
 }
-
-/// Which vertices hang together, by the edges that were told.
-class Together {
- public:
-  explicit Together(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-  std::uint32_t of(std::uint32_t v) {
-    while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-    return v;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[std::max(of(a), of(b))] = std::min(of(a), of(b)); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   // The plane's foot if it lies within the triangle, else the nearest of the three edges.

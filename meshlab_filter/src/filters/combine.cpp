@@ -30,8 +30,32 @@ FieldPtr joined(int operation, const FieldPtr& a, const FieldPtr& b, double radi
   };
   if (operation == 0) return join(a, b);
   if (operation == 1) return complement(join(complement(a), complement(b)));
-  if (operation == 2) return complement(join(complement(a), b));
-  throw Error(ErrorKind::bad_input, "Operation", fmt::format("is 0, 1 or 2, not {}", operation));
+  return complement(join(complement(a), b));
+}
+
+/// What two drawn parts make, exactly; nothing where one is not drawn, or the result not the surface of a solid.
+std::optional<Layer> exactly_joined(const Layer& first, const Layer& second, int operation, const Fineness& fineness,
+                                    const std::string& name, std::vector<std::string>& log, Progress& progress) {
+  std::vector<std::string> said;
+  const auto a = exact_solid_of(first, fineness, said, progress);
+  const auto b = a ? exact_solid_of(second, fineness, said, progress) : std::nullopt;
+  if (!b) return std::nullopt;
+  constexpr Operation operations[] = {Operation::unite, Operation::intersect, Operation::subtract};
+  try {
+    auto layer = layer_of(combined(*a, *b, operations[operation]), name);
+    if (layer) log.insert(log.end(), said.begin(), said.end());
+    return layer;
+  } catch (const Error&) {  // faces that only touch, or too many that do
+    return std::nullopt;
+  }
+}
+
+Layer joined_as_fields(const Layer& first, const Layer& second, int operation, double radius, const Fineness& fineness,
+                       const std::string& name, std::vector<std::string>& log, Progress& progress) {
+  const Solid a = solid_of(first, fineness, radius, log, progress), b = solid_of(second, fineness, radius, log, progress);
+  const FieldPtr both = joined(operation, a.field, b.field, radius);
+  const Box bounds = operation == 2 ? a.bounds : hull(a.bounds, b.bounds);
+  return layer_of(both, bounds, fineness, a.sharp || b.sharp, name, progress);
 }
 
 Result run(const Values& values, Progress& progress) {
@@ -39,14 +63,13 @@ Result run(const Values& values, Progress& progress) {
   const Fineness fineness = fineness_of(values);
   const double radius = values.not_negative("Radius");
   const int operation = values.whole("Operation");
+  if (operation < 0 || operation > 2)
+    throw Error(ErrorKind::bad_input, "Operation", fmt::format("is 0, 1 or 2, not {}", operation));
   const Layer &first = values.layer("First"), &second = values.layer("Second");
-  const Solid a = solid_of(first, fineness, radius, result.log, progress),
-              b = solid_of(second, fineness, radius, result.log, progress);
   constexpr const char* words[] = {"with", "and", "without"};
-  const FieldPtr both = joined(operation, a.field, b.field, radius);
-  const Box bounds = operation == 2 ? a.bounds : hull(a.bounds, b.bounds);
-  result.layer = layer_of(both, bounds, fineness, a.sharp || b.sharp,
-                          fmt::format("{} {} {}", first.name, words[operation], second.name), progress);
+  const std::string name = fmt::format("{} {} {}", first.name, words[operation], second.name);
+  if (radius == 0) result.layer = exactly_joined(first, second, operation, fineness, name, result.log, progress);
+  if (!result.layer) result.layer = joined_as_fields(first, second, operation, radius, fineness, name, result.log, progress);
   const TriangleMesh& mesh = result.layer->mesh;
   result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
   return result;

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/together.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -37,17 +37,11 @@ std::vector<Parameter> parameters(const Document& document) {
 
 /// The vertices of each piece of a mesh.
 std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 1; i < 3; ++i) parent[std::max(root(t[0]), root(t[i]))] = std::min(root(t[0]), root(t[i]));
+  Together together(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) together.join(t[0], t[1]), together.join(t[0], t[2]);
   std::map<std::uint32_t, std::vector<Vec3>> pieces;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-    pieces[root(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
+    pieces[together.of(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
   std::vector<std::vector<Vec3>> list;
   for (auto& [name, vertices] : pieces) list.push_back(std::move(vertices));
   return list;

@@ -18,12 +18,9 @@ std::vector<Parameter> parameters(const Document& document) {
   return rows;
 }
 
-Result run(const Values& values, Progress& progress) {
-  Result result;
-  const Fineness fineness = fineness_of(values);
-  const double gap = values.not_negative("GapWidth");
-  const Layer& layer = values.layer();
-  const Solid solid = solid_of(layer, fineness, 0, result.log, progress);
+Layer through_a_field(const Layer& layer, const Fineness& fineness, double gap, std::vector<std::string>& log,
+                      Progress& progress) {
+  const Solid solid = solid_of(layer, fineness, 0, log, progress);
   FieldPtr field = solid.field;
   Box bounds = solid.bounds;
   if (gap > 0) {  // grown by half of the gap and shrunk again; what was there stays as it is
@@ -31,7 +28,18 @@ Result run(const Values& values, Progress& progress) {
     const FieldPtr grown = offset(with_distances(field, bounds, gap, fineness.voxel, progress), gap / 2);
     field = unite(field, offset(with_distances(grown, bounds, gap, fineness.voxel, progress), -gap / 2));
   }
-  result.layer = layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", progress);
+  return layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", progress);
+}
+
+Result run(const Values& values, Progress& progress) {
+  Result result;
+  const Fineness fineness = fineness_of(values);
+  const double gap = values.not_negative("GapWidth");
+  const Layer& layer = values.layer();
+  if (gap == 0)
+    if (const auto exact = exact_solid_of(layer, fineness, result.log, progress))
+      result.layer = layer_of(*exact, layer.name + " remeshed");
+  if (!result.layer) result.layer = through_a_field(layer, fineness, gap, result.log, progress);
   const TriangleMesh& mesh = result.layer->mesh;
   result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
   return result;

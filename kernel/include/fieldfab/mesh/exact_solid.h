@@ -2,10 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
-#include "polyhedron.h"
+#include "fieldfab/core/progress.h"
+#include "fieldfab/mesh/polyhedron.h"
 
-namespace fieldfab::openscad {
+namespace fieldfab {
 
 enum class Operation { unite, intersect, subtract };
 
@@ -33,11 +36,16 @@ class ExactSolid {
 /// What many make together. Throws as combined() does, and cancelled.
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress);
 
-/// A surface without edges shorter than `narrowest` mm, and without triangles narrower than that: corners are joined and edges
-/// turned as far as the surface stays one.
-Polyhedron without_slivers(const Polyhedron& surface, double narrowest);
+/// What a mesh winds around, where that can be had exactly: its pieces are closed, do not cross themselves (each other they may),
+/// and face outward, or all inward, or inward within those that face outward. Nothing where it is not so, or takes long. Throws
+/// cancelled.
+std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& progress = Progress::none());
+
+/// The surface in single precision, as files and TriangleMesh have it; nothing where that is no longer the surface of a solid,
+/// also not without its slivers.
+std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface);
 
 /// Whether it is the surface of a solid: closed, facing out, not crossing itself, without faces that have no area.
 bool bounds_a_solid(const Polyhedron& surface);
 
-}  // namespace fieldfab::openscad
+}  // namespace fieldfab

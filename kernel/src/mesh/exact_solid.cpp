@@ -1,4 +1,4 @@
-#include "exact_solid.h"
+#include "fieldfab/mesh/exact_solid.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -18,10 +18,11 @@
 
 #include "fieldfab/core/error.h"
 
-namespace fieldfab::openscad {
+namespace fieldfab {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
+using Triangle = Polyhedron::Triangle;
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
@@ -131,6 +132,30 @@ bool turn_longest_edge(QuickMesh& mesh, QuickMesh::Face_index face, double narro
   return true;
 }
 
+/// A surface without edges shorter than `narrowest` mm, and without triangles narrower than that: corners are joined and edges
+/// turned as far as the surface stays one.
+Polyhedron without_slivers(const Polyhedron& surface, double narrowest) {
+  QuickMesh mesh;
+  if (!to_quick(surface, mesh)) return surface;
+  const std::vector<QuickMesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
+  for (const auto edge : edges) {
+    if (mesh.is_removed(edge)) continue;
+    const auto half = mesh.halfedge(edge);
+    const double square = CGAL::squared_distance(mesh.point(mesh.source(half)), mesh.point(mesh.target(half)));
+    if (square < narrowest * narrowest && CGAL::Euler::does_satisfy_link_condition(edge, mesh))
+      CGAL::Euler::collapse_edge(edge, mesh);
+  }
+  constexpr int rounds = 4;
+  bool turned = true;
+  for (int round = 0; round < rounds && turned; ++round) {
+    turned = false;
+    for (const auto face : mesh.faces()) turned = turn_longest_edge(mesh, face, narrowest) || turned;
+  }
+  pmp::remove_degenerate_faces(mesh);
+  mesh.collect_garbage();
+  return corners_of(mesh);
+}
+
 }  // namespace
 
 struct ExactSolid::Surface {
@@ -206,32 +231,20 @@ ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress&
   return std::move(solids.front());
 }
 
-Polyhedron without_slivers(const Polyhedron& surface, double narrowest) {
-  QuickMesh mesh;
-  if (!to_quick(surface, mesh)) return surface;
-  const std::vector<QuickMesh::Edge_index> edges(mesh.edges().begin(), mesh.edges().end());
-  for (const auto edge : edges) {
-    if (mesh.is_removed(edge)) continue;
-    const auto half = mesh.halfedge(edge);
-    const double square = CGAL::squared_distance(mesh.point(mesh.source(half)), mesh.point(mesh.target(half)));
-    if (square < narrowest * narrowest && CGAL::Euler::does_satisfy_link_condition(edge, mesh))
-      CGAL::Euler::collapse_edge(edge, mesh);
-  }
-  constexpr int rounds = 4;
-  bool turned = true;
-  for (int round = 0; round < rounds && turned; ++round) {
-    turned = false;
-    for (const auto face : mesh.faces()) turned = turn_longest_edge(mesh, face, narrowest) || turned;
-  }
-  pmp::remove_degenerate_faces(mesh);
-  mesh.collect_garbage();
-  return corners_of(mesh);
-}
-
 bool bounds_a_solid(const Polyhedron& surface) {
   QuickMesh mesh;
   return to_quick(surface, mesh) && CGAL::is_closed(mesh) && !pmp::does_self_intersect(mesh) && pmp::is_outward_oriented(mesh) &&
          pmp::does_bound_a_volume(mesh);
 }
 
-}  // namespace fieldfab::openscad
+std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface) {
+  const auto if_valid = [](const Polyhedron& candidate) -> std::optional<TriangleMesh> {
+    const TriangleMesh mesh = to_mesh(welded(to_polyhedron(to_mesh(candidate))));
+    return bounds_a_solid(to_polyhedron(mesh)) ? std::optional(mesh) : std::nullopt;
+  };
+  constexpr double narrowest = 1e-6;  // of the size: less may be turned over by rounding
+  if (auto mesh = if_valid(surface)) return mesh;
+  return if_valid(without_slivers(surface, narrowest * surface.bounds().diagonal()));
+}
+
+}  // namespace fieldfab
