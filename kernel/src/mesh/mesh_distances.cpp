@@ -12,6 +12,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/core/together.h"
+#include "triangle_tree.h"
 
 namespace fieldfab {
 namespace {
@@ -49,21 +50,6 @@ std::vector<Rim> rims_of(const TriangleMesh& mesh) {
     if (balance < 0) rims.push_back({high, low, -balance});
   }
   return rims;
-}
-
-double squared_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // The plane's foot if it lies within the triangle, else the nearest of the three edges.
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double bb = ab.squaredNorm(), cc = ac.squaredNorm(), bc = ab.dot(ac), pb = ap.dot(ab), pc = ap.dot(ac);
-  const double determinant = bb * cc - bc * bc, u = cc * pb - bc * pc, v = bb * pc - bc * pb;
-  if (determinant > 0 && u >= 0 && v >= 0 && u + v <= determinant)
-    return (ap - (u / determinant) * ab - (v / determinant) * ac).squaredNorm();
-  const auto to_edge = [&](const Vec3& from, const Vec3& way) {
-    const double length = way.squaredNorm();
-    const double t = length > 0 ? std::clamp((p - from).dot(way) / length, 0.0, 1.0) : 0.0;
-    return (p - from - t * way).squaredNorm();
-  };
-  return std::min({to_edge(a, ab), to_edge(a, ac), to_edge(b, c - b)});
 }
 
 class Lattice {
@@ -153,7 +139,7 @@ class Lattice {
         for (i[R] = from; i[R] <= to; ++i[R]) {
           p[row] = at(row, i[R]);
           float& square = square_[index(i[0], i[1], i[2])];
-          square = std::min(square, static_cast<float>(squared_distance(p, a, b, c)));
+          square = std::min(square, static_cast<float>((nearest_place(p, a, b, c) - p).squaredNorm()));
         }
       }
   }
@@ -182,14 +168,11 @@ class Lattice {
     for (const std::uint32_t t : triangles) {
       const auto& v = mesh_.triangles[t];
       const Vec3 a = place(mesh_.vertices[v[0]]), b = place(mesh_.vertices[v[1]]), c = place(mesh_.vertices[v[2]]);
-      const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});
-      const Vec3 cross = (b - a).cross(c - a);
       for (int i = first_from(0, std::min({a.x(), b.x(), c.x()})); i <= last_to(0, std::max({a.x(), b.x(), c.x()})); ++i) {
         const double x = at(0, i);
         const int turn = passes(a, b, x, y) + passes(b, c, x, y) + passes(c, a, x, y);
         if (turn == 0) continue;
-        const double plane = a.z() - (cross.x() * (x - a.x()) + cross.y() * (y - a.y())) / cross.z();
-        const double z = plane >= low ? std::min(plane, high) : low;  // low also for NaN, of triangles that stand upright
+        const double z = height_at(a, b, c, x, y);
         turns[static_cast<std::size_t>(first_from(2, z)) * width + static_cast<std::size_t>(i)] += turn;
       }
     }
@@ -200,17 +183,6 @@ class Lattice {
         float& value = square_[index(static_cast<int>(i), j, static_cast<int>(k))];
         value = std::copysign(std::sqrt(value), winding[i] != 0 ? -1.0F : 1.0F);
       }
-  }
-
-  /// Whether the line in z through (x, y) has the edge beyond it along y, 1 or -1 by the edge's direction: summed over a
-  /// triangle's edges it tells whether the line passes it. An edge gives what it takes for the triangle on its other side,
-  /// whatever rounding does, so that every line comes out of a closed mesh again.
-  static int passes(const Vec3& a, const Vec3& b, double x, double y) {
-    if ((a.x() <= x) == (b.x() <= x)) return 0;
-    const bool forwards = a.x() <= x;
-    const Vec3 &left = forwards ? a : b, &right = forwards ? b : a;
-    const double side = (right.x() - left.x()) * (y - left.y()) - (right.y() - left.y()) * (x - left.x());
-    return side < 0 ? (forwards ? 1 : -1) : 0;
   }
 
   const TriangleMesh& mesh_;

@@ -1,24 +1,17 @@
 #include "fieldfab/mesh/mesh_field.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
+#include <optional>
 
 #include "fieldfab/core/error.h"
+#include "triangle_tree.h"
 #include "winding.h"
 
 namespace fieldfab {
 namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 /// Whether each edge is passed as often in one direction as in the other.
 bool is_closed(const TriangleMesh& mesh) {
@@ -38,36 +31,35 @@ bool is_closed(const TriangleMesh& mesh) {
   return true;
 }
 
+/// Triangles without area have no plane to look for the nearest place in; their edges belong to others.
+TriangleMesh with_areas(const TriangleMesh& mesh) {
+  TriangleMesh rest{mesh.vertices, {}};
+  for (const auto& t : mesh.triangles) {
+    const auto corner = [&](std::size_t i) {
+      const auto& p = mesh.vertices[t[i]];
+      return Vec3(p[0], p[1], p[2]);
+    };
+    if ((corner(1) - corner(0)).cross(corner(2) - corner(0)).squaredNorm() > 0) rest.triangles.push_back(t);
+  }
+  if (rest.triangles.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
+  return rest;
+}
+
 /// What was found at a point.
 struct Look {
-  Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN()), nearest = Vec3::Zero();
+  Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  TriangleTree::Place nearest;
   double distance = 0;  ///< negative inside
 };
 
 class MeshField final : public Field {
  public:
-  MeshField(const TriangleMesh& mesh, Progress& progress) : mesh_(mesh), winding_(mesh), closed_(is_closed(mesh)) {
-    progress.report(0.3, "sorting triangles");
-    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    for (const auto& t : mesh.triangles) {
-      std::array<Kernel::Point_3, 3> corner;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto& p = mesh.vertices[t[i]];
-        corner[i] = {p[0], p[1], p[2]};
-        const Vec3 at(p[0], p[1], p[2]);
-        box = {box.lower.cwiseMin(at), box.upper.cwiseMax(at)};
-      }
-      // Triangles without area have no plane to look for the nearest point in; their edges belong to others.
-      if (const Kernel::Triangle_3 triangle(corner[0], corner[1], corner[2]); !triangle.is_degenerate())
-        triangles_.push_back(triangle);
-    }
-    if (triangles_.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
+  MeshField(const TriangleMesh& mesh, Progress& progress) : mesh_(mesh), closed_(is_closed(mesh)), tree_(with_areas(mesh)) {
+    progress.report(0.5, "sorting triangles");
+    if (!closed_) winding_.emplace(mesh);
     progress.check();
-    bounds_ = box;
-    touching_ = 1e-6 * box.diagonal();
-    tree_.insert(triangles_.begin(), triangles_.end());
-    tree_.build();
-    tree_.accelerate_distance_queries();
+    bounds_ = mesh_.bounds();
+    touching_ = 1e-6 * bounds_.diagonal();
   }
 
   [[nodiscard]] const TriangleMesh* closed_mesh() const { return closed_ ? &mesh_ : nullptr; }
@@ -84,7 +76,7 @@ class MeshField final : public Field {
     for (std::size_t i = 0; i < points.count; ++i) {
       last = look({points.x[i], points.y[i], points.z[i]}, last);
       const bool on_surface = std::abs(last.distance) < touching_;
-      const Vec3 slope = on_surface ? outward_at(last.point) : Vec3((last.point - last.nearest) / last.distance);
+      const Vec3 slope = on_surface ? outward_at(last) : Vec3((last.point - last.nearest.at) / last.distance);
       out[i] = static_cast<float>(last.distance);
       slopes.dx[i] = static_cast<float>(slope.x());
       slopes.dy[i] = static_cast<float>(slope.y());
@@ -101,10 +93,9 @@ class MeshField final : public Field {
     const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
     const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
     if (!(least > 0)) return {-most, most, false};
-    const double winding = std::abs(winding_.at(centre));
-    const bool inside = winding > 0.5;
-    if (!closed_ && !(std::abs(winding - 0.5) > 0.03 + reach * winding_.steepest(centre, reach))) return {-most, most, false};
-    return inside ? Interval{-most, -least, false} : Interval{least, most, false};
+    if (!closed_ && !(std::abs(std::abs(winding_->at(centre)) - 0.5) > 0.03 + reach * winding_->steepest(centre, reach)))
+      return {-most, most, false};
+    return is_inside(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
   }
   [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }
@@ -113,31 +104,26 @@ class MeshField final : public Field {
   /// Looks at a point, from what was found at another, near it as a rule.
   [[nodiscard]] Look look(const Vec3& p, const Look& last = {}) const {
     if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
-    const Kernel::Point_3 query{p.x(), p.y(), p.z()};
-    const double step = (p - last.point).norm();  // NaN for the first
-    const Kernel::Point_3 nearest = step < std::abs(last.distance)
-                                        ? tree_.closest_point(query, {last.nearest.x(), last.nearest.y(), last.nearest.z()})
-                                        : tree_.closest_point(query);
-    const Vec3 near(nearest.x(), nearest.y(), nearest.z());
+    const TriangleTree::Place nearest = tree_.nearest(p, last.nearest.triangle);
     // On the way no triangle of a closed mesh was met if there is none as near: the side is the same.
-    const bool same_side = closed_ && step < 0.999999 * std::abs(last.distance);
-    const bool inside = same_side ? last.distance < 0 : std::abs(winding_.at(p)) > 0.5;
-    return {p, near, (inside ? -1 : 1) * (p - near).norm()};
+    const bool same_side = closed_ && (p - last.point).norm() < 0.999999 * std::abs(last.distance);  // not after NaN
+    const bool inside = same_side ? last.distance < 0 : is_inside(p);
+    return {p, nearest, (inside ? -1 : 1) * (p - nearest.at).norm()};
   }
 
+  [[nodiscard]] bool is_inside(const Vec3& p) const { return closed_ ? tree_.winding(p) != 0 : std::abs(winding_->at(p)) > 0.5; }
+
   /// The normal of the nearest triangle, towards the outside: what way a point lies from where it is itself cannot be told.
-  [[nodiscard]] Vec3 outward_at(const Vec3& p) const {
-    const auto triangle = *tree_.closest_point_and_primitive({p.x(), p.y(), p.z()}).second;
-    const auto normal = CGAL::normal(triangle[0], triangle[1], triangle[2]);
-    const Vec3 outward = Vec3(normal.x(), normal.y(), normal.z()).normalized();
-    return std::abs(winding_.at(p + 10 * touching_ * outward)) > 0.5 ? Vec3(-outward) : outward;
+  [[nodiscard]] Vec3 outward_at(const Look& look) const {
+    const auto& [a, b, c] = tree_.corners(look.nearest.triangle);
+    const Vec3 outward = (b - a).cross(c - a).normalized();
+    return is_inside(look.point + 10 * touching_ * outward) ? Vec3(-outward) : outward;
   }
 
   TriangleMesh mesh_;
-  Triangles triangles_;
-  Tree tree_;
-  WindingNumber winding_;
   bool closed_;
+  TriangleTree tree_;
+  std::optional<WindingNumber> winding_;  ///< of an open mesh
   Box bounds_;
   double touching_ = 0;  ///< mm; what is as near to a triangle is on it
 };

@@ -1,0 +1,125 @@
+#include "triangle_tree.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace fieldfab {
+namespace {
+
+constexpr std::uint32_t most_in_leaf = 4;
+constexpr std::size_t deepest = 64;  // halves of 2^32 triangles
+
+Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
+
+}  // namespace
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) {
+  triangles_.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& p = mesh.vertices[triangle[i]];
+      corners[i] = Vec3(p[0], p[1], p[2]);
+    }
+    triangles_.push_back(corners);
+  }
+  nodes_.reserve(triangles_.size());
+  nodes_.emplace_back();
+  divide(0, 0, static_cast<std::uint32_t>(triangles_.size()));
+}
+
+void TriangleTree::divide(std::size_t node, std::uint32_t first, std::uint32_t count) {
+  const auto begin = triangles_.begin() + first, end = begin + count;
+  const auto nothing = std::numeric_limits<double>::infinity();
+  Box all{Vec3::Constant(nothing), Vec3::Constant(-nothing)}, centres = all;
+  for (auto t = begin; t != end; ++t) {
+    const Vec3 centre = centre_of(*t);
+    centres = {centres.lower.cwiseMin(centre), centres.upper.cwiseMax(centre)};
+    for (const Vec3& corner : *t) all = {all.lower.cwiseMin(corner), all.upper.cwiseMax(corner)};
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {  // corners came from floats
+    nodes_[node].lower[axis] = static_cast<float>(all.lower[static_cast<Eigen::Index>(axis)]);
+    nodes_[node].upper[axis] = static_cast<float>(all.upper[static_cast<Eigen::Index>(axis)]);
+  }
+  if (count <= most_in_leaf) {
+    nodes_[node].first = first, nodes_[node].count = count;
+    return;
+  }
+  Eigen::Index axis = 0;
+  centres.size().maxCoeff(&axis);
+  const std::uint32_t half = count / 2;
+  std::nth_element(begin, begin + half, end,
+                   [axis](const auto& a, const auto& b) { return centre_of(a)[axis] < centre_of(b)[axis]; });
+  const std::size_t children = nodes_.size();
+  nodes_[node].first = static_cast<std::uint32_t>(children);
+  nodes_.resize(children + 2);
+  divide(children, first, half);
+  divide(children + 1, first + half, count - half);
+}
+
+TriangleTree::Place TriangleTree::nearest(const Vec3& point, std::uint32_t perhaps) const {
+  const auto square_to = [&](std::uint32_t which) {
+    const Node& node = nodes_[which];
+    double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double at = point[static_cast<Eigen::Index>(axis)];
+      const double out = std::max(0.0, std::max(node.lower[axis] - at, at - node.upper[axis]));
+      sum += out * out;
+    }
+    return sum;
+  };
+  const auto place_on = [&](std::uint32_t triangle) {
+    const auto& [a, b, c] = triangles_[triangle];
+    return nearest_place(point, a, b, c);
+  };
+  Place best{place_on(perhaps), perhaps};
+  double least = (best.at - point).squaredNorm();
+  struct Open {
+    double square;
+    std::uint32_t node;
+  };
+  std::array<Open, deepest> open;
+  std::size_t count = 0;
+  for (open[count++] = {0, 0}; count > 0;) {
+    const Open here = open[--count];
+    if (!(here.square < least)) continue;
+    const Node& node = nodes_[here.node];
+    for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle) {
+      const Vec3 place = place_on(triangle);
+      const double square = (place - point).squaredNorm();
+      if (square < least) least = square, best = {place, triangle};
+    }
+    if (node.count > 0) continue;
+    Open near{square_to(node.first), node.first}, far{square_to(node.first + 1), node.first + 1};
+    if (far.square < near.square) std::swap(near, far);
+    if (far.square < least) open[count++] = far;
+    if (near.square < least) open[count++] = near;
+  }
+  return best;
+}
+
+int TriangleTree::winding(const Vec3& point) const {
+  // What the line passes on the shorter way out; on the way up it is counted backwards.
+  const double x = point.x(), y = point.y(), z = point.z();
+  const Node& root = nodes_.front();
+  const bool upwards = z - root.lower[2] > root.upper[2] - z;
+  int turns = 0;
+  std::array<std::uint32_t, deepest> open;
+  std::size_t count = 0;
+  for (open[count++] = 0; count > 0;) {
+    const Node& node = nodes_[open[--count]];
+    if (x < node.lower[0] || x > node.upper[0] || y < node.lower[1] || y > node.upper[1]) continue;
+    if (upwards ? node.upper[2] < z : node.lower[2] > z) continue;
+    for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle) {
+      const auto& [a, b, c] = triangles_[triangle];
+      const int turn = passes(a, b, x, y) + passes(b, c, x, y) + passes(c, a, x, y);
+      if (turn != 0 && (height_at(a, b, c, x, y) > z) == upwards) turns += turn;
+    }
+    if (node.count > 0) continue;
+    open[count++] = node.first;
+    open[count++] = node.first + 1;
+  }
+  return upwards ? -turns : turns;
+}
+
+}  // namespace fieldfab
