@@ -94,13 +94,13 @@ TEST(MeshlabFilters, StopWithinAMomentWhenCancelled) {
   const std::size_t triangles = layer->mesh.triangles.size();
   // Edges are rounded: distances on a lattice. A mesh that is contoured exactly is asked for 5 microseconds a value, and stops
   // later.
-  for (const auto& [name, edges, seconds] : {std::tuple{"Remesh", 2.0, 1.5},
-                                             {"Offset", 2.0, 1.5},
-                                             {"Shell", 2.0, 1.5},
-                                             {"Boolean", 2.0, 1.5},
-                                             {"Lattice", 2.0, 1.5},
-                                             {"f-rep", 2.0, 1.5},
-                                             {"Remesh", 1.0, 8.0}}) {
+  for (const auto& [name, edges, seconds] : {std::tuple{"Remesh", 2.0, 1.0},
+                                             {"Offset", 2.0, 1.0},
+                                             {"Shell", 2.0, 1.0},
+                                             {"Boolean", 2.0, 1.0},
+                                             {"Lattice", 2.0, 1.0},
+                                             {"f-rep", 2.0, 1.0},
+                                             {"Remesh", 1.0, 3.0}}) {
     const Filter& filter = named(name);
     for (const int milliseconds : {0, 20, 150, 600}) {
       Progress progress;

@@ -7,43 +7,62 @@
 #include <optional>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/mesh/mesh_distances.h"
 #include "triangle_tree.h"
 #include "winding.h"
 
 namespace fieldfab {
 namespace {
 
-/// Whether each edge is passed as often in one direction as in the other.
-bool is_closed(const TriangleMesh& mesh) {
-  std::vector<std::uint64_t> passes;  // from and to, the smaller first; the lowest bit tells the direction
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t a = t[i], b = t[(i + 1) % 3];
-      passes.push_back((std::min(a, b) << 32U | std::max(a, b)) << 1U | static_cast<std::uint64_t>(a < b));
-    }
-  std::sort(passes.begin(), passes.end());
-  int balance = 0;
-  for (std::size_t i = 0; i < passes.size(); ++i) {
-    balance += (passes[i] & 1U) != 0 ? 1 : -1;
-    if (i + 1 < passes.size() && passes[i] >> 1U == passes[i + 1] >> 1U) continue;
-    if (balance != 0) return false;
-  }
-  return true;
-}
-
-/// Triangles without area have no plane to look for the nearest place in; their edges belong to others.
-TriangleMesh with_areas(const TriangleMesh& mesh) {
-  TriangleMesh rest{mesh.vertices, {}};
-  for (const auto& t : mesh.triangles) {
+bool has_area(const TriangleMesh& mesh) {
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
     const auto corner = [&](std::size_t i) {
       const auto& p = mesh.vertices[t[i]];
       return Vec3(p[0], p[1], p[2]);
     };
-    if ((corner(1) - corner(0)).cross(corner(2) - corner(0)).squaredNorm() > 0) rest.triangles.push_back(t);
-  }
-  if (rest.triangles.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
-  return rest;
+    return (corner(1) - corner(0)).cross(corner(2) - corner(0)).squaredNorm() > 0;
+  });
 }
+
+/// What a mesh winds around, by more than half where it is open. The number is that of the mesh with lids, which is whole and
+/// found along a line, less that of the lids, which are few; of a soup of pieces it is summed.
+class Inside {
+ public:
+  Inside(const TriangleMesh& mesh, const TriangleTree& tree) : tree_(tree), middle_(mesh.bounds().centre().z()) {
+    const Lids lids = lids_of(mesh);
+    if (lids.triangles.empty()) return;
+    number_.emplace(mesh);
+    if (lids.triangles.size() > mesh.triangles.size() / 2) return;
+    TriangleMesh alone{mesh.vertices, lids.triangles};
+    alone.vertices.insert(alone.vertices.end(), lids.middles.begin(), lids.middles.end());
+    lids_.emplace(Lid{TriangleTree(alone), WindingNumber(alone)});
+  }
+
+  [[nodiscard]] bool closed() const { return !number_; }
+  [[nodiscard]] bool at(const Vec3& p) const { return std::abs(number(p)) > 0.5; }
+  /// Whether all places within `reach`, where no triangle is, are on the same side.
+  [[nodiscard]] bool same_within(const Vec3& p, double reach) const {
+    constexpr double rounding = 0.03;  // of numbers, where groups of triangles count as one
+    return closed() || std::abs(std::abs(number(p)) - 0.5) > rounding + reach * number_->steepest(p, reach);
+  }
+
+ private:
+  struct Lid {
+    TriangleTree tree;
+    WindingNumber number;
+  };
+  [[nodiscard]] double number(const Vec3& p) const {
+    if (number_ && !lids_) return number_->at(p);
+    const bool from_above = p.z() > middle_;  // the shorter way
+    const int turns = tree_.turns(p, from_above);
+    return lids_ ? turns + lids_->tree.turns(p, from_above) - lids_->number.at(p) : turns;
+  }
+
+  const TriangleTree& tree_;
+  double middle_;
+  std::optional<WindingNumber> number_;  ///< of an open mesh
+  std::optional<Lid> lids_;
+};
 
 /// What was found at a point.
 struct Look {
@@ -54,15 +73,10 @@ struct Look {
 
 class MeshField final : public Field {
  public:
-  MeshField(const TriangleMesh& mesh, Progress& progress) : mesh_(mesh), closed_(is_closed(mesh)), tree_(with_areas(mesh)) {
-    progress.report(0.5, "sorting triangles");
-    if (!closed_) winding_.emplace(mesh);
-    progress.check();
-    bounds_ = mesh_.bounds();
-    touching_ = 1e-6 * bounds_.diagonal();
-  }
+  explicit MeshField(const TriangleMesh& mesh)
+      : mesh_(mesh), tree_(mesh_), inside_(mesh_, tree_), bounds_(mesh_.bounds()), touching_(1e-6 * bounds_.diagonal()) {}
 
-  [[nodiscard]] const TriangleMesh* closed_mesh() const { return closed_ ? &mesh_ : nullptr; }
+  [[nodiscard]] const TriangleMesh* closed_mesh() const { return inside_.closed() ? &mesh_ : nullptr; }
 
   void values(const Points& points, float* out) const noexcept override {
     Look last;
@@ -93,9 +107,8 @@ class MeshField final : public Field {
     const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
     const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
     if (!(least > 0)) return {-most, most, false};
-    if (!closed_ && !(std::abs(std::abs(winding_->at(centre)) - 0.5) > 0.03 + reach * winding_->steepest(centre, reach)))
-      return {-most, most, false};
-    return is_inside(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
+    if (!inside_.same_within(centre, reach)) return {-most, most, false};
+    return inside_.at(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
   }
   [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }
@@ -106,26 +119,23 @@ class MeshField final : public Field {
     if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
     const TriangleTree::Place nearest = tree_.nearest(p, last.nearest.triangle);
     // On the way no triangle of a closed mesh was met if there is none as near: the side is the same.
-    const bool same_side = closed_ && (p - last.point).norm() < 0.999999 * std::abs(last.distance);  // not after NaN
-    const bool inside = same_side ? last.distance < 0 : is_inside(p);
+    const bool same_side = inside_.closed() && (p - last.point).norm() < 0.999999 * std::abs(last.distance);  // not after NaN
+    const bool inside = same_side ? last.distance < 0 : inside_.at(p);
     return {p, nearest, (inside ? -1 : 1) * (p - nearest.at).norm()};
   }
-
-  [[nodiscard]] bool is_inside(const Vec3& p) const { return closed_ ? tree_.winding(p) != 0 : std::abs(winding_->at(p)) > 0.5; }
 
   /// The normal of the nearest triangle, towards the outside: what way a point lies from where it is itself cannot be told.
   [[nodiscard]] Vec3 outward_at(const Look& look) const {
     const auto& [a, b, c] = tree_.corners(look.nearest.triangle);
     const Vec3 outward = (b - a).cross(c - a).normalized();
-    return is_inside(look.point + 10 * touching_ * outward) ? Vec3(-outward) : outward;
+    return inside_.at(look.point + 10 * touching_ * outward) ? Vec3(-outward) : outward;
   }
 
   TriangleMesh mesh_;
-  bool closed_;
   TriangleTree tree_;
-  std::optional<WindingNumber> winding_;  ///< of an open mesh
+  Inside inside_;
   Box bounds_;
-  double touching_ = 0;  ///< mm; what is as near to a triangle is on it
+  double touching_;  ///< mm; what is as near to a triangle is on it
 };
 
 }  // namespace
@@ -140,7 +150,10 @@ FieldPtr mesh_field(const TriangleMesh& mesh, Progress& progress) {
   for (const auto& p : mesh.vertices)
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       throw Error(ErrorKind::bad_input, "mesh", "a vertex is not at a finite place");
-  return std::make_shared<MeshField>(mesh, progress);
+  if (!has_area(mesh)) throw Error(ErrorKind::bad_input, "mesh", "has no triangle with an area");
+  progress.report(0, "sorting triangles");
+  progress.check();
+  return std::make_shared<MeshField>(mesh);
 }
 
 }  // namespace fieldfab

@@ -98,28 +98,25 @@ TriangleTree::Place TriangleTree::nearest(const Vec3& point, std::uint32_t perha
   return best;
 }
 
-int TriangleTree::winding(const Vec3& point) const {
-  // What the line passes on the shorter way out; on the way up it is counted backwards.
+int TriangleTree::turns(const Vec3& point, bool from_above) const {
   const double x = point.x(), y = point.y(), z = point.z();
-  const Node& root = nodes_.front();
-  const bool upwards = z - root.lower[2] > root.upper[2] - z;
-  int turns = 0;
+  int sum = 0;
   std::array<std::uint32_t, deepest> open;
   std::size_t count = 0;
   for (open[count++] = 0; count > 0;) {
     const Node& node = nodes_[open[--count]];
     if (x < node.lower[0] || x > node.upper[0] || y < node.lower[1] || y > node.upper[1]) continue;
-    if (upwards ? node.upper[2] < z : node.lower[2] > z) continue;
+    if (from_above ? node.upper[2] < z : node.lower[2] > z) continue;
     for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle) {
       const auto& [a, b, c] = triangles_[triangle];
       const int turn = passes(a, b, x, y) + passes(b, c, x, y) + passes(c, a, x, y);
-      if (turn != 0 && (height_at(a, b, c, x, y) > z) == upwards) turns += turn;
+      if (turn != 0 && (height_at(a, b, c, x, y) > z) == from_above) sum += turn;
     }
     if (node.count > 0) continue;
     open[count++] = node.first;
     open[count++] = node.first + 1;
   }
-  return upwards ? -turns : turns;
+  return from_above ? -sum : sum;
 }
 
 }  // namespace fieldfab

@@ -26,9 +26,10 @@ class TriangleTree {
   /// The place of the triangles that is nearest to a point. The search begins with a triangle that may be near (any will do).
   [[nodiscard]] Place nearest(const Vec3& point, std::uint32_t perhaps = 0) const;
 
-  /// How often a closed mesh winds around a point, by what the line through it along z passes: an exact number wherever the mesh
-  /// lies, but on its surface, where it is that of some place next to it. Of an open mesh it means nothing.
-  [[nodiscard]] int winding(const Vec3& point) const;
+  /// How often the line through a point along z passes triangles on its way there, from above or from below: of a closed mesh it
+  /// is how often that winds around the point, exactly; on its surface, around some place next to it. Sums over parts of a closed
+  /// mesh are as good.
+  [[nodiscard]] int turns(const Vec3& point, bool from_above) const;
 
   [[nodiscard]] const std::array<Vec3, 3>& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
 
@@ -44,13 +45,13 @@ class TriangleTree {
   std::vector<Node> nodes_;
 };
 
-/// The place of a triangle that is nearest to a point.
+/// The place of a triangle that is nearest to a point; far away where it has no area, since its edges are others', too.
 inline Vec3 nearest_place(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
   // The plane's foot if it lies within the triangle, else the nearest place of the edges that the point lies beyond.
   const Vec3 ab = b - a, ac = c - a, ap = point - a, normal = ab.cross(ac);
   const double square = normal.squaredNorm(), u = normal.dot(ap.cross(ac)), v = normal.dot(ab.cross(ap));
-  const bool flat = !(square > 0);
-  if (!flat && u >= 0 && v >= 0 && u + v <= square) return point - (normal.dot(ap) / square) * normal;
+  if (!(square > 0)) return Vec3::Constant(std::numeric_limits<double>::infinity());
+  if (u >= 0 && v >= 0 && u + v <= square) return point - (normal.dot(ap) / square) * normal;
   Vec3 best = a;
   double least = std::numeric_limits<double>::infinity();
   const auto try_edge = [&](const Vec3& from, const Vec3& way) {
@@ -60,9 +61,9 @@ inline Vec3 nearest_place(const Vec3& point, const Vec3& a, const Vec3& b, const
     const double away = (point - place).squaredNorm();
     if (away < least) least = away, best = place;
   };
-  if (flat || v < 0) try_edge(a, ab);
-  if (flat || u < 0) try_edge(a, ac);
-  if (flat || u + v > square) try_edge(b, c - b);
+  if (v < 0) try_edge(a, ab);
+  if (u < 0) try_edge(a, ac);
+  if (u + v > square) try_edge(b, c - b);
   return best;
 }
 
