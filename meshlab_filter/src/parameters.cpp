@@ -65,9 +65,9 @@ std::vector<Parameter> fineness_parameters(const Document& document) {
                            voxel, 0, diagonal),
           choice_parameter(
               "Edges", "Sharp edges",
-              "Automatic keeps them where triangles are larger than a few voxels and walls thick (drawn parts), and samples "
-              "distances on a lattice where they are smaller "
-              "(scans), which is faster. Keeping the edges of small triangles is slow.",
+              "Automatic keeps them where triangles are larger than a few voxels (drawn parts; of closed ones the faces stay "
+              "as they are, exactly), and samples distances on a lattice where they are smaller (scans) or walls thin, which is "
+              "faster. Keeping the edges of small triangles is slow.",
               {"automatic", "keep", "round off"})};
 }
 

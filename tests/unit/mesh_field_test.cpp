@@ -106,6 +106,51 @@ TEST(MeshField, AgreesWithBruteForce) {
   }
 }
 
+/// Of faces that are four triangles around the middle, with one without area on each edge of the lower face.
+TriangleMesh divided_box(float side) {
+  TriangleMesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+    mesh.vertices.push_back({corner & 1 ? side : 0, corner & 2 ? side : 0, corner & 4 ? side : 0});
+  const std::array<std::array<std::uint32_t, 4>, 6> faces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    std::array<float, 3> middle{};
+    for (const std::uint32_t v : faces[f])
+      for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += mesh.vertices[v][axis] / 4;
+    const auto centre = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(middle);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::uint32_t a = faces[f][i], b = faces[f][(i + 1) % 4];
+      if (f != 0) {
+        mesh.triangles.push_back({a, b, centre});
+        continue;
+      }
+      const auto between = static_cast<std::uint32_t>(mesh.vertices.size());
+      std::array<float, 3> half{};
+      for (std::size_t axis = 0; axis < 3; ++axis) half[axis] = (mesh.vertices[a][axis] + mesh.vertices[b][axis]) / 2;
+      mesh.vertices.push_back(half);
+      mesh.triangles.insert(mesh.triangles.end(), {{a, between, centre}, {between, b, centre}, {a, b, between}});
+    }
+  }
+  return mesh;
+}
+
+TEST(MeshField, CountsLinesThroughEdgesAndCornersRightly) {
+  TriangleMesh two = divided_box(4);
+  append(two, divided_box(2));  // within, in planes with it: wound around twice
+  TriangleMesh open = divided_box(4);
+  open.triangles.erase(open.triangles.end() - 4, open.triangles.end());  // without its last face
+  for (const TriangleMesh& mesh : {two, inside_out(two), open}) {
+    const FieldPtr solid = mesh_field(mesh);
+    for (int n = 0; n < 13 * 13 * 13; ++n) {
+      const Vec3 p = 0.5 * Vec3(n % 13 - 2, n / 13 % 13 - 2, n / 169 - 2);  // on planes, edges and diagonals of all faces
+      const double winding = std::abs(brute_winding(mesh, p));
+      if (brute_distance(mesh, p) < 1e-6 || std::abs(winding - 0.5) < 0.03) continue;
+      EXPECT_EQ(solid->value(p) < 0, winding > 0.5) << p.transpose();
+    }
+  }
+}
+
 TEST(MeshField, IntervalsHoldEveryValue) {
   TriangleMesh open = ball_mesh();
   std::erase_if(open.triangles, [&](const auto& t) { return open.vertices[t[0]][0] > 0.3F; });
