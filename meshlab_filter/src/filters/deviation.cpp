@@ -135,7 +135,7 @@ Result run(const Values& values, Progress& progress) {
 Filter deviation() {
   return {"Fieldfab: Deviation from a layer or f-rep",
           "The signed distance of each vertex to the surface of another layer, a formula or a file: as vertex quality, as colour "
-          "(blue inside, white where it should be, red outside) and as a "
+          "(blue inside, white where it should be, orange to red outside) and as a "
           "histogram in the log. Places and triangles stay as they are.",
           Filter::Group::quality,
           true,
