@@ -1,0 +1,23 @@
+/// The surface of an exact solid; private to the mesh folder, for files that include CGAL.
+#pragma once
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "corners_of.h"
+#include "fieldfab/mesh/exact_solid.h"
+
+namespace fieldfab {
+
+struct ExactSolid::Surface {
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  Mesh mesh;
+  CGAL::Bbox_3 box;
+
+  explicit Surface(Mesh whole) : mesh(std::move(whole)) {
+    for (const auto vertex : mesh.vertices()) box += mesh.point(vertex).bbox();
+  }
+};
+
+}  // namespace fieldfab
