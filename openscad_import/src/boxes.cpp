@@ -1,0 +1,347 @@
+#include "boxes.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "fieldfab/core/error.h"
+#include "surface_field.h"
+
+namespace fieldfab::openscad {
+namespace {
+
+using Kind = Part::Kind;
+using Place = std::array<std::size_t, 3>;
+using Planes = std::array<std::vector<double>, 3>;  // along each axis, ascending
+
+void tidy(Planes& planes) {
+  for (std::vector<double>& along : planes) {
+    std::sort(along.begin(), along.end());
+    along.erase(std::unique(along.begin(), along.end()), along.end());
+  }
+}
+
+void add_planes(const Boxes& boxes, Planes& planes) {
+  if (boxes.kind == Kind::leaf)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const Vec3& corner : {boxes.box.lower, boxes.box.upper})
+        planes[axis].push_back(corner[static_cast<Eigen::Index>(axis)]);
+  for (const Boxes& child : boxes.children) add_planes(child, planes);
+}
+
+Planes planes_of(const Boxes& boxes) {
+  Planes planes;
+  add_planes(boxes, planes);
+  tidy(planes);
+  return planes;
+}
+
+// Of eight cells about a place cell a + 2 b + 4 c is beyond it along x, y and z where a, b and c are 1; a set of them is a number
+// of eight bits.
+using Octants = unsigned;
+
+/// What is seen of them in a mirror across an axis.
+constexpr Octants mirrored(Octants cells, unsigned axis) {
+  constexpr std::array<Octants, 3> before{0b01010101, 0b00110011, 0b00001111};
+  return ((cells & before[axis]) << (1U << axis)) | ((cells >> (1U << axis)) & before[axis]);
+}
+
+/// Whether one can go from each to each other through faces.
+constexpr bool hang_together(Octants cells) {
+  Octants reached = cells & (~cells + 1);
+  for (int step = 0; step < 8; ++step)
+    for (unsigned axis = 0; axis < 3; ++axis) reached |= cells & mirrored(reached, axis);
+  return reached == cells;
+}
+
+/// Whether the surface between solid and empty cells is no surface here: it touches itself.
+bool touch(Octants solid) {
+  static constexpr auto known = [] {
+    std::array<bool, 256> table{};
+    for (Octants cells = 0; cells < table.size(); ++cells) table[cells] = !hang_together(cells) || !hang_together(~cells & 255U);
+    return table;
+  }();
+  return known[solid];
+}
+
+/// Whether edges of the solid meet here: it is neither in a face nor in an edge.
+bool are_corner(Octants solid) {
+  return mirrored(solid, 0) != solid && mirrored(solid, 1) != solid && mirrored(solid, 2) != solid;
+}
+
+/// Cells between planes, and empty ones beyond the first and the last: cell i lies before plane i.
+struct Grid {
+  Planes planes;
+  Place size{}, stride{};
+  std::vector<std::uint8_t> solid;
+
+  explicit Grid(Planes all) : planes(std::move(all)) {
+    std::size_t cells = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      size[axis] = planes[axis].size() + 1;
+      stride[axis] = cells;
+      cells *= size[axis];
+    }
+    solid.resize(cells);
+  }
+
+  [[nodiscard]] std::size_t index(const Place& cell) const {
+    return cell[0] * stride[0] + cell[1] * stride[1] + cell[2] * stride[2];
+  }
+  /// The solid ones of the cells about the place where three planes meet.
+  [[nodiscard]] Octants around(const Place& place) const {
+    const std::uint8_t* const first = &solid[index(place)];
+    Octants cells = 0;
+    for (unsigned i = 0; i < 8; ++i)
+      cells |= Octants{first[(i & 1U) * stride[0] + (i >> 1U & 1U) * stride[1] + (i >> 2U) * stride[2]]} << i;
+    return cells;
+  }
+  [[nodiscard]] Vec3 point(const Place& place) const { return {planes[0][place[0]], planes[1][place[1]], planes[2][place[2]]}; }
+};
+
+/// Boxes by their cells: from a first to before a last.
+struct Spans {
+  Kind kind;
+  Place first{}, last{};
+  std::vector<Spans> children = {};
+};
+
+Spans spans_of(const Boxes& boxes, const Planes& planes) {
+  Spans spans{boxes.kind};
+  if (boxes.kind == Kind::leaf)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto cell_beyond = [&](double at) {
+        return static_cast<std::size_t>(std::lower_bound(planes[axis].begin(), planes[axis].end(), at) - planes[axis].begin()) +
+               1;
+      };
+      spans.first[axis] = cell_beyond(boxes.box.lower[static_cast<Eigen::Index>(axis)]);
+      spans.last[axis] = cell_beyond(boxes.box.upper[static_cast<Eigen::Index>(axis)]);
+    }
+  for (const Boxes& child : boxes.children) spans.children.push_back(spans_of(child, planes));
+  return spans;
+}
+
+/// The cells of one z.
+struct Layer {
+  std::size_t z, width;
+  std::vector<std::uint8_t> solid;
+
+  /// With what a part has in it.
+  void add(const Spans& part);
+  [[nodiscard]] Layer of(const Spans& part) const {
+    Layer layer{z, width, std::vector<std::uint8_t>(solid.size())};
+    layer.add(part);
+    return layer;
+  }
+};
+
+void Layer::add(const Spans& part) {
+  if (part.kind == Kind::nothing) return;
+  if (part.kind == Kind::leaf) {
+    if (z < part.first[2] || z >= part.last[2]) return;
+    for (std::size_t y = part.first[1]; y < part.last[1]; ++y)
+      std::fill_n(&solid[y * width + part.first[0]], part.last[0] - part.first[0], std::uint8_t{1});
+  } else if (part.kind == Kind::unite) {
+    for (const Spans& child : part.children) add(child);
+  } else {
+    Layer common = of(part.children.front());
+    for (std::size_t i = 1; i < part.children.size(); ++i) {
+      const Layer other = of(part.children[i]);
+      for (std::size_t j = 0; j < solid.size(); ++j)
+        if ((other.solid[j] != 0) == (part.kind == Kind::subtract)) common.solid[j] = 0;
+    }
+    for (std::size_t j = 0; j < solid.size(); ++j) solid[j] |= common.solid[j];
+  }
+}
+
+Grid grid_of(const Boxes& boxes, Progress& progress) {
+  Grid grid(planes_of(boxes));
+  const Spans spans = spans_of(boxes, grid.planes);
+  for (std::size_t z = 1; z + 1 < grid.size[2]; ++z) {
+    progress.check();
+    Layer layer{z, grid.size[0], std::vector<std::uint8_t>(grid.stride[2])};
+    layer.add(spans);
+    std::copy(layer.solid.begin(), layer.solid.end(), &grid.solid[z * grid.stride[2]]);
+  }
+  return grid;
+}
+
+/// Each solid cell reaches `growth` farther along an axis, both ways.
+Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
+  const std::vector<double>& before = grid.planes[axis];
+  Planes planes = grid.planes;
+  planes[axis].clear();
+  for (const double at : before)
+    for (const double moved : {at - growth, at + growth}) planes[axis].push_back(moved);
+  tidy(planes);
+  Grid result(std::move(planes));
+  const std::vector<double>& after = result.planes[axis];
+  const std::size_t inner = grid.stride[axis], outer = grid.solid.size() / (inner * grid.size[axis]);
+  for (std::size_t cell = 1; cell < after.size(); ++cell) {
+    const double middle = 0.5 * (after[cell - 1] + after[cell]);
+    const auto plane_beyond = [&](double at) {
+      return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), at) - before.begin());
+    };
+    const std::size_t first = plane_beyond(middle - growth), last = plane_beyond(middle + growth);  // the cells that reach it
+    for (std::size_t from = first; from <= last; ++from)
+      for (std::size_t i = 0; i < outer; ++i) {
+        const std::uint8_t* const source = &grid.solid[(i * grid.size[axis] + from) * inner];
+        std::uint8_t* const target = &result.solid[(i * result.size[axis] + cell) * inner];
+        for (std::size_t j = 0; j < inner; ++j) target[j] |= source[j];
+      }
+  }
+  return result;
+}
+
+/// Where planes meet and the surface would touch itself.
+bool touches_itself(const Grid& grid) {
+  for (std::size_t z = 0; z + 1 < grid.size[2]; ++z)
+    for (std::size_t y = 0; y + 1 < grid.size[1]; ++y)
+      for (std::size_t x = 0; x + 1 < grid.size[0]; ++x)
+        if (touch(grid.around({x, y, z}))) return true;
+  return false;
+}
+
+/// Makes triangles of a grid's faces. All that lie in one plane and look the same way are divided together, and an edge ends
+/// where it does in the other faces that have it: at corners of the solid.
+class Surface {
+ public:
+  explicit Surface(const Grid& grid) : grid_(grid) {}
+
+  void add_plane(std::size_t axis, std::size_t plane) {
+    axis_ = axis;
+    plane_ = plane;
+    look();
+    for (const Looks way : {Looks::forwards, Looks::backwards})
+      if (std::find(faces_.begin(), faces_.end(), way) != faces_.end()) add_faces(way);
+  }
+  [[nodiscard]] Polyhedron take() { return std::move(surface_); }
+
+ private:
+  enum class Looks : std::uint8_t { nowhere, forwards, backwards };
+  using FlatPlace = std::array<std::size_t, 2>;
+
+  [[nodiscard]] std::size_t across(std::size_t i) const { return (axis_ + 1 + i) % 3; }
+  [[nodiscard]] Place place(const FlatPlace& flat) const {
+    Place result{};
+    result[axis_] = plane_;
+    result[across(0)] = flat[0];
+    result[across(1)] = flat[1];
+    return result;
+  }
+
+  /// Finds all faces in the plane.
+  void look() {
+    width_ = grid_.size[across(0)];
+    const std::size_t height = grid_.size[across(1)];
+    faces_.assign(width_ * height, Looks::nowhere);
+    for (std::size_t j = 0; j < height; ++j)
+      for (std::size_t i = 0; i < width_; ++i) {
+        const std::uint8_t* const before = &grid_.solid[grid_.index(place({i, j}))];
+        const std::uint8_t beyond = before[grid_.stride[axis_]];
+        if (*before != beyond) faces_[j * width_ + i] = beyond == 0 ? Looks::forwards : Looks::backwards;
+      }
+  }
+
+  /// The edges of the faces that look one way, from corner to corner, with the face on the left.
+  [[nodiscard]] std::multimap<FlatPlace, FlatPlace> edges(Looks way) const {
+    std::multimap<FlatPlace, FlatPlace> found;
+    for (const std::size_t along : {0, 1}) {
+      FlatPlace at{}, from{};
+      for (at[1 - along] = 0; at[1 - along] < grid_.planes[across(1 - along)].size(); ++at[1 - along])
+        for (at[along] = 1; at[along] < grid_.planes[across(along)].size(); ++at[along]) {
+          const Looks* const before = &faces_[at[1] * width_ + at[0]];
+          const bool is_beyond = before[along == 0 ? width_ : 1] == way;
+          if ((*before == way) == is_beyond) continue;
+          FlatPlace start = at;
+          --start[along];
+          if (are_corner(grid_.around(place(start)))) from = start;
+          if (!are_corner(grid_.around(place(at)))) continue;
+          const bool goes_on = is_beyond == (along == 0);
+          found.emplace(goes_on ? from : at, goes_on ? at : from);
+        }
+    }
+    return found;
+  }
+
+  void add_faces(Looks way) {
+    Region region;
+    std::vector<std::uint32_t> corners;  // of all outlines
+    for (auto open = edges(way); !open.empty();) {
+      region.outlines.emplace_back();
+      const FlatPlace first = open.begin()->first;
+      FlatPlace at = first;
+      do {
+        region.outlines.back().emplace_back(grid_.planes[across(0)][at[0]], grid_.planes[across(1)][at[1]]);
+        corners.push_back(corner(place(at)));
+        const auto edge = open.find(at);
+        at = edge->second;
+        open.erase(edge);
+      } while (at != first);
+    }
+    for (auto [a, b, c] : triangulate(region)) {
+      if (way == Looks::backwards) std::swap(b, c);
+      surface_.triangles.push_back({corners[a], corners[b], corners[c]});
+    }
+  }
+
+  std::uint32_t corner(const Place& at) {
+    const auto [known, is_new] = corners_.try_emplace(grid_.index(at), static_cast<std::uint32_t>(surface_.vertices.size()));
+    if (is_new) surface_.vertices.push_back(grid_.point(at));
+    return known->second;
+  }
+
+  const Grid& grid_;
+  std::size_t axis_ = 0, plane_ = 0, width_ = 0;
+  std::vector<Looks> faces_;  // of the plane, by the cells before it
+  std::unordered_map<std::size_t, std::uint32_t> corners_;
+  Polyhedron surface_;
+};
+
+}  // namespace
+
+std::optional<Box> box_of(const Polyhedron& solid) {
+  if (solid.vertices.size() != 8 || solid.triangles.size() != 12 || !is_closed(solid)) return std::nullopt;
+  const Box box = solid.bounds();
+  std::set<unsigned> corners;
+  std::array<unsigned, 8> octant{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vec3& p = solid.vertices[i];
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const auto along = static_cast<Eigen::Index>(axis);
+      if (p[along] != box.lower[along] && p[along] != box.upper[along]) return std::nullopt;
+      if (p[along] == box.upper[along]) octant[i] |= 1U << axis;
+    }
+    corners.insert(octant[i]);
+  }
+  const auto is_in_face = [&](const Triangle& t) {
+    const unsigned same = octant[t[0]] & octant[t[1]] & octant[t[2]], differ = octant[t[0]] | octant[t[1]] | octant[t[2]];
+    return same != 0 || differ != 7;
+  };
+  const bool is_box = corners.size() == 8 && std::all_of(solid.triangles.begin(), solid.triangles.end(), is_in_face);
+  return is_box ? std::optional(box) : std::nullopt;
+}
+
+bool have_few_cells(const Boxes& boxes, bool grown) {
+  constexpr double most = 64e6;
+  double cells = 1;
+  for (const auto& along : planes_of(boxes)) cells *= (grown ? 2.0 : 1.0) * static_cast<double>(along.size());
+  return cells <= most;
+}
+
+Polyhedron surface_of(const Boxes& boxes, double growth, Progress& progress) {
+  Grid grid = grid_of(boxes, progress);
+  for (std::size_t axis = 0; axis < 3 && growth > 0; ++axis) grid = grown_along(axis, grid, growth);
+  if (touches_itself(grid)) throw Error(ErrorKind::bad_input, "boxes", "they touch along an edge or at a corner");
+  Surface surface(grid);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t plane = 0; plane < grid.planes[axis].size(); ++plane) {
+      progress.check();
+      surface.add_plane(axis, plane);
+    }
+  return surface.take();
+}
+
+}  // namespace fieldfab::openscad
