@@ -16,11 +16,10 @@ using Kind = Part::Kind;
 using Place = std::array<std::size_t, 3>;
 using Planes = std::array<std::vector<double>, 3>;  // along each axis, ascending
 
-void tidy(Planes& planes) {
-  for (std::vector<double>& along : planes) {
-    std::sort(along.begin(), along.end());
-    along.erase(std::unique(along.begin(), along.end()), along.end());
-  }
+/// Sorted; of planes no farther apart than `same` mm only the first stays.
+void tidy(std::vector<double>& planes, double same) {
+  std::sort(planes.begin(), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end(), [&](double a, double b) { return b - a <= same; }), planes.end());
 }
 
 void add_planes(const Boxes& boxes, Planes& planes) {
@@ -31,10 +30,10 @@ void add_planes(const Boxes& boxes, Planes& planes) {
   for (const Boxes& child : boxes.children) add_planes(child, planes);
 }
 
-Planes planes_of(const Boxes& boxes) {
+Planes planes_of(const Boxes& boxes, double same) {
   Planes planes;
   add_planes(boxes, planes);
-  tidy(planes);
+  for (std::vector<double>& along : planes) tidy(along, same);
   return planes;
 }
 
@@ -101,6 +100,11 @@ struct Grid {
   [[nodiscard]] Vec3 point(const Place& place) const { return {planes[0][place[0]], planes[1][place[1]], planes[2][place[2]]}; }
 };
 
+/// The cell in which a place along an axis is; of a plane that beyond it.
+std::size_t cell_at(const std::vector<double>& planes, double at) {
+  return static_cast<std::size_t>(std::upper_bound(planes.begin(), planes.end(), at) - planes.begin());
+}
+
 /// Boxes by their cells: from a first to before a last.
 struct Spans {
   Kind kind;
@@ -112,12 +116,9 @@ Spans spans_of(const Boxes& boxes, const Planes& planes) {
   Spans spans{boxes.kind};
   if (boxes.kind == Kind::leaf)
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto cell_beyond = [&](double at) {
-        return static_cast<std::size_t>(std::lower_bound(planes[axis].begin(), planes[axis].end(), at) - planes[axis].begin()) +
-               1;
-      };
-      spans.first[axis] = cell_beyond(boxes.box.lower[static_cast<Eigen::Index>(axis)]);
-      spans.last[axis] = cell_beyond(boxes.box.upper[static_cast<Eigen::Index>(axis)]);
+      const auto along = static_cast<Eigen::Index>(axis);
+      spans.first[axis] = cell_at(planes[axis], boxes.box.lower[along]);
+      spans.last[axis] = cell_at(planes[axis], boxes.box.upper[along]);
     }
   for (const Boxes& child : boxes.children) spans.children.push_back(spans_of(child, planes));
   return spans;
@@ -156,8 +157,8 @@ void Layer::add(const Spans& part) {
   }
 }
 
-Grid grid_of(const Boxes& boxes, Progress& progress) {
-  Grid grid(planes_of(boxes));
+Grid grid_of(const Boxes& boxes, double same, Progress& progress) {
+  Grid grid(planes_of(boxes, same));
   const Spans spans = spans_of(boxes, grid.planes);
   for (std::size_t z = 1; z + 1 < grid.size[2]; ++z) {
     progress.check();
@@ -175,16 +176,13 @@ Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   planes[axis].clear();
   for (const double at : before)
     for (const double moved : {at - growth, at + growth}) planes[axis].push_back(moved);
-  tidy(planes);
+  tidy(planes[axis], 0);
   Grid result(std::move(planes));
   const std::vector<double>& after = result.planes[axis];
   const std::size_t inner = grid.stride[axis], outer = grid.solid.size() / (inner * grid.size[axis]);
   for (std::size_t cell = 1; cell < after.size(); ++cell) {
     const double middle = 0.5 * (after[cell - 1] + after[cell]);
-    const auto plane_beyond = [&](double at) {
-      return static_cast<std::size_t>(std::upper_bound(before.begin(), before.end(), at) - before.begin());
-    };
-    const std::size_t first = plane_beyond(middle - growth), last = plane_beyond(middle + growth);  // the cells that reach it
+    const std::size_t first = cell_at(before, middle - growth), last = cell_at(before, middle + growth);  // that reach it
     for (std::size_t from = first; from <= last; ++from)
       for (std::size_t i = 0; i < outer; ++i) {
         const std::uint8_t* const source = &grid.solid[(i * grid.size[axis] + from) * inner];
@@ -327,12 +325,12 @@ std::optional<Box> box_of(const Polyhedron& solid) {
 bool have_few_cells(const Boxes& boxes, bool grown) {
   constexpr double most = 64e6;
   double cells = 1;
-  for (const auto& along : planes_of(boxes)) cells *= (grown ? 2.0 : 1.0) * static_cast<double>(along.size());
+  for (const auto& along : planes_of(boxes, 0)) cells *= (grown ? 2.0 : 1.0) * static_cast<double>(along.size());
   return cells <= most;
 }
 
-Polyhedron surface_of(const Boxes& boxes, double growth, Progress& progress) {
-  Grid grid = grid_of(boxes, progress);
+Polyhedron surface_of(const Boxes& boxes, double same, double growth, Progress& progress) {
+  Grid grid = grid_of(boxes, same, progress);
   for (std::size_t axis = 0; axis < 3 && growth > 0; ++axis) grid = grown_along(axis, grid, growth);
   if (touches_itself(grid)) throw Error(ErrorKind::bad_input, "boxes", "they touch along an edge or at a corner");
   Surface surface(grid);

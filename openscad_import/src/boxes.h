@@ -24,8 +24,8 @@ std::optional<Box> box_of(const Polyhedron& solid);
 bool have_few_cells(const Boxes& boxes, bool grown);
 
 /// The surface of what they make, with corners where edges of the solid meet only; exact, but for all faces being moved out by
-/// `growth` mm. What has no thickness is not there. Without growth it throws bad_input where solids touch along an edge or at a
-/// corner only; with it they become one.
-Polyhedron surface_of(const Boxes& boxes, double growth, Progress& progress);
+/// `growth` mm; faces no farther apart than `same` mm are in one plane. What has no thickness is not there. Without growth it
+/// throws bad_input where solids touch along an edge or at a corner only; with it they become one.
+Polyhedron surface_of(const Boxes& boxes, double same, double growth, Progress& progress);
 
 }  // namespace fieldfab::openscad

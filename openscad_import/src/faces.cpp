@@ -163,18 +163,19 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
 /// How leafs become solids.
 struct Drawing {
   std::function<Polyhedron(const Leaf&)> solid;
-  /// How far the next solid is grown, mm; `taken` is how often it is taken away from what is taken away.
-  std::function<double(int taken)> growth = [](int) { return 0.0; };
+  double same = 0;  ///< faces of boxes no farther apart are in one plane, mm
+  /// How far the next solid is grown, mm; `taken` is how often it is taken away from what is taken away. Null where none is.
+  std::function<double(int taken)> growth = nullptr;
 };
 
 /// Joins a part's leafs by exact arithmetic: boxes by their cells, as many together as can be, and all else by corefinement.
 class Joiner {
  public:
-  Joiner(Drawing drawing, bool grows, Progress& progress) : drawing_(std::move(drawing)), grows_(grows), progress_(progress) {}
+  Joiner(Drawing drawing, Progress& progress) : drawing_(std::move(drawing)), progress_(progress) {}
 
   Polyhedron surface(const Part& part) {
     const Joined all = joined(part, 0);
-    if (const auto* boxes = std::get_if<Boxes>(&all)) return surface_of(*boxes, drawing_.growth(0), progress_);
+    if (const auto* boxes = std::get_if<Boxes>(&all)) return surface(*boxes, 0);
     return std::get<ExactSolid>(all).polyhedron();
   }
 
@@ -186,14 +187,18 @@ class Joiner {
     std::vector<ExactSolid> others;
   };
 
+  [[nodiscard]] bool grows() const { return drawing_.growth != nullptr; }
+  Polyhedron surface(const Boxes& boxes, int taken) {
+    return surface_of(boxes, drawing_.same, grows() ? drawing_.growth(taken) : 0, progress_);
+  }
+
   Joined joined(const Part& part, int taken) {
     progress_.check();
     if (part.kind == Kind::nothing) return Boxes{};
     if (part.kind == Kind::leaf) {
       const Polyhedron solid = drawing_.solid(*part.leaf);
-      if (const auto box = box_of(solid)) return Boxes{Kind::leaf, *box, {}};
-      const double growth = drawing_.growth(taken);
-      return ExactSolid(growth > 0 ? grown(solid, growth) : solid);
+      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same) return Boxes{Kind::leaf, *box, {}};
+      return ExactSolid(grows() ? grown(solid, drawing_.growth(taken)) : solid);
     }
     if (part.kind == Kind::subtract) return difference(part.children, taken);
     return joined(part.kind, all(part.children, taken), taken);
@@ -213,7 +218,7 @@ class Joiner {
 
   Joined joined(Kind kind, Solids solids, int taken) {
     Boxes boxes{kind, {}, std::move(solids.boxes)};
-    if (have_few_cells(boxes, grows_)) {
+    if (have_few_cells(boxes, grows())) {
       if (solids.others.empty()) return boxes;
       if (!boxes.children.empty()) solids.others.push_back(exact(boxes, taken));
     } else {
@@ -228,7 +233,7 @@ class Joiner {
     if (const auto* boxes = std::get_if<Boxes>(&first)) {
       Boxes rest{Kind::subtract, {}, {*boxes}};
       rest.children.insert(rest.children.end(), others.boxes.begin(), others.boxes.end());
-      if (have_few_cells(rest, grows_)) {
+      if (have_few_cells(rest, grows())) {
         first = std::move(rest);
         others.boxes.clear();
       }
@@ -239,12 +244,11 @@ class Joiner {
   }
 
   ExactSolid exact(const Joined& joined, int taken) {
-    if (const auto* boxes = std::get_if<Boxes>(&joined)) return ExactSolid(surface_of(*boxes, drawing_.growth(taken), progress_));
+    if (const auto* boxes = std::get_if<Boxes>(&joined)) return ExactSolid(surface(*boxes, taken));
     return std::get<ExactSolid>(joined);
   }
 
   Drawing drawing_;
-  bool grows_;
   Progress& progress_;
 };
 
@@ -282,7 +286,7 @@ std::optional<TriangleMesh> mesh_of(const Part& part, Joiner joiner, const Eigen
 
 Polyhedron polyhedron_of(const Part& part, Progress& progress) {
   if (part.kind == Part::Kind::leaf) return part.leaf->polyhedron();
-  return Joiner({[](const Leaf& leaf) { return leaf.polyhedron(); }}, false, progress).surface(part);
+  return Joiner({[](const Leaf& leaf) { return leaf.polyhedron(); }}, progress).surface(part);
 }
 
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
@@ -295,17 +299,18 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
     const Polyhedron solid = settled(moved(leaf.polyhedron(), turn), farthest);
     return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;
   };
-  if (auto surface = mesh_of(part, {{as_drawn}, false, progress}, turn.inverse())) return surface;
+  // Some last places of single precision.
+  const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
+  if (auto surface = mesh_of(part, {{as_drawn, same}, progress}, turn.inverse())) return surface;
   // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
-  // more, so that no skin stays. A step is some last places of single precision.
-  const double step = 4e-6 * farthest;
+  // more, so that no skin stays.
   constexpr int amounts = 8;
   int number = 0;
   const auto apart = [&](int taken) {
     number = (number + 5) % amounts;
     return (1 + number + amounts * taken) * step;
   };
-  auto surface = mesh_of(part, {{as_drawn, apart}, true, progress}, turn.inverse());
+  auto surface = mesh_of(part, {{as_drawn, same, apart}, progress}, turn.inverse());
   // What is no thicker than solids were grown is not there: they touched.
   if (surface && surface->volume() < 2 * amounts * step * surface->area()) surface.reset();
   return surface;
