@@ -193,33 +193,57 @@ Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   return result;
 }
 
-/// Where planes meet and the surface would touch itself.
-bool touches_itself(const Grid& grid) {
-  for (std::size_t z = 0; z + 1 < grid.size[2]; ++z)
-    for (std::size_t y = 0; y + 1 < grid.size[1]; ++y)
-      for (std::size_t x = 0; x + 1 < grid.size[0]; ++x)
-        if (touch(grid.around({x, y, z}))) return true;
-  return false;
-}
-
-/// Makes triangles of a grid's faces. All that lie in one plane and look the same way are divided together, and an edge ends
-/// where it does in the other faces that have it: at corners of the solid.
+/// Makes triangles of the faces between solid and empty cells. All that lie in one plane and look the same way are divided
+/// together, and an edge ends where it does in the other faces that have it: at corners of the solid.
 class Surface {
  public:
-  explicit Surface(const Grid& grid) : grid_(grid) {}
+  /// Throws bad_input where it touches itself.
+  explicit Surface(const Grid& grid) : grid_(grid) {
+    for (std::size_t axis = 0; axis < 3; ++axis) planes_[axis].resize(grid.planes[axis].size());
+    for (std::size_t z = 0; z + 1 < grid.size[2]; ++z)
+      for (std::size_t y = 0; y + 1 < grid.size[1]; ++y) find_faces(y, z);
+  }
 
   void add_plane(std::size_t axis, std::size_t plane) {
     axis_ = axis;
     plane_ = plane;
-    look();
+    const std::vector<Face>& faces = planes_[axis][plane];
+    looks_.assign(grid_.size[across(0)] * grid_.size[across(1)], Looks::nowhere);
+    for (const Face& face : faces) looks(face.cell) = face.way;
     for (const Looks way : {Looks::forwards, Looks::backwards})
-      if (std::find(faces_.begin(), faces_.end(), way) != faces_.end()) add_faces(way);
+      if (std::any_of(faces.begin(), faces.end(), [&](const Face& face) { return face.way == way; })) add_faces(way);
   }
   [[nodiscard]] Polyhedron take() { return std::move(surface_); }
 
  private:
   enum class Looks : std::uint8_t { nowhere, forwards, backwards };
-  using FlatPlace = std::array<std::size_t, 2>;
+  using FlatPlace = std::array<std::size_t, 2>;  // along the two axes after that across the plane
+  struct Face {
+    FlatPlace cell;
+    Looks way;
+  };
+
+  /// Of the cells of one y and z those that have a face beyond them.
+  void find_faces(std::size_t y, std::size_t z) {
+    const std::uint8_t* const row = &grid_.solid[grid_.index({0, y, z})];
+    const std::size_t up = grid_.stride[1], back = grid_.stride[2];
+    Octants cells = 0;
+    for (std::size_t x = 0; x + 1 < grid_.size[0]; ++x) {
+      const std::uint8_t* const next = row + x + 1;
+      const Octants beyond =
+          (Octants{next[0]} << 1U) | (Octants{next[up]} << 3U) | (Octants{next[back]} << 5U) | (Octants{next[up + back]} << 7U);
+      cells = (cells >> 1U & 0b01010101U) | beyond;
+      if (cells == 0 || cells == 255) continue;
+      if (touch(cells)) throw Error(ErrorKind::bad_input, "boxes", "they touch along an edge or at a corner");
+      const Place at{x, y, z};
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const bool here = (cells & 1U) != 0, there = (cells >> (1U << axis) & 1U) != 0;
+        if (here != there)
+          planes_[axis][at[axis]].push_back(
+              {{at[(axis + 1) % 3], at[(axis + 2) % 3]}, here ? Looks::forwards : Looks::backwards});
+      }
+    }
+  }
 
   [[nodiscard]] std::size_t across(std::size_t i) const { return (axis_ + 1 + i) % 3; }
   [[nodiscard]] Place place(const FlatPlace& flat) const {
@@ -229,37 +253,28 @@ class Surface {
     result[across(1)] = flat[1];
     return result;
   }
-
-  /// Finds all faces in the plane.
-  void look() {
-    width_ = grid_.size[across(0)];
-    const std::size_t height = grid_.size[across(1)];
-    faces_.assign(width_ * height, Looks::nowhere);
-    for (std::size_t j = 0; j < height; ++j)
-      for (std::size_t i = 0; i < width_; ++i) {
-        const std::uint8_t* const before = &grid_.solid[grid_.index(place({i, j}))];
-        const std::uint8_t beyond = before[grid_.stride[axis_]];
-        if (*before != beyond) faces_[j * width_ + i] = beyond == 0 ? Looks::forwards : Looks::backwards;
-      }
-  }
+  [[nodiscard]] Looks& looks(const FlatPlace& cell) { return looks_[cell[1] * grid_.size[across(0)] + cell[0]]; }
 
   /// The edges of the faces that look one way, from corner to corner, with the face on the left.
-  [[nodiscard]] std::multimap<FlatPlace, FlatPlace> edges(Looks way) const {
+  [[nodiscard]] std::multimap<FlatPlace, FlatPlace> edges(Looks way) {
+    const auto is_corner = [&](const FlatPlace& at) { return are_corner(grid_.around(place(at))); };
     std::multimap<FlatPlace, FlatPlace> found;
-    for (const std::size_t along : {0, 1}) {
-      FlatPlace at{}, from{};
-      for (at[1 - along] = 0; at[1 - along] < grid_.planes[across(1 - along)].size(); ++at[1 - along])
-        for (at[along] = 1; at[along] < grid_.planes[across(along)].size(); ++at[along]) {
-          const Looks* const before = &faces_[at[1] * width_ + at[0]];
-          const bool is_beyond = before[along == 0 ? width_ : 1] == way;
-          if ((*before == way) == is_beyond) continue;
-          FlatPlace start = at;
-          --start[along];
-          if (are_corner(grid_.around(place(start)))) from = start;
-          if (!are_corner(grid_.around(place(at)))) continue;
-          const bool goes_on = is_beyond == (along == 0);
-          found.emplace(goes_on ? from : at, goes_on ? at : from);
-        }
+    for (const Face& face : planes_[axis_][plane_]) {
+      if (face.way != way) continue;
+      const auto [i, j] = face.cell;  // between the planes before and of that number
+      struct Side {
+        FlatPlace start, beyond;  // the place where it starts, the cell on the other side of it
+        std::size_t along, step;
+      };
+      constexpr std::size_t back = -1;
+      for (const Side& side : {Side{{i - 1, j - 1}, {i, j - 1}, 0, 1}, Side{{i, j - 1}, {i + 1, j}, 1, 1},
+                               Side{{i, j}, {i, j + 1}, 0, back}, Side{{i - 1, j}, {i - 1, j}, 1, back}}) {
+        if (looks(side.beyond) == way || !is_corner(side.start)) continue;
+        FlatPlace end = side.start;
+        do end[side.along] += side.step;
+        while (!is_corner(end));
+        found.emplace(side.start, end);
+      }
     }
     return found;
   }
@@ -292,8 +307,9 @@ class Surface {
   }
 
   const Grid& grid_;
-  std::size_t axis_ = 0, plane_ = 0, width_ = 0;
-  std::vector<Looks> faces_;  // of the plane, by the cells before it
+  std::array<std::vector<std::vector<Face>>, 3> planes_;
+  std::size_t axis_ = 0, plane_ = 0;
+  std::vector<Looks> looks_;  // of the plane's faces, by the cells before it
   std::unordered_map<std::size_t, std::uint32_t> corners_;
   Polyhedron surface_;
 };
@@ -332,7 +348,6 @@ bool have_few_cells(const Boxes& boxes, bool grown) {
 Polyhedron surface_of(const Boxes& boxes, double same, double growth, Progress& progress) {
   Grid grid = grid_of(boxes, same, progress);
   for (std::size_t axis = 0; axis < 3 && growth > 0; ++axis) grid = grown_along(axis, grid, growth);
-  if (touches_itself(grid)) throw Error(ErrorKind::bad_input, "boxes", "they touch along an edge or at a corner");
   Surface surface(grid);
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t plane = 0; plane < grid.planes[axis].size(); ++plane) {
