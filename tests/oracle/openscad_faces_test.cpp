@@ -21,7 +21,8 @@ Design design(std::string_view text, bool smooth = false) {
 }
 
 std::optional<TriangleMesh> faces(std::string_view text, std::optional<double> thickness = {}) {
-  return design(text).faces(thickness, Progress::none());
+  const Design made = design(text);
+  return made.faces ? made.faces(thickness, Progress::none()) : std::nullopt;
 }
 
 std::string moved(double x, double y, double z, const std::string& text) {
