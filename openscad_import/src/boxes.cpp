@@ -105,7 +105,7 @@ std::size_t cell_at(const std::vector<double>& planes, double at) {
   return static_cast<std::size_t>(std::upper_bound(planes.begin(), planes.end(), at) - planes.begin());
 }
 
-/// Boxes by their cells: from a first to before a last.
+/// Boxes by their cells: all lie from a first one to before a last one along each axis.
 struct Spans {
   Kind kind;
   Place first{}, last{};
@@ -114,57 +114,77 @@ struct Spans {
 
 Spans spans_of(const Boxes& boxes, const Planes& planes) {
   Spans spans{boxes.kind};
-  if (boxes.kind == Kind::leaf)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto along = static_cast<Eigen::Index>(axis);
-      spans.first[axis] = cell_at(planes[axis], boxes.box.lower[along]);
-      spans.last[axis] = cell_at(planes[axis], boxes.box.upper[along]);
-    }
   for (const Boxes& child : boxes.children) spans.children.push_back(spans_of(child, planes));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::size_t &first = spans.first[axis], &last = spans.last[axis];
+    if (boxes.kind == Kind::leaf) {
+      const auto along = static_cast<Eigen::Index>(axis);
+      first = cell_at(planes[axis], boxes.box.lower[along]);
+      last = cell_at(planes[axis], boxes.box.upper[along]);
+    } else if (!spans.children.empty()) {
+      first = spans.children.front().first[axis];
+      last = spans.children.front().last[axis];
+    }
+    for (const Spans& child : spans.children) {
+      if (boxes.kind == Kind::subtract) break;
+      const bool grows = boxes.kind == Kind::unite;
+      first = grows ? std::min(first, child.first[axis]) : std::max(first, child.first[axis]);
+      last = grows ? std::max(last, child.last[axis]) : std::min(last, child.last[axis]);
+    }
+  }
   return spans;
 }
 
-/// The cells of one z.
-struct Layer {
-  std::size_t z, width;
-  std::vector<std::uint8_t> solid;
+/// Cells of one z, from a first x and y to before a last.
+class Layer {
+ public:
+  Layer(std::size_t z, std::array<std::size_t, 2> first, std::array<std::size_t, 2> last)
+      : z_(z), first_(first), last_(last), solid_((last[0] - first[0]) * (last[1] - first[1])) {}
+
+  [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
 
   /// With what a part has in it.
-  void add(const Spans& part);
-  [[nodiscard]] Layer of(const Spans& part) const {
-    Layer layer{z, width, std::vector<std::uint8_t>(solid.size())};
-    layer.add(part);
-    return layer;
-  }
-};
-
-void Layer::add(const Spans& part) {
-  if (part.kind == Kind::nothing) return;
-  if (part.kind == Kind::leaf) {
-    if (z < part.first[2] || z >= part.last[2]) return;
-    for (std::size_t y = part.first[1]; y < part.last[1]; ++y)
-      std::fill_n(&solid[y * width + part.first[0]], part.last[0] - part.first[0], std::uint8_t{1});
-  } else if (part.kind == Kind::unite) {
-    for (const Spans& child : part.children) add(child);
-  } else {
-    Layer common = of(part.children.front());
-    for (std::size_t i = 1; i < part.children.size(); ++i) {
-      const Layer other = of(part.children[i]);
-      for (std::size_t j = 0; j < solid.size(); ++j)
-        if ((other.solid[j] != 0) == (part.kind == Kind::subtract)) common.solid[j] = 0;
+  void add(const Spans& part) {
+    const std::array first{std::max(first_[0], part.first[0]), std::max(first_[1], part.first[1])},
+        last{std::min(last_[0], part.last[0]), std::min(last_[1], part.last[1])};
+    if (z_ < part.first[2] || z_ >= part.last[2] || first[0] >= last[0] || first[1] >= last[1]) return;
+    if (part.kind == Kind::leaf) {
+      for (std::size_t y = first[1]; y < last[1]; ++y)
+        std::fill_n(&solid_[index(first[0], y)], last[0] - first[0], std::uint8_t{1});
+    } else if (part.kind == Kind::unite) {
+      for (const Spans& child : part.children) add(child);
+    } else {
+      Layer common(z_, first, last);
+      common.add(part.children.front());
+      for (std::size_t i = 1; i < part.children.size(); ++i) {
+        Layer other(z_, first, last);
+        other.add(part.children[i]);
+        for (std::size_t j = 0; j < other.solid_.size(); ++j)
+          if ((other.solid_[j] != 0) == (part.kind == Kind::subtract)) common.solid_[j] = 0;
+      }
+      for (std::size_t y = first[1]; y < last[1]; ++y)
+        for (std::size_t x = first[0]; x < last[0]; ++x) solid_[index(x, y)] |= common.solid_[common.index(x, y)];
     }
-    for (std::size_t j = 0; j < solid.size(); ++j) solid[j] |= common.solid[j];
   }
-}
+
+ private:
+  [[nodiscard]] std::size_t index(std::size_t x, std::size_t y) const {
+    return (y - first_[1]) * (last_[0] - first_[0]) + x - first_[0];
+  }
+
+  std::size_t z_;
+  std::array<std::size_t, 2> first_, last_;
+  std::vector<std::uint8_t> solid_;
+};
 
 Grid grid_of(const Boxes& boxes, double same, Progress& progress) {
   Grid grid(planes_of(boxes, same));
   const Spans spans = spans_of(boxes, grid.planes);
-  for (std::size_t z = 1; z + 1 < grid.size[2]; ++z) {
+  for (std::size_t z = spans.first[2]; z < spans.last[2]; ++z) {
     progress.check();
-    Layer layer{z, grid.size[0], std::vector<std::uint8_t>(grid.stride[2])};
+    Layer layer(z, {0, 0}, {grid.size[0], grid.size[1]});
     layer.add(spans);
-    std::copy(layer.solid.begin(), layer.solid.end(), &grid.solid[z * grid.stride[2]]);
+    std::copy(layer.solid().begin(), layer.solid().end(), &grid.solid[z * grid.stride[2]]);
   }
   return grid;
 }

@@ -77,6 +77,9 @@ TEST(CsgFaces, AreSetApartWhereTheyTouchAlongAnEdge) {
     ASSERT_TRUE(surface);
     EXPECT_TRUE(inspect(*surface).valid());
     EXPECT_NEAR(surface->volume(), 128, 0.05);
+    // With a hole that is flush at both ends no skin stays.
+    const std::string bored = "difference() { group() { " + text + " } " + moved(2, 2, 0, beam) + " }";
+    EXPECT_NEAR(volume(tilted ? turned(bored) : bored), 128 - beam_volume, 0.05);
   }
 }
 
