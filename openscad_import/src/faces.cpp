@@ -78,8 +78,10 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
 }
 
+using Areas = std::vector<std::pair<Vec3, double>>;  // of faces by their normals, the greatest first
+
 /// The normals of a solid's faces with the area of each; of a round one's many.
-std::vector<std::pair<Vec3, double>> areas_by_normal(const Polyhedron& solid) {
+Areas areas_by_normal(const Polyhedron& solid) {
   std::map<std::array<std::int64_t, 3>, std::pair<Vec3, double>> found;
   for (const Triangle& t : solid.triangles) {
     const Vec3& a = solid.vertices[t[0]];
@@ -90,50 +92,65 @@ std::vector<std::pair<Vec3, double>> areas_by_normal(const Polyhedron& solid) {
     for (std::size_t i = 0; i < 3; ++i) key[i] = std::llround(1e8 * normal[static_cast<Eigen::Index>(i)]);
     found.try_emplace(key, normal, 0.0).first->second.second += area.norm();
   }
-  std::vector<std::pair<Vec3, double>> all;
+  Areas all;
   for (const auto& [key, face] : found) all.push_back(face);
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   return all;
 }
 
-/// The axes, as rows, along which the greatest faces of most leafs look: seen along them what was turned is of rounded numbers,
-/// and faces that were drawn in one plane are in one. OpenSCAD writes turns with six digits, and so what was a box is not quite
-/// one any more, but all have the same three axes, nearly across each other.
-Eigen::Matrix3d best_axes(const Part& part) {
-  struct Axes {
-    Eigen::Matrix3d rows;
-    std::size_t leafs;
+/// Three axes, as rows, along which a solid's greatest faces look. OpenSCAD writes turns with six digits, and so they are only
+/// nearly across each other.
+Eigen::Matrix3d axes_of(const Areas& faces) {
+  const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
+    constexpr double nearly = 1e-4;
+    const auto face = std::find_if(faces.begin(), faces.end(), [&](const auto& other) {
+      return std::abs(other.first.dot(a)) < nearly && std::abs(other.first.dot(b)) < nearly;
+    });
+    return face != faces.end() ? face->first : if_none;
   };
-  std::vector<Axes> known{{Eigen::Matrix3d::Identity(), 0}};
-  constexpr std::size_t most = 32;
-  constexpr double same = 1e-9, across = 1e-4;
+  const Vec3 first = faces.front().first, second = normal_across(first, first, first.unitOrthogonal());
+  const Vec3 cross = first.cross(second).normalized(), third = normal_across(first, second, cross);
+  Eigen::Matrix3d axes;
+  axes << first.transpose(), second.transpose(), (third.dot(cross) > 0 ? third : Vec3(-third)).transpose();
+  return axes;
+}
+
+/// How much of a solid's faces looks along one of the axes: 0 to 1.
+double share_along(const Eigen::Matrix3d& axes, const Areas& faces) {
+  constexpr double nearly = 1e-9;
+  double along = 0, all = 0;
+  for (const auto& [normal, area] : faces) {
+    all += area;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      if (axes.row(i).transpose().cross(normal).norm() < nearly) along += area;
+  }
+  return along / all;
+}
+
+/// The axes, as rows, along which most faces look: seen along them what was turned is of rounded numbers, and faces that were
+/// drawn in one plane are in one.
+Eigen::Matrix3d best_axes(const Part& part) {
+  std::vector<Areas> leafs;
   const std::function<void(const Part&)> visit = [&](const Part& here) {
     for (const PartPtr& child : here.children) visit(*child);
     if (here.leaf == nullptr) return;
-    const auto faces = areas_by_normal(here.leaf->polyhedron());
-    if (faces.empty()) return;
-    const Vec3 first = faces.front().first;
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Axes& axes) {
-      return (axes.rows.rowwise().cross(first.transpose()).rowwise().norm().array() < same).any();
-    });
-    if (found != known.end()) {
-      ++found->leafs;
-    } else if (known.size() < most) {
-      const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
-        const auto face = std::find_if(faces.begin(), faces.end(), [&](const auto& other) {
-          return std::abs(other.first.dot(a)) < across && std::abs(other.first.dot(b)) < across;
-        });
-        return face != faces.end() ? face->first : if_none;
-      };
-      const Vec3 second = normal_across(first, first, first.unitOrthogonal()), cross = first.cross(second).normalized();
-      const Vec3 third = normal_across(first, second, cross);
-      Axes axes{Eigen::Matrix3d::Zero(), 1};
-      axes.rows << first.transpose(), second.transpose(), (third.dot(cross) > 0 ? third : Vec3(-third)).transpose();
-      known.push_back(axes);
-    }
+    if (Areas faces = areas_by_normal(here.leaf->polyhedron()); !faces.empty()) leafs.push_back(std::move(faces));
   };
   visit(part);
-  return std::max_element(known.begin(), known.end(), [](const Axes& a, const Axes& b) { return a.leafs < b.leafs; })->rows;
+  constexpr std::size_t most = 32;
+  std::vector<Eigen::Matrix3d> known{Eigen::Matrix3d::Identity()};
+  for (const Areas& faces : leafs) {
+    const Eigen::Matrix3d axes = axes_of(faces);
+    const double enough = 0.999 * share_along(axes, faces);
+    const auto has_them = [&](const Eigen::Matrix3d& other) { return share_along(other, faces) >= enough; };
+    if (known.size() < most && std::none_of(known.begin(), known.end(), has_them)) known.push_back(axes);
+  }
+  std::vector<double> shares;
+  for (const Eigen::Matrix3d& axes : known) {
+    shares.push_back(0);
+    for (const Areas& faces : leafs) shares.back() += share_along(axes, faces);
+  }
+  return known[static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin())];
 }
 
 /// Each face moved out by `growth` mm, as far as its corners can follow: where more than three planes meet, as near as can be.
@@ -307,8 +324,9 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   constexpr int amounts = 8;
   int number = 0;
   const auto apart = [&](int taken) {
+    const double growth = (1 + number + amounts * taken) * step;
     number = (number + 5) % amounts;
-    return (1 + number + amounts * taken) * step;
+    return growth;
   };
   auto surface = mesh_of(part, {{as_drawn, same, apart}, progress}, turn.inverse());
   // What is no thicker than solids were grown is not there: they touched.
