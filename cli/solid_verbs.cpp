@@ -108,6 +108,8 @@ class MeshVerb final : public Verb {
     const double cell = options_.cell(bounds, model);
     const TriangleMesh mesh =
         faces ? std::move(*faces) : contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
+    if (mesh.triangles.empty() && !options_.region())
+      throw Error(ErrorKind::bad_input, options_.model, "the solid is empty, and no mesh was written");
     write_mesh(mesh, options_.output, progress);
     Outcome outcome;
     outcome.line =

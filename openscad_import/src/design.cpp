@@ -101,8 +101,8 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());
-    if (!part->empty()) {
-      const Box box = bounds_of(*part);
+    const Box box = part->empty() ? Box() : bounds_of(*part);
+    if (box.size().minCoeff() > 0) {
       const double growth = loss * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
       solid = solid_of(*part, {growth, growth, options.formulas_only, &progress});
       design.bounds = box.grown(2 * growth);

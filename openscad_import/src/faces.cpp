@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <span>
+#include <variant>
 
+#include "boxes.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/exact_solid.h"
 #include "leaf.h"
@@ -12,25 +15,6 @@
 
 namespace fieldfab::openscad {
 namespace {
-
-/// Gives the corners of a leaf; `taken` is how often it is taken away from what is taken away.
-using CornersOf = std::function<Polyhedron(const Leaf&, int taken)>;
-
-ExactSolid exact_of(const Part& part, const CornersOf& corners_of, Progress& progress, int taken = 0) {
-  progress.check();
-  if (part.kind == Part::Kind::nothing) return {};
-  if (part.kind == Part::Kind::leaf) return ExactSolid(corners_of(*part.leaf, taken));
-  std::vector<ExactSolid> solids;
-  for (const PartPtr& child : part.children) {
-    const bool is_taken = part.kind == Part::Kind::subtract && !solids.empty();
-    solids.push_back(exact_of(*child, corners_of, progress, taken + (is_taken ? 1 : 0)));
-  }
-  if (part.kind == Part::Kind::intersect) return all_of(std::move(solids), Operation::intersect, progress);
-  if (part.kind == Part::Kind::unite) return all_of(std::move(solids), Operation::unite, progress);
-  const ExactSolid first = std::move(solids.front());
-  solids.erase(solids.begin());
-  return combined(first, all_of(std::move(solids), Operation::unite, progress), Operation::subtract);
-}
 
 bool all_flat(const Part& part) {
   if (part.kind == Part::Kind::leaf) return part.leaf->has_flat_faces();
@@ -94,8 +78,10 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
 }
 
+using Areas = std::vector<std::pair<Vec3, double>>;  // of faces by their normals, the greatest first
+
 /// The normals of a solid's faces with the area of each; of a round one's many.
-std::vector<std::pair<Vec3, double>> areas_by_normal(const Polyhedron& solid) {
+Areas areas_by_normal(const Polyhedron& solid) {
   std::map<std::array<std::int64_t, 3>, std::pair<Vec3, double>> found;
   for (const Triangle& t : solid.triangles) {
     const Vec3& a = solid.vertices[t[0]];
@@ -106,44 +92,65 @@ std::vector<std::pair<Vec3, double>> areas_by_normal(const Polyhedron& solid) {
     for (std::size_t i = 0; i < 3; ++i) key[i] = std::llround(1e8 * normal[static_cast<Eigen::Index>(i)]);
     found.try_emplace(key, normal, 0.0).first->second.second += area.norm();
   }
-  std::vector<std::pair<Vec3, double>> all;
+  Areas all;
   for (const auto& [key, face] : found) all.push_back(face);
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   return all;
 }
 
-/// The axes, as rows, along which the greatest faces of most leafs look: seen along them what was turned is of rounded numbers,
-/// and faces that were drawn in one plane are in one.
-Eigen::Matrix3d best_axes(const Part& part) {
-  struct Axes {
-    Eigen::Matrix3d rows;
-    std::size_t leafs;
+/// Three axes, as rows, along which a solid's greatest faces look. OpenSCAD writes turns with six digits, and so they are only
+/// nearly across each other.
+Eigen::Matrix3d axes_of(const Areas& faces) {
+  const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
+    constexpr double nearly = 1e-4;
+    const auto face = std::find_if(faces.begin(), faces.end(), [&](const auto& other) {
+      return std::abs(other.first.dot(a)) < nearly && std::abs(other.first.dot(b)) < nearly;
+    });
+    return face != faces.end() ? face->first : if_none;
   };
-  std::vector<Axes> known{{Eigen::Matrix3d::Identity(), 0}};
-  constexpr std::size_t most = 32;
+  const Vec3 first = faces.front().first, second = normal_across(first, first, first.unitOrthogonal());
+  const Vec3 cross = first.cross(second).normalized(), third = normal_across(first, second, cross);
+  Eigen::Matrix3d axes;
+  axes << first.transpose(), second.transpose(), (third.dot(cross) > 0 ? third : Vec3(-third)).transpose();
+  return axes;
+}
+
+/// How much of a solid's faces looks along one of the axes: 0 to 1.
+double share_along(const Eigen::Matrix3d& axes, const Areas& faces) {
   constexpr double nearly = 1e-9;
+  double along = 0, all = 0;
+  for (const auto& [normal, area] : faces) {
+    all += area;
+    for (Eigen::Index i = 0; i < 3; ++i)
+      if (axes.row(i).transpose().cross(normal).norm() < nearly) along += area;
+  }
+  return along / all;
+}
+
+/// The axes, as rows, along which most faces look: seen along them what was turned is of rounded numbers, and faces that were
+/// drawn in one plane are in one.
+Eigen::Matrix3d best_axes(const Part& part) {
+  std::vector<Areas> leafs;
   const std::function<void(const Part&)> visit = [&](const Part& here) {
     for (const PartPtr& child : here.children) visit(*child);
     if (here.leaf == nullptr) return;
-    const auto faces = areas_by_normal(here.leaf->polyhedron());
-    if (faces.empty()) return;
-    const Vec3 first = faces.front().first;
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Axes& axes) {
-      return ((axes.rows * first).cwiseAbs().array() > nearly).count() == 1;
-    });
-    if (found != known.end()) {
-      ++found->leafs;
-    } else if (known.size() < most) {
-      const auto across =
-          std::find_if(faces.begin(), faces.end(), [&](const auto& face) { return std::abs(face.first.dot(first)) < nearly; });
-      const Vec3 second = across != faces.end() ? across->first : Vec3(first.unitOrthogonal());
-      Axes axes{Eigen::Matrix3d::Zero(), 1};
-      axes.rows << first.transpose(), second.transpose(), first.cross(second).transpose();
-      known.push_back(axes);
-    }
+    if (Areas faces = areas_by_normal(here.leaf->polyhedron()); !faces.empty()) leafs.push_back(std::move(faces));
   };
   visit(part);
-  return std::max_element(known.begin(), known.end(), [](const Axes& a, const Axes& b) { return a.leafs < b.leafs; })->rows;
+  constexpr std::size_t most = 32;
+  std::vector<Eigen::Matrix3d> known{Eigen::Matrix3d::Identity()};
+  for (const Areas& faces : leafs) {
+    const Eigen::Matrix3d axes = axes_of(faces);
+    const double enough = 0.999 * share_along(axes, faces);
+    const auto has_them = [&](const Eigen::Matrix3d& other) { return share_along(other, faces) >= enough; };
+    if (known.size() < most && std::none_of(known.begin(), known.end(), has_them)) known.push_back(axes);
+  }
+  std::vector<double> shares;
+  for (const Eigen::Matrix3d& axes : known) {
+    shares.push_back(0);
+    for (const Areas& faces : leafs) shares.back() += share_along(axes, faces);
+  }
+  return known[static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin())];
 }
 
 /// Each face moved out by `growth` mm, as far as its corners can follow: where more than three planes meet, as near as can be.
@@ -170,6 +177,98 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
   return result;
 }
 
+/// How leafs become solids.
+struct Drawing {
+  std::function<Polyhedron(const Leaf&)> solid;
+  double same = 0;  ///< faces of boxes no farther apart are in one plane, mm
+  /// How far the next solid is grown, mm; `taken` is how often it is taken away from what is taken away. Null where none is.
+  std::function<double(int taken)> growth = nullptr;
+};
+
+/// Joins a part's leafs by exact arithmetic: boxes by their cells, as many together as can be, and all else by corefinement.
+class Joiner {
+ public:
+  Joiner(Drawing drawing, Progress& progress) : drawing_(std::move(drawing)), progress_(progress) {}
+
+  Polyhedron surface(const Part& part) {
+    const Joined all = joined(part, 0);
+    if (const auto* boxes = std::get_if<Boxes>(&all)) return surface(*boxes, 0);
+    return std::get<ExactSolid>(all).polyhedron();
+  }
+
+ private:
+  using Kind = Part::Kind;
+  using Joined = std::variant<Boxes, ExactSolid>;  // boxes wait until they meet another solid
+  struct Solids {
+    std::vector<Boxes> boxes;
+    std::vector<ExactSolid> others;
+  };
+
+  [[nodiscard]] bool grows() const { return drawing_.growth != nullptr; }
+  Polyhedron surface(const Boxes& boxes, int taken) {
+    return surface_of(boxes, drawing_.same, grows() ? drawing_.growth(taken) : 0, progress_);
+  }
+
+  Joined joined(const Part& part, int taken) {
+    progress_.check();
+    if (part.kind == Kind::nothing) return Boxes{};
+    if (part.kind == Kind::leaf) {
+      const Polyhedron solid = drawing_.solid(*part.leaf);
+      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same) return Boxes{Kind::leaf, *box, {}};
+      return ExactSolid(grows() ? grown(solid, drawing_.growth(taken)) : solid);
+    }
+    if (part.kind == Kind::subtract) return difference(part.children, taken);
+    return joined(part.kind, all(part.children, taken), taken);
+  }
+
+  Solids all(std::span<const PartPtr> parts, int taken) {
+    Solids solids;
+    for (const PartPtr& part : parts) {
+      Joined one = joined(*part, taken);
+      if (auto* boxes = std::get_if<Boxes>(&one))
+        solids.boxes.push_back(std::move(*boxes));
+      else
+        solids.others.push_back(std::get<ExactSolid>(std::move(one)));
+    }
+    return solids;
+  }
+
+  Joined joined(Kind kind, Solids solids, int taken) {
+    Boxes boxes{kind, {}, std::move(solids.boxes)};
+    if (have_few_cells(boxes, grows())) {
+      if (solids.others.empty()) return boxes;
+      if (!boxes.children.empty()) solids.others.push_back(exact(boxes, taken));
+    } else {
+      for (const Boxes& child : boxes.children) solids.others.push_back(exact(child, taken));
+    }
+    return all_of(std::move(solids.others), kind == Kind::unite ? Operation::unite : Operation::intersect, progress_);
+  }
+
+  Joined difference(std::span<const PartPtr> parts, int taken) {
+    Joined first = joined(*parts.front(), taken);
+    Solids others = all(parts.subspan(1), taken + 1);
+    if (const auto* boxes = std::get_if<Boxes>(&first)) {
+      Boxes rest{Kind::subtract, {}, {*boxes}};
+      rest.children.insert(rest.children.end(), others.boxes.begin(), others.boxes.end());
+      if (have_few_cells(rest, grows())) {
+        first = std::move(rest);
+        others.boxes.clear();
+      }
+    }
+    if (others.boxes.empty() && others.others.empty()) return first;
+    return combined(exact(first, taken), exact(joined(Kind::unite, std::move(others), taken + 1), taken + 1),
+                    Operation::subtract);
+  }
+
+  ExactSolid exact(const Joined& joined, int taken) {
+    if (const auto* boxes = std::get_if<Boxes>(&joined)) return ExactSolid(surface(*boxes, taken));
+    return std::get<ExactSolid>(joined);
+  }
+
+  Drawing drawing_;
+  Progress& progress_;
+};
+
 /// With corners on a lattice that is much finer than single precision, and coarser than what turning and moving loses in double:
 /// so that corners which are to be the same are, and faces along the axes are in one plane.
 Polyhedron settled(Polyhedron solid, double farthest) {
@@ -178,12 +277,11 @@ Polyhedron settled(Polyhedron solid, double farthest) {
   return welded(solid);
 }
 
-std::optional<TriangleMesh> surface_of(const Part& part, const CornersOf& corners_of, const Eigen::Affine3d& placement,
-                                       Progress& progress) {
+std::optional<TriangleMesh> mesh_of(const Part& part, Joiner joiner, const Eigen::Affine3d& placement) {
   try {
-    const ExactSolid solid = exact_of(part, corners_of, progress);
-    if (solid.empty()) return std::nullopt;  // as it is for whoever looks for its bounds
-    return in_single_precision(moved(solid.polyhedron(), placement));
+    const Polyhedron surface = joiner.surface(part);
+    if (surface.empty()) return std::nullopt;  // as it is for whoever looks for its bounds
+    return in_single_precision(moved(surface, placement));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::io) throw;
     return std::nullopt;
@@ -194,9 +292,7 @@ std::optional<TriangleMesh> surface_of(const Part& part, const CornersOf& corner
 
 Polyhedron polyhedron_of(const Part& part, Progress& progress) {
   if (part.kind == Part::Kind::leaf) return part.leaf->polyhedron();
-  return exact_of(
-             part, [](const Leaf& leaf, int) { return leaf.polyhedron(); }, progress)
-      .polyhedron();
+  return Joiner({[](const Leaf& leaf) { return leaf.polyhedron(); }}, progress).surface(part);
 }
 
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
@@ -205,21 +301,23 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
   Eigen::Affine3d turn = Eigen::Affine3d::Identity();
   turn.linear() = best_axes(part);
-  const auto as_drawn = [&](const Leaf& leaf, int) {
+  const auto as_drawn = [&](const Leaf& leaf) {
     const Polyhedron solid = settled(moved(leaf.polyhedron(), turn), farthest);
     return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;
   };
-  if (auto surface = surface_of(part, as_drawn, turn.inverse(), progress)) return surface;
+  // Some last places of single precision.
+  const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
+  if (auto surface = mesh_of(part, {{as_drawn, same}, progress}, turn.inverse())) return surface;
   // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
-  // more, so that no skin stays. A step is some last places of single precision.
-  const double step = 4e-6 * farthest;
+  // more, so that no skin stays.
   constexpr int amounts = 8;
   int number = 0;
-  const auto set_apart = [&](const Leaf& leaf, int taken) {
+  const auto apart = [&](int taken) {
+    const double growth = (1 + number + amounts * taken) * step;
     number = (number + 5) % amounts;
-    return grown(as_drawn(leaf, taken), (1 + number + amounts * taken) * step);
+    return growth;
   };
-  auto surface = surface_of(part, set_apart, turn.inverse(), progress);
+  auto surface = mesh_of(part, {{as_drawn, same, apart}, progress}, turn.inverse());
   // What is no thicker than solids were grown is not there: they touched.
   if (surface && surface->volume() < 2 * amounts * step * surface->area()) surface.reset();
   return surface;
