@@ -17,6 +17,7 @@ namespace {
 using CornersOf = std::function<Polyhedron(const Leaf&, int taken)>;
 
 ExactSolid exact_of(const Part& part, const CornersOf& corners_of, Progress& progress, int taken = 0) {
+  progress.report(0, "joining solids");  // this asks whether to go on
   progress.check();
   if (part.kind == Part::Kind::nothing) return {};
   if (part.kind == Part::Kind::leaf) return ExactSolid(corners_of(*part.leaf, taken));

@@ -38,7 +38,7 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side", 0)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side. OpenSCAD's flat faces need no cells", 0)
         add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
         add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
