@@ -220,7 +220,9 @@ class Refinement:
     def _piece(self, vertices, triangles, progress):
         if not progress(0, ""):
             raise work.Cancelled()
-        slopes = np.zeros_like(vertices) if self.exact else self.field.gradients(vertices)[1]  # without slopes each triangle is flat
+        if self.exact:
+            return inventor.written(*inventor.creased(vertices, triangles))
+        _, slopes = self.field.gradients(vertices)
         return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
 
 

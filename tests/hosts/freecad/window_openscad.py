@@ -181,7 +181,7 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
         said = [label.text() for label in panel.form.findChildren(QtWidgets.QLabel)]
         assert "As it will be" in said and not any("cells" in text for text in said)
     assert seen == [False, True]
-    FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
+    FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     window.shot("openscad_faces")
     camera = FreeCADGui.ActiveDocument.ActiveView.getCameraNode()
