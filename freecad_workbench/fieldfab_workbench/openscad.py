@@ -28,6 +28,11 @@ def literal(value):
     return repr(float(value))
 
 
+def matrix_of(placement):
+    """The 16 numbers of a FreeCAD placement, for Text.placed(). What its quaternion loses is made good: after quarter turns faces are in one plane."""
+    return [round(number, 14) + 0.0 for number in placement.toMatrix().A]
+
+
 class Text:
     """Lines of .csg text, each with the label of the object that it is from, and the paths of the files that it names."""
 
@@ -138,5 +143,5 @@ def faces_together(parts, progress=None):
     (first, placement), label = parts[0], parts[0][0].label
     if len(parts) == 1 and placement.isIdentity():
         return first.faces(progress)
-    texts = [source.solid(progress).placed(placement.toMatrix().A, source.label) for source, placement in parts]
+    texts = [source.solid(progress).placed(matrix_of(placement), source.label) for source, placement in parts]
     return OpenScadSource(node("union()", label, texts), label).faces(progress)

@@ -5,6 +5,7 @@ import hashlib
 import FreeCAD
 
 from .. import kernel, meshes, preferences, work
+from ..openscad import matrix_of
 from ..words import tr
 from .document_object import DocumentObject
 
@@ -136,7 +137,7 @@ def csg_of(obj):
     """A solid as OpenSCAD's text, where it is in the document; None where OpenSCAD has no word for it. Raises ValueError."""
     text = obj.Proxy.csg(obj) if is_solid(obj) else None
     placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
-    return text if text is None or placement.isIdentity() else text.placed(placement.toMatrix().A, obj.Label)
+    return text if text is None or placement.isIdentity() else text.placed(matrix_of(placement), obj.Label)
 
 
 def create(kind, document, name=None):

@@ -109,6 +109,17 @@ def test_the_mesh_has_the_designs_own_faces(document, read, tmp_path):
     assert root.Volume.Value == 1200 + 1000 - 7 * 5 * 5
 
 
+def test_quarter_turns_are_exact(document, read):
+    """A quaternion's are not: planes that should be one would be two."""
+    root = read(CORNER)
+    root.Sources[1].Placement = FreeCAD.Placement(FreeCAD.Vector(5, 15, 5), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
+    assert "multmatrix([[1.0, 0.0, 0.0, 5.0], [0.0, 0.0, -1.0, 15.0], [0.0, 1.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0]])" in str(root.Proxy.csg(root))
+    document.recompute()
+    assert root.Volume.Value == 875 and root.Triangles < 50
+    root.Sources[1].Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 1e-9)
+    assert "1.745e-11" in str(root.Proxy.csg(root)), "small turns stay"
+
+
 def test_a_sphere_has_its_facets(read, tmp_path):
     root = read("sphere($fn = 12, r = 10);")
     told = by_the_command(tmp_path)
