@@ -45,8 +45,8 @@ def test_python_has_the_commands_faces(name, tmp_path):
     told, field = json.loads(done.stdout), ff.load(example(name))
     for mine in (ff.mesh(field), field.faces()):
         assert told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7) and mine.area == pytest.approx(told["area"], rel=1e-7)
-        # Which diagonals corefinement takes within a plane differs from run to run, and so does how many there are.
-        assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.02) and ff.inspect(mine).valid
+        # Which diagonals corefinement takes within a plane, and how many corners are left there, differs from run to run.
+        assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.1) and ff.inspect(mine).valid
 
 
 def random_design(seed, folder):
