@@ -1,4 +1,5 @@
 #include "bindings.h"
+#include "faced_field.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
@@ -61,6 +62,11 @@ py::tuple gradients(const Field& field, const Floats& points) {
     to(i, 0) = dx[n], to(i, 1) = dy[n], to(i, 2) = dz[n];
   }
   return py::make_tuple(out, slopes);
+}
+
+FieldPtr field_in(const std::filesystem::path& path, Scripts scripts, Progress& progress) {
+  const Model model = load_model(path, scripts, progress);
+  return with_faces(model.field, model.faces);
 }
 
 }  // namespace
@@ -188,6 +194,14 @@ void bind_fields(py::module_& module) {
           "morph need of a scan, whose densities are distances only next to the surface. Worked out every `voxel` mm; 0: a 160th "
           "of "
           "the longest side.")
+      .def(
+          "faces",
+          [](const FieldPtr& f, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return faces_of(*f, p); });
+          },
+          py::arg("progress") = py::none(),
+          "The solid's own faces as a Mesh, exact but for the rounding of its corners: of an OpenSCAD design that is drawn with "
+          "flat ones, where they can be had. None for any other solid, also for one made of such a design.")
       .def_property_readonly("sampled", &Field::sampled, "Whether it is interpolated between samples, as scans are.")
       .def(
           "translate",
@@ -268,12 +282,16 @@ void bind_fields(py::module_& module) {
       py::arg("max_error") = py::none(), py::arg("merge_leafs") = true, py::arg("progress") = py::none(),
       "Samples a solid into an Asdf. voxel in mm or resolution in voxels a mm; bounds are found where not given.");
   module.def(
-      "load", [=](const std::filesystem::path& path) { return mutable_field(load_model(path).field); }, py::arg("filename"),
-      "The solid of a .math, .vm, .frep or .asdf file, or of a volume at Otsu's threshold.");
+      "load",
+      [=](const std::filesystem::path& path) { return mutable_field(field_in(path, Scripts::refused, Progress::none())); },
+      py::arg("filename"),
+      "The solid of a .math, .vm, .frep, .asdf, .scad or .csg file or of a mesh, or of a volume halfway between its two "
+      "commonest "
+      "densities.");
   module.def(
       "run_model",
       [=](const std::filesystem::path& path, const py::object& progress) {
-        return mutable_field(long_work(progress, [&](Progress& p) { return load_model(path, Scripts::run, p).field; }));
+        return mutable_field(long_work(progress, [&](Progress& p) { return field_in(path, Scripts::run, p); }));
       },
       py::arg("filename"), py::arg("progress") = py::none(),
       "load(), and .py scripts, too: they are run, in a process of their own, and can do whatever their user can.");

@@ -1,4 +1,5 @@
 #include "bindings.h"
+#include "faced_field.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
@@ -56,7 +57,11 @@ FieldPtr plate(const FieldPtr& flat, double height) {
 Design design_of(const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness,
                  bool smooth, Progress& progress) {
   Design design = openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
-  if (design.flat && design.field != nullptr) design.field = plate(design.field, thickness);
+  if (design.field == nullptr) return design;
+  if (design.flat)
+    design.field = with_faces(plate(design.field, thickness), design.faces, thickness);
+  else
+    design.field = with_faces(design.field, design.faces);
   return design;
 }
 
@@ -105,7 +110,7 @@ void bind_openscad(py::module_& module) {
   py::class_<Design>(module, "OpenScadDesign", "What OpenSCAD text makes.")
       .def_property_readonly(
           "field", [](const Design& design) { return std::const_pointer_cast<Field>(design.field); },
-          "The solid as a Field; None where the design is empty.")
+          "The solid as a Field, which has its own faces (see mesh()); None where the design is empty.")
       .def_readonly("voxel", &Design::voxel, "Cells that do not miss its thinnest part, mm; None where nothing is known of it.")
       .def_readonly("flat", &Design::flat, "Whether the design is 2D; its solid is a plate then.")
       .def_property_readonly("notes", notes_of, "What was left out or mended, one line each, with NAME:LINE.");

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "bindings.h"
+#include "faced_field.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
@@ -95,16 +96,23 @@ void bind_results(py::module_& module) {
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         std::optional<double> max_error, bool features, const py::object& progress) {
+         std::optional<double> max_error, bool features, const py::object& progress, bool exact) {
         const FieldPtr field = field_of(solid);
+        const bool whole = bounds.is_none();
         return long_work(progress, [&](Progress& p) {
+          if (auto faces = exact && whole ? faces_of(*field, p) : std::nullopt) {
+            if (!(cell_of(faces->bounds(), voxel, resolution, field) > 0))  // it does not matter, but is a mistake all the same
+              throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
+            return *std::move(faces);
+          }
           const Box region = region_of(field, bounds, p);
           return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features}, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
-      py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(),
-      "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept.");
+      py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(), py::arg("exact") = true,
+      "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD design has its "
+      "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False.");
 
   py::class_<DetailMesh>(
       module, "DetailMesh",

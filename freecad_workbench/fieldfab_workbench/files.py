@@ -114,6 +114,7 @@ def _show_all(document):
 def export(objects, filename):
     """Writes what the objects bound, united, where they are in the document. The file is written whole or not at all. Raises ValueError."""
     from .objects.solid import source_of
+    from .openscad import faces_together
 
     ending = _ending(filename)
     objects = [obj for obj in objects if hasattr(obj, "Mesh") or hasattr(obj, "Shape")]
@@ -122,16 +123,18 @@ def export(objects, filename):
     if ending in TEXTS:
         return _write_text(filename, _united_texts(objects, ending))
     fieldfab = kernel.load()
-    sources, settings = [source_of(obj) for obj in objects], _settings(objects)
+    sources, settings, designs = [source_of(obj) for obj in objects], _settings(objects), _designs(objects)
 
     def write(progress):
+        if designs and ending in MESHES and (faces := faces_together(designs, progress)) is not None:
+            return faces.save(filename)
         field = sources[0].field(progress)
         for source in sources[1:]:
             field = field | source.field(progress)
         if ending == "vdb":
             settings.pop("max_error", None)
             return fieldfab.write_vdb(field, filename, progress=progress, **settings)
-        made = (fieldfab.build if ending == "asdf" else fieldfab.mesh)(field, progress=progress, **settings)
+        made = fieldfab.build(field, progress=progress, **settings) if ending == "asdf" else fieldfab.mesh(field, progress=progress, exact=False, **settings)
         return made.save(filename)
 
     if ending not in ("asdf", "vdb", *MESHES):
@@ -153,6 +156,17 @@ def whole_stack(path):
         return path
     except kernel.load().Error:
         return os.path.dirname(path)
+
+
+def _designs(objects):
+    """[(source, placement)] where all are whole solids of OpenSCAD's, else nothing."""
+    from .objects.solid import is_solid
+    from .openscad import OpenScadSource
+
+    if not all(is_solid(obj) and obj.AutoBounds for obj in objects):
+        return []
+    designs = [(obj.Proxy.source(obj), _placement(obj)) for obj in objects]
+    return designs if all(isinstance(source, OpenScadSource) for source, _ in designs) else []
 
 
 def _settings(objects):

@@ -28,6 +28,11 @@ def literal(value):
     return repr(float(value))
 
 
+def matrix_of(placement):
+    """The 16 numbers of a FreeCAD placement, for Text.placed(). What its quaternion loses is made good: after quarter turns faces are in one plane."""
+    return [round(number, 14) + 0.0 for number in placement.toMatrix().A]
+
+
 class Text:
     """Lines of .csg text, each with the label of the object that it is from, and the paths of the files that it names."""
 
@@ -85,7 +90,7 @@ class OpenScadSource(Source):
     """The solid of a Text. Its mesh has cells that its thinnest part can be seen with, where none are given. Raises ValueError where a file is missing."""
 
     def __init__(self, text, label):
-        self.text = text
+        self.text, self.label = text, label
         stamps = [(path, stamp(path, label)) for path in dict.fromkeys(text.files)]
         super().__init__(("openscad", str(text), stamps), None)
 
@@ -114,6 +119,10 @@ class OpenScadSource(Source):
     def field(self, progress=None):
         return self.design(progress).field
 
+    def solid(self, progress=None):
+        """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""
+        return self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat else self.text
+
     def voxel(self, progress=None):
         """Of the smallest cell; None where nothing is known of it."""
         return self.design(progress).voxel
@@ -126,3 +135,13 @@ class OpenScadSource(Source):
         if not cells and "voxel" not in settings and (voxel := self.voxel(progress)):
             settings = {**settings, "voxel": voxel}
         return super()._meshed(progress, cells, settings)
+
+
+def faces_together(parts, progress=None):
+    """A mesh of the faces of solids united, [(OpenScadSource, the FreeCAD placement that puts it there)]; None where they cannot be had. Raises
+    fieldfab.Error."""
+    (first, placement), label = parts[0], parts[0][0].label
+    if len(parts) == 1 and placement.isIdentity():
+        return first.faces(progress)
+    texts = [source.solid(progress).placed(matrix_of(placement), source.label) for source, placement in parts]
+    return OpenScadSource(node("union()", label, texts), label).faces(progress)

@@ -4,6 +4,7 @@ while, so that a panel, a recompute and the solids built on this one share them.
 import hashlib
 import math
 import threading
+import time
 from collections import OrderedDict
 
 from . import kernel
@@ -18,6 +19,7 @@ class Source:
     def __init__(self, key, make):
         self.digest = hashlib.sha1(repr(key).encode()).hexdigest()
         self._make = make
+        self.faces_took = None  # seconds, where they were made here
 
     def field(self, progress=None):
         """The Field. Raises fieldfab.Error."""
@@ -32,8 +34,23 @@ class Source:
         enough = 2.0 ** (math.floor(math.log2(reach)) + 1)  # so that moving a slider seldom asks for others
         return kept(("distances", self.digest, enough), lambda: field.distances(enough, progress=progress))
 
+    def faces(self, progress=None):
+        """A mesh of the solid's own faces, where it is one of OpenSCAD's and they can be had; else None. Raises fieldfab.Error."""
+
+        def make():
+            field, began = self.field(progress), time.monotonic()
+            faces = field.faces(progress)
+            self.faces_took = time.monotonic() - began
+            return faces
+
+        return kept(("faces", self.digest), make)
+
     def mesh(self, progress=None, cells=None, **settings):
-        """The mesh with these settings of fieldfab.mesh(), or so many `cells` along the longest side of its bounds."""
+        """Its faces; where there are none, or bounds are given, a contour with these settings of fieldfab.mesh(), or so many `cells` along the longest
+        side of its bounds."""
+        faces = None if "bounds" in settings else self.faces(progress)
+        if faces is not None:
+            return faces
         key = ("mesh", self.digest, cells, *sorted(settings.items()))
         return kept(key, lambda: self._meshed(progress, cells, settings))
 
@@ -43,7 +60,7 @@ class Source:
             bounds = field.bounds()
         if cells and bounds:
             settings = {**settings, "voxel": max(bounds[i + 3] - bounds[i] for i in range(3)) / cells}
-        return kernel.load().mesh(field, progress=progress, **settings)
+        return kernel.load().mesh(field, progress=progress, exact=False, **settings)
 
     def moved(self, placement):
         """The solid where a FreeCAD placement puts it."""

@@ -210,6 +210,7 @@ class Joiner {
   }
 
   Joined joined(const Part& part, int taken) {
+    progress_.report(0, "joining solids");
     progress_.check();
     if (part.kind == Kind::nothing) return Boxes{};
     if (part.kind == Kind::leaf) {

@@ -5,9 +5,12 @@ import signal
 import subprocess
 import time
 
+import numpy as np
 import openscad_designs
 import pytest
 from conftest import COMMAND
+
+import fieldfab as ff
 
 QUICK = "CSG LetterBlock example002 example003 example004 example007 example008 example009 example011 example012 example013 example014 example015 example016 offset sign echo list_comprehensions hull3-tests minkowski3-difference-test".split()
 
@@ -33,6 +36,17 @@ def test_examples_are_the_same_solids(name, tmp_path):
 def test_contours_of_examples_are_the_same_solids(name, tmp_path):
     row = openscad_designs.compare(example(name), tmp_path, refine=1, contour=True)
     assert row["right"] and not row["exact"], row
+
+
+@pytest.mark.parametrize("name", "CSG example001 example008 example013".split())
+def test_python_has_the_commands_faces(name, tmp_path):
+    done = run("--json", "mesh", example(name), "-o", tmp_path / "faces.ply")
+    assert done.returncode == 0, done.stderr
+    told, field = json.loads(done.stdout), ff.load(example(name))
+    for mine in (ff.mesh(field), field.faces()):
+        assert told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7) and mine.area == pytest.approx(told["area"], rel=1e-7)
+        # Which diagonals corefinement takes within a plane, and how many corners are left there, differs from run to run.
+        assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.1) and ff.inspect(mine).valid
 
 
 def random_design(seed, folder):

@@ -237,3 +237,47 @@ def test_openscad_text_is_a_solid(tmp_path):
     with pytest.raises(ff.Error) as told:
         ff.openscad_design("minkowski() { cube(size = [1, 1, 1]); sphere(r = 3, $fn = 50); }", progress=lambda fraction, message: False)
     assert told.value.kind == "cancelled"
+
+
+CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+
+
+def test_an_openscad_design_has_its_own_faces():
+    field = ff.openscad_design(CORNER).field
+    for mesh in (ff.mesh(field), field.faces(), ff.mesh(field, voxel=3), ff.mesh(field, resolution=0.1, max_error=1)):
+        assert len(mesh.triangles) == 24 and len(mesh.vertices) == 14 and mesh.volume == 875 and ff.inspect(mesh).valid
+        assert {*mesh.vertices.ravel()} == {0, 5, 10}
+    assert ff.mesh(field, voxel=0.5, exact=False).volume == pytest.approx(875, rel=1e-3) and len(ff.mesh(field, voxel=0.5, exact=False, max_error=0).triangles) > 1000
+    part = ff.mesh(field, bounds=(-1, -1, -1, 11, 11, 4), voxel=0.5)
+    assert part.volume == pytest.approx(400, rel=1e-3), "a part of it is a contour"
+    whole = ff.mesh(field, bounds=(-1, -1, -1, 11, 11, 11), voxel=0.5, max_error=0)
+    assert whole.volume == pytest.approx(875, rel=1e-3) and len(whole.triangles) > 1000
+    with pytest.raises(ValueError, match="not both"):
+        ff.mesh(field, voxel=1, resolution=1)
+    with pytest.raises(ff.Error, match="voxel: must be a positive"):
+        ff.mesh(field, voxel=-1)
+
+
+def test_what_is_made_of_a_design_has_no_faces():
+    """They are its own: an offset, a union or a move of it is a Field like any other, and so is what is round."""
+    field = ff.openscad_design(CORNER).field
+    for other in (field | ff.Field(BALL), field.offset(1), field.translate(1, 0, 0), ff.Field(BALL), ff.openscad_design(CORNER, smooth=True).field):
+        assert other.faces() is None
+    assert ff.mesh(field.translate(1, 0, 0), voxel=0.5).volume == pytest.approx(875, rel=1e-3)
+    points = np.random.default_rng(1).uniform(-2, 12, (1000, 3)).astype(np.float32)
+    with_faces, without = field.values(points), field.translate(0, 0, 0).values(points)
+    assert np.array_equal(with_faces, without) and field.bounds() == pytest.approx((0, 0, 0, 10, 10, 10), abs=1e-3)
+
+
+def test_a_flat_design_has_the_faces_of_its_plate():
+    plate = ff.openscad_design("square(size = [4, 5]);", thickness=2).field
+    assert len(plate.faces().triangles) == 12 and plate.faces().volume == 40
+    assert plate.faces().vertices.min(axis=0).tolist() == [0, 0, 0] and plate.faces().vertices.max(axis=0).tolist() == [4, 5, 2]
+
+
+def test_making_faces_can_be_cancelled():
+    field = ff.openscad_design("".join(f"sphere(r = {10 + i}, $fn = 40);" for i in range(20))).field
+    for make in (field.faces, lambda progress: ff.mesh(field, progress=progress)):
+        with pytest.raises(ff.Error) as told:
+            make(progress=lambda fraction, message: False)
+        assert told.value.kind == "cancelled"

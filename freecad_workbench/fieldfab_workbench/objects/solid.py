@@ -5,6 +5,7 @@ import hashlib
 import FreeCAD
 
 from .. import kernel, meshes, preferences, work
+from ..openscad import matrix_of
 from ..words import tr
 from .document_object import DocumentObject
 
@@ -38,7 +39,7 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side", 0)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side. OpenSCAD's flat faces need no cells", 0)
         add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
         add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
@@ -136,7 +137,7 @@ def csg_of(obj):
     """A solid as OpenSCAD's text, where it is in the document; None where OpenSCAD has no word for it. Raises ValueError."""
     text = obj.Proxy.csg(obj) if is_solid(obj) else None
     placement = obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement
-    return text if text is None or placement.isIdentity() else text.placed(placement.toMatrix().A, obj.Label)
+    return text if text is None or placement.isIdentity() else text.placed(matrix_of(placement), obj.Label)
 
 
 def create(kind, document, name=None):

@@ -13,14 +13,31 @@ CREASE = 0.86  # cosine of about 30 degrees: a normal farther from its facet's b
 def corner_normals(vertices, triangles, slopes):
     """Vertices, normals and triangles to draw. `slopes`: the solid's gradients at the vertices. Where a triangle and the gradient at its corner do not
     agree, an edge passes: that corner becomes a vertex of its own, with the triangle's normal."""
-    sides = vertices[triangles[:, 1:]] - vertices[triangles[:, :1]]
-    facets = unit(np.cross(sides[:, 0], sides[:, 1]))
-    normals = unit(slopes)
+    facets, normals = unit(_crosses(vertices, triangles)), unit(slopes)
     apart = np.einsum("tcx,tx->tc", normals[triangles], facets) < CREASE
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
     drawn[triangle, corner] = len(vertices) + np.arange(len(triangle), dtype=np.int32)
     return np.concatenate([vertices, vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
+
+
+def creased(vertices, triangles):
+    """Vertices, normals and triangles to draw of flat faces, as FreeCAD draws an object's mesh: each corner has the mean normal of those triangles at its
+    vertex that are about as its own."""
+    crosses, corners = _crosses(vertices, triangles), triangles.ravel()
+    facets, order, normals = unit(crosses), np.argsort(corners, kind="stable"), np.empty((len(corners), 3), np.float32)
+    _, first, count = np.unique(corners[order], return_index=True, return_counts=True)
+    for many in np.unique(count):  # the vertices of so many corners at once
+        here = order[first[count == many][:, None] + np.arange(many)]
+        alike = np.einsum("vix,vjx->vij", facets[here // 3], facets[here // 3]) > CREASE
+        normals[here] = np.einsum("vij,vjx->vix", alike, crosses[here // 3])
+    return vertices[corners], unit(normals), np.arange(len(corners), dtype=np.int32).reshape(-1, 3)
+
+
+def _crosses(vertices, triangles):
+    """The triangles' normals, as long as twice their areas."""
+    sides = vertices[triangles[:, 1:]] - vertices[triangles[:, :1]]
+    return np.cross(sides[:, 0], sides[:, 1])
 
 
 def unit(vectors):

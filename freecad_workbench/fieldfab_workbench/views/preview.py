@@ -40,6 +40,7 @@ class Preview:
         self.obj, self.say = obj, say or (lambda text, good: None)
         self.view = obj.ViewObject
         self.cells, self.guess = 20, self._bounds_of_object()
+        self._faces_first = False  # whether the solid's own faces were made within the first picture's time
         self._seen = obj.MadeFrom if obj.isValid() else None
         self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
         self._wanted, self._changed, self._began = None, 0.0, 0.0
@@ -141,7 +142,7 @@ class Preview:
             self._stop()
             source, settings = self._wanted
             self._wanted, self._began = None, self._changed
-            self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most)
+            self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most, self._faces_first)
             self._refined_for, self._coarse, self._ready = None, True, None
             self._start(self._whole)
         elif self._needs_detail():
@@ -230,7 +231,9 @@ class Preview:
         self._own.whichChild = -1
         if stage == "coarse":
             self._coarse, self._undrawn = False, True
-        self.say(_said(stage).format(cell=self._refinement.voxel), True)
+        took = self._refinement.source.faces_took
+        self._faces_first = took < BUDGET if took is not None else self._faces_first
+        self.say(_said("final" if self._refinement.exact else stage).format(cell=self._refinement.voxel), True)
 
     def _watch_camera(self):
         eye = self._find_eye()

@@ -17,19 +17,23 @@ class Refinement:
     """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary Inventor file, ...]}, none of
     which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
 
-    def __init__(self, source, settings, guess=None, cells=20, most=100_000):
+    def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
         """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
-        first mesh, along its longest side. `most`: triangles that can be shown."""
-        self.source, self.settings, self.guess, self.cells, self.most = source, settings, guess, cells, most
+        first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
+        before all else."""
+        self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self.extent = guess  # of the solid, as far as it is known
         self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
         self.in_blocks = False  # whether the last picture was one of blocks
         self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
 
     # The whole solid.
     def coarse(self, progress):
         """The first mesh, within the guess where that holds the solid: a search for its bounds would take longer than the mesh."""
+        if self.faces_first and (mesh := self._faces(progress)) is not None:
+            return self._picture(mesh, progress)
         mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
         if mesh is None:
             self.region = self._bounds(progress)
@@ -38,7 +42,9 @@ class Refinement:
         return self._picture(mesh, progress)
 
     def finer(self, progress):
-        """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown."""
+        """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown; none where final() has its faces."""
+        if self._faces(progress) is not None:
+            return
         wanted = self._wanted()
         while self.voxel > wanted and self.triangles < 0.6 * self.most:
             step = min(2, (self.most / max(self.triangles, 1)) ** 0.5)
@@ -47,7 +53,9 @@ class Refinement:
 
     def final(self, progress):
         """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
-        mesh = self.source.mesh(progress, **self.settings)
+        mesh = self._faces(progress)
+        if mesh is None:
+            mesh = self.source.mesh(progress, **self.settings)
         self.sharp, self.in_blocks = True, False
         if len(mesh.triangles) <= self.most:
             yield self._picture(mesh, progress)
@@ -57,7 +65,7 @@ class Refinement:
 
     # Where the eye is (Keeter, 4.3.3).
     def is_coarse_for(self, eye):
-        return any(self._is_coarse(block, eye) for block in self._blocks())
+        return not self.exact and any(self._is_coarse(block, eye) for block in self._blocks())
 
     def divided(self, progress):
         """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
@@ -125,6 +133,16 @@ class Refinement:
             size = high - low
             low, high = np.where(at_low, low - size, low), np.where(at_high, high + size, high)
         return None
+
+    def _faces(self, progress):
+        """A mesh of the solid's own faces, where it has them, and as few as can be shown; else None."""
+        mesh = None if "bounds" in self.settings else self.source.faces(progress)
+        if mesh is None or len(mesh.triangles) > self.most:
+            return None
+        self.extent = np.concatenate(extent(mesh))
+        self.region, self.triangles, self.exact = self.extent, len(mesh.triangles), True
+        self.voxel = self._wanted()
+        return mesh
 
     def _first_mesh(self, progress):
         """Of few cells; of more, where a solid is thinner than these."""
@@ -202,6 +220,8 @@ class Refinement:
     def _piece(self, vertices, triangles, progress):
         if not progress(0, ""):
             raise work.Cancelled()
+        if self.exact:
+            return inventor.written(*inventor.creased(vertices, triangles))
         _, slopes = self.field.gradients(vertices)
         return inventor.written(*inventor.corner_normals(vertices, triangles, slopes))
 

@@ -964,8 +964,8 @@
         <translation>Zellgröße</translation>
     </message>
     <message>
-        <source>Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side</source>
-        <translation>Kante der kleinsten Zelle; 0 heißt automatisch: meist 1/128 der längsten Seite, wie in den Einstellungen</translation>
+        <source>Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side. OpenSCAD's flat faces need no cells</source>
+        <translation>Kante der kleinsten Zelle; 0 heißt automatisch: meist 1/128 der längsten Seite, wie in den Einstellungen. Ebene Flächen von OpenSCAD brauchen keine Zellen</translation>
     </message>
     <message>
         <source>Max Error</source>

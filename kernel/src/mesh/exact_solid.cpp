@@ -32,6 +32,7 @@ ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress&
   while (solids.size() > 1) {
     std::vector<ExactSolid> half;
     for (std::size_t i = 0; i + 1 < solids.size(); i += 2) {
+      progress.report(0, "joining solids");
       progress.check();
       half.push_back(combined(solids[i], solids[i + 1], operation));
     }

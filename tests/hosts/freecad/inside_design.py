@@ -9,7 +9,7 @@ import sys
 import numpy as np
 import pytest
 
-from fieldfab_workbench import kernel, shapes, work
+from fieldfab_workbench import kernel, openscad, shapes, work
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.panels import frep_language as language
 from fieldfab_workbench.views import inventor, refinement
@@ -107,6 +107,34 @@ def test_coin_nodes_hold_the_mesh():
     facets = np.cross(vertices[triangles[:, 1]] - vertices[triangles[:, 0]], vertices[triangles[:, 2]] - vertices[triangles[:, 0]])
     facets /= np.linalg.norm(facets, axis=1)[:, None]
     assert np.einsum("tcx,tx->tc", normals[triangles], facets).min() > inventor.CREASE - 1e-3
+
+
+def test_flat_faces_are_drawn_with_creases():
+    """A post of 24 sides: smooth around, sharp at its ends."""
+    mesh = kernel.load().openscad_design("cylinder($fn = 24, h = 10, r1 = 5, r2 = 5); multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3]); }").field.faces()
+    vertices, normals, triangles = inventor.creased(mesh.vertices, mesh.triangles)
+    assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(mesh.area, rel=1e-5)
+    level, post = np.abs(normals[:, 2]) > 0.5, vertices[:, 0] < 10
+    assert np.allclose(normals[level], [0, 0, 1] * np.sign(normals[level])) and np.allclose(normals[~level, 2], 0, atol=1e-6)
+    outward = vertices[post & ~level, :2] / 5
+    assert np.einsum("ix,ix->i", normals[post & ~level, :2], outward).min() > np.cos(np.radians(8)), "of the sides on both hands"
+    assert np.allclose(np.abs(normals[~post]).max(axis=1), 1), "a block's corners belong to one side each"
+
+
+def test_faces_are_all_of_a_picture():
+    source = openscad.OpenScadSource(openscad.Text([("cube(size = [1, 2, 3]);", "block")]), "block")
+    for first in (False, True):
+        seen = refinement.Refinement(source, {}, guess=(0, 0, 0, 1, 1, 1), cells=12, most=1000, faces_first=first)
+        count = len(pieces(seen.coarse(go_on)))
+        assert count == 12 if first else count > 100
+        assert seen.exact == first and list(seen.finer(go_on)) == []
+        last, = seen.final(go_on)
+        assert len(pieces(last)) == 12 and area(pieces(last)) == pytest.approx(22, rel=1e-6) and not seen.is_coarse_for((0, 0, 0))
+    few = refinement.Refinement(source, {}, most=11)
+    few.coarse(go_on)
+    assert not few.exact, "more than can be shown"
+    part = refinement.Refinement(source, {"bounds": (-1, -1, -1, 2, 3, 1), "voxel": 0.1}, most=10_000, faces_first=True)
+    assert part.coarse(go_on) and not part.exact and list(part.final(go_on)) and not part.exact
 
 
 def test_pictures_get_finer_and_end_with_the_solids_own_mesh():

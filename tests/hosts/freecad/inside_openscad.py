@@ -82,6 +82,69 @@ def test_examples_are_openscads_own_solids(document, tmp_path, name):
     assert root.Visibility and not any(obj.Visibility for obj in root.OutListRecursive)
 
 
+CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+
+
+def by_the_command(folder):
+    """What the command tells of the mesh that it makes of the design that was read last."""
+    return openscad_designs.ours(folder / "design.csg", folder / "command.off", False)[0]
+
+
+def test_the_mesh_has_the_designs_own_faces(document, read, tmp_path):
+    root = read(CORNER)
+    told = by_the_command(tmp_path)
+    assert told["exact"] and root.Triangles == root.Mesh.CountFacets == told["triangles"] == 24
+    assert root.Volume.Value == told["volume"] == 875 and root.Area.Value == told["area"] == 600 and root.Mesh.isSolid()
+    root.VoxelSize = 3
+    document.recompute()
+    assert root.Triangles == 24 and root.Volume.Value == 875, "faces have no cells"
+    root.Sources[0].Length = 12
+    document.recompute()
+    assert root.Triangles < 50 and root.Volume.Value == 1200 - 7 * 5 * 5
+    root.Sources[1].Placement.Base = FreeCAD.Vector(5, 5, -5)
+    document.recompute()
+    assert root.Triangles < 50 and root.Volume.Value == 1200 - 7 * 5 * 5 and root.Mesh.isSolid()
+    root.Operation = "Union"
+    document.recompute()
+    assert root.Volume.Value == 1200 + 1000 - 7 * 5 * 5
+
+
+def test_quarter_turns_are_exact(document, read):
+    """A quaternion's are not: planes that should be one would be two."""
+    root = read(CORNER)
+    root.Sources[1].Placement = FreeCAD.Placement(FreeCAD.Vector(5, 15, 5), FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 90))
+    assert "multmatrix([[1.0, 0.0, 0.0, 5.0], [0.0, 0.0, -1.0, 15.0], [0.0, 1.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0]])" in str(root.Proxy.csg(root))
+    document.recompute()
+    assert root.Volume.Value == 875 and root.Triangles < 50
+    root.Sources[1].Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), 1e-9)
+    assert "1.745e-11" in str(root.Proxy.csg(root)), "small turns stay"
+
+
+def test_a_sphere_has_its_facets(read, tmp_path):
+    root = read("sphere($fn = 12, r = 10);")
+    told = by_the_command(tmp_path)
+    assert root.Triangles == told["triangles"] == 2 * 12 * 5 + 2 * 10 and root.Volume.Value == pytest.approx(told["volume"], rel=1e-7)
+    assert all(point.Vector.Length == pytest.approx(10, abs=1e-5) for point in root.Mesh.Points) and root.Mesh.CountPoints == 6 * 12
+
+
+def test_a_part_of_a_design_is_contoured(document, read):
+    root = read(CORNER)
+    root.AutoBounds, root.Lower, root.Upper, root.VoxelSize = False, FreeCAD.Vector(-1, -1, -1), FreeCAD.Vector(11, 11, 4), 0.25
+    document.recompute()
+    assert root.isValid() and root.Volume.Value == pytest.approx(400, rel=1e-3) and root.Mesh.BoundBox.ZMax == pytest.approx(4, abs=1e-3)
+    root.AutoBounds = True
+    document.recompute()
+    assert root.Volume.Value == 875 and root.Triangles == 24
+
+
+def test_what_is_made_of_other_solids_too_is_contoured(document, read):
+    root = read(CORNER)
+    offset = solids.create(modify.Modify, document)
+    offset.Operation, offset.Source, offset.Distance = "Offset", root, 1
+    document.recompute()
+    assert offset.isValid() and offset.Volume.Value > 875 + 0.9 * 600 and offset.Proxy.source(offset).faces() is None and root.Triangles == 24
+
+
 @pytest.mark.parametrize("seed", [0, 1, 2, 3, 4, 6, 7, 8])
 def test_random_trees_are_openscads_own_solids(document, tmp_path, seed):
     path = tmp_path / "random.scad"
@@ -374,6 +437,45 @@ def test_combine_is_what_it_was(document):
     both = solids.create(combine.Combine, document)
     both.Sources = [a, b]
     assert both.Proxy.csg(both) is None
+
+
+def exported(objects, path):
+    files.export(objects, str(path))
+    mesh = kernel.load().Mesh.load(path)
+    assert kernel.load().inspect(mesh).valid
+    return mesh
+
+
+def test_faces_go_out(document, read, tmp_path):
+    root = read(CORNER)
+    mesh = exported([root], tmp_path / "out.stl")
+    assert len(mesh.triangles) == 24 and mesh.volume == 875
+    root.Placement.Base = FreeCAD.Vector(100, 0, 0)
+    mesh = exported([root], tmp_path / "out.3mf")
+    assert len(mesh.triangles) == 24 and mesh.volume == 875 and mesh.vertices[:, 0].min() == 100
+    root.Placement.Rotation = FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 40)
+    mesh = exported([root], tmp_path / "out.ply")
+    assert len(mesh.triangles) == 24 and mesh.volume == pytest.approx(875, rel=1e-6)
+    files.export([root], str(tmp_path / "out.asdf"))
+    field = kernel.load().load(tmp_path / "out.asdf")
+    assert np.abs(field.values(mesh.vertices)).max() < 0.2, "as a Field it is at the same place"
+
+
+def test_several_designs_go_out_united(document, read, tmp_path):
+    root = read(CORNER)
+    block = read("cube(size = [10, 10, 4]);", "block.csg")
+    block.Placement.Base = FreeCAD.Vector(10, 0, 0)  # a whole side of it touches
+    mesh = exported([root, block], tmp_path / "out.stl")
+    assert len(mesh.triangles) < 50 and mesh.volume == 875 + 400 and kernel.load().inspect(mesh).components == 1
+    plate = read("square(size = [4, 5]);", "plate.csg")
+    plate.Placement.Base = FreeCAD.Vector(0, 0, 20)
+    mesh = exported([root, plate], tmp_path / "out.stl")
+    assert mesh.volume == 875 + 20 and mesh.vertices[:, 2].max() == 21, "a flat one as the plate that is seen"
+    ball = solids.create(frep_solid.FrepSolid, document)
+    ball.Expression, ball.VoxelSize = "sphere(r = 3)", 0.5
+    document.recompute()
+    mesh = exported([root, ball], tmp_path / "out.stl")
+    assert mesh.volume == pytest.approx(875 + 7 / 8 * 36 * math.pi, rel=0.01) and len(mesh.triangles) > 1000
 
 
 def test_the_root_goes_out_as_a_mesh(document, read, tmp_path):

@@ -12,6 +12,8 @@ import window
 from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench import files, openscad_files, work
+from fieldfab_workbench.objects import openscad_node
+from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels import property_panel
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
@@ -153,6 +155,67 @@ def test_a_part_that_is_shown_gets_its_mesh(document, design):
     stale = part.Volume.Value
     part.ViewObject.Visibility = True
     wait(lambda: part.Volume.Value != stale, what="its new mesh")
+
+
+CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5], [0, 0, 0, 1]]) { cube(size = [10, 10, 10]); } }"
+
+
+def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
+    """A coarse contour first, since nobody knows how long faces take; from then on the faces at once, if they were quick."""
+    (tmp_path / "corner.csg").write_text(CORNER)
+    root = files.insert(str(tmp_path / "corner.csg"), document.Name)
+    assert root.Triangles == 24 and root.Volume.Value == 875
+    block = root.Sources[0]
+    block.ViewObject.Proxy.doubleClicked(block.ViewObject)
+    live(0.5)
+    panel, seen = opened[-1], []
+    row = next(row for row in range(panel.rows.rowCount()) if panel.rows.itemAt(row, QtWidgets.QFormLayout.LabelRole).widget().text() == "Length")
+    box = panel.rows.itemAt(row, QtWidgets.QFormLayout.FieldRole).widget()
+    for length in (12.0, 13.0):
+        panel.preview.stage = ""
+        box.setProperty("rawValue", length)
+        wait(lambda: panel.preview.stage == "coarse", what="the first picture")
+        seen.append(panel.preview._refinement.exact)
+        wait(lambda: panel.preview.stage == "final", what="the last picture")
+        assert panel.preview._refinement.exact and panel.preview._refinement.triangles == 12
+        said = [label.text() for label in panel.form.findChildren(QtWidgets.QLabel)]
+        assert "As it will be" in said and not any("cells" in text for text in said)
+    assert seen == [False, True]
+    FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    window.shot("openscad_faces")
+    camera = FreeCADGui.ActiveDocument.ActiveView.getCameraNode()
+    camera.height = camera.height.getValue() / 8
+    live(1.0)
+    assert panel.preview.stage == "final", "nothing is finer where one looks closely"
+    press(Button.Ok)
+    assert root.isValid() and root.Volume.Value == 1300 - 8 * 5 * 5 and root.Triangles < 50
+
+
+def test_faces_can_be_cancelled(document, tmp_path):
+    """They are made beside the window, and it stops between two joins."""
+    (tmp_path / "corner.csg").write_text(CORNER)
+    root = files.insert(str(tmp_path / "corner.csg"), document.Name)
+    block = root.Sources[0]
+    pressed = []
+
+    def cancel():
+        dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
+        if dialogs and "joining solids" in dialogs[0].labelText():
+            pressed.append(time.monotonic())
+            dialogs[0].cancel()
+        else:
+            QtCore.QTimer.singleShot(20, cancel)
+
+    row = "union() {" + "".join(f"multmatrix([[1, 0, 0, {i % 9}], [0, 1, 0, {i // 9}], [0, 0, 1, 0.1], [0, 0, 0, 1]]) {{ sphere($fn = 40, r = 3); }}" for i in range(60)) + "}"
+    text = solids.create(openscad_node.OpenScadText, document)
+    text.Text, text.OnlyWhenShown, text.Visibility = row, True, False
+    root.Sources = [block, text]
+    QtCore.QTimer.singleShot(20, cancel)
+    with Heartbeat() as beat:
+        document.recompute([root])
+    assert pressed and time.monotonic() - pressed[0] < 2 and beat.longest < 1, beat.gaps[-3:]
+    assert not root.isValid() and root.Volume.Value == 875 and root.Triangles == 24, "it is still what it was"
 
 
 def test_text_has_a_panel(document, tmp_path, opened):
