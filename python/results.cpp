@@ -11,6 +11,7 @@
 #include "fieldfab/mesh/bms.h"
 #include "fieldfab/mesh/contour.h"
 #include "fieldfab/mesh/detail.h"
+#include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/render/render.h"
 
@@ -89,10 +90,16 @@ void bind_results(py::module_& module) {
           "The bytes of FreeCAD's own mesh file.")
       .def(
           "field",
-          [](const TriangleMesh& mesh, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::const_pointer_cast<Field>(mesh_field(mesh, p)); });
+          [](const TriangleMesh& mesh, const py::object& progress, bool close_holes) {
+            return long_work(progress, [&](Progress& p) {
+              const Lids lids = close_holes ? lids_of(mesh) : Lids();
+              return std::const_pointer_cast<Field>(mesh_field(lids.are_good(mesh) ? closed_by(lids, mesh) : mesh, p));
+            });
           },
-          py::arg("progress") = py::none(), "The solid that it bounds, as a Field: distances; inside is where it winds around.");
+          py::arg("progress") = py::none(), py::arg("close_holes") = false,
+          "The solid that it bounds, as a Field: distances; inside is where it winds around. With close_holes small holes get "
+          "lids, "
+          "which are surface like all of it: as load() reads mesh files.");
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,

@@ -152,11 +152,9 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   require(sharp ? surface_cost(mesh.area(), voxel) : lattice_cost(tight.grown(3 * voxel), voxel), voxel, sharp ? 2 : 3);
 
   if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {
-    TriangleMesh closed = mesh;
-    closed.vertices.insert(closed.vertices.end(), lids.middles.begin(), lids.middles.end());
-    closed.triangles.insert(closed.triangles.end(), lids.triangles.begin(), lids.triangles.end());
-    bool pieces = lids.area > 0.5 * mesh.area();
-    if (pieces) {  // of mere pieces lids are the pieces again, from behind: then it counts where half of the view is triangles
+    TriangleMesh closed = closed_by(lids, mesh);
+    bool pieces = !lids.are_small(mesh);
+    if (pieces) {  // then it counts where half of the view is triangles
       const TriangleMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
       pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
       sharp = false;
@@ -167,8 +165,7 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
                   "encloses nothing; a sheet becomes solid by Shell, on both sides");
     log.push_back(
         pieces ? fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half", layer.name)
-               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.middles.size(),
-                             lids.area));
+               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.rims, lids.area));
     mesh = std::move(closed);
   }
 

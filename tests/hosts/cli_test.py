@@ -185,9 +185,10 @@ def test_meshes_are_models(tmp_path):
     made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
     assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100  # its edges are sharp, its sides flat
     assert summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)["volume"] == pytest.approx(1000, rel=1e-3)
-    # Half of the view from the missing side's middle is triangles: the lid dents inwards, and the solid is closed.
     holed = write("holed.off", sides[1:])
-    assert 500 < summary("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5)["volume"] < 1000
+    closed = summary("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5)
+    assert closed["volume"] == pytest.approx(1000, rel=1e-6) and closed["triangles"] < 100
+    assert "holed.off is open: 1 rim is closed by lids of 100 mm2" in run("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5).stderr
     assert summary("check", holed, "--voxel", 0.5)["passed"]
     built = summary("build", whole, "-o", tmp_path / "c.asdf", "--voxel", 0.5)
     assert built["leafs"] > 0

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
@@ -82,13 +83,70 @@ TEST(MeshDistances, LidsCloseWhatIsOpen) {
   TriangleMesh mesh = cube(3);
   mesh.triangles.resize(10);  // without the face x = 3
   Lids lids = lids_of(mesh);
-  EXPECT_EQ(lids.triangles.size(), 4u);
+  EXPECT_EQ(lids.triangles.size(), 2u);
+  EXPECT_EQ(lids.rims, 1u);
   EXPECT_NEAR(lids.area, 9, 1e-6);
-  mesh.vertices.insert(mesh.vertices.end(), lids.middles.begin(), lids.middles.end());
-  mesh.triangles.insert(mesh.triangles.end(), lids.triangles.begin(), lids.triangles.end());
+  EXPECT_TRUE(lids.are_good(mesh));
+  mesh = closed_by(lids, mesh);
   EXPECT_NEAR(mesh.volume(), 27, 1e-5);
   EXPECT_TRUE(lids_of(mesh).triangles.empty());
   expect_as_the_field(mesh, {{-0.53, -0.54, -0.55}, 0.2, {21, 21, 21}}, 0.5);
+}
+
+TEST(MeshDistances, LidsAreGoodWhereTheyAreSmallAndDoNotLieOverThemselves) {
+  TriangleMesh inverted_face = cube(3);
+  for (std::size_t t : {10, 11}) std::swap(inverted_face.triangles[t][0], inverted_face.triangles[t][1]);
+  const Lids over_it = lids_of(inverted_face);  // twice, so that it is wound around once
+  EXPECT_TRUE(over_it.are_good(inverted_face));
+  EXPECT_NEAR(closed_by(over_it, inverted_face).volume(), 27, 1e-5);
+  EXPECT_FALSE(lids_of(cube(3)).are_good(cube(3)));  // there are none
+  TriangleMesh sheet = cube(3);
+  sheet.triangles.resize(2);
+  EXPECT_FALSE(lids_of(sheet).are_good(sheet));
+  // A box over an L that is long and thin, without its lower face: the middle of the rim is beside it.
+  const std::vector<std::array<float, 2>> corners{{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
+  TriangleMesh bent;
+  for (const float z : {0.0F, 5.0F})
+    for (const auto& [x, y] : corners) bent.vertices.push_back({x, y, z});
+  for (std::uint32_t i = 0; i < 6; ++i) {
+    const std::uint32_t next = (i + 1) % 6;
+    bent.triangles.insert(bent.triangles.end(), {{i, next, next + 6}, {i, next + 6, i + 6}});
+  }
+  bent.triangles.insert(bent.triangles.end(), {{6, 7, 8}, {6, 8, 9}, {6, 9, 10}, {6, 10, 11}});
+  const Lids along_it = lids_of(bent);
+  EXPECT_TRUE(along_it.middles.empty());
+  EXPECT_NEAR(along_it.area, 19, 1e-5);
+  EXPECT_NEAR(closed_by(along_it, bent).volume(), 95, 1e-4);
+  TriangleMesh twice = bent;  // no loop, but two in one: triangles to the middle, over each other
+  append(twice, bent, false);
+  for (auto& t : twice.triangles)
+    for (std::uint32_t& vertex : t)
+      if (vertex % 12 < 6) vertex %= 12;
+  const Lids folded = lids_of(twice);
+  EXPECT_EQ(folded.middles.size(), 1u);
+  EXPECT_FALSE(folded.are_good(twice));
+}
+
+TEST(MeshDistances, LidsCloseWhateverIsLeftOfAMesh) {
+  const TriangleMesh whole = ball_at({0, 0, 0}, 0.15);
+  for (unsigned seed = 0; seed < 150; ++seed) {
+    std::mt19937 random(seed);
+    const auto chance = [&] { return std::uniform_real_distribution<float>(0, 1)(random); };
+    TriangleMesh mesh = whole;
+    const float share = chance(), coarse = 0.02F + chance();
+    const std::array<float, 3> middle{2 * chance() - 1, 2 * chance() - 1, 2 * chance() - 1};
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+      float away = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) away += std::abs(mesh.vertices[t[0]][axis] - middle[axis]);
+      return seed % 2 == 0 ? chance() < share : away < 2 * share;
+    });
+    if (seed % 3 == 0)  // places become the same, edges flat, and rims lines
+      for (auto& p : mesh.vertices)
+        for (float& x : p) x = coarse * std::round(x / coarse);
+    if (mesh.triangles.empty()) continue;
+    const TriangleMesh closed = closed_by(lids_of(mesh), mesh);
+    EXPECT_TRUE(lids_of(closed).triangles.empty()) << seed;
+  }
 }
 
 TEST(MeshDistances, RefusesWhatItCannotDo) {

@@ -20,7 +20,7 @@ def source_of_geometry(obj, deflection=None):
     if mesh.CountFacets == 0:
         raise ValueError(tr("{label} is empty").format(label=obj.Label))
     data = meshes.bms_of(mesh)
-    return Source(("mesh", hashlib.sha1(data).hexdigest()), lambda progress: meshes.from_bms(data).field(progress))
+    return Source(("mesh", hashlib.sha1(data).hexdigest()), lambda progress: meshes.from_bms(data).field(progress, close_holes=True))
 
 
 def _mesh_of_shape(obj, deflection):

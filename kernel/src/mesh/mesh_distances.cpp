@@ -7,11 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/core/together.h"
+#include "hole_lid.h"
 #include "triangle_tree.h"
 
 namespace fieldfab {
@@ -50,6 +52,52 @@ std::vector<Rim> rims_of(const TriangleMesh& mesh) {
     if (balance < 0) rims.push_back({high, low, -balance});
   }
   return rims;
+}
+
+/// The vertices of a rim in the order in which a lid passes them; nothing where it is not one loop.
+std::vector<std::uint32_t> loop_of(const std::vector<Rim>& edges) {
+  std::unordered_map<std::uint32_t, std::uint32_t> next;
+  for (const Rim& edge : edges)
+    if (edge.times != 1 || !next.emplace(edge.to, edge.from).second) return {};
+  std::vector<std::uint32_t> loop{edges.front().to};
+  while (loop.size() <= edges.size()) {
+    const auto found = next.find(loop.back());
+    if (found == next.end()) return {};
+    if (found->second == loop.front()) break;
+    loop.push_back(found->second);
+  }
+  return loop.size() == edges.size() ? loop : std::vector<std::uint32_t>();
+}
+
+/// Closes a rim that is one loop by triangles between its own vertices; false where there are none.
+bool add_plain_lid(const std::vector<Rim>& edges, const TriangleMesh& mesh, Lids& lids) {
+  const std::vector<std::uint32_t> loop = loop_of(edges);
+  std::vector<Vec3> places;
+  for (const std::uint32_t vertex : loop) places.push_back(place(mesh.vertices[vertex]));
+  const auto triangles = triangles_over(places);
+  for (const auto& [a, b, c] : triangles) {
+    lids.triangles.push_back({loop[a], loop[b], loop[c]});
+    lids.area += 0.5 * (places[b] - places[a]).cross(places[c] - places[a]).norm();
+  }
+  return !triangles.empty();
+}
+
+/// Closes any rim by triangles to its middle. Slits have no more than that area, in mm2.
+void add_cone(const std::vector<Rim>& edges, const TriangleMesh& mesh, double slit, Lids& lids) {
+  Vec3 middle = Vec3::Zero(), areas = Vec3::Zero();
+  for (const Rim& edge : edges) middle += place(mesh.vertices[edge.from]) / static_cast<double>(edges.size());
+  const auto vertex = static_cast<std::uint32_t>(mesh.vertices.size() + lids.middles.size());
+  lids.middles.push_back({static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(middle.z())});
+  double whole = 0;
+  for (const Rim& edge : edges) {
+    const Vec3 a = place(mesh.vertices[edge.from]), b = place(mesh.vertices[edge.to]);
+    const Vec3 area = 0.5 * edge.times * (a - middle).cross(b - middle);
+    areas += area;
+    whole += area.norm();
+    for (int n = 0; n < edge.times; ++n) lids.triangles.push_back({edge.to, edge.from, vertex});
+  }
+  lids.area += whole;
+  if (whole > slit) lids.folds = std::max(lids.folds, whole / areas.norm());
 }
 
 class Lattice {
@@ -195,33 +243,24 @@ class Lattice {
 }  // namespace
 
 Lids lids_of(const TriangleMesh& mesh) {
-  const std::vector<Rim> rims = rims_of(mesh);
+  const std::vector<Rim> all = rims_of(mesh);
   Together together(mesh.vertices.size());
-  for (const Rim& rim : rims) together.join(rim.from, rim.to);
-  struct Middle {
-    Vec3 sum = Vec3::Zero();
-    double count = 0;
-    std::uint32_t vertex = 0;
-  };
-  std::map<std::uint32_t, Middle> middles;
-  for (const Rim& rim : rims) {
-    Middle& middle = middles[together.of(rim.from)];
-    middle.sum += place(mesh.vertices[rim.from]);
-    ++middle.count;
-  }
+  for (const Rim& edge : all) together.join(edge.from, edge.to);
+  std::map<std::uint32_t, std::vector<Rim>> rims;
+  for (const Rim& edge : all) rims[together.of(edge.from)].push_back(edge);
   Lids lids;
-  for (auto& [name, middle] : middles) {
-    const Vec3 at = middle.sum / middle.count;
-    middle.vertex = static_cast<std::uint32_t>(mesh.vertices.size() + lids.middles.size());
-    lids.middles.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())});
-  }
-  for (const Rim& rim : rims) {
-    const Middle& middle = middles[together.of(rim.from)];
-    const Vec3 a = place(mesh.vertices[rim.from]), b = place(mesh.vertices[rim.to]), m = middle.sum / middle.count;
-    lids.area += 0.5 * rim.times * (a - m).cross(b - m).norm();
-    for (int n = 0; n < rim.times; ++n) lids.triangles.push_back({rim.to, rim.from, middle.vertex});
-  }
+  lids.rims = rims.size(), lids.edges = all.size();
+  const double slit = 1e-6 * mesh.area();
+  for (const auto& [name, edges] : rims)
+    if (!add_plain_lid(edges, mesh, lids)) add_cone(edges, mesh, slit, lids);
   return lids;
+}
+
+TriangleMesh closed_by(const Lids& lids, const TriangleMesh& mesh) {
+  TriangleMesh closed = mesh;
+  closed.vertices.insert(closed.vertices.end(), lids.middles.begin(), lids.middles.end());
+  closed.triangles.insert(closed.triangles.end(), lids.triangles.begin(), lids.triangles.end());
+  return closed;
 }
 
 std::vector<float> mesh_distances(const TriangleMesh& mesh, const DistanceLattice& lattice, double reach, Progress& progress) {

@@ -13,16 +13,21 @@ Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; 
 
 }  // namespace
 
-TriangleTree::TriangleTree(const TriangleMesh& mesh) {
-  triangles_.reserve(mesh.triangles.size());
+std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh) {
+  std::vector<std::array<Vec3, 3>> all;
+  all.reserve(mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
     std::array<Vec3, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto& p = mesh.vertices[triangle[i]];
       corners[i] = Vec3(p[0], p[1], p[2]);
     }
-    triangles_.push_back(corners);
+    all.push_back(corners);
   }
+  return all;
+}
+
+TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangles_(corners_of_all(mesh)) {
   nodes_.reserve(triangles_.size());
   nodes_.emplace_back();
   divide(0, 0, static_cast<std::uint32_t>(triangles_.size()));

@@ -12,6 +12,9 @@
 
 namespace fieldfab {
 
+/// The corners of each triangle.
+std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh);
+
 class TriangleTree {
  public:
   /// A place of a triangle; the triangle counts in the tree's own order.

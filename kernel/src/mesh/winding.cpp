@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "triangle_tree.h"
+
 namespace fieldfab {
 namespace {
 
@@ -25,16 +27,7 @@ double share_of_view(const std::array<Vec3, 3>& triangle, const Vec3& point) {
 
 }  // namespace
 
-WindingNumber::WindingNumber(const TriangleMesh& mesh) {
-  triangles_.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    std::array<Vec3, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& p = mesh.vertices[triangle[i]];
-      corners[i] = Vec3(p[0], p[1], p[2]);
-    }
-    triangles_.push_back(corners);
-  }
+WindingNumber::WindingNumber(const TriangleMesh& mesh) : triangles_(corners_of_all(mesh)) {
   groups_.reserve(triangles_.size() / 2);
   divide(0, static_cast<std::uint32_t>(triangles_.size()));
 }

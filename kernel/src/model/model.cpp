@@ -10,6 +10,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/model/script.h"
 
@@ -99,9 +100,14 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     return model;
   }
   if (is_mesh_extension(extension)) {
-    const TriangleMesh mesh = read_mesh(path);
+    TriangleMesh mesh = read_mesh(path);
     Model model;
     model.kind = "mesh";
+    if (const Lids lids = lids_of(mesh); lids.are_good(mesh)) {
+      mesh = closed_by(lids, mesh);
+      model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", path.filename().string(), lids.rims,
+                                        lids.rims == 1 ? "rim is" : "rims are", lids.area));
+    }
     model.field = mesh_field(mesh, progress);
     model.bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);
     return model;

@@ -25,7 +25,7 @@ Result run(const Values& values, Progress&) {
   for (std::string& note : notes) result.log.push_back("BAD  " + note);
   row("manifold", verdict.manifold, yes(verdict.manifold));
   row("closed", verdict.closed && lids.triangles.empty(),
-      verdict.closed ? "yes" : fmt::format("no; {} edges of {} rims", lids.triangles.size(), lids.middles.size()));
+      verdict.closed ? "yes" : fmt::format("no; {} edges of {} rims", lids.edges, lids.rims));
   row("faces outwards", verdict.outward, yes(verdict.outward));
   row("self-intersections (CGAL)", verdict.self_intersections == 0,
       fmt::format("{} pairs of triangles", verdict.self_intersections));
