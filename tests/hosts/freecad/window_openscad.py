@@ -234,10 +234,9 @@ def test_text_has_a_panel(document, tmp_path, opened):
 @pytest.mark.parametrize("stage", ["Reading", "slow"])
 def test_a_cancelled_import_leaves_the_document_as_it_was(document, tmp_path, stage):
     """Cancel of the progress dialog, while OpenSCAD runs its program, and while the solid is made."""
-    pressed, path = [], EXAMPLES / "Old" / "example024.scad"
-    design = tmp_path / "slow.scad"
+    pressed, design = [], tmp_path / "slow.scad"
     loop = "x = [for (i = [0 : 9999]) [for (k = [0 : 4999]) i * k][0]];" if stage == "Reading" else ""
-    design.write_text(loop + path.read_text())
+    design.write_text(loop + "for (i = [0 : 99]) translate([i % 9, floor(i / 9), 0.1]) sphere($fn = 40, r = 3);")
 
     def cancel():
         dialogs = [each for each in QtWidgets.QApplication.topLevelWidgets() if isinstance(each, QtWidgets.QProgressDialog) and each.isVisible()]
