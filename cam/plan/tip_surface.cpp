@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "fieldfab/cam/surface.h"
+#include "fieldfab/core/clones.h"
 
 namespace fieldfab::cam {
 
@@ -75,11 +76,8 @@ struct BlockTip {
 
 /// The highest tip for a block of side x side samples, the first of them at (x0, y0) from the axis. A plain loop, which the
 /// compiler turns into vectors.
-#if defined(__x86_64__)
-__attribute__((target_clones("avx2", "default")))
-#endif
-BlockTip
-highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach, const FlatCornerCone& c) {
+FIELDFAB_CLONES BlockTip highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach,
+                                     const FlatCornerCone& c) {
   const float flat = c.flat, corner = c.corner, widest = c.widest, cone = c.cone, slope = c.slope;
   std::array<float, longest_side> highest;
   std::fill_n(highest.begin(), side, -1e30F);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fieldfab/core/clones.h"
+
 namespace fieldfab::cam {
 namespace {
 
@@ -17,7 +19,7 @@ enum class Slant {
 
 /// A frustum: where the line is inside of the cone and between the two planes.
 template <Slant slant, bool slab>
-__attribute__((target_clones("avx2", "default"))) void cone_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void cone_row(const Row& row, const Zone& zone) {
   const double k = (zone.r1 - zone.r0) / (zone.z1 - zone.z0);
   const double ad = row.ad, a = 1 - ad * ad - k * k * ad * ad;
   const double safe = slant == Slant::chord ? std::max(a, 1e-14) : std::min(a, -1e-14);
@@ -52,7 +54,7 @@ __attribute__((target_clones("avx2", "default"))) void cone_row(const Row& row, 
 }
 
 /// A cylinder along the lines.
-__attribute__((target_clones("avx2", "default"))) void parallel_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void parallel_row(const Row& row, const Zone& zone) {
   const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad;
   const auto low = static_cast<float>(row.origin + std::min(s0, s1)), high = static_cast<float>(row.origin + std::max(s0, s1));
   const auto rest = static_cast<float>(zone.r0 * zone.r0 - row.v * row.v), first = static_cast<float>(row.first_u),
@@ -71,7 +73,7 @@ __attribute__((target_clones("avx2", "default"))) void parallel_row(const Row& r
 /// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision
 /// precise.
 template <bool slab>
-__attribute__((target_clones("avx2", "default"))) void cylinder_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void cylinder_row(const Row& row, const Zone& zone) {
   const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
   // All linear along the row: height of the foot point, place of the line's nearest point, distance.
   const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
@@ -102,7 +104,7 @@ __attribute__((target_clones("avx2", "default"))) void cylinder_row(const Row& r
 }
 
 /// A ring and what is inside of it where its axis lies along the lines: heights of its half section.
-__attribute__((target_clones("avx2", "default"))) void ring_along_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void ring_along_row(const Row& row, const Zone& zone) {
   const double middle = row.origin + zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
@@ -117,7 +119,7 @@ __attribute__((target_clones("avx2", "default"))) void ring_along_row(const Row&
 }
 
 /// The same where its axis is across the lines and along the row or across it as well: circles.
-__attribute__((target_clones("avx2", "default"))) void ring_across_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void ring_across_row(const Row& row, const Zone& zone) {
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
@@ -134,7 +136,7 @@ __attribute__((target_clones("avx2", "default"))) void ring_across_row(const Row
 
 /// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that
 /// the steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
-__attribute__((target_clones("avx2", "default"))) void ring_askew_row(const Row& row, const Zone& zone) {
+FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
   const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
@@ -170,8 +172,7 @@ __attribute__((target_clones("avx2", "default"))) void ring_askew_row(const Row&
 
 /// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the
 /// line's nearest place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
-__attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Row& row, double radius, double wu, double wv,
-                                                                        double wd) {
+FIELDFAB_CLONES void oblique_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
   const double share = 1 / along, tilt = row.ad * share;
   // The place in the plane, as the line goes on; and as lines go on.
@@ -223,8 +224,7 @@ __attribute__((target_clones("avx2", "default"))) void oblique_disc_row(const Ro
 }
 
 /// A disc that goes along its own plane: a flat figure with round ends.
-__attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row& row, double radius, double wu, double wv,
-                                                                      double wd) {
+FIELDFAB_CLONES void level_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   if (std::abs(row.ad) < 1e-9) return;
   const double square = wu * wu + wv * wv + wd * wd;
   // All linear along the row: height of the line's place, and how far along the way it is.
@@ -250,7 +250,7 @@ __attribute__((target_clones("avx2", "default"))) void level_disc_row(const Row&
 
 }  // namespace
 
-__attribute__((target_clones("avx2", "default"))) void ball_row(const Row& row, double radius) {
+FIELDFAB_CLONES void ball_row(const Row& row, double radius) {
   const auto rest = static_cast<float>(radius * radius - row.v * row.v), first = static_cast<float>(row.first_u),
              step = static_cast<float>(row.step_u), origin = static_cast<float>(row.origin);
   float* const __restrict entry = row.entry;
@@ -293,8 +293,7 @@ void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
 }
 
 /// Lowers and raises intervals to places that lie evenly.
-__attribute__((target_clones("avx2", "default"))) void fill_row(float* entry, float* exit, int count, float at, float step,
-                                                                float low, float high) {
+FIELDFAB_CLONES void fill_row(float* entry, float* exit, int count, float at, float step, float low, float high) {
   for (int i = 0; i < count; ++i) {
     const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);
     entry[i] = std::min(entry[i], place), exit[i] = std::max(exit[i], place);

@@ -107,6 +107,19 @@ TEST_F(MeshFiles, ThatAreDamagedDoNotCrash) {
   }
 }
 
+TEST_F(MeshFiles, WithCountsThatCannotBeAreRefusedAtOnce) {
+  const std::vector<std::pair<const char*, const char*>> files{
+      {"a.ply", "ply\nformat ascii 1.0\nelement nothing 9999999999\nend_header\n0 0 0\n"},
+      {"b.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9999999999\nend_header\n0 0 0\n"},
+      {"c.off", "OFF\n3 9999999999 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+      {"d.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 4294967298\n"},
+      {"e.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n"}};
+  for (const auto& [name, text] : files) {
+    write_file(folder / name, text);
+    EXPECT_THROW((void)read_mesh(folder / name), Error) << name;
+  }
+}
+
 TEST_F(Pictures, ReadBackTheSame) {
   for (const int channels : {1, 3})
     for (const int depth : {8, 16}) {

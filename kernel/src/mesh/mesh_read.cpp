@@ -55,7 +55,7 @@ class MeshReader {
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < faces; ++i) {
       corners.resize(checked_size(count()));
-      for (std::uint32_t& corner : corners) corner = static_cast<std::uint32_t>(count());
+      for (std::uint32_t& corner : corners) corner = index(static_cast<double>(count()));
       add_polygon(corners);
       skip_line();
     }
@@ -73,8 +73,7 @@ class MeshReader {
         for (std::string_view word = next_before(end); !word.empty(); word = next_before(end)) {
           const auto index = parse<long>(word.substr(0, word.find('/')));
           const long place = index < 0 ? static_cast<long>(soup_.vertices.size()) + index : index - 1;
-          if (place < 0) fail("a face refers to a vertex that is not there");
-          corners.push_back(static_cast<std::uint32_t>(place));
+          corners.push_back(this->index(static_cast<double>(place)));
         }
         add_polygon(corners);
       }
@@ -92,7 +91,7 @@ class MeshReader {
       if (word == "format") format = next();
       if (word == "element") {
         const std::string name(next());
-        elements.push_back({name, count(), {}});
+        elements.push_back({name, checked_size(count()), {}});
       }
       if (word == "property" && !elements.empty()) {
         std::string type(next()), length;
