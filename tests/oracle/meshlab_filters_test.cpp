@@ -92,8 +92,7 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
 TEST(MeshlabFilters, StopWithinAMomentWhenCancelled) {
   const auto layer = ball_layer(0.15);
   const std::size_t triangles = layer->mesh.triangles.size();
-  // Edges are rounded: distances on a lattice. A mesh that is contoured exactly is asked for 5 microseconds a value, and stops
-  // later.
+  // Edges are rounded: distances on a lattice. Those of small triangles are sharpened one after the other, which stops later.
   for (const auto& [name, edges, seconds] : {std::tuple{"Remesh", 2.0, 1.0},
                                              {"Offset", 2.0, 1.0},
                                              {"Shell", 2.0, 1.0},

@@ -11,6 +11,7 @@ std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   constexpr std::size_t most = 1000;  // places
   if (rim.size() < 3 || rim.size() > most) return {};
+  if (rim.size() == 3) return {{0, 1, 2}};  // soups have very many of these
   std::vector<Kernel::Point_3> points;
   for (const Vec3& p : rim) points.emplace_back(p.x(), p.y(), p.z());
   std::vector<CGAL::Triple<int, int, int>> found;
