@@ -214,8 +214,10 @@ class Checker {
     const LevelSet level_set(*solid_, bounds_, voxel, progress_);
     const double area = mesh_.area(), volume = mesh_.volume();
     std::vector<Vec3> mine;
-    for (const Vec3& p : surface_)
-      if (resolved(p)) mine.push_back(p);
+    for (std::size_t i = 0; i < surface_.size(); ++i) {
+      if (i % 64 == 0) progress_.check();
+      if (resolved(surface_[i])) mine.push_back(surface_[i]);
+    }
     const double thin =
         surface_.empty() ? 0 : area * (1 - static_cast<double>(mine.size()) / static_cast<double>(surface_.size()));
     // Both stand for the same surface to a part of a voxel: so volumes differ by that part of area x voxel, by more where the

@@ -114,14 +114,17 @@ LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress
       leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width, half_width)));
     }
   });
+  progress.check();
   openvdb::tools::signedFloodFill(grid->tree());
   // Only the places where the sign changes are kept of the samples; the distances are swept from there. (Rebuilding the level set
   // by way of a mesh, which OpenVDB does as well, fills cavities.)
   openvdb::tools::FastSweeping<openvdb::FloatGrid> sweeping;
   if (sweeping.initSdf(*grid, 0, true)) {
+    progress.check();
     sweeping.sweep();
     vdb_->grid = sweeping.sdfGrid();
   }
+  progress.check();
 }
 
 LevelSet::~LevelSet() = default;

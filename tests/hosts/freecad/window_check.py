@@ -83,7 +83,7 @@ def test_the_table_the_colours_and_the_legend(document, monkeypatch, tmp_path):
 
 
 def test_closing_ends_a_long_check(document, monkeypatch):
-    frep(document, "sphere(r = 20)", 0.2)
+    frep(document, "sphere(r = 20)", 0.12)
     made = []
     real = check_panel.CheckPanel.__init__
     monkeypatch.setattr(check_panel.CheckPanel, "__init__", lambda self, obj: made.append(self) or real(self, obj))

@@ -100,7 +100,9 @@ def test_file_import(document, design, opened):
     assert volume == pytest.approx(openscad_designs.volume(*openscad_designs.read_off(reference)), rel=2e-3)
 
     # The tree of the window, opened to the hull's cylinders; one of them edited in its panel.
-    tree = next(tree for tree in FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget) if items(tree, "lever"))
+    trees = FreeCADGui.getMainWindow().findChildren(QtWidgets.QTreeWidget)
+    wait(lambda: any(items(tree, "lever") for tree in trees), what="the tree, which FreeCAD fills when it has time")
+    tree = next(tree for tree in trees if items(tree, "lever"))
     tree.expandAll()
     live(0.3)
     parts = items(tree, "lever")[0]

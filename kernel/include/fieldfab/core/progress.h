@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -12,7 +13,8 @@ namespace fieldfab {
 /// Workers call check() at least every 100 ms; callers call cancel() from any thread or signal handler.
 class Progress {
  public:
-  /// Called with the fraction done (0 to 1) and what is being done; at most one call at a time, from any worker thread.
+  /// Called with the fraction done (0 to 1) and what is being done; at most one call at a time, from any worker thread. It may
+  /// call cancel(); so that it can at any moment, it is told the same again where there is nothing new (see check()).
   using Listener = std::function<void(double fraction, const std::string& message)>;
 
   Progress() = default;
@@ -23,15 +25,21 @@ class Progress {
   /// Asks the work to stop.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
-  /// Throws Error(cancelled) once cancel() was called.
-  void check() const;
+  /// Throws Error(cancelled) once cancel() was called. Tells the listener the last report again, a few times a second.
+  void check();
 
   /// A Progress that nobody listens to and nobody cancels, for callers that do not care.
   static Progress& none();
 
  private:
+  using Clock = std::chrono::steady_clock;
+  void tell();
+
   Listener listener_;
-  std::mutex reporting_;
+  std::mutex reporting_;  ///< of the two of the last report, and of the listener
+  double fraction_ = 0;
+  std::string message_;
+  std::atomic<Clock::rep> told_{0};  ///< when
   std::atomic<bool> cancelled_{false};
 };
 
