@@ -8,7 +8,7 @@ import FreeCADGui
 import pytest
 import window
 from panels import PART, Button, document, edit, frep, panels, shown, silhouette  # noqa: F401
-from window import Heartbeat, live, press, wait
+from window import Heartbeat, clock, live, press, wait
 
 from fieldfab_workbench import meshes, sources
 from fieldfab_workbench.objects import frep_solid
@@ -155,11 +155,11 @@ def test_a_million_triangles_are_seen_soon(document):
     solid = frep(document, "sphere(r = 5)")
     fieldfab = solids.kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("sphere(r = 50)"), voxel=0.42, max_error=0, features=False)
-    began = time.monotonic()
+    began = clock()
     taken = meshes.to_freecad(mesh)
-    made = time.monotonic()
+    made = clock()
     solid.Mesh = taken
-    given = time.monotonic()
+    given = clock()
     live(0.01)
-    print(f"{len(mesh.triangles)} triangles: {made - began:.3f} s to FreeCAD's form, {given - made:.3f} s into the object, {time.monotonic() - given:.3f} s until it is drawn")
-    assert len(mesh.triangles) > 1e6 and time.monotonic() - began < 3
+    print(f"{len(mesh.triangles)} triangles: {made - began:.3f} s to FreeCAD's form, {given - made:.3f} s into the object, {clock() - given:.3f} s until it is drawn")
+    assert len(mesh.triangles) > 1e6 and clock() - began < 3
