@@ -56,6 +56,23 @@ void require_little_work(const Mesh& a, const Mesh& b) {
   });
 }
 
+/// Whether two corners of a surface are, or may be, at the same place: that is how what corefinement makes touches itself.
+bool has_double_corners(const Mesh& mesh, const CGAL::Bbox_3& box) {
+  const Vec3 way(0.61803, 0.54931, 0.56226);  // along which different corners are at different places as a rule
+  std::vector<std::pair<double, Vec3>> corners;
+  corners.reserve(mesh.number_of_vertices());
+  for (const auto vertex : mesh.vertices()) {
+    const Vec3 place = rounded(mesh.point(vertex));
+    corners.emplace_back(way.dot(place), place);
+  }
+  std::sort(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  const double same = 1e-12 * std::max({-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
+  for (auto a = corners.begin(); a != corners.end(); ++a)
+    for (auto b = a + 1; b != corners.end() && b->first - a->first <= 2 * same; ++b)
+      if ((b->second - a->second).norm() <= same) return true;
+  return false;
+}
+
 }  // namespace
 
 ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operation) {
@@ -64,11 +81,12 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     if (operation == Operation::intersect) return {};
     return a.empty() && operation == Operation::unite ? b : a;
   }
+  const bool simple = a.surface_->simple && b.surface_->simple;
   if (!CGAL::do_overlap(a.surface_->box, b.surface_->box)) {
     if (operation != Operation::unite) return operation == Operation::subtract ? a : ExactSolid();
     Mesh both = a.surface_->mesh;
     CGAL::copy_face_graph(b.surface_->mesh, both);
-    return ExactSolid(std::make_shared<Surface>(std::move(both)));
+    return ExactSolid(std::make_shared<Surface>(std::move(both), simple));
   }
   require_little_work(a.surface_->mesh, b.surface_->mesh);
   try {
@@ -79,10 +97,14 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
                        : operation == Operation::intersect ? pmp::Corefinement::INTERSECTION
                                                            : pmp::Corefinement::TM1_MINUS_TM2;
     wanted[place] = &result;
-    const auto throwing = pmp::parameters::throw_on_self_intersection(true);
+    // What exact constructions make of simple surfaces is simple; to look for crossings takes as long as all else.
+    const auto throwing = pmp::parameters::throw_on_self_intersection(!simple);
     const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted, throwing)[place];
     if (!valid) throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
-    return result.number_of_faces() == 0 ? ExactSolid() : ExactSolid(std::make_shared<Surface>(std::move(result)));
+    if (result.number_of_faces() == 0) return {};
+    auto surface = std::make_shared<Surface>(std::move(result), simple);
+    surface->simple = simple && !has_double_corners(surface->mesh, surface->box);
+    return ExactSolid(std::move(surface));
   } catch (const pmp::Corefinement::Self_intersection_exception&) {
     throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses itself");
   } catch (const std::logic_error&) {  // CGAL's own failures are such

@@ -22,7 +22,7 @@ ExactSolid::ExactSolid(const Polyhedron& solid) {
   pmp::polygon_soup_to_polygon_mesh(points, faces, mesh);
   if (!CGAL::is_closed(mesh)) throw Error(ErrorKind::bad_input, "polyhedron", "its surface has holes");
   pmp::orient_to_bound_a_volume(mesh);
-  surface_ = std::make_shared<Surface>(std::move(mesh));
+  surface_ = std::make_shared<Surface>(std::move(mesh), is_simple(solid));
 }
 
 Polyhedron ExactSolid::polyhedron() const { return empty() ? Polyhedron() : corners_of(surface_->mesh); }

@@ -45,6 +45,9 @@ std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& pro
 /// also not without its slivers.
 std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface);
 
+/// Whether a surface neither crosses nor touches itself. False, too, where an edge has more than two faces.
+bool is_simple(const Polyhedron& surface);
+
 /// Whether it is the surface of a solid: closed, facing out, not crossing itself, without faces that have no area.
 bool bounds_a_solid(const Polyhedron& surface);
 
