@@ -1,5 +1,6 @@
 // What two exact solids make, by CGAL's corefinement.
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/box_intersection_d.h>
 
@@ -56,20 +57,31 @@ void require_little_work(const Mesh& a, const Mesh& b) {
   });
 }
 
-/// Whether two corners of a surface are, or may be, at the same place: that is how what corefinement makes touches itself.
-bool has_double_corners(const Mesh& mesh, const CGAL::Bbox_3& box) {
+/// Whether a surface touches itself in a corner, as what corefinement makes can: a corner of two rounds of faces, or two corners
+/// at the same place.
+bool touches_itself(const Mesh& mesh) {
+  std::vector<Mesh::Halfedge_index> rounds;
+  pmp::non_manifold_vertices(mesh, std::back_inserter(rounds));
+  if (!rounds.empty()) return true;
+  struct Corner {
+    Mesh::Vertex_index vertex;
+    Vec3 place;
+    double along;
+  };
   const Vec3 way(0.61803, 0.54931, 0.56226);  // along which different corners are at different places as a rule
-  std::vector<std::pair<double, Vec3>> corners;
+  std::vector<Corner> corners;
   corners.reserve(mesh.number_of_vertices());
+  double farthest = 0;
   for (const auto vertex : mesh.vertices()) {
     const Vec3 place = rounded(mesh.point(vertex));
-    corners.emplace_back(way.dot(place), place);
+    corners.push_back({vertex, place, way.dot(place)});
+    farthest = std::max(farthest, place.cwiseAbs().maxCoeff());
   }
-  std::sort(corners.begin(), corners.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  const double same = 1e-12 * std::max({-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.along < b.along; });
+  const double rounding = 1e-12 * farthest;
   for (auto a = corners.begin(); a != corners.end(); ++a)
-    for (auto b = a + 1; b != corners.end() && b->first - a->first <= 2 * same; ++b)
-      if ((b->second - a->second).norm() <= same) return true;
+    for (auto b = a + 1; b != corners.end() && b->along - a->along <= 2 * rounding; ++b)
+      if ((b->place - a->place).norm() <= rounding && mesh.point(a->vertex) == mesh.point(b->vertex)) return true;
   return false;
 }
 
@@ -88,6 +100,8 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     CGAL::copy_face_graph(b.surface_->mesh, both);
     return ExactSolid(std::make_shared<Surface>(std::move(both), simple));
   }
+  // CGAL can look for crossings as it joins, which takes as long as all else and misses touches, by which it can crash.
+  if (!simple) throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses or touches itself");
   require_little_work(a.surface_->mesh, b.surface_->mesh);
   try {
     Mesh one = a.surface_->mesh, two = b.surface_->mesh, result;
@@ -97,16 +111,12 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
                        : operation == Operation::intersect ? pmp::Corefinement::INTERSECTION
                                                            : pmp::Corefinement::TM1_MINUS_TM2;
     wanted[place] = &result;
-    // What exact constructions make of simple surfaces is simple; to look for crossings takes as long as all else.
-    const auto throwing = pmp::parameters::throw_on_self_intersection(!simple);
-    const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted, throwing)[place];
+    const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted)[place];
     if (!valid) throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
     if (result.number_of_faces() == 0) return {};
-    auto surface = std::make_shared<Surface>(std::move(result), simple);
-    surface->simple = simple && !has_double_corners(surface->mesh, surface->box);
-    return ExactSolid(std::move(surface));
-  } catch (const pmp::Corefinement::Self_intersection_exception&) {
-    throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses itself");
+    // Of simple surfaces exact constructions make what does not cross itself, and touches itself in corners only.
+    const bool touches = touches_itself(result);
+    return ExactSolid(std::make_shared<Surface>(std::move(result), !touches));
   } catch (const std::logic_error&) {  // CGAL's own failures are such
     throw Error(ErrorKind::bad_input, "polyhedron", "its faces could not be joined");
   }

@@ -5,6 +5,7 @@
 
 #include "exact_surface.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 
@@ -30,12 +31,12 @@ Polyhedron ExactSolid::polyhedron() const { return empty() ? Polyhedron() : corn
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress) {
   if (solids.empty()) return {};
   while (solids.size() > 1) {
-    std::vector<ExactSolid> half;
-    for (std::size_t i = 0; i + 1 < solids.size(); i += 2) {
+    std::vector<ExactSolid> half(solids.size() / 2);
+    parallel_for(half.size(), [&](std::size_t i) {
       progress.report(0, "joining solids");
       progress.check();
-      half.push_back(combined(solids[i], solids[i + 1], operation));
-    }
+      half[i] = combined(solids[2 * i], solids[2 * i + 1], operation);
+    });
     if (solids.size() % 2 == 1) half.push_back(std::move(solids.back()));
     solids = std::move(half);
   }
