@@ -78,68 +78,107 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
 }
 
-using Areas = std::vector<std::pair<Vec3, double>>;  // of faces by their normals, the greatest first
+/// A plane of a solid's faces.
+struct Face {
+  Vec3 normal;
+  double offset;  ///< mm, of the plane from the origin along its normal
+  double area = 0;
+  bool shared = false;  ///< another solid has faces in this plane
+};
+using Faces = std::vector<Face>;  // of one solid
 
-/// The normals of a solid's faces with the area of each; of a round one's many.
-Areas areas_by_normal(const Polyhedron& solid) {
-  std::map<std::array<std::int64_t, 3>, std::pair<Vec3, double>> found;
+Faces planes_of(const Polyhedron& solid) {
+  std::map<std::array<std::int64_t, 4>, Face> found;
+  const double size = solid.bounds().diagonal();
   for (const Triangle& t : solid.triangles) {
     const Vec3& a = solid.vertices[t[0]];
     const Vec3 area = (solid.vertices[t[1]] - a).cross(solid.vertices[t[2]] - a);
     if (!(area.norm() > 0)) continue;
     const Vec3 normal = area.normalized();
-    std::array<std::int64_t, 3> key{};
-    for (std::size_t i = 0; i < 3; ++i) key[i] = std::llround(1e8 * normal[static_cast<Eigen::Index>(i)]);
-    found.try_emplace(key, normal, 0.0).first->second.second += area.norm();
+    const double offset = normal.dot(a);
+    const auto whole = [](double x) { return static_cast<std::int64_t>(std::llround(1e8 * x)); };
+    const std::array key{whole(normal.x()), whole(normal.y()), whole(normal.z()), whole(offset / size)};
+    found.try_emplace(key, Face{normal, offset}).first->second.area += area.norm();
   }
-  Areas all;
+  Faces all;
   for (const auto& [key, face] : found) all.push_back(face);
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   return all;
 }
 
-/// Three axes, as rows, along which a solid's greatest faces look. OpenSCAD writes turns with six digits, and so they are only
+/// Marks what is in one plane, to OpenSCAD's six digits, with faces of another solid, whichever way these look.
+void mark_shared(std::vector<Faces>& solids, double farthest) {
+  struct Seen {
+    double number;  // of the plane: those of different planes are different as a rule
+    Face* face;
+    double side;  // 1 or -1: its normal's
+    std::size_t solid;
+  };
+  constexpr double nearly = 1e-5;
+  const Vec3 way(0.61803, 0.54931, 0.56226);
+  std::vector<Seen> all;
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (Face& face : solids[i]) {
+      const double side = way.dot(face.normal) > 0 ? 1 : -1;
+      all.push_back({side * (way.dot(face.normal) + face.offset / farthest), &face, side, i});
+    }
+  std::sort(all.begin(), all.end(), [](const Seen& a, const Seen& b) { return a.number < b.number; });
+  for (auto a = all.begin(); a != all.end(); ++a)
+    for (auto b = a + 1; b != all.end() && b->number - a->number < nearly; ++b)
+      if (a->solid != b->solid && (a->side * a->face->normal - b->side * b->face->normal).norm() < nearly &&
+          std::abs(a->side * a->face->offset - b->side * b->face->offset) < nearly * farthest) {
+        a->face->shared = b->face->shared = true;
+        break;
+      }
+}
+
+/// Three axes, as rows, along which a solid's first faces look. OpenSCAD writes turns with six digits, and so they are only
 /// nearly across each other.
-Eigen::Matrix3d axes_of(const Areas& faces) {
+Eigen::Matrix3d axes_of(const Faces& faces) {
   const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
     constexpr double nearly = 1e-4;
-    const auto face = std::find_if(faces.begin(), faces.end(), [&](const auto& other) {
-      return std::abs(other.first.dot(a)) < nearly && std::abs(other.first.dot(b)) < nearly;
+    const auto face = std::find_if(faces.begin(), faces.end(), [&](const Face& other) {
+      return std::abs(other.normal.dot(a)) < nearly && std::abs(other.normal.dot(b)) < nearly;
     });
-    return face != faces.end() ? face->first : if_none;
+    return face != faces.end() ? face->normal : if_none;
   };
-  const Vec3 first = faces.front().first, second = normal_across(first, first, first.unitOrthogonal());
+  const Vec3 first = faces.front().normal, second = normal_across(first, first, first.unitOrthogonal());
   const Vec3 cross = first.cross(second).normalized(), third = normal_across(first, second, cross);
   Eigen::Matrix3d axes;
   axes << first.transpose(), second.transpose(), (third.dot(cross) > 0 ? third : Vec3(-third)).transpose();
   return axes;
 }
 
-/// How much of a solid's faces looks along one of the axes: 0 to 1.
-double share_along(const Eigen::Matrix3d& axes, const Areas& faces) {
+/// How much of a solid's shared faces looks along one of the axes: 0 to 1; 0 where it has none.
+double share_along(const Eigen::Matrix3d& axes, const Faces& faces) {
   constexpr double nearly = 1e-9;
   double along = 0, all = 0;
-  for (const auto& [normal, area] : faces) {
-    all += area;
+  for (const Face& face : faces) {
+    if (!face.shared) continue;
+    all += face.area;
     for (Eigen::Index i = 0; i < 3; ++i)
-      if (axes.row(i).transpose().cross(normal).norm() < nearly) along += area;
+      if (axes.row(i).transpose().cross(face.normal).norm() < nearly) along += face.area;
   }
-  return along / all;
+  return all > 0 ? along / all : 0;
 }
 
-/// The axes, as rows, along which most faces look: seen along them what was turned is of rounded numbers, and faces that were
-/// drawn in one plane are in one.
-Eigen::Matrix3d best_axes(const Part& part) {
-  std::vector<Areas> leafs;
+/// The axes, as rows, along which most faces look that share a plane: seen along them what was turned is of rounded numbers, and
+/// faces that were drawn in one plane are in one.
+Eigen::Matrix3d best_axes(const Part& part, double farthest) {
+  std::vector<Faces> leafs;
   const std::function<void(const Part&)> visit = [&](const Part& here) {
     for (const PartPtr& child : here.children) visit(*child);
     if (here.leaf == nullptr) return;
-    if (Areas faces = areas_by_normal(here.leaf->polyhedron()); !faces.empty()) leafs.push_back(std::move(faces));
+    if (Faces faces = planes_of(here.leaf->polyhedron()); !faces.empty()) leafs.push_back(std::move(faces));
   };
   visit(part);
+  mark_shared(leafs, farthest);
+  for (Faces& faces : leafs)
+    std::sort(faces.begin(), faces.end(),
+              [](const Face& a, const Face& b) { return std::pair(a.shared, a.area) > std::pair(b.shared, b.area); });
   constexpr std::size_t most = 32;
   std::vector<Eigen::Matrix3d> known{Eigen::Matrix3d::Identity()};
-  for (const Areas& faces : leafs) {
+  for (const Faces& faces : leafs) {
+    if (!faces.front().shared) continue;
     const Eigen::Matrix3d axes = axes_of(faces);
     const double enough = 0.999 * share_along(axes, faces);
     const auto has_them = [&](const Eigen::Matrix3d& other) { return share_along(other, faces) >= enough; };
@@ -148,7 +187,7 @@ Eigen::Matrix3d best_axes(const Part& part) {
   std::vector<double> shares;
   for (const Eigen::Matrix3d& axes : known) {
     shares.push_back(0);
-    for (const Areas& faces : leafs) shares.back() += share_along(axes, faces);
+    for (const Faces& faces : leafs) shares.back() += share_along(axes, faces);
   }
   return known[static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin())];
 }
@@ -301,7 +340,7 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   const Box box = bounds_of(part);
   const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
   Eigen::Affine3d turn = Eigen::Affine3d::Identity();
-  turn.linear() = best_axes(part);
+  turn.linear() = best_axes(part, farthest);
   const auto as_drawn = [&](const Leaf& leaf) {
     const Polyhedron solid = settled(moved(leaf.polyhedron(), turn), farthest);
     return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;

@@ -110,6 +110,42 @@ TEST(ExactSolid, IsNotHadOfWhatIsOpenOrCrossesItself) {
   EXPECT_EQ(exact_solid_of(TriangleMesh()).has_value(), false);
 }
 
+TEST(ExactSolid, IsRightOrRefusedWhereSolidsTouch) {
+  int right = 0, refused = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    std::mt19937 random(seed);
+    const auto whole = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+    constexpr int side = 4;
+    ExactSolid solid;
+    std::array<bool, side * side * side> filled{};
+    try {
+      for (int n = 0; n < 5; ++n) {
+        const Eigen::Array3i lower(whole(0, side - 1), whole(0, side - 1), whole(0, side - 1));
+        const Eigen::Array3i upper = (lower + Eigen::Array3i(whole(1, 3), whole(1, 3), whole(1, 3))).min(side);
+        const Vec3 half = (upper - lower).cast<double>() / 2;
+        const auto operation = n < 3 || whole(0, 2) > 0 ? Operation::unite : Operation::subtract;
+        for (int cell = 0; cell < side * side * side; ++cell) {
+          const Eigen::Array3i at(cell % side, cell / side % side, cell / side / side);
+          if ((at >= lower).all() && (at < upper).all()) filled[cell] = operation == Operation::unite;
+        }
+        solid = combined(solid, ExactSolid(to_polyhedron(box(lower.cast<double>().matrix() + half, half))), operation);
+      }
+    } catch (const Error& error) {
+      ASSERT_EQ(error.kind(), ErrorKind::bad_input) << error.what();
+      ++refused;
+      continue;
+    }
+    if (solid.empty()) continue;
+    const FieldPtr field = mesh_field(to_mesh(solid.polyhedron()));
+    for (int cell = 0; cell < side * side * side; ++cell)
+      EXPECT_EQ(field->value({cell % side + 0.5, cell / side % side + 0.5, cell / side / side + 0.5}) < 0, filled[cell])
+          << seed << ": " << cell;
+    ++right;
+  }
+  EXPECT_GT(right, 150);
+  EXPECT_GT(refused, 10);
+}
+
 TEST(ExactSolid, StopsWhenItIsCancelled) {
   Progress cancelled;
   cancelled.cancel();

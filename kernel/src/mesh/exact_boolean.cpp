@@ -1,5 +1,6 @@
 // What two exact solids make, by CGAL's corefinement.
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/box_intersection_d.h>
 
@@ -56,6 +57,34 @@ void require_little_work(const Mesh& a, const Mesh& b) {
   });
 }
 
+/// Whether a surface touches itself in a corner, as what corefinement makes can: a corner of two rounds of faces, or two corners
+/// at the same place.
+bool touches_itself(const Mesh& mesh) {
+  std::vector<Mesh::Halfedge_index> rounds;
+  pmp::non_manifold_vertices(mesh, std::back_inserter(rounds));
+  if (!rounds.empty()) return true;
+  struct Corner {
+    Mesh::Vertex_index vertex;
+    Vec3 place;
+    double along;
+  };
+  const Vec3 way(0.61803, 0.54931, 0.56226);  // along which different corners are at different places as a rule
+  std::vector<Corner> corners;
+  corners.reserve(mesh.number_of_vertices());
+  double farthest = 0;
+  for (const auto vertex : mesh.vertices()) {
+    const Vec3 place = rounded(mesh.point(vertex));
+    corners.push_back({vertex, place, way.dot(place)});
+    farthest = std::max(farthest, place.cwiseAbs().maxCoeff());
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) { return a.along < b.along; });
+  const double rounding = 1e-12 * farthest;
+  for (auto a = corners.begin(); a != corners.end(); ++a)
+    for (auto b = a + 1; b != corners.end() && b->along - a->along <= 2 * rounding; ++b)
+      if ((b->place - a->place).norm() <= rounding && mesh.point(a->vertex) == mesh.point(b->vertex)) return true;
+  return false;
+}
+
 }  // namespace
 
 ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operation) {
@@ -64,12 +93,15 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     if (operation == Operation::intersect) return {};
     return a.empty() && operation == Operation::unite ? b : a;
   }
+  const bool simple = a.surface_->simple && b.surface_->simple;
   if (!CGAL::do_overlap(a.surface_->box, b.surface_->box)) {
     if (operation != Operation::unite) return operation == Operation::subtract ? a : ExactSolid();
     Mesh both = a.surface_->mesh;
     CGAL::copy_face_graph(b.surface_->mesh, both);
-    return ExactSolid(std::make_shared<Surface>(std::move(both)));
+    return ExactSolid(std::make_shared<Surface>(std::move(both), simple));
   }
+  // CGAL can look for crossings as it joins, which takes as long as all else and misses touches, by which it can crash.
+  if (!simple) throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses or touches itself");
   require_little_work(a.surface_->mesh, b.surface_->mesh);
   try {
     Mesh one = a.surface_->mesh, two = b.surface_->mesh, result;
@@ -79,12 +111,12 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
                        : operation == Operation::intersect ? pmp::Corefinement::INTERSECTION
                                                            : pmp::Corefinement::TM1_MINUS_TM2;
     wanted[place] = &result;
-    const auto throwing = pmp::parameters::throw_on_self_intersection(true);
-    const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted, throwing)[place];
+    const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted)[place];
     if (!valid) throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
-    return result.number_of_faces() == 0 ? ExactSolid() : ExactSolid(std::make_shared<Surface>(std::move(result)));
-  } catch (const pmp::Corefinement::Self_intersection_exception&) {
-    throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses itself");
+    if (result.number_of_faces() == 0) return {};
+    // Of simple surfaces exact constructions make what does not cross itself, and touches itself in corners only.
+    const bool touches = touches_itself(result);
+    return ExactSolid(std::make_shared<Surface>(std::move(result), !touches));
   } catch (const std::logic_error&) {  // CGAL's own failures are such
     throw Error(ErrorKind::bad_input, "polyhedron", "its faces could not be joined");
   }

@@ -5,6 +5,7 @@
 
 #include "exact_surface.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
 
@@ -22,7 +23,7 @@ ExactSolid::ExactSolid(const Polyhedron& solid) {
   pmp::polygon_soup_to_polygon_mesh(points, faces, mesh);
   if (!CGAL::is_closed(mesh)) throw Error(ErrorKind::bad_input, "polyhedron", "its surface has holes");
   pmp::orient_to_bound_a_volume(mesh);
-  surface_ = std::make_shared<Surface>(std::move(mesh));
+  surface_ = std::make_shared<Surface>(std::move(mesh), is_simple(solid));
 }
 
 Polyhedron ExactSolid::polyhedron() const { return empty() ? Polyhedron() : corners_of(surface_->mesh); }
@@ -30,12 +31,12 @@ Polyhedron ExactSolid::polyhedron() const { return empty() ? Polyhedron() : corn
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress) {
   if (solids.empty()) return {};
   while (solids.size() > 1) {
-    std::vector<ExactSolid> half;
-    for (std::size_t i = 0; i + 1 < solids.size(); i += 2) {
+    std::vector<ExactSolid> half(solids.size() / 2);
+    parallel_for(half.size(), [&](std::size_t i) {
       progress.report(0, "joining solids");
       progress.check();
-      half.push_back(combined(solids[i], solids[i + 1], operation));
-    }
+      half[i] = combined(solids[2 * i], solids[2 * i + 1], operation);
+    });
     if (solids.size() % 2 == 1) half.push_back(std::move(solids.back()));
     solids = std::move(half);
   }

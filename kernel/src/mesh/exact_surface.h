@@ -14,8 +14,9 @@ struct ExactSolid::Surface {
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   Mesh mesh;
   CGAL::Bbox_3 box;
+  bool simple;  ///< known neither to cross nor to touch itself
 
-  explicit Surface(Mesh whole) : mesh(std::move(whole)) {
+  Surface(Mesh whole, bool is_simple) : mesh(std::move(whole)), simple(is_simple) {
     for (const auto vertex : mesh.vertices()) box += mesh.point(vertex).bbox();
   }
 };

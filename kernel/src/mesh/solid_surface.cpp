@@ -85,6 +85,11 @@ Polyhedron without_slivers(const Polyhedron& surface, double narrowest) {
 
 }  // namespace
 
+bool is_simple(const Polyhedron& surface) {
+  Mesh mesh;
+  return to_surface(surface, mesh) && !pmp::does_self_intersect(mesh);
+}
+
 bool bounds_a_solid(const Polyhedron& surface) {
   Mesh mesh;
   return to_surface(surface, mesh) && CGAL::is_closed(mesh) && !pmp::does_self_intersect(mesh) &&

@@ -23,8 +23,8 @@ class ExactSolid {
   [[nodiscard]] bool empty() const { return surface_ == nullptr; }
   [[nodiscard]] Polyhedron polyhedron() const;  ///< corners rounded to double precision
 
-  /// Throws bad_input where the surface of one crosses itself, or where the result's touches itself along an edge; too_large
-  /// where so many faces lie in planes of the other's faces, or cross them, that it would take long.
+  /// Throws bad_input where the surface of one crosses or touches itself, or where the result's touches itself along an edge;
+  /// too_large where so many faces lie in planes of the other's faces, or cross them, that it would take long.
   friend ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operation);
 
  private:
@@ -44,6 +44,9 @@ std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& pro
 /// The surface in single precision, as files and TriangleMesh have it; nothing where that is no longer the surface of a solid,
 /// also not without its slivers.
 std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface);
+
+/// Whether a surface neither crosses nor touches itself. False, too, where an edge has more than two faces.
+bool is_simple(const Polyhedron& surface);
 
 /// Whether it is the surface of a solid: closed, facing out, not crossing itself, without faces that have no area.
 bool bounds_a_solid(const Polyhedron& surface);
