@@ -22,6 +22,8 @@ class ExactSolid {
 
   [[nodiscard]] bool empty() const { return surface_ == nullptr; }
   [[nodiscard]] Polyhedron polyhedron() const;  ///< corners rounded to double precision
+  /// Exactly; by a matrix that does not mirror.
+  [[nodiscard]] ExactSolid turned(const Eigen::Matrix3d& matrix) const;
 
   /// Throws bad_input where the surface of one crosses or touches itself, or where the result's touches itself along an edge;
   /// too_large where so many faces lie in planes of the other's faces, or cross them, that it would take long.
