@@ -10,6 +10,7 @@
 #include "boxes.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/exact_solid.h"
+#include "frames.h"
 #include "leaf.h"
 #include "surface_field.h"
 
@@ -78,120 +79,6 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
   return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
 }
 
-/// A plane of a solid's faces.
-struct Face {
-  Vec3 normal;
-  double offset;  ///< mm, of the plane from the origin along its normal
-  double area = 0;
-  bool shared = false;  ///< another solid has faces in this plane
-};
-using Faces = std::vector<Face>;  // of one solid
-
-Faces planes_of(const Polyhedron& solid) {
-  std::map<std::array<std::int64_t, 4>, Face> found;
-  const double size = solid.bounds().diagonal();
-  for (const Triangle& t : solid.triangles) {
-    const Vec3& a = solid.vertices[t[0]];
-    const Vec3 area = (solid.vertices[t[1]] - a).cross(solid.vertices[t[2]] - a);
-    if (!(area.norm() > 0)) continue;
-    const Vec3 normal = area.normalized();
-    const double offset = normal.dot(a);
-    const auto whole = [](double x) { return static_cast<std::int64_t>(std::llround(1e8 * x)); };
-    const std::array key{whole(normal.x()), whole(normal.y()), whole(normal.z()), whole(offset / size)};
-    found.try_emplace(key, Face{normal, offset}).first->second.area += area.norm();
-  }
-  Faces all;
-  for (const auto& [key, face] : found) all.push_back(face);
-  return all;
-}
-
-/// Marks what is in one plane, to OpenSCAD's six digits, with faces of another solid, whichever way these look.
-void mark_shared(std::vector<Faces>& solids, double farthest) {
-  struct Seen {
-    double number;  // of the plane: those of different planes are different as a rule
-    Face* face;
-    double side;  // 1 or -1: its normal's
-    std::size_t solid;
-  };
-  constexpr double nearly = 1e-5;
-  const Vec3 way(0.61803, 0.54931, 0.56226);
-  std::vector<Seen> all;
-  for (std::size_t i = 0; i < solids.size(); ++i)
-    for (Face& face : solids[i]) {
-      const double side = way.dot(face.normal) > 0 ? 1 : -1;
-      all.push_back({side * (way.dot(face.normal) + face.offset / farthest), &face, side, i});
-    }
-  std::sort(all.begin(), all.end(), [](const Seen& a, const Seen& b) { return a.number < b.number; });
-  for (auto a = all.begin(); a != all.end(); ++a)
-    for (auto b = a + 1; b != all.end() && b->number - a->number < nearly; ++b)
-      if (a->solid != b->solid && (a->side * a->face->normal - b->side * b->face->normal).norm() < nearly &&
-          std::abs(a->side * a->face->offset - b->side * b->face->offset) < nearly * farthest) {
-        a->face->shared = b->face->shared = true;
-        break;
-      }
-}
-
-/// Three axes, as rows, along which a solid's first faces look. OpenSCAD writes turns with six digits, and so they are only
-/// nearly across each other.
-Eigen::Matrix3d axes_of(const Faces& faces) {
-  const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
-    constexpr double nearly = 1e-4;
-    const auto face = std::find_if(faces.begin(), faces.end(), [&](const Face& other) {
-      return std::abs(other.normal.dot(a)) < nearly && std::abs(other.normal.dot(b)) < nearly;
-    });
-    return face != faces.end() ? face->normal : if_none;
-  };
-  const Vec3 first = faces.front().normal, second = normal_across(first, first, first.unitOrthogonal());
-  const Vec3 cross = first.cross(second).normalized(), third = normal_across(first, second, cross);
-  Eigen::Matrix3d axes;
-  axes << first.transpose(), second.transpose(), (third.dot(cross) > 0 ? third : Vec3(-third)).transpose();
-  return axes;
-}
-
-/// How much of a solid's shared faces looks along one of the axes: 0 to 1; 0 where it has none.
-double share_along(const Eigen::Matrix3d& axes, const Faces& faces) {
-  constexpr double nearly = 1e-9;
-  double along = 0, all = 0;
-  for (const Face& face : faces) {
-    if (!face.shared) continue;
-    all += face.area;
-    for (Eigen::Index i = 0; i < 3; ++i)
-      if (axes.row(i).transpose().cross(face.normal).norm() < nearly) along += face.area;
-  }
-  return all > 0 ? along / all : 0;
-}
-
-/// The axes, as rows, along which most faces look that share a plane: seen along them what was turned is of rounded numbers, and
-/// faces that were drawn in one plane are in one.
-Eigen::Matrix3d best_axes(const Part& part, double farthest) {
-  std::vector<Faces> leafs;
-  const std::function<void(const Part&)> visit = [&](const Part& here) {
-    for (const PartPtr& child : here.children) visit(*child);
-    if (here.leaf == nullptr) return;
-    if (Faces faces = planes_of(here.leaf->polyhedron()); !faces.empty()) leafs.push_back(std::move(faces));
-  };
-  visit(part);
-  mark_shared(leafs, farthest);
-  for (Faces& faces : leafs)
-    std::sort(faces.begin(), faces.end(),
-              [](const Face& a, const Face& b) { return std::pair(a.shared, a.area) > std::pair(b.shared, b.area); });
-  constexpr std::size_t most = 32;
-  std::vector<Eigen::Matrix3d> known{Eigen::Matrix3d::Identity()};
-  for (const Faces& faces : leafs) {
-    if (!faces.front().shared) continue;
-    const Eigen::Matrix3d axes = axes_of(faces);
-    const double enough = 0.999 * share_along(axes, faces);
-    const auto has_them = [&](const Eigen::Matrix3d& other) { return share_along(other, faces) >= enough; };
-    if (known.size() < most && std::none_of(known.begin(), known.end(), has_them)) known.push_back(axes);
-  }
-  std::vector<double> shares;
-  for (const Eigen::Matrix3d& axes : known) {
-    shares.push_back(0);
-    for (const Faces& faces : leafs) shares.back() += share_along(axes, faces);
-  }
-  return known[static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin())];
-}
-
 /// Each face moved out by `growth` mm, as far as its corners can follow: where more than three planes meet, as near as can be.
 Polyhedron grown(const Polyhedron& solid, double growth) {
   std::vector<std::vector<Vec3>> normals(solid.vertices.size());
@@ -218,19 +105,22 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
 
 /// How leafs become solids.
 struct Drawing {
-  std::function<Polyhedron(const Leaf&)> solid;
+  std::function<Polyhedron(const Leaf&, const Eigen::Matrix3d& axes)> solid;
   double same = 0;  ///< faces of boxes no farther apart are in one plane, mm
   /// How far the next solid is grown, mm; `taken` is how often it is taken away from what is taken away. Null where none is.
   std::function<double(int taken)> growth = nullptr;
 };
 
-/// Joins a part's leafs by exact arithmetic: boxes by their cells, as many together as can be, and all else by corefinement.
+/// Joins a part's leafs by exact arithmetic: boxes by their cells, as many together as can be, and all else by corefinement; what
+/// has a frame of its own in that, by itself.
 class Joiner {
  public:
-  Joiner(Drawing drawing, Progress& progress) : drawing_(std::move(drawing)), progress_(progress) {}
+  Joiner(Drawing drawing, const Frames& frames, Progress& progress)
+      : drawing_(std::move(drawing)), frames_(frames), progress_(progress) {}
 
+  /// Along the axes of frames.whole().
   Polyhedron surface(const Part& part) {
-    const Joined all = joined(part, 0);
+    const Joined all = joined(part, {0, frames_.whole()});
     if (const auto* boxes = std::get_if<Boxes>(&all)) return surface(*boxes, 0);
     return std::get<ExactSolid>(all).polyhedron();
   }
@@ -242,33 +132,59 @@ class Joiner {
     std::vector<Boxes> boxes;
     std::vector<ExactSolid> others;
   };
+  struct Place {
+    int taken;  ///< how often it is taken away from what is taken away
+    int frame;
+  };
 
   [[nodiscard]] bool grows() const { return drawing_.growth != nullptr; }
   Polyhedron surface(const Boxes& boxes, int taken) {
     return surface_of(boxes, drawing_.same, grows() ? drawing_.growth(taken) : 0, progress_);
   }
 
-  Joined joined(const Part& part, int taken) {
+  /// Whether parts have a frame of their own, in which they are to be joined.
+  [[nodiscard]] bool has_own(const Part& part, const Place& at) const {
+    return frames_.of(part) >= 0 && frames_.of(part) != at.frame;
+  }
+  ExactSolid turned(const Joined& solid, const Place& from, int to) {
+    return exact(solid, from.taken).turned(frames_.turn(from.frame, to));
+  }
+
+  Joined joined(const Part& part, const Place& at) {
     progress_.report(0, "joining solids");
     progress_.check();
     if (part.kind == Kind::nothing) return Boxes{};
-    if (part.kind == Kind::leaf) {
-      const Polyhedron solid = drawing_.solid(*part.leaf);
-      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same) return Boxes{Kind::leaf, *box, {}};
-      return ExactSolid(grows() ? grown(solid, drawing_.growth(taken)) : solid);
+    if (has_own(part, at)) {
+      const Place own{at.taken, frames_.of(part)};
+      return turned(joined(part, own), own, at.frame);
     }
-    if (part.kind == Kind::subtract) return difference(part.children, taken);
-    return joined(part.kind, all(part.children, taken), taken);
+    if (part.kind == Kind::leaf) {
+      const Polyhedron solid = drawing_.solid(*part.leaf, frames_.axes(at.frame));
+      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same) return Boxes{Kind::leaf, *box, {}};
+      return ExactSolid(grows() ? grown(solid, drawing_.growth(at.taken)) : solid);
+    }
+    if (part.kind == Kind::subtract) return difference(part.children, at);
+    return joined(part.kind, all(part.kind, part.children, at), at.taken);
   }
 
-  Solids all(std::span<const PartPtr> parts, int taken) {
+  /// Those of one frame are joined first, as `kind`.
+  Solids all(Kind kind, std::span<const PartPtr> parts, const Place& at) {
     Solids solids;
+    std::map<int, std::vector<PartPtr>> elsewhere;
     for (const PartPtr& part : parts) {
-      Joined one = joined(*part, taken);
+      if (has_own(*part, at)) {
+        elsewhere[frames_.of(*part)].push_back(part);
+        continue;
+      }
+      Joined one = joined(*part, at);
       if (auto* boxes = std::get_if<Boxes>(&one))
         solids.boxes.push_back(std::move(*boxes));
       else
         solids.others.push_back(std::get<ExactSolid>(std::move(one)));
+    }
+    for (const auto& [frame, group] : elsewhere) {
+      const Place own{at.taken, frame};
+      solids.others.push_back(turned(joined(kind, all(kind, group, own), at.taken), own, at.frame));
     }
     return solids;
   }
@@ -284,19 +200,32 @@ class Joiner {
     return all_of(std::move(solids.others), kind == Kind::unite ? Operation::unite : Operation::intersect, progress_);
   }
 
-  Joined difference(std::span<const PartPtr> parts, int taken) {
-    Joined first = joined(*parts.front(), taken);
-    Solids others = all(parts.subspan(1), taken + 1);
+  Joined difference(std::vector<PartPtr> parts, const Place& at) {
+    std::vector<PartPtr> rest(parts.begin() + 1, parts.end());
+    Joined first;
+    if (has_own(*parts.front(), at)) {  // what is of its frame is taken from it in that
+      const Place own{at.taken, frames_.of(*parts.front())};
+      const auto other =
+          std::stable_partition(rest.begin(), rest.end(), [&](const PartPtr& part) { return frames_.of(*part) == own.frame; });
+      parts.resize(1);
+      parts.insert(parts.end(), rest.begin(), other);
+      rest.erase(rest.begin(), other);
+      first = turned(difference(parts, own), own, at.frame);
+    } else {
+      first = joined(*parts.front(), at);
+    }
+    const Place within{at.taken + 1, at.frame};
+    Solids others = all(Kind::unite, rest, within);
     if (const auto* boxes = std::get_if<Boxes>(&first)) {
-      Boxes rest{Kind::subtract, {}, {*boxes}};
-      rest.children.insert(rest.children.end(), others.boxes.begin(), others.boxes.end());
-      if (have_few_cells(rest, grows())) {
-        first = std::move(rest);
+      Boxes whole{Kind::subtract, {}, {*boxes}};
+      whole.children.insert(whole.children.end(), others.boxes.begin(), others.boxes.end());
+      if (have_few_cells(whole, grows())) {
+        first = std::move(whole);
         others.boxes.clear();
       }
     }
     if (others.boxes.empty() && others.others.empty()) return first;
-    return combined(exact(first, taken), exact(joined(Kind::unite, std::move(others), taken + 1), taken + 1),
+    return combined(exact(first, at.taken), exact(joined(Kind::unite, std::move(others), within.taken), within.taken),
                     Operation::subtract);
   }
 
@@ -306,6 +235,7 @@ class Joiner {
   }
 
   Drawing drawing_;
+  const Frames& frames_;
   Progress& progress_;
 };
 
@@ -332,22 +262,23 @@ std::optional<TriangleMesh> mesh_of(const Part& part, Joiner joiner, const Eigen
 
 Polyhedron polyhedron_of(const Part& part, Progress& progress) {
   if (part.kind == Part::Kind::leaf) return part.leaf->polyhedron();
-  return Joiner({[](const Leaf& leaf) { return leaf.polyhedron(); }}, progress).surface(part);
+  const Drawing drawing{[](const Leaf& leaf, const Eigen::Matrix3d&) { return leaf.polyhedron(); }};
+  return Joiner(drawing, Frames(), progress).surface(part);
 }
 
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   if (part.empty() || !all_flat(part)) return std::nullopt;
   const Box box = bounds_of(part);
   const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
-  Eigen::Affine3d turn = Eigen::Affine3d::Identity();
-  turn.linear() = best_axes(part, farthest);
-  const auto as_drawn = [&](const Leaf& leaf) {
-    const Polyhedron solid = settled(moved(leaf.polyhedron(), turn), farthest);
+  const Frames frames(part, farthest);
+  const Eigen::Affine3d placement(frames.axes(frames.whole()).inverse());
+  const auto as_drawn = [&](const Leaf& leaf, const Eigen::Matrix3d& axes) {
+    const Polyhedron solid = settled(moved(leaf.polyhedron(), Eigen::Affine3d(axes)), farthest);
     return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;
   };
   // Some last places of single precision.
   const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
-  if (auto surface = mesh_of(part, {{as_drawn, same}, progress}, turn.inverse())) return surface;
+  if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement)) return surface;
   // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
   // more, so that no skin stays.
   constexpr int amounts = 8;
@@ -357,7 +288,7 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
     number = (number + 5) % amounts;
     return growth;
   };
-  auto surface = mesh_of(part, {{as_drawn, same, apart}, progress}, turn.inverse());
+  auto surface = mesh_of(part, {{as_drawn, same, apart}, frames, progress}, placement);
   // What is no thicker than solids were grown is not there: they touched.
   if (surface && surface->volume() < 2 * amounts * step * surface->area()) surface.reset();
   return surface;

@@ -55,7 +55,16 @@ std::size_t open_edges(const Polyhedron& solid) {
       std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// Slices of an extrusion that is twisted or becomes wider unevenly, where none are asked for.
+/// How far a point goes that is `radius` mm from the axis and is turned by `angle` radians while all becomes `scale` times as
+/// wide: part of a spiral of Archimedes, risen by `height`.
+double way_of(double radius, double angle, double scale, double height) {
+  if (scale == 1) return std::hypot(radius * angle, height);
+  const auto from_axis = [](double t) { return 0.5 * (t * std::sqrt(1 + t * t) + std::asinh(t)); };
+  const double end = angle * std::max(scale, 1.0) / std::abs(scale - 1);
+  return std::hypot(radius / end * (from_axis(end) - from_axis(end - angle)), height);
+}
+
+/// Slices of an extrusion that is twisted or becomes wider unevenly, where none are asked for: by OpenSCAD's rules.
 int slices_of(const Arguments& a, const Region& region, double height, double twist, const Vec2& scale) {
   const double fn = a.number("$fn", 0), fa = std::max(a.number("$fa", 12), 0.01), fs = std::max(a.number("$fs", 2), 0.01);
   double farthest = 0, widest = 0;  // from the axis; and the farthest that a corner moves outwards
@@ -67,12 +76,11 @@ int slices_of(const Arguments& a, const Region& region, double height, double tw
   double slices = 1;
   if (twist != 0) {
     const double angle = std::abs(twist) * pi / 180, least = std::max(std::ceil(std::abs(twist) / 120), 1.0);
-    if (fn > 0)
-      slices = std::max(std::ceil(std::abs(twist) / 360 * fn), least);
-    else
-      slices = std::max(std::ceil(std::min(std::abs(twist) / fa, std::hypot(farthest * angle, height) / fs)), least);
+    const double way = way_of(farthest, angle, scale.x() == scale.y() ? scale.x() : 1, height);
+    slices = std::max(std::ceil(fn > 0 ? std::abs(twist) / 360 * fn : std::min(std::abs(twist) / fa, way / fs)), least);
+  } else if (scale.x() != scale.y()) {
+    slices = fn > 0 ? std::floor(fn) : std::ceil(std::hypot(widest, height) / fs);
   }
-  if (scale.x() != scale.y()) slices = std::max(slices, fn > 0 ? std::floor(fn) : std::ceil(std::hypot(widest, height) / fs));
   constexpr double most = 100000;
   return static_cast<int>(std::clamp(slices, 1.0, most));
 }
@@ -161,9 +169,9 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
   const int steps = asked >= 1 ? static_cast<int>(std::min(asked, most)) : slices_of(a, region, height, twist, scale);
   const auto place = [&](const Vec2& p, int step) -> Vec3 {
     const double share = static_cast<double>(step) / steps, angle = -twist * pi / 180 * share;
-    const Vec2 wide = p.cwiseProduct(Vec2(1, 1) + share * (scale - Vec2(1, 1)));
-    return {wide.x() * std::cos(angle) - wide.y() * std::sin(angle), wide.x() * std::sin(angle) + wide.y() * std::cos(angle),
-            lower + height * share};
+    const Vec2 turned(p.x() * std::cos(angle) - p.y() * std::sin(angle), p.x() * std::sin(angle) + p.y() * std::cos(angle));
+    const Vec2 wide = turned.cwiseProduct(Vec2(1, 1) + share * (scale - Vec2(1, 1)));  // in this order
+    return {wide.x(), wide.y(), lower + height * share};
   };
   return part_of(mesh_leaf(moved(sweep(separated(region), steps, place, {true, twist > 0}), placement)));
 }

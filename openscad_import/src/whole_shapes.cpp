@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "convex_pieces.h"
 #include "evaluator.h"
 #include "fieldfab/core/error.h"
 
@@ -60,8 +61,13 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
   std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_), second = pieces_of(*two, two_convex, progress_);
   if (first.empty() || second.empty()) return nothing();
   std::vector<PartPtr> parts;
-  // What is not convex is its surface, triangle by triangle, and itself moved to one point of the other.
+  // What is not convex is cut into convex pieces; else it is its surface, triangle by triangle, and itself moved to one point of
+  // the other.
   const auto open = [&](std::vector<Polyhedron>& pieces, const PartPtr& part, const Polyhedron& other) {
+    if (auto convex = convex_pieces(*part, progress_)) {
+      pieces = std::move(*convex);
+      return;
+    }
     const Polyhedron whole = polyhedron_of(*part, progress_);
     parts.push_back(part_of(mesh_leaf(fieldfab::moved(whole, Eigen::Affine3d(Eigen::Translation3d(other.vertices.front()))))));
     pieces = triangles_of(whole);

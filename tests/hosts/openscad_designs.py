@@ -174,6 +174,20 @@ def random_design(seed):
     return tree(chance.choice([1, 2, 2, 3])) + "\n"
 
 
+def random_extrusion(seed):
+    """OpenSCAD text of an extrusion that is twisted, becomes wider, or both."""
+    chance = random.Random(seed)
+
+    def number(low, high):
+        return f"{chance.uniform(low, high):.2f}"
+
+    scale = chance.choice(["1", number(0.1, 4), f"[{number(0.1, 4)}, {number(0.1, 4)}]"])
+    fineness = chance.choice(["", "", f"$fn = {chance.randrange(1, 50)}, ", f"$fa = {number(1, 30)}, $fs = {number(0.2, 5)}, ", f"slices = {chance.randrange(1, 30)}, "])
+    shape = chance.choice([f"square([{number(2, 12)}, {number(2, 12)}], center = true)", f"translate([{number(0, 9)}, 2]) circle({number(1, 5)})",
+                           "difference() { square(8, center = true); circle(2.5); }", "polygon([[0, 0], [9, 1], [3, 3], [1, 8]])"])
+    return f"linear_extrude({number(3, 20)}, {fineness}scale = {scale}, twist = {chance.choice(['0', number(-400, 400)])}) {shape};\n"
+
+
 def designs():
     return sorted(EXAMPLES.rglob("*.scad"), key=lambda path: path.stem) + (sorted(SHARED.glob("*.scad")) if SHARED.exists() else [])
 

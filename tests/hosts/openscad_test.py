@@ -8,7 +8,7 @@ import time
 import numpy as np
 import openscad_designs
 import pytest
-from conftest import COMMAND
+from conftest import COMMAND, DATA
 
 import fieldfab as ff
 
@@ -60,6 +60,20 @@ def test_random_trees_are_the_same_solids(seed, tmp_path):
     design = random_design(seed, tmp_path)
     row = openscad_designs.compare(design, tmp_path, refine=2)
     assert row["right"], (row, design.read_text())
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in (DATA / "openscad").glob("*.scad")))
+def test_parts_that_touch_and_are_turned_are_the_same_solids(name, tmp_path):
+    row = openscad_designs.compare(DATA / "openscad" / f"{name}.scad", tmp_path)
+    assert row["right"] and row["exact"] and abs(row["error"]) < 1e-4, row
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_extrusions_have_the_same_facets(seed, tmp_path):
+    design = tmp_path / "extrusion.scad"
+    design.write_text(openscad_designs.random_extrusion(seed))
+    row = openscad_designs.compare(design, tmp_path)
+    assert row["exact"] and abs(row["error"]) < 1e-5, (row, design.read_text())
 
 
 # Of 5 the contour is wrong where slivers are thinner than its cells (NOTES.md); 9 and 13 take minutes.

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "fieldfab/core/error.h"
@@ -144,6 +145,21 @@ TEST(ExactSolid, IsRightOrRefusedWhereSolidsTouch) {
   }
   EXPECT_GT(right, 150);
   EXPECT_GT(refused, 10);
+}
+
+TEST(ExactSolid, OfManyIsJoinedInAnOrderInWhichItCanBe) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    std::mt19937 random(seed);
+    std::vector<ExactSolid> cubes;
+    for (int i = 0; i < 12; ++i)
+      cubes.emplace_back(to_polyhedron(box(Vec3(i % 2, i / 2 % 2, i / 4) + Vec3::Constant(0.5), Vec3::Constant(0.5))));
+    std::shuffle(cubes.begin(), cubes.end(), random);  // half of the first ones touch along edges or at corners only
+    const ExactSolid block = all_of(cubes, Operation::unite, Progress::none());
+    EXPECT_NEAR(to_mesh(block.polyhedron()).volume(), 12, 1e-9) << seed;
+    EXPECT_FALSE(block.touches_itself());
+  }
+  const auto cube = [](const Vec3& at) { return ExactSolid(to_polyhedron(box(at, Vec3::Constant(0.5)))); };
+  EXPECT_THROW(all_of({cube({0, 0, 0}), cube({1, 1, 0})}, Operation::unite, Progress::none()), Error);
 }
 
 TEST(ExactSolid, StopsWhenItIsCancelled) {

@@ -2,12 +2,15 @@
 // the Field that is contoured.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <numbers>
 #include <random>
+#include <sstream>
 
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/error.h"
@@ -68,6 +71,35 @@ TEST(CsgFaces, HaveTheVolumesOfClosedForms) {
           4 * 3 * 180 * std::sin(std::numbers::pi / 180));  // ends of long thin triangles in one plane
   }
   EXPECT_NEAR(volume("difference() { square(size = 4); " + moved(1, 1, 0, "square(size = 1);") + " }", 3), 45, 1e-4);
+}
+
+/// Turned in any way about the origin, written with six digits as OpenSCAD does.
+std::string turned_anyhow(std::mt19937& random, const std::string& text) {
+  std::normal_distribution<double> number;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond(number(random), number(random), number(random), number(random)).normalized().toRotationMatrix();
+  std::ostringstream matrix;
+  matrix << std::setprecision(6) << "multmatrix([";
+  for (Eigen::Index row = 0; row < 3; ++row)
+    matrix << '[' << turn(row, 0) << ',' << turn(row, 1) << ',' << turn(row, 2) << ",0],";
+  return matrix.str() + "[0,0,0,1]]) { " + text + " }";
+}
+
+TEST(CsgFaces, AreThoseOfAssembliesTurnedEachItsOwnWay) {
+  const std::string assembly = "difference() { " + block + moved(2, 2, 0, beam) + " }" +  // flush at both ends
+                               moved(0, 0, 4, block) + moved(4, 1, 1, "cube(size = [2, 2, 2]);") + moved(2, 2, 8, beam);
+  const double solid = 64 + 64 + 8, hull_side = 30;
+  for (unsigned seed = 0; seed < 25; ++seed) {
+    std::mt19937 random(seed);
+    std::string row;
+    const int count = 2 + static_cast<int>(random() % 3);
+    for (int i = 0; i < count; ++i) row += moved(25 * i, 0, 0, turned_anyhow(random, assembly));
+    EXPECT_NEAR(volume(row), count * solid, 1e-4 * count * solid) << seed;
+    const std::string around = turned_anyhow(random, "cube(size = [30, 30, 30], center = true);");
+    const double whole = std::pow(hull_side, 3);
+    EXPECT_NEAR(volume("difference() { " + around + turned_anyhow(random, assembly) + " }"), whole - solid, 1e-5 * whole) << seed;
+    EXPECT_NEAR(volume("intersection() { " + around + turned_anyhow(random, assembly) + " }"), solid, 1e-4 * solid) << seed;
+  }
 }
 
 TEST(CsgFaces, AreSetApartWhereTheyTouchAlongAnEdge) {

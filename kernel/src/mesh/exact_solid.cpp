@@ -3,6 +3,10 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 
+#include <algorithm>
+#include <exception>
+#include <optional>
+
 #include "exact_surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
@@ -28,19 +32,77 @@ ExactSolid::ExactSolid(const Polyhedron& solid) {
 
 Polyhedron ExactSolid::polyhedron() const { return empty() ? Polyhedron() : corners_of(surface_->mesh); }
 
+ExactSolid ExactSolid::turned(const Eigen::Matrix3d& matrix) const {
+  if (empty() || matrix.isIdentity(0)) return *this;
+  Surface::Mesh mesh = surface_->mesh;
+  for (const auto vertex : mesh.vertices()) {
+    const Surface::Kernel::Point_3 p = mesh.point(vertex);
+    const auto along = [&](Eigen::Index row) { return p.x() * matrix(row, 0) + p.y() * matrix(row, 1) + p.z() * matrix(row, 2); };
+    mesh.point(vertex) = Surface::Kernel::Point_3(along(0), along(1), along(2));
+  }
+  return ExactSolid(std::make_shared<Surface>(std::move(mesh), surface_->simple));
+}
+
+bool ExactSolid::touches_itself() const { return !empty() && !surface_->simple; }
+
+namespace {
+
+/// Joins two of several solids, whichever can be; or throws what was wrong with the last two.
+void join_any_two(std::vector<ExactSolid>& solids, Operation operation, Progress& progress) {
+  constexpr std::size_t most = 32;
+  std::exception_ptr refusal;
+  for (std::size_t i = 0; i < std::min(solids.size(), most); ++i)
+    for (std::size_t j = i + 1; j < std::min(solids.size(), most); ++j) {
+      progress.check();
+      try {
+        ExactSolid joined = combined(solids[i], solids[j], operation);
+        if (joined.touches_itself()) continue;
+        solids[i] = std::move(joined);
+        solids.erase(solids.begin() + static_cast<std::ptrdiff_t>(j));
+        return;
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) throw;
+        refusal = std::current_exception();
+      }
+    }
+  if (refusal != nullptr) std::rethrow_exception(refusal);
+  throw Error(ErrorKind::bad_input, "polyhedron", "the solids touch each other");
+}
+
+}  // namespace
+
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress) {
-  if (solids.empty()) return {};
-  while (solids.size() > 1) {
-    std::vector<ExactSolid> half(solids.size() / 2);
-    parallel_for(half.size(), [&](std::size_t i) {
+  // Solids that only touch cannot be joined, or what they make cannot be joined with more: they wait for others, which may fill
+  // the gap between them.
+  while (solids.size() > 2) {
+    std::vector<std::optional<ExactSolid>> joined(solids.size() / 2);
+    parallel_for(joined.size(), [&](std::size_t i) {
       progress.report(0, "joining solids");
       progress.check();
-      half[i] = combined(solids[2 * i], solids[2 * i + 1], operation);
+      try {
+        ExactSolid both = combined(solids[2 * i], solids[2 * i + 1], operation);
+        if (!both.touches_itself()) joined[i] = std::move(both);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) throw;
+      }
     });
-    if (solids.size() % 2 == 1) half.push_back(std::move(solids.back()));
-    solids = std::move(half);
+    std::vector<ExactSolid> next;
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      if (joined[i]) {
+        next.push_back(*std::move(joined[i]));
+      } else {
+        next.push_back(std::move(solids[2 * i]));
+        next.push_back(std::move(solids[2 * i + 1]));
+      }
+    }
+    if (solids.size() % 2 == 1) next.push_back(std::move(solids.back()));
+    if (next.size() == solids.size()) join_any_two(next, operation, progress);
+    std::rotate(next.begin(), next.begin() + 1, next.end());  // so that those that wait meet others
+    solids = std::move(next);
   }
-  return std::move(solids.front());
+  if (solids.empty()) return {};
+  progress.check();
+  return solids.size() == 1 ? solids.front() : combined(solids[0], solids[1], operation);
 }
 
 }  // namespace fieldfab

@@ -21,7 +21,10 @@ class ExactSolid {
   explicit ExactSolid(const Polyhedron& solid);
 
   [[nodiscard]] bool empty() const { return surface_ == nullptr; }
+  [[nodiscard]] bool touches_itself() const;    ///< or crosses itself: it cannot be joined with others
   [[nodiscard]] Polyhedron polyhedron() const;  ///< corners rounded to double precision
+  /// Exactly; by a matrix that does not mirror.
+  [[nodiscard]] ExactSolid turned(const Eigen::Matrix3d& matrix) const;
 
   /// Throws bad_input where the surface of one crosses or touches itself, or where the result's touches itself along an edge;
   /// too_large where so many faces lie in planes of the other's faces, or cross them, that it would take long.
@@ -33,7 +36,7 @@ class ExactSolid {
   std::shared_ptr<const Surface> surface_;
 };
 
-/// What many make together. Throws as combined() does, and cancelled.
+/// What many make together, joined in an order in which they can be. Throws as combined() does, and cancelled.
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress);
 
 /// What a mesh winds around, where that can be had exactly: its pieces are closed, do not cross themselves (each other they may),

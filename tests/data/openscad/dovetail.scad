@@ -1,0 +1,1 @@
+module d(){linear_extrude(10) polygon([[-3,0],[3,0],[5,6],[-5,6]]);} difference(){ translate([-15,0,0]) cube([30,6,10]); d();} translate([0,0,0]) rotate([0,0,0]) intersection(){ d(); translate([-20,0,2]) cube([40,20,5]);}

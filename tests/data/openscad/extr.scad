@@ -1,0 +1,1 @@
+linear_extrude(10,twist=90,scale=[0.5,1.5],slices=20) difference(){ square(10,center=true); circle(3,$fn=20);} translate([30,0,0]) rotate_extrude(angle=-120,$fn=30) translate([5,0]) difference(){ square([4,6]); translate([1,1]) square([2,4]);}

@@ -1,0 +1,1 @@
+difference(){ linear_extrude(6) union(){ circle(18,$fn=60); for(i=[0:23]) rotate(i*15) translate([17.5,-1.5]) square([4,3]);} translate([0,0,-1]) cylinder(h=8,r=4,$fn=30); for(i=[0:5]) rotate(i*60) translate([11,0,-1]) cylinder(h=8,r=3,$fn=24);}
