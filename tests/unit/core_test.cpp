@@ -1,10 +1,12 @@
 // Files written whole or not at all, progress, memory, text.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <thread>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -76,6 +78,25 @@ TEST(ProgressOf, WorkIsReportedAndCancelled) {
   EXPECT_NO_THROW(progress.check());
   progress.cancel();
   EXPECT_THROW(progress.check(), Error);
+}
+
+TEST(ProgressOf, WorkThatOnlyChecksCanBeCancelledByItsListener) {
+  int told = 0;
+  Progress* work = nullptr;
+  Progress progress([&](double fraction, const std::string& doing) {
+    EXPECT_EQ(fraction, 0.25);
+    EXPECT_EQ(doing, "a quarter");
+    if (++told == 3) work->cancel();
+  });
+  work = &progress;
+  progress.report(0.25, "a quarter");
+  EXPECT_THROW(
+      while (told < 1000) {
+        progress.check();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      },
+      Error);
+  EXPECT_EQ(told, 3);
 }
 
 TEST(Memory, RefusesWhatIsNotThere) {
