@@ -44,17 +44,19 @@ void Evaluator::find_dimensions() {
   dimensions_.assign(tree_.nodes.size(), 0);
   for (std::size_t i = tree_.nodes.size(); i-- > 0;) {  // children come after their parents
     const Node& node = tree_.nodes[i];
-    if (is_solid(node.name)) {
+    const auto is_live = [&](NodeIndex child) { return !tree_.nodes[child].background && !tree_.nodes[child].disabled; };
+    const bool is_made_of_children = is_one_of(node.name, {"linear_extrude", "rotate_extrude", "projection", "offset"});
+    if (is_made_of_children && std::none_of(node.children.begin(), node.children.end(), is_live)) {
+      continue;  // it is neither, as if it were not there
+    } else if (is_solid(node.name)) {
       dimensions_[i] = 3;
     } else if (is_flat(node.name)) {
       dimensions_[i] = 2;
     } else if (node.name == "import") {
       dimensions_[i] = is_flat_file(Arguments(tree_, node).text("file", "")) ? 2 : 3;
     } else if (is_joint(node.name)) {
-      for (const NodeIndex child : node.children) {
-        const Node& below = tree_.nodes[child];
-        if (dimensions_[i] == 0 && !below.background && !below.disabled) dimensions_[i] = dimensions_[child];
-      }
+      for (const NodeIndex child : node.children)
+        if (dimensions_[i] == 0 && is_live(child)) dimensions_[i] = dimensions_[child];
     } else {
       throw Error(ErrorKind::bad_input, tree_.place(node), fmt::format("'{:.60}' is not known", node.name));
     }
@@ -157,7 +159,7 @@ PartPtr Evaluator::solid(NodeIndex index, const Eigen::Affine3d& outer, int dept
     if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"})) break;
     if (is_placing) placement = placement * placement_of(Arguments(tree_, *node), *node);
     const std::vector<NodeIndex> below = children(*node, 3);
-    if (below.size() != 1 || (node->name == "difference" && below.front() != node->children.front())) break;
+    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1)) break;
     if (dimensions_[below.front()] != 3) return nothing();
     node = &tree_.nodes[below.front()];
   }
@@ -183,10 +185,10 @@ PartPtr Evaluator::solid(NodeIndex index, const Eigen::Affine3d& outer, int dept
     if (below.background || below.disabled) continue;
     if (dimensions_[child] == 3)
       parts.push_back(solid(child, placement, depth + 1));
+    else if (name == "intersection" || (first && dimensions_[child] == 0))
+      return nothing();  // something is taken from nothing, or cut with it
     else if (dimensions_[child] == 2)
       note(below, fmt::format("{} is 2D among 3D shapes, and left out as OpenSCAD does", below.name));
-    else if (first && name == "difference")
-      return nothing();  // something is taken from nothing
     first = false;
   }
   return name == "difference" ? subtract(std::move(parts)) : intersect(std::move(parts));
@@ -207,7 +209,7 @@ Region Evaluator::flat(NodeIndex index, int depth) {
       placement = placement * here;
     }
     const std::vector<NodeIndex> below = children(*node, 2);
-    if (below.size() != 1 || (node->name == "difference" && below.front() != node->children.front())) break;
+    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1)) break;
     index = below.front();
     node = &tree_.nodes[index];
   }
@@ -241,8 +243,10 @@ Region Evaluator::flat(NodeIndex index, int depth) {
       for (const NodeIndex child : node->children) {
         const Node& below = tree_.nodes[child];
         if (below.background || below.disabled) continue;
-        if (dimensions_[child] == 2) regions.push_back(flat(child, depth + 1));
-        if (dimensions_[child] == 0 && first && name == "difference") return {};
+        if (dimensions_[child] == 2)
+          regions.push_back(flat(child, depth + 1));
+        else if (name == "intersection" || (first && name == "difference" && dimensions_[child] == 0))
+          return {};
         first = false;
       }
       if (name == "difference") return subtract(regions);

@@ -59,9 +59,10 @@ Region to_region(const ClipperLib::Paths& found) {
 ClipperLib::Paths clipped(ClipperLib::ClipType operation, const ClipperLib::Paths& subject, const ClipperLib::Paths& clip,
                           ClipperLib::PolyFillType filling = ClipperLib::pftNonZero) {
   ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
-  clipper.AddPaths(subject, ClipperLib::ptSubject, true);
-  clipper.AddPaths(clip, ClipperLib::ptClip, true);
+  const bool has_subject = clipper.AddPaths(subject, ClipperLib::ptSubject, true);
+  const bool has_clip = clipper.AddPaths(clip, ClipperLib::ptClip, true);
   ClipperLib::Paths result;
+  if (!has_subject && !has_clip) return result;  // Clipper calls it a failure
   if (!clipper.Execute(operation, result, filling, filling))
     throw Error(ErrorKind::bad_input, "polygon", "outlines cannot be joined");
   return result;

@@ -118,7 +118,8 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
     run_openscad(temporary.path() / "drawing.scad", drawing, progress);
   } catch (const Error& error) {
     const std::string message = error.what();
-    if (message.find("object is empty") != std::string::npos) return {};  // words without a stroke, a layer without a line
+    // Words without a stroke, a layer without a line; no words at all.
+    if (message.find("object is empty") != std::string::npos || message.find("not a 2D object") != std::string::npos) return {};
     if (error.kind() == ErrorKind::bad_input) throw Error(error.kind(), tree.place(tree.nodes[node]), message);
     throw;
   }

@@ -43,7 +43,7 @@ PartPtr Evaluator::minkowski(const Arguments& a, const Node& node, const Eigen::
     Eigen::Affine3d here = placement;
     if (total != nullptr) here.translation().setZero();
     const PartPtr part = solid(child, here, depth);
-    if (part->empty()) return nothing();
+    if (part->empty()) continue;  // as OpenSCAD has it
     total = total == nullptr ? part : sum(total, part, a);
   }
   return total == nullptr ? nothing() : total;

@@ -103,7 +103,13 @@ TEST(CsgSolids, KeepWhatModifiersSay) {
   EXPECT_LT(solid("#cube(size = 9); sphere(r = 1);")->value({5, 5, 5}), 0);
   EXPECT_GT(solid("cube(size = 9); group() { !sphere(r = 1); }")->value({5, 5, 5}), 0);
   EXPECT_EQ(solid("difference() { group(); cube(size = 9); }"), nullptr);
-  EXPECT_EQ(solid("intersection() { cube(size = 1); group(); }") == nullptr, false);  // an empty group is no shape
+  for (const char* empty :
+       {"group();", "union();", "hull();", "linear_extrude(height = 2);", "projection();", "square(size = 1);"})
+    for (const char* text : {"intersection() { cube(size = 1); ", "intersection() { "})
+      EXPECT_EQ(solid(text + std::string(empty) + " cube(size = 1); }"), nullptr) << text << empty;
+  EXPECT_NE(solid("projection(); cube(size = 1);"), nullptr);  // no shape is neither flat nor solid
+  EXPECT_NE(solid("minkowski() { sphere(r = 0); cube(size = 1); }"), nullptr);
+  EXPECT_NE(solid("linear_extrude(height = 1) { offset(r = -9) { square(size = 2); } } cube(size = 1);"), nullptr);
 }
 
 TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
