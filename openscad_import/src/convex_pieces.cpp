@@ -10,7 +10,7 @@
 namespace fieldfab::openscad {
 namespace {
 
-constexpr std::size_t most_planes = 12, most_pieces = 256;
+constexpr std::size_t most_planes = 12, most_pieces = 1000;
 
 double volume_of(const Polyhedron& solid) {
   double six = 0;
@@ -176,6 +176,7 @@ std::optional<Pieces> pieces_in(const Part& part, double slack, Progress& progre
           Pieces left = meet(a, b) ? without(a, b, slack) : Pieces{a};
           rest.insert(rest.end(), left.begin(), left.end());
         }
+        if (rest.size() > most_pieces) return std::nullopt;
         all = std::move(rest);
       }
     }

@@ -22,6 +22,15 @@ bool all_flat(const Part& part) {
   return std::all_of(part.children.begin(), part.children.end(), [](const PartPtr& child) { return all_flat(*child); });
 }
 
+/// Leafs that are no boxes, or not at first sight.
+std::size_t count_of_many_sided(const Part& part) {
+  constexpr std::size_t triangles_of_box = 12;
+  if (part.kind == Part::Kind::leaf) return part.leaf->polyhedron().triangles.size() == triangles_of_box ? 0 : 1;
+  std::size_t count = 0;
+  for (const PartPtr& child : part.children) count += count_of_many_sided(*child);
+  return count;
+}
+
 /// A convex solid whose faces of many corners, such as the ends of cylinders, are divided by halves, again and again: fans of
 /// long triangles that lie in one plane with others cross them all.
 Polyhedron divided_evenly(const Polyhedron& convex) {
@@ -267,7 +276,8 @@ Polyhedron polyhedron_of(const Part& part, Progress& progress) {
 }
 
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
-  if (part.empty() || !all_flat(part)) return std::nullopt;
+  constexpr std::size_t most = 1500;  // sums are of thousands, all within each other: a contour is had sooner
+  if (part.empty() || !all_flat(part) || count_of_many_sided(part) > most) return std::nullopt;
   const Box box = bounds_of(part);
   const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
   const Frames frames(part, farthest);

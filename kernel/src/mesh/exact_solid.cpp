@@ -49,7 +49,7 @@ namespace {
 
 /// Joins two of several solids, whichever can be; or throws what was wrong with the last two.
 void join_any_two(std::vector<ExactSolid>& solids, Operation operation, Progress& progress) {
-  constexpr std::size_t most = 32;
+  constexpr std::size_t most = 12;
   std::exception_ptr refusal;
   for (std::size_t i = 0; i < std::min(solids.size(), most); ++i)
     for (std::size_t j = i + 1; j < std::min(solids.size(), most); ++j) {
