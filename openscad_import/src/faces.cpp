@@ -288,7 +288,10 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   };
   // Some last places of single precision.
   const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
-  if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement)) return surface;
+  // What is thinner is not there: it is left where diagonals of faces differ that are in one plane, or where solids were grown.
+  const auto is_thin = [](const TriangleMesh& surface, double thinnest) { return surface.volume() < thinnest * surface.area(); };
+  if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement); surface && !is_thin(*surface, same))
+    return surface;
   // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
   // more, so that no skin stays.
   constexpr int amounts = 8;
@@ -299,8 +302,7 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
     return growth;
   };
   auto surface = mesh_of(part, {{as_drawn, same, apart}, frames, progress}, placement);
-  // What is no thicker than solids were grown is not there: they touched.
-  if (surface && surface->volume() < 2 * amounts * step * surface->area()) surface.reset();
+  if (surface && is_thin(*surface, 2 * amounts * step)) surface.reset();
   return surface;
 }
 
