@@ -18,4 +18,14 @@ void for_chunks(const Points& points, const Visit& visit) {
     visit(points.part(first, std::min(chunk_size, points.count - first)), first);
 }
 
+/// Directions that Fields over Fields ask for at a time (Field::slopes()).
+inline constexpr std::size_t slope_lanes = 8;
+
+/// Calls visit(some, first) for consecutive parts of at most slope_lanes directions.
+template <class Visit>
+void for_few(std::span<const Vec3> directions, const Visit& visit) {
+  for (std::size_t first = 0; first < directions.size(); first += slope_lanes)
+    visit(directions.subspan(first, std::min(slope_lanes, directions.size() - first)), first);
+}
+
 }  // namespace fieldfab

@@ -7,6 +7,7 @@
 #include "chunk.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
+#include "interval_sums.h"
 
 namespace fieldfab {
 namespace {
@@ -35,6 +36,9 @@ class Moved : public Field {
     });
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return a_->interval(map_.box(box)); }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    map_.slopes(*a_, box, directions, out);
+  }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     std::vector<Box> inner;
     for (const Box& box : boxes) inner.push_back(map_.box(box));
@@ -87,6 +91,13 @@ struct AffineMap {
   }
   [[nodiscard]] Eigen::Vector3f slope(const Eigen::Vector3f& /*at*/, const Eigen::Vector3f& inner) const {
     return {rows.col(0).dot(inner), rows.col(1).dot(inner), rows.col(2).dot(inner)};
+  }
+  void slopes(const Field& inner, const Box& outer, std::span<const Vec3> directions, std::span<Interval> out) const noexcept {
+    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+      std::array<Vec3, slope_lanes> turned;
+      for (std::size_t i = 0; i < some.size(); ++i) turned[i] = to_inner.linear() * some[i];
+      inner.slopes(box(outer), {turned.data(), some.size()}, out.subspan(first));
+    });
   }
 
   Eigen::Affine3d to_inner;
@@ -150,6 +161,11 @@ struct EyeMap {
     const float near = nearness(at.z());
     return {inner.x() * near, inner.y() * near, inner.z() - sideways.dot(inner.head<2>())};
   }
+  /// Unknown: pictures need none.
+  static void slopes(const Field& /*inner*/, const Box& /*outer*/, std::span<const Vec3> directions,
+                     std::span<Interval> out) noexcept {
+    std::fill_n(out.begin(), directions.size(), Interval::unknown());
+  }
 };
 
 class SeenFromNear final : public Moved<EyeMap> {
@@ -192,6 +208,23 @@ class Mapped final : public Field {
     std::array<Interval, 3> range;
     for (std::size_t i = 0; i < 3; ++i) range[i] = coordinate_[i]->interval(box);
     return inner_interval(range, a_->interval(inner_box(range)));
+  }
+  /// By the chain rule, in the mean: a step from p to q moves the inner point by some amount along each of its three axes.
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    std::array<Interval, 3> range;
+    for (std::size_t i = 0; i < 3; ++i) range[i] = coordinate_[i]->interval(box);
+    std::array<Interval, 3> inner;
+    const std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+    a_->slopes(inner_box(range), axes, inner);
+    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+      std::array<std::array<Interval, slope_lanes>, 3> moves;
+      for (std::size_t axis = 0; axis < 3; ++axis) coordinate_[axis]->slopes(box, some, moves[axis]);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        Interval sum = Interval::of(0);
+        for (std::size_t axis = 0; axis < 3; ++axis) sum = plus(sum, times(inner[axis], moves[axis][i]));
+        out[first + i] = sum;
+      }
+    });
   }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     std::array<std::vector<Restriction>, 3> coordinate;

@@ -8,6 +8,7 @@
 
 #include "chunk.h"
 #include "fieldfab/core/error.h"
+#include "interval_sums.h"
 
 namespace fieldfab {
 namespace {
@@ -22,11 +23,6 @@ Interval least(const Interval& a, const Interval& b) {
 Interval greatest(const Interval& a, const Interval& b) {
   return {std::max(a.lower, b.lower), std::max(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
 }
-Interval plus(const Interval& a, const Interval& b) {
-  const float lower = a.lower + b.lower, upper = a.upper + b.upper;
-  if (lower != lower || upper != upper || std::isinf(lower) || std::isinf(upper)) return Interval::unknown();
-  return {lower, upper, a.maybe_nan || b.maybe_nan};
-}
 Interval times(const Interval& a, float factor) {
   const float l = a.lower * factor, u = a.upper * factor;
   if (l != l || u != u) return Interval::unknown();
@@ -35,6 +31,14 @@ Interval times(const Interval& a, float factor) {
 Interval root_of_magnitude(const Interval& a) {
   const float l = std::sqrt(std::abs(a.lower)), u = std::sqrt(std::abs(a.upper));
   return {a.lower <= 0 && a.upper >= 0 ? 0 : std::min(l, u), std::max(l, u), a.maybe_nan};
+}
+
+/// The slopes of sqrt|a|, for values of a in `range` that change at `slope`.
+Interval slope_of_root(const Interval& range, const Interval& slope) {
+  if (range.maybe_nan || (range.lower <= 0 && range.upper >= 0)) return Interval::unknown();
+  const float l = 0.5F / std::sqrt(std::abs(range.lower)), u = 0.5F / std::sqrt(std::abs(range.upper));
+  const float sign = range.lower > 0 ? 1.0F : -1.0F;
+  return times(slope, Interval{std::min(sign * l, sign * u), std::max(sign * l, sign * u), false});
 }
 
 /// How much each argument's slope counts in the result's.
@@ -53,6 +57,8 @@ struct Union {
   Only decides(const Interval& a, const Interval& b) const {
     return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both;
   }
+  /// Of two that each change by so much for a step, the least and the greatest change no less and no more.
+  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.outside() ? Only::first : a.outside() ? Only::second : Only::both;
@@ -66,6 +72,8 @@ struct Intersection {
   Only decides(const Interval& a, const Interval& b) const {
     return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both;
   }
+  /// Of two that each change by so much for a step, the least and the greatest change no less and no more.
+  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.inside() ? Only::first : a.inside() ? Only::second : Only::both;
@@ -81,6 +89,11 @@ struct Blend {
     return {ra > 0 ? std::copysign(0.5F / ra, a) : 0, rb > 0 ? std::copysign(0.5F / rb, b) : 0};
   }
   Interval range(const Interval& a, const Interval& b) const { return least(least(a, b), fillet(a, b)); }
+  [[nodiscard]] Interval slope(const Interval& a, const Interval& b, const Interval& da, const Interval& db) const {
+    const Interval plain = hull(da, db);
+    if (fillet(a, b).lower >= least(a, b).upper) return plain;
+    return hull(plain, plus(slope_of_root(a, da), slope_of_root(b, db)));
+  }
   static constexpr bool signs_are_enough = false, joins_smoothly = true;
   // Away from the fillet it is a union.
   Only decides(const Interval& a, const Interval& b) const {
@@ -99,6 +112,9 @@ struct Morph {
   float value(float a, float b) const { return first * a + second * b; }
   Weights weights(float, float) const { return {first, second}; }
   Interval range(const Interval& a, const Interval& b) const { return plus(times(a, first), times(b, second)); }
+  [[nodiscard]] Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) const {
+    return range(da, db);
+  }
   static constexpr bool signs_are_enough = false, joins_smoothly = true;
   Only decides(const Interval&, const Interval&) const { return Only::both; }
   Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
@@ -139,6 +155,19 @@ class Combined final : public Field {
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     return rule_.range(a_->interval(box), b_->interval(box));
+  }
+
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    const Interval a = a_->interval(box), b = b_->interval(box);
+    Only only = Only::both;
+    if (!a.maybe_nan && !b.maybe_nan) only = rule_.decides(a, b);
+    if (only != Only::both) return (only == Only::first ? a_ : b_)->slopes(box, directions, out);
+    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+      std::array<Interval, slope_lanes> other;
+      a_->slopes(box, some, out.subspan(first));
+      b_->slopes(box, some, other);
+      for (std::size_t i = 0; i < some.size(); ++i) out[first + i] = rule_.slope(a, b, out[first + i], other[i]);
+    });
   }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
@@ -188,6 +217,10 @@ class Linear final : public Field {
     }
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return moved(a_->interval(box)); }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    a_->slopes(box, directions, out);
+    for (Interval& slope : out.first(directions.size())) slope = times(slope, factor_);
+  }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     a_->restrict_all(boxes, shift_ == 0 ? purpose : Purpose::value, out);
     for (Restriction& here : out.first(boxes.size())) {
@@ -270,6 +303,18 @@ class BoxField final : public Field {
                                        Interval{l - upper_[axis], u - upper_[axis], false}));
     }
     return range;
+  }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    // Those of the faces that can be the farthest somewhere in the box.
+    const Interval all = interval(box);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      out[i] = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto along = static_cast<float>(directions[i][axis]);
+        if (lower_[axis] - static_cast<float>(box.lower[axis]) >= all.lower) out[i] = hull(out[i], Interval::of(-along));
+        if (static_cast<float>(box.upper[axis]) - upper_[axis] >= all.lower) out[i] = hull(out[i], Interval::of(along));
+      }
+    }
   }
   [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 11; }

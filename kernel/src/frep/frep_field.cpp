@@ -10,6 +10,7 @@
 #include "prune.h"
 #include "ranges.h"
 #include "scratch.h"
+#include "slopes.h"
 
 namespace fieldfab::frep {
 
@@ -97,6 +98,13 @@ class FrepField final : public Field {
   }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
+
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    ranges_over(box);
+    for (std::size_t first = 0; first < directions.size(); first += slope_lanes)
+      evaluate_slopes(tape_, kept_ranges(), directions.subspan(first, std::min(slope_lanes, directions.size() - first)),
+                      out.subspan(first));
+  }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     for (std::size_t first = 0; first < boxes.size(); first += box_lanes) {

@@ -12,7 +12,7 @@
 
 namespace fieldfab {
 
-TriangleMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
+ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
   using namespace contouring;
   const Lattice lattice(bounds, wanted.voxel);
   ContourSettings settings = wanted;
@@ -30,7 +30,7 @@ TriangleMesh contour(const Field& field, const Box& bounds, const ContourSetting
   progress.report(0.95, "sharpening edges");
   sharpen(*solid, lattice.voxel(), std::clamp(0.1 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
           filled.creased, filled.mesh, progress);
-  return std::move(filled.mesh);
+  return {std::move(filled.mesh), {}};
 }
 
 }  // namespace fieldfab

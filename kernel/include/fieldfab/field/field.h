@@ -67,6 +67,12 @@ class Field : public std::enable_shared_from_this<Field> {
   /// An interval that holds every value that values() yields for points of `box` (rounded to float).
   [[nodiscard]] virtual Interval interval(const Box& box) const noexcept = 0;
 
+  /// Bounds on how fast the value changes along each of `directions` in `box`: out[i] holds (f(p + t d) - f(p)) / t for any two
+  /// points p and p + t d of the box, with t > 0 and d = directions[i], but for rounding. Stated for differences, not for
+  /// derivatives, so that it holds across creases. Interval::unknown() where nothing is known, as by default, where the value jumps
+  /// or may be NaN. Value per mm where d is a unit vector.
+  virtual void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept;
+
   /// For each box the interval over it and a Field that gives the same answers at every point of it (see Purpose); outside of its
   /// box that Field means nothing. `out` has one place for each box. Several boxes, such as the children of a cell, may cost
   /// little more than one. The default gives intervals, and this Field itself.
