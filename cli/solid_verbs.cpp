@@ -26,6 +26,14 @@ nlohmann::ordered_json json_of(const Box& box) {
   return {box.lower.x(), box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z()};
 }
 
+nlohmann::ordered_json json_of(const Certainty& certainty) {
+  auto places = nlohmann::ordered_json::array();
+  for (const UncertainPlace& place : certainty.places)
+    places.push_back({{"bounds", json_of(place.box)}, {"thickness", place.thickness}});
+  return {{"count", certainty.count},     {"largest", certainty.largest}, {"thickness", certainty.thickness},
+          {"finest", certainty.finest}, {"text", certainty.text()},     {"places", places}};
+}
+
 class BuildVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
@@ -95,6 +103,7 @@ class MeshVerb final : public Verb {
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("mesh", "make a watertight triangle mesh of a solid");
     options_.declare(*verb_, "the mesh to write: .stl .ply .off .obj .3mf");
+    verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
     if (const std::string extension = std::filesystem::path(options_.output).extension().string(); !is_mesh_extension(extension))
@@ -106,15 +115,22 @@ class MeshVerb final : public Verb {
     if (model.faces && !options_.region()) faces = model.faces(options_.thickness, progress);
     const Box bounds = faces ? faces->bounds() : working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model);
-    const TriangleMesh mesh =
-        faces ? std::move(*faces) : contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
+    ContourMesh mesh;
+    if (faces)
+      static_cast<TriangleMesh&>(mesh) = std::move(*faces);
+    else
+      mesh = contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
+    const Certainty& certainty = mesh.certainty;
     if (mesh.triangles.empty() && !options_.region())
-      throw Error(ErrorKind::bad_input, options_.model, "the solid is empty, and no mesh was written");
+      throw Error(ErrorKind::bad_input, options_.model,
+                  certainty.certain() ? "the solid is empty, and no mesh was written"
+                                      : "no surface was found, and no mesh was written; " + certainty.text());
     write_mesh(mesh, options_.output, progress);
     Outcome outcome;
-    outcome.line =
-        fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3{}, {:.2f} s", options_.output, mesh.triangles.size(),
-                    mesh.vertices.size(), mesh.volume(), faces ? ", exact faces" : "", clock.seconds());
+    outcome.line = fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {}, {:.2f} s", options_.output,
+                               mesh.triangles.size(), mesh.vertices.size(), mesh.volume(),
+                               faces ? "exact faces" : certainty.text(), clock.seconds());
+    outcome.code = certain_ && !certainty.certain() ? 1 : 0;
     outcome.json = {{"output", options_.output},
                     {"triangles", mesh.triangles.size()},
                     {"vertices", mesh.vertices.size()},
@@ -122,13 +138,16 @@ class MeshVerb final : public Verb {
                     {"area", mesh.area()},
                     {"voxel", cell},
                     {"exact", faces.has_value()},
+                    {"certain", certainty.certain()},
                     {"bounds", json_of(bounds)},
                     {"seconds", clock.seconds()}};
+    if (!certainty.certain()) outcome.json["uncertain"] = json_of(certainty);
     return outcome;
   }
 
  private:
   ModelOptions options_;
+  bool certain_ = false;
 };
 
 class CheckVerb final : public Verb {

@@ -100,6 +100,23 @@ void bind_results(py::module_& module) {
           "The solid that it bounds, as a Field: distances; inside is where it winds around. With close_holes small holes get "
           "lids, "
           "which are surface like all of it: as load() reads mesh files.");
+  py::class_<Certainty>(module, "Certainty", "Whether a mesh is proved to show all of its solid, and where not.")
+      .def_property_readonly("certain", &Certainty::certain)
+      .def_readonly("count", &Certainty::count, "places where something may be missing")
+      .def_readonly("largest", &Certainty::largest, "mm: longest side of the largest place")
+      .def_readonly("thickness", &Certainty::thickness, "mm: what may be missing is thinner than this somewhere")
+      .def_readonly("finest", &Certainty::finest, "mm: edge of the smallest cells that were looked at")
+      .def_property_readonly(
+          "places",
+          [](const Certainty& certainty) {
+            py::list places;
+            for (const UncertainPlace& place : certainty.places) places.append(bounds_to_python(place.box));
+            return places;
+          },
+          "bounds of the places, mm, the largest first; at most 1000")
+      .def("__str__", &Certainty::text);
+  py::class_<ContourMesh, TriangleMesh>(module, "ContourMesh", "The mesh of a solid, and how certain it is.")
+      .def_readonly("certainty", &ContourMesh::certainty);
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
@@ -110,7 +127,7 @@ void bind_results(py::module_& module) {
           if (auto faces = exact && whole ? faces_of(*field, p) : std::nullopt) {
             if (!(cell_of(faces->bounds(), voxel, resolution, field) > 0))  // it does not matter, but is a mistake all the same
               throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
-            return *std::move(faces);
+            return ContourMesh{*std::move(faces), {}};
           }
           const Box region = region_of(field, bounds, p);
           return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features}, p);
@@ -119,7 +136,8 @@ void bind_results(py::module_& module) {
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
       py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(), py::arg("exact") = true,
       "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD design has its "
-      "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False.");
+      "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
+      "anything may be missing.");
 
   py::class_<DetailMesh>(
       module, "DetailMesh",

@@ -3,6 +3,7 @@
 #include "fieldfab/mesh/contour.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contour_cells.h"
 #include "contour_curves.h"
@@ -14,7 +15,7 @@ namespace fieldfab {
 
 ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
   using namespace contouring;
-  const Lattice lattice(bounds, wanted.voxel);
+  const Lattice lattice(bounds, wanted.voxel, std::clamp(wanted.depth, 0, 6));
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
@@ -28,9 +29,12 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   progress.report(0.9, "filling cells");
   FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
   progress.report(0.95, "sharpening edges");
-  sharpen(*solid, lattice.voxel(), std::clamp(0.1 * settings.max_error, 0.005 * settings.voxel, 0.05 * settings.voxel),
-          filled.creased, filled.mesh, progress);
-  return {std::move(filled.mesh), {}};
+  for (std::size_t halvings = 0; halvings < filled.creased.size(); ++halvings) {
+    const double side = std::ldexp(lattice.voxel(), -static_cast<int>(halvings));
+    sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased[halvings], filled.mesh,
+            progress);
+  }
+  return {std::move(filled.mesh), octree.certainty()};
 }
 
 }  // namespace fieldfab

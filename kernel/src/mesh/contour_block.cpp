@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "contour_edges.h"
+
 namespace fieldfab::contouring {
 namespace {
 
@@ -29,22 +31,55 @@ class BlockSampler {
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i <= block_side; ++i)
         plane_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)] =
-            static_cast<float>(lattice.plane(axis, lower[static_cast<std::size_t>(axis)] + i));
+            static_cast<float>(lattice.plane(axis, lower[static_cast<std::size_t>(axis)] + (i << lattice.voxel_level())));
+  }
+
+  BlockView view(Block& block) {
+    BlockView seen;
+    block.lower = lower_;
+    sample();
+    find_sign_changes();
+    Patch whole;
+    if (take_plane(block, whole)) {
+      look_for_unclear_cells(whole.points, seen);
+      if (seen.unclear.empty()) seen.patch = std::move(whole);
+      return seen;
+    }
+    find_edges();
+    locate_edges();
+    std::vector<SurfacePoint> points;
+    points.reserve(edges_.size());
+    for (const Edge& edge : edges_) points.push_back(edge.point);
+    look_for_unclear_cells(points, seen);
+    if (seen.unclear.empty()) seen.patch = merge_all(block);
+    return seen;
   }
 
   std::optional<Patch> run(Block& block) {
     block.lower = lower_;
     sample();
     find_sign_changes();
-    Patch whole;
-    if (take_plane(block, whole)) return whole;
+    if (Patch whole; block.divisions.empty() && take_plane(block, whole)) return whole;
     find_edges();
-    if (edges_.empty()) {
+    locate_edges();
+    return merge_all(block);
+  }
+
+ private:
+  void look_for_unclear_cells(std::span<const SurfacePoint> points, BlockView& seen) const {
+    std::array<std::uint8_t, block_side * block_side * block_side> signs;
+    for (int z = 0; z < block_side; ++z)
+      for (int y = 0; y < block_side; ++y)
+        for (int x = 0; x < block_side; ++x) signs[Block::cell(x, y, z)] = corners(x, y, z, 1);
+    seen.unclear = unclear_cells(field_, lattice_, lower_, {value_.data(), signs, points}, seen.known);
+  }
+
+  std::optional<Patch> merge_all(Block& block) {
+    if (edges_.empty() && block.divisions.empty()) {
+      Patch whole;
       whole.corners = inside(0, 0, 0) ? 255 : 0;
       return whole;
     }
-    locate_edges();
-    find_normals();
     block.crossings.reserve(edges_.size());
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
@@ -52,7 +87,6 @@ class BlockSampler {
     return merge(block);
   }
 
- private:
   static std::size_t lower_end(const Edge& edge) {
     return static_cast<std::size_t>(point_index(edge.lower[0], edge.lower[1], edge.lower[2]));
   }
@@ -110,74 +144,20 @@ class BlockSampler {
       });
   }
 
-  /// Finds each zero between its two lattice points: the Illinois form of false position, all edges in step, one batch a round.
   void locate_edges() {
-    const std::size_t count = edges_.size();
-    std::vector<float> x(count), y(count), z(count), value(count);
-    struct Bracket {
-      double low, high;              // positions along the edge's axis, mm
-      double low_value, high_value;  // of opposite sign
-      int stuck = 0;                 // +1/-1: which end was kept the last time
-    };
-    std::vector<Bracket> brackets(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const Edge& edge = edges_[i];
+    std::vector<CrossedEdge> edges;
+    edges.reserve(edges_.size());
+    for (const Edge& edge : edges_) {
       const std::size_t low = lower_end(edge), high = low + static_cast<std::size_t>(stride[edge.axis]);
-      brackets[i] = {plane_[edge.axis][edge.lower[edge.axis]], plane_[edge.axis][edge.lower[edge.axis] + 1U], value_[low],
-                     value_[high]};
-      x[i] = plane_[0][edge.lower[0]];
-      y[i] = plane_[1][edge.lower[1]];
-      z[i] = plane_[2][edge.lower[2]];
+      edges.push_back({edge.axis,
+                       {plane_[0][edge.lower[0]], plane_[1][edge.lower[1]], plane_[2][edge.lower[2]]},
+                       plane_[edge.axis][edge.lower[edge.axis] + 1U],
+                       value_[low],
+                       value_[high]});
     }
-    const auto guess = [](const Bracket& b) {
-      const double t = b.low_value / (b.low_value - b.high_value);
-      return t >= 0 && t <= 1 ? b.low + t * (b.high - b.low) : 0.5 * (b.low + b.high);  // also where a value is infinite or NaN
-    };
-    const std::array<std::vector<float>*, 3> coordinate{&x, &y, &z};
-    const double close_enough = std::max(1e-6 * lattice_.voxel(), 4 * lattice_.float_step());
-    constexpr int rounds = 30;
-    for (int round = 0; round < rounds; ++round) {
-      // Where the two sides differ much in steepness false position creeps: so now and then the bracket is halved.
-      const bool halve = round % 3 == 2;
-      for (std::size_t i = 0; i < count; ++i)
-        (*coordinate[edges_[i].axis])[i] =
-            static_cast<float>(halve ? 0.5 * (brackets[i].low + brackets[i].high) : guess(brackets[i]));
-      field_.values({x.data(), y.data(), z.data(), count}, value.data());
-      bool settled = true;
-      for (std::size_t i = 0; i < count; ++i) {
-        Bracket& b = brackets[i];
-        const double at = (*coordinate[edges_[i].axis])[i], before = b.high - b.low;
-        const double slope = std::abs(b.high_value - b.low_value) / before;
-        if ((value[i] < 0) == (b.low_value < 0)) {
-          b = {at, b.high, value[i], b.stuck < 0 ? 0.5 * b.high_value : b.high_value, -1};
-        } else {
-          b = {b.low, at, b.stuck > 0 ? 0.5 * b.low_value : b.low_value, value[i], 1};
-        }
-        settled = settled && (std::abs(value[i]) <= slope * close_enough || b.high - b.low <= close_enough);
-      }
-      if (settled) break;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      (*coordinate[edges_[i].axis])[i] = static_cast<float>(guess(brackets[i]));
-      edges_[i].point.position = {x[i], y[i], z[i]};
-    }
-  }
-
-  void find_normals() {
-    const std::size_t count = edges_.size();
-    std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] = edges_[i].point.position.x();
-      y[i] = edges_[i].point.position.y();
-      z[i] = edges_[i].point.position.z();
-    }
-    field_.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
-    for (std::size_t i = 0; i < count; ++i) {
-      const Eigen::Vector3d slope(dx[i], dy[i], dz[i]);
-      const double length = slope.norm();
-      const bool usable = std::isfinite(length) && length > 0;
-      edges_[i].point.normal = usable ? Eigen::Vector3f((slope / length).cast<float>()) : Eigen::Vector3f::Zero();
-    }
+    std::vector<SurfacePoint> points;
+    locate_crossings(field_, edges, lattice_.voxel(), lattice_.float_step(), points);
+    for (std::size_t i = 0; i < points.size(); ++i) edges_[i].point = points[i];
   }
 
   [[nodiscard]] std::uint8_t corners(int x, int y, int z, int side) const {
@@ -201,12 +181,19 @@ class BlockSampler {
           for (; changes != 0; changes &= changes - 1) {
             const int at = axis * point_count + point_index(std::countr_zero(changes), j, k);
             const SurfacePoint& point = edges_[static_cast<std::size_t>(edge_at_[static_cast<std::size_t>(at)])].point;
-            if (point.normal.isZero(0)) return false;
             points.push_back(point);
           }
         }
     }
-    return true;
+    for (int k = z; k < z + side; ++k)
+      for (int j = y; j < y + side; ++j)
+        for (int i = x; !divided_.empty() && i < x + side; ++i) {
+          const std::uint32_t division = divided_[Block::cell(i, j, k)];
+          if (division == Division::none) continue;
+          const std::vector<SurfacePoint>& inner = patches_[division]->points;
+          points.insert(points.end(), inner.begin(), inner.end());
+        }
+    return std::none_of(points.begin(), points.end(), [](const SurfacePoint& point) { return point.normal.isZero(0); });
   }
 
   /// The common case of a block that a plane passes through: the samples are those of a linear function. A plane cuts every cube
@@ -260,19 +247,81 @@ class BlockSampler {
                                      point});
       });
     patch.vertex = sum / static_cast<double>(patch.points.size());
-    thin(patch.points, lattice_.cube(lower_, block_level));
+    thin(patch.points, lattice_.cube(lower_, lattice_.voxel_level() + block_level));
     return true;
   }
 
   /// Finds the largest cubes of cells that are one patch each and lists them as leafs; or gives the block's one patch.
   std::optional<Patch> merge(Block& block) {
+    divided_ = block.division_of;
+    merge_divisions(block);
     find_simple_cubes();
     block.leaf_of.assign(block_side * block_side * block_side, Block::no_leaf);
     if (std::optional<Patch> whole = descend(block, 0, 0, 0, block_level)) {
       block.leaf_of = {};
       return whole;
     }
+    if (block.leafs.empty() && apart_.empty()) {
+      Patch uniform;
+      uniform.corners = inside(0, 0, 0) ? 255 : 0;
+      return uniform;
+    }
+    for (const std::uint32_t division : apart_) add_leafs(block, division);
     return {};
+  }
+
+  /// Which divided cells are one patch after all, those that were divided last first.
+  void merge_divisions(const Block& block) {
+    patches_.resize(block.divisions.size());
+    for (std::size_t i = block.divisions.size(); i-- > 0;) patches_[i] = merged(block.divisions[i]);
+  }
+
+  [[nodiscard]] std::optional<Patch> merged(const Division& division) const {
+    std::array<std::uint8_t, 8> children{};
+    Patch patch;
+    for (const Crossing& crossing : division.crossings) patch.points.push_back(crossing.point);
+    bool uniform = true;
+    for (unsigned child = 0; child < 8; ++child) {
+      children[child] = division.corners(child);
+      if (division.parts[child] != Division::none) {
+        const std::optional<Patch>& part = patches_[division.parts[child]];
+        if (!part) return {};
+        patch.points.insert(patch.points.end(), part->points.begin(), part->points.end());
+      } else if (!is_uniform(children[child]) && !is_simple(children[child])) {
+        return {};
+      }
+      uniform = uniform && children[child] == children[0] && is_uniform(children[child]);
+    }
+    if (uniform) {
+      patch.corners = children[0];
+      return patch;
+    }
+    if (settings_.max_error <= 0 || !merge_corners(children, patch.corners)) return {};
+    for (const SurfacePoint& point : patch.points)
+      if (point.normal.isZero(0)) return {};
+    const Box cell = lattice_.cube(division.lower, division.level + 1);
+    if (!reproduces(patch.points, cell, settings_.max_error, patch.vertex)) return {};
+    return patch;
+  }
+
+  /// Lists the leafs of a divided cell that is not one patch.
+  void add_leafs(Block& block, std::uint32_t number) {
+    for (unsigned child = 0; child < 8; ++child) {
+      Division& division = block.divisions[number];
+      const std::uint32_t part = division.parts[child];
+      const std::optional<Patch> patch = part == Division::none ? std::nullopt : patches_[part];
+      if (part != Division::none && !patch) {
+        add_leafs(block, part);
+        continue;
+      }
+      const std::uint8_t signs = division.corners(child);
+      if (is_uniform(signs)) continue;
+      division.leafs[child] = static_cast<std::uint32_t>(block.leafs.size());
+      const int level = division.level;
+      const LatticePoint lower = moved(division.lower, static_cast<int>(child & 1U) << level,
+                                       static_cast<int>(child >> 1 & 1U) << level, static_cast<int>(child >> 2) << level);
+      block.leafs.push_back({lower, level, signs, patch.has_value(), patch ? patch->vertex : Vec3(Vec3::Zero())});
+    }
   }
 
   static std::size_t cube_index(int x, int y, int z, int level) {
@@ -285,7 +334,9 @@ class BlockSampler {
       for (int y = 0; y < block_side; ++y)
         for (int x = 0; x < block_side; ++x) {
           const std::uint8_t bits = corners(x, y, z, 1);
-          cubes_[0][cube_index(x, y, z, 0)] = {bits, bits == 0 || bits == 255 || is_simple(bits)};
+          const std::uint32_t division = divided_.empty() ? Division::none : divided_[Block::cell(x, y, z)];
+          const bool simple = division == Division::none ? is_uniform(bits) || is_simple(bits) : patches_[division].has_value();
+          cubes_[0][cube_index(x, y, z, 0)] = {bits, simple};
         }
     for (int level = 1; level <= block_level; ++level) {
       const int side = 1 << level;
@@ -315,12 +366,23 @@ class BlockSampler {
   std::optional<Patch> descend(Block& block, int x, int y, int z, int level) {
     const Cube& cube = cubes_[static_cast<std::size_t>(level)][cube_index(x, y, z, level)];
     if (cube.simple && (cube.corners == 0 || cube.corners == 255)) return {};
-    const LatticePoint lower{lower_[0] + x, lower_[1] + y, lower_[2] + z};
+    const int voxel = lattice_.voxel_level();
+    const LatticePoint lower = moved(lower_, x << voxel, y << voxel, z << voxel);
     const int side = 1 << level;
     Vec3 vertex = Vec3::Zero();
+    bool merged = level > 0;
+    if (level == 0 && !divided_.empty() && divided_[Block::cell(x, y, z)] != Division::none) {
+      const std::uint32_t division = divided_[Block::cell(x, y, z)];
+      if (!cube.simple) {
+        apart_.push_back(division);
+        return {};
+      }
+      merged = true;
+      vertex = patches_[division]->vertex;
+    }
     if (level > 0) {
       const bool one = cube.simple && settings_.max_error > 0 && gather(x, y, z, side, points_) &&
-                       reproduces(points_, lattice_.cube(lower, level), settings_.max_error, vertex);
+                       reproduces(points_, lattice_.cube(lower, voxel + level), settings_.max_error, vertex);
       if (!one) {
         for (int child = 0; child < 8; ++child)
           descend(block, x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2, level - 1);
@@ -329,7 +391,7 @@ class BlockSampler {
       if (level == block_level) return Patch{cube.corners, std::move(points_), vertex};
     }
     const auto number = static_cast<std::uint16_t>(block.leafs.size());
-    block.leafs.push_back({lower, level, cube.corners, vertex});
+    block.leafs.push_back({lower, voxel + level, cube.corners, merged, vertex});
     for (int k = z; k < z + side; ++k)
       for (int j = y; j < y + side; ++j)
         for (int i = x; i < x + side; ++i) block.leaf_of[Block::cell(i, j, k)] = number;
@@ -355,9 +417,17 @@ class BlockSampler {
   std::vector<Edge> edges_;
   std::array<std::array<Cube, 512>, block_level + 1> cubes_;  // by level; see cube_index()
   std::vector<SurfacePoint> points_;
+  std::span<const std::uint32_t> divided_;        // Block::division_of
+  std::vector<std::optional<Patch>> patches_;     // by division: the one patch that it is, where it is
+  std::vector<std::uint32_t> apart_;              // divisions of whole cells that are leafs in parts
 };
 
 }  // namespace
+
+BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
+                     Block& block) {
+  return BlockSampler(field, lattice, lower, settings).view(block);
+}
 
 std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
                                   const ContourSettings& settings, Block& block) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "contour_clear.h"
 #include "contour_octree.h"
 
 namespace fieldfab::contouring {
@@ -12,11 +13,22 @@ struct Patch {
   std::uint8_t corners = 0;          ///< as in Leaf; 0 or 255 where there is no surface in the cube
   std::vector<SurfacePoint> points;  ///< all crossings in the closed cube
   Vec3 vertex = Vec3::Zero();
-  [[nodiscard]] bool uniform() const { return corners == 0 || corners == 255; }
+  [[nodiscard]] bool uniform() const { return is_uniform(corners); }
 };
 
-/// Samples `field` (the solid restricted to the block) at the block's 9x9x9 lattice points and merges its cells. Returns the
-/// patch where all of the block is one; then `block` gets its crossings only, until it is known how far it merges.
+/// What the cells of a block are, before any is divided.
+struct BlockView {
+  std::optional<Patch> patch;          ///< where all of the block is one
+  std::vector<UnclearCell> unclear;    ///< cells that may hide something; where there are any, the rest is left open
+  bool known = false;                  ///< whether the Field told its slopes anywhere
+};
+
+/// Samples `field` (the solid, good in the block and about it) at the block's 9x9x9 lattice points, looks whether its cells are
+/// clear, and merges them. Where all of the block is one patch `block` gets its crossings only, until it is known how far it merges.
+BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
+                     Block& block);
+
+/// The same with the cells that are divided in `block`, taking all others to be clear.
 std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
                                   const ContourSettings& settings, Block& block);
 

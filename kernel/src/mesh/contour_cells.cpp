@@ -21,7 +21,8 @@ struct CellCurve {
 struct Piece {
   std::vector<Position> vertices;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> creased;  ///< triangles of cells that a sharp edge may pass through
+  /// Triangles of cells that a sharp edge may pass through, by how often a voxel was halved for these.
+  std::vector<std::vector<std::uint32_t>> creased;
 };
 
 constexpr std::uint32_t first_new = 1U << 31;
@@ -44,8 +45,11 @@ class CellFiller {
       fill_several(leaf, around);
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
-    if (features_ && is_creased(leaf, around) && !is_smooth(leaf))
-      for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
+    if (features_ && is_creased(leaf, around) && !is_smooth(leaf)) {
+      const auto halvings = static_cast<std::size_t>(std::max(0, lattice_.voxel_level() - leaf.level));
+      if (piece_.creased.size() <= halvings) piece_.creased.resize(halvings + 1);
+      for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased[halvings].push_back(t);
+    }
   }
 
  private:
@@ -62,6 +66,10 @@ class CellFiller {
   }
 
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
+  /// Edge of the cells that a leaf was merged from, or a voxel: what the surface is seen by there.
+  [[nodiscard]] double cell_side(const Leaf& leaf) const {
+    return lattice_.side(std::min(leaf.level, lattice_.voxel_level()));
+  }
   [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const {
     return static_cast<std::uint32_t>(curves_.positions.size()) + bend;
   }
@@ -84,12 +92,12 @@ class CellFiller {
     const Eigen::Vector3f normal = scratch_[0].normal;
     return std::any_of(scratch_.begin(), scratch_.end(),
                        [&](const SurfacePoint& p) { return p.normal.dot(normal) < least_cosine; }) &&
-           place_vertex(scratch_, box(leaf).grown(2 * lattice_.voxel())).error < 0.1 * lattice_.voxel();
+           place_vertex(scratch_, box(leaf).grown(2 * cell_side(leaf))).error < 0.1 * cell_side(leaf);
   }
 
   /// Whether edges there are those of noise, though the solid as a whole may have edges (a scan on a pedestal).
   [[nodiscard]] bool is_smooth(const Leaf& leaf) const {
-    return solid_.restricted(box(leaf).grown(lattice_.voxel()), Purpose::occupancy).field->smooth();
+    return solid_.restricted(box(leaf).grown(cell_side(leaf)), Purpose::occupancy).field->smooth();
   }
 
   /// A straight loop of three or four points that lie in a plane needs no vertex inside the cell.
@@ -135,12 +143,12 @@ class CellFiller {
   void fill_fan(const Leaf& leaf, std::span<const CellCurve> loop) {
     const Box cell = box(leaf);
     Vec3 vertex = leaf.vertex;
-    if (leaf.level == 0) {
+    if (!leaf.merged) {
       scratch_.clear();
       for (const CellCurve& curve : loop) scratch_.push_back(curves_.points[curve.from]);
       vertex = place_vertex(scratch_, cell).position;
     }
-    const Box inner = cell.grown(-lattice_.margin());
+    const Box inner = cell.grown(-lattice_.margin(leaf.level));
     const std::uint32_t apex = add(vertex.cwiseMax(inner.lower).cwiseMin(inner.upper));
     for (const CellCurve& curve : loop) {
       if (curve.bend == no_vertex) {
@@ -157,7 +165,7 @@ class CellFiller {
   /// are of the other kind are drawn in halfway to the centre, keeping their rims. Seen from the centre that is one layer, so
   /// nothing meets.
   void fill_several(const Leaf& leaf, std::span<const CellCurve> around) {
-    if (leaf.level != 0) throw Error(ErrorKind::internal, "contour", "a merged cell has several patches");
+    if (leaf.merged) throw Error(ErrorKind::internal, "contour", "a merged cell has several patches");
     const Box cell = box(leaf);
     const bool centre_inside = solid_.value(cell.centre()) < 0;
     std::array<std::uint32_t, 8> drawn;
@@ -272,7 +280,10 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
   mesh.triangles.reserve(triangles);
   for (Piece& piece : pieces) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const std::uint32_t t : piece.creased) filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
+    if (filled.creased.size() < piece.creased.size()) filled.creased.resize(piece.creased.size());
+    for (std::size_t halvings = 0; halvings < piece.creased.size(); ++halvings)
+      for (const std::uint32_t t : piece.creased[halvings])
+        filled.creased[halvings].push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
     for (Triangle triangle : piece.triangles) {
       for (std::uint32_t& vertex : triangle)
         if (vertex >= first_new) vertex = vertex - first_new + offset;

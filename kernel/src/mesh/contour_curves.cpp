@@ -76,36 +76,70 @@ class CurveTracer {
     BlockPoints found;
     const auto neighbours = octree_.lower_neighbours(block);
     for (const Crossing& crossing : block.crossings) {
-      const int a = crossing.axis, u = (a + 1) % 3, v = (a + 2) % 3;
       std::array<std::uint32_t, 4> cells{};
-      for (int quadrant = 0; quadrant < 4; ++quadrant) {
-        std::array<int, 3> cell{crossing.lower[0], crossing.lower[1], crossing.lower[2]};
-        if (quadrant == 0 || quadrant == 3) --cell[static_cast<std::size_t>(u)];
-        if (quadrant == 0 || quadrant == 1) --cell[static_cast<std::size_t>(v)];
-        cells[static_cast<std::size_t>(quadrant)] = leaf_at(neighbours, cell);
-      }
-      // An edge inside a leaf, or inside the face between two, is not an edge of the cells.
-      int distinct = 1;
-      for (std::size_t i = 1; i < 4; ++i)
-        distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) ==
-                    cells.begin() + static_cast<std::ptrdiff_t>(i);
-      if (distinct < 3) continue;
-
-      const auto vertex = static_cast<std::uint32_t>(found.points.size());
-      found.points.push_back(crossing.point);
-      found.positions.push_back(on_edge(block, crossing));
-      for (const EdgeFace& face : faces_of_edge) {
-        const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)],
-                            upper = cells[static_cast<std::size_t>(face.upper)];
-        if (lower == upper) continue;
-        found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((a + face.normal_offset) % 3),
-                             static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});
-      }
+      bool halved = false;
+      for (std::size_t quadrant = 0; quadrant < 4; ++quadrant)
+        cells[quadrant] = leaf_at(neighbours, cell_beside(crossing, quadrant), halved);
+      if (!halved) add_point(crossing, cells, lattice_.plane_range(block.lower, lattice_.voxel_level(), crossing.lower), found);
     }
+    for (std::size_t i = 0; i < block.divisions.size(); ++i)
+      for (const Crossing& crossing : block.divisions[i].crossings) add_point_of_division(block, block.divisions[i], crossing, found);
     return found;
   }
 
-  static std::uint32_t leaf_at(const std::array<const Block*, 8>& neighbours, std::array<int, 3> cell) {
+  /// The cell in one quadrant about an edge, in cells from where its crossing is counted: quadrant 0 is below on both other axes u,
+  /// v; 1 above on u; 2 above on both; 3 above on v.
+  static std::array<int, 3> cell_beside(const Crossing& crossing, std::size_t quadrant) {
+    const auto a = static_cast<std::size_t>(crossing.axis), u = (a + 1) % 3, v = (a + 2) % 3;
+    std::array<int, 3> cell{crossing.lower[0], crossing.lower[1], crossing.lower[2]};
+    if (quadrant == 0 || quadrant == 3) --cell[u];
+    if (quadrant == 0 || quadrant == 1) --cell[v];
+    return cell;
+  }
+
+  /// An edge of a divided cell is one of the cells' edges where none of the cells about it is smaller. It may be sampled by several
+  /// divisions: the one with the first of the cells that are as small takes it.
+  void add_point_of_division(const Block& block, const Division& division, const Crossing& crossing, BlockPoints& found) const {
+    std::array<std::uint32_t, 4> cells{};
+    bool taken = false;
+    for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
+      const std::array<int, 3> beside = cell_beside(crossing, quadrant);
+      const bool own = std::all_of(beside.begin(), beside.end(), [](int i) { return i == 0 || i == 1; });
+      const int level = division.level;
+      const CellFound cell =
+          octree_.find(moved(division.lower, beside[0] * (1 << level), beside[1] * (1 << level), beside[2] * (1 << level)), level);
+      if (cell.divided) return;
+      if (cell.level == level && !taken) {
+        if (!own) return;
+        taken = true;
+      }
+      cells[quadrant] = checked(cell.leaf);
+    }
+    static_cast<void>(block);
+    add_point(crossing, cells, lattice_.plane_range(division.lower, division.level, crossing.lower), found);
+  }
+
+  /// Adds the point on an edge, and that it is on the rim of the faces between the four leafs about it.
+  void add_point(const Crossing& crossing, const std::array<std::uint32_t, 4>& cells, const Box& edge, BlockPoints& found) const {
+    // An edge inside a leaf, or inside the face between two, is not an edge of the cells.
+    int distinct = 1;
+    for (std::size_t i = 1; i < 4; ++i)
+      distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) ==
+                  cells.begin() + static_cast<std::ptrdiff_t>(i);
+    if (distinct < 3) return;
+    const auto vertex = static_cast<std::uint32_t>(found.points.size());
+    found.points.push_back(crossing.point);
+    found.positions.push_back(on_edge(crossing, edge));
+    for (const EdgeFace& face : faces_of_edge) {
+      const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)], upper = cells[static_cast<std::size_t>(face.upper)];
+      if (lower == upper) continue;
+      found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((crossing.axis + face.normal_offset) % 3),
+                           static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});
+    }
+  }
+
+  /// The leaf of a cell of a voxel, in cells from the lower corner of the first of `neighbours`; sets `halved` where the cell is.
+  static std::uint32_t leaf_at(const std::array<const Block*, 8>& neighbours, std::array<int, 3> cell, bool& halved) {
     unsigned which = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (cell[axis] < 0) {
@@ -113,26 +147,37 @@ class CurveTracer {
         cell[axis] += block_side;
       }
     const Block* block = neighbours[which];
-    const std::uint16_t leaf = block == nullptr ? Block::no_leaf : block->leaf_at(cell[0], cell[1], cell[2]);
-    if (leaf == Block::no_leaf)
-      throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
-    return block->first_leaf + leaf;
+    if (block == nullptr) return checked(Division::none);
+    const std::size_t number = Block::cell(cell[0], cell[1], cell[2]);
+    if (block->division_at(number) != Division::none) {
+      halved = true;
+      return Division::none;
+    }
+    const std::uint16_t leaf = block->leaf_at(number);
+    return checked(leaf == Block::no_leaf ? Division::none : block->first_leaf + leaf);
   }
 
-  [[nodiscard]] std::array<float, 3> on_edge(const Block& block, const Crossing& crossing) const {
+  static std::uint32_t checked(std::uint32_t leaf) {
+    if (leaf == Division::none)
+      throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
+    return leaf;
+  }
+
+  /// The crossing's place, kept off the ends of its edge: from `edge.lower` along its axis to `edge.upper`.
+  [[nodiscard]] std::array<float, 3> on_edge(const Crossing& crossing, const Box& edge) const {
     std::array<float, 3> position{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::int32_t index = block.lower[axis] + crossing.lower[axis];
-      const double plane = lattice_.plane(static_cast<int>(axis), index);
-      if (axis != crossing.axis) {
-        position[axis] = static_cast<float>(plane);
-        continue;
-      }
-      const double next = lattice_.plane(static_cast<int>(axis), index + 1), margin = lattice_.margin();
-      position[axis] = static_cast<float>(
-          std::clamp(static_cast<double>(crossing.point.position[static_cast<int>(axis)]), plane + margin, next - margin));
+    const double margin = lattice_.margin(edge_level(edge, crossing.axis));
+    for (int axis = 0; axis < 3; ++axis) {
+      double place = edge.lower[axis];
+      if (axis == crossing.axis)
+        place = std::clamp(static_cast<double>(crossing.point.position[axis]), place + margin, edge.upper[axis] - margin);
+      position[static_cast<std::size_t>(axis)] = static_cast<float>(place);
     }
     return position;
+  }
+  /// How often a finest cell was doubled for an edge.
+  [[nodiscard]] int edge_level(const Box& edge, int axis) const {
+    return static_cast<int>(std::lround(std::log2((edge.upper[axis] - edge.lower[axis]) / lattice_.side(0))));
   }
 
   /// Brings the points of each face together: a counting sort by the lower leaf, then the few of one leaf among themselves.
@@ -180,6 +225,9 @@ class CurveTracer {
   }
 
   /// The face that a curve crosses: flat along the curve's axis.
+  [[nodiscard]] int level_of(const FaceCurve& curve) const {
+    return std::min(octree_.leafs()[curve.lower].level, octree_.leafs()[curve.upper].level);
+  }
   [[nodiscard]] Box rectangle(const FaceCurve& curve) const {
     const Leaf& below = octree_.leafs()[curve.lower];
     const Leaf& above = octree_.leafs()[curve.upper];
@@ -218,7 +266,7 @@ class CurveTracer {
       for (const Bend& bend : part) {
         FaceCurve& curve = out_.curves[bend.curve];
         curve.bend = static_cast<std::uint32_t>(out_.bends.size());
-        const Box inner = rectangle(curve).grown(-lattice_.margin());
+        const Box inner = rectangle(curve).grown(-lattice_.margin(level_of(curve)));
         const int u = (curve.axis + 1) % 3, v = (curve.axis + 2) % 3;
         const auto within = [&](int axis) {
           return bend.place[axis] >= inner.lower[axis] && bend.place[axis] <= inner.upper[axis];
@@ -259,7 +307,7 @@ class CurveTracer {
     Vec3 place = face.lower;
     place[u] = bend.x();
     place[v] = bend.y();
-    if (!face.grown(lattice_.voxel()).contains(place)) return std::nullopt;
+    if (!face.grown(lattice_.side(std::min(level_of(curve), lattice_.voxel_level()))).contains(place)) return std::nullopt;
     return place;
   }
 

@@ -13,30 +13,35 @@ namespace {
 // Shapes are drawn on round numbers; planes that are not keep the surface from running along a lattice plane.
 const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
 
-constexpr int greatest_level = 20;
+constexpr int greatest_level = 20;      // of the root, in voxels
+constexpr double floats_across = 256;  // the least number of floats across a cell
 
 }  // namespace
 
-Lattice::Lattice(const Box& bounds, double voxel) : voxel_(voxel) {
+Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(voxel) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
   if (!std::isfinite(voxel) || voxel <= 0) throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
 
   origin_ = bounds.lower - voxel * (Vec3::Ones() + shift);
   const double cells = bounds.size().maxCoeff() / voxel + 3;
-  while (root_level_ <= greatest_level && cells > std::ldexp(1.0, root_level_)) ++root_level_;
-  if (root_level_ > greatest_level)
+  int root = block_level;  // of voxels
+  while (root <= greatest_level && cells > std::ldexp(1.0, root)) ++root;
+  if (root > greatest_level)
     throw Error(ErrorKind::too_large, "voxel",
                 fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", voxel, cells,
                             1 << greatest_level));
 
   const double farthest =
-      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root_level_))).cwiseAbs().maxCoeff());
+      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root))).cwiseAbs().maxCoeff());
   float_step_ = std::ldexp(farthest, -23);
-  if (voxel < 256 * float_step_ || farthest > 1e30)
+  if (voxel < floats_across * float_step_ || farthest > 1e30)
     throw Error(ErrorKind::bad_input, "voxel",
                 fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", voxel, farthest));
-  margin_ = std::max(std::ldexp(voxel, -11), 8 * float_step_);
+  voxel_level_ = 0;
+  while (voxel_level_ < depth && std::ldexp(voxel, -voxel_level_ - 1) >= floats_across * float_step_) ++voxel_level_;
+  finest_ = std::ldexp(voxel, -voxel_level_);
+  root_level_ = root + voxel_level_;
 }
 
 Box Lattice::cube(const LatticePoint& lower, int level) const {

@@ -1,45 +1,60 @@
 /// The lattice a Field is contoured on: planes at exactly representable floats, cubes of 2^level cells.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "fieldfab/core/geometry.h"
 
 namespace fieldfab::contouring {
 
-/// A lattice point or the lower corner of a cell, in cells from the lattice's origin.
+/// A lattice point or the lower corner of a cube, in finest cells from the lattice's origin.
 using LatticePoint = std::array<std::int32_t, 3>;
 
-/// Cells of a lattice cube along an axis, and its level: side == 1 << level.
+/// A cube has a level: it is 1 << level finest cells wide. A block is block_side cells of a voxel wide.
 inline constexpr int block_level = 3;
 inline constexpr int block_side = 1 << block_level;
 
-/// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside.
+inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) { return {point[0] + x, point[1] + y, point[2] + z}; }
+
+/// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside. Cells are a voxel wide;
+/// where that is not enough they are halved, up to the finest.
 ///
 /// Because planes are floats, a vertex that is rounded to floats stays on its edge, in its face or in its cell: the guarantees
 /// of contour() hold for the coordinates that are written, not only for those that were computed.
 class Lattice {
  public:
-  /// Throws bad_input where bounds or voxel are not finite and positive, or a cell would have too few floats across it.
-  Lattice(const Box& bounds, double voxel);
+  /// A voxel may be halved `depth` times, fewer where coordinates have too few floats for that. Throws bad_input where bounds or
+  /// voxel are not finite and positive, or a voxel would have too few floats across it.
+  Lattice(const Box& bounds, double voxel, int depth);
 
   /// The plane of that index across `axis`, mm.
-  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + voxel_ * index); }
+  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + finest_ * index); }
   [[nodiscard]] Box cube(const LatticePoint& lower, int level) const;
+  /// The cube of that level, counted in such cubes from `first`.
+  [[nodiscard]] Box plane_range(const LatticePoint& first, int level, const std::array<std::uint8_t, 3>& cells) const {
+    return cube(moved(first, cells[0] << level, cells[1] << level, cells[2] << level), level);
+  }
   /// Level of the cube that holds everything.
   [[nodiscard]] int root_level() const { return root_level_; }
   [[nodiscard]] double voxel() const { return voxel_; }
-  /// How far a vertex keeps from the ends of its edge, the rim of its face, the faces of its cell, mm.
-  [[nodiscard]] double margin() const { return margin_; }
+  /// Level of a cell that is a voxel wide; level 0 is the finest.
+  [[nodiscard]] int voxel_level() const { return voxel_level_; }
+  /// Edge of a cube of that level, mm, but for rounding.
+  [[nodiscard]] double side(int level) const { return std::ldexp(finest_, level); }
+  /// How far a vertex keeps from the ends of its edge, the rim of its face, the faces of its cell, of that level, mm.
+  [[nodiscard]] double margin(int level) const { return std::max(std::ldexp(side(level), -11), 8 * float_step_); }
   /// The step between neighbouring floats at the lattice's farthest coordinate, mm: nothing can be located more finely.
   [[nodiscard]] double float_step() const { return float_step_; }
 
  private:
   Vec3 origin_;
-  double voxel_;
-  double margin_, float_step_;
-  int root_level_ = block_level;
+  double voxel_, finest_;
+  double float_step_;
+  int voxel_level_;
+  int root_level_;
 };
 
 }  // namespace fieldfab::contouring

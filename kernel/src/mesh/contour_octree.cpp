@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
 #include "contour_block.h"
+#include "contour_division.h"
+#include "contour_doubt.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
@@ -17,12 +20,6 @@ namespace fieldfab::contouring {
 namespace {
 
 constexpr std::size_t bytes_a_block = 8192;  // a typical Block with its crossings, leafs, records and triangles
-
-std::uint64_t block_key(const LatticePoint& lower) {
-  std::uint64_t key = 0;
-  for (const std::int32_t coordinate : lower) key = key << 21 | static_cast<std::uint64_t>(coordinate >> block_level);
-  return key;
-}
 
 LatticePoint child_of(const LatticePoint& lower, unsigned child, int child_level) {
   return {lower[0] + (static_cast<int>(child & 1U) << child_level), lower[1] + (static_cast<int>(child >> 1 & 1U) << child_level),
@@ -41,33 +38,34 @@ struct Octree::Node {
   std::optional<Patch> patch = {};  ///< known where the cube is uniform or one patch
 };
 
-Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress) {
-  subdivide(solid, lattice, progress);
-  sample_blocks(lattice, settings, progress);
-  merge_blocks(lattice, settings.max_error);
+Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress)
+    : lattice_(lattice) {
+  subdivide(solid, progress);
+  sample_blocks(settings, progress);
+  merge_blocks(settings.max_error);
   number_leafs();
 }
 
 Octree::~Octree() = default;
 
-void Octree::subdivide(const Field& solid, const Lattice& lattice, Progress& progress) {
-  nodes_.push_back({{0, 0, 0}, lattice.root_level(), solid.shared_from_this()});
-  settle({&nodes_[0], 1}, lattice);
+void Octree::subdivide(const Field& solid, Progress& progress) {
+  nodes_.push_back({{0, 0, 0}, lattice_.root_level(), solid.shared_from_this()});
+  settle({&nodes_[0], 1});
   for (std::size_t first = 0, last = 1; first < last; first = last, last = nodes_.size()) {
     const int level = nodes_[first].level;
     progress.report(0.0, "searching for the surface");
     if (first > 0)
       parallel_for((last - first) / 8, [&](std::size_t i) {
         progress.check();
-        settle({&nodes_[first + 8 * i], 8}, lattice);
+        settle({&nodes_[first + 8 * i], 8});
       });
 
     const auto open = static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
                                                              [](const Node& node) { return !node.patch; }));
     // A surface quarters its cells with each level; so this is what is to come, and no guess that a thin shape could exceed.
-    const double blocks = static_cast<double>(open) * std::pow(4.0, level - block_level);
+    const double blocks = static_cast<double>(open) * std::pow(4.0, level - block_root());
     if (open > 4096) require_memory(static_cast<std::uintmax_t>(blocks / 4) * bytes_a_block, "a mesh this fine");
-    if (level == block_level) return;
+    if (level == block_root()) return;
     for (std::size_t i = first; i < last; ++i) {
       if (i % 4096 == 0) progress.check();
       if (nodes_[i].patch) continue;
@@ -79,11 +77,12 @@ void Octree::subdivide(const Field& solid, const Lattice& lattice, Progress& pro
   }
 }
 
-/// Restricts siblings, whose Field still is their parent's, to their own cubes; those that the surface misses are done with.
-void Octree::settle(std::span<Node> siblings, const Lattice& lattice) {
+/// Restricts siblings, whose Field still is their parent's, to their own cubes and a little about them; those that the surface
+/// misses are done with.
+void Octree::settle(std::span<Node> siblings) const {
   std::array<Box, 8> cube;
   std::array<Restriction, 8> here;
-  for (std::size_t i = 0; i < siblings.size(); ++i) cube[i] = lattice.cube(siblings[i].lower, siblings[i].level);
+  for (std::size_t i = 0; i < siblings.size(); ++i) cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(overlap * lattice_.voxel());
   const FieldPtr parent = siblings[0].field;
   parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
   for (std::size_t i = 0; i < siblings.size(); ++i) {
@@ -92,18 +91,37 @@ void Octree::settle(std::span<Node> siblings, const Lattice& lattice) {
   }
 }
 
-void Octree::sample_blocks(const Lattice& lattice, const ContourSettings& settings, Progress& progress) {
+void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) {
   std::vector<Node*> open;
   for (Node& node : nodes_)
-    if (node.level == block_level && !node.patch) open.push_back(&node);
+    if (node.level == block_root() && !node.patch) open.push_back(&node);
   std::vector<Block> sampled(open.size());
+  std::vector<std::unique_ptr<BlockRefiner>> refiners(open.size());
   std::atomic<std::size_t> done{0};
+  std::atomic<bool> known{false};
   parallel_for(open.size(), [&](std::size_t i) {
     progress.check();
-    open[i]->patch = sample_block(*open[i]->field, lattice, open[i]->lower, settings, sampled[i]);
-    open[i]->field.reset();
+    BlockView view = view_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
+    if (view.known) known.store(true, std::memory_order_relaxed);
+    open[i]->patch = std::move(view.patch);
+    if (!view.unclear.empty()) {
+      refiners[i] = std::make_unique<BlockRefiner>(lattice_, open[i]->lower, open[i]->field);
+      refiners[i]->add_unclear(std::move(view.unclear));
+    }
     if (const std::size_t count = ++done; count % 256 == 0)
-      progress.report(0.8 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
+      progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
+  });
+  certainty_.doubt = known ? Doubt::finest_size : Doubt::slopes_unknown;
+  refine(open, settings, progress, refiners);
+  parallel_for(open.size(), [&](std::size_t i) {
+    if (refiners[i]) {
+      progress.check();
+      sampled[i] = {};
+      refiners[i]->move_to(sampled[i]);
+      open[i]->patch = sample_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
+      refiners[i].reset();
+    }
+    open[i]->field.reset();
   });
   for (std::size_t i = 0; i < open.size(); ++i) {
     if (open[i]->patch && open[i]->patch->uniform()) continue;
@@ -112,7 +130,67 @@ void Octree::sample_blocks(const Lattice& lattice, const ContourSettings& settin
   }
 }
 
-void Octree::merge_blocks(const Lattice& lattice, double max_error) {
+/// Halves cells that are not clear, level by level, and then those that their neighbours need halved.
+void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, Progress& progress,
+                    std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
+  std::vector<std::size_t> active;
+  for (std::size_t i = 0; i < refiners.size(); ++i)
+    if (refiners[i]) active.push_back(i);
+  int finest = lattice_.voxel_level();
+  std::size_t divided = 0;
+  while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
+    std::size_t wanted = 0;
+    for (const std::size_t i : active) wanted += refiners[i]->unclear().size();
+    if (wanted == 0) break;
+    if (divided + wanted > settings.most_divided) {
+      certainty_.doubt = Doubt::too_many;
+      break;
+    }
+    divided += wanted;
+    const double level = lattice_.voxel_level() - finest;
+    progress.report(0.6 + 0.15 * level / lattice_.voxel_level(), "looking closer");
+    parallel_for(active.size(), [&](std::size_t i) {
+      progress.check();
+      refiners[active[i]]->advance();
+    });
+    --finest;
+  }
+  DoubtMap doubts(lattice_);
+  for (const std::size_t i : active) doubts.add(refiners[i]->unclear());
+  doubts.write(certainty_);
+  certainty_.finest = lattice_.side(finest);
+  if (finest == lattice_.voxel_level()) return;
+
+  std::map<LatticePoint, std::size_t> number;
+  for (std::size_t i = 0; i < open.size(); ++i) number.emplace(open[i]->lower, i);
+  for (;;) {
+    progress.check();
+    std::vector<DivisionRequest> requests;
+    for (const std::size_t i : active) refiners[i]->collect_requests(requests);
+    std::sort(requests.begin(), requests.end());
+    requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
+    if (requests.empty()) return;
+    std::vector<std::size_t> first;  // of each block's requests
+    active.clear();
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+      if (i > 0 && requests[i].block == requests[i - 1].block) continue;
+      const auto found = number.find(requests[i].block);
+      if (found == number.end())
+        throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
+      first.push_back(i);
+      active.push_back(found->second);
+    }
+    first.push_back(requests.size());
+    parallel_for(active.size(), [&](std::size_t i) {
+      progress.check();
+      std::unique_ptr<BlockRefiner>& refiner = refiners[active[i]];
+      if (!refiner) refiner = std::make_unique<BlockRefiner>(lattice_, open[active[i]]->lower, open[active[i]]->field);
+      for (std::size_t j = first[i]; j < first[i + 1]; ++j) refiner->divide(requests[j], finest);
+    });
+  }
+}
+
+void Octree::merge_blocks(double max_error) {
   // Children come after their parents, so that going backwards meets them first.
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
@@ -143,7 +221,7 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
       const auto& points = nodes_[first + child].patch->points;
       merged.points.insert(merged.points.end(), points.begin(), points.end());
     }
-    const Box cell = lattice.cube(node.lower, node.level);
+    const Box cell = lattice_.cube(node.lower, node.level);
     if (is_flat(merged.points, max_error, merged.vertex))
       thin(merged.points, cell);
     else if (!reproduces(merged.points, cell, max_error, merged.vertex))
@@ -159,7 +237,7 @@ void Octree::merge_blocks(const Lattice& lattice, double max_error) {
     Node& node = nodes_[i];
     if (leaf_of_node[i] == none && node.patch && !node.patch->uniform()) {
       leaf_of_node[i] = static_cast<std::int32_t>(leafs_.size());
-      leafs_.push_back({node.lower, node.level, node.patch->corners, node.patch->vertex});
+      leafs_.push_back({node.lower, node.level, node.patch->corners, true, node.patch->vertex});
     }
     if (leaf_of_node[i] == none) continue;
     if (node.children >= 0)
@@ -188,19 +266,51 @@ void Octree::number_leafs() {
   for (const std::uint32_t block : block_order_) block_keys_.push_back(block_key(blocks_[block].lower));
 }
 
+std::uint64_t Octree::block_key(const LatticePoint& lower) const {
+  std::uint64_t key = 0;
+  for (const std::int32_t coordinate : lower) key = key << 21 | static_cast<std::uint64_t>(coordinate >> block_root());
+  return key;
+}
+
+const Block* Octree::block_at(const LatticePoint& lower) const {
+  if (*std::min_element(lower.begin(), lower.end()) < 0) return nullptr;
+  const std::uint64_t key = block_key(lower);
+  const auto found = std::lower_bound(block_keys_.begin(), block_keys_.end(), key);
+  if (found == block_keys_.end() || *found != key) return nullptr;
+  return &blocks_[block_order_[static_cast<std::size_t>(found - block_keys_.begin())]];
+}
+
 std::array<const Block*, 8> Octree::lower_neighbours(const Block& block) const {
+  const int side = 1 << block_root();
   std::array<const Block*, 8> neighbours{};
-  for (unsigned which = 0; which < 8; ++which) {
-    LatticePoint lower = block.lower;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (which >> axis & 1U) lower[axis] -= block_side;
-    if (*std::min_element(lower.begin(), lower.end()) < 0) continue;
-    const std::uint64_t key = block_key(lower);
-    const auto found = std::lower_bound(block_keys_.begin(), block_keys_.end(), key);
-    if (found != block_keys_.end() && *found == key)
-      neighbours[which] = &blocks_[block_order_[static_cast<std::size_t>(found - block_keys_.begin())]];
-  }
+  for (unsigned which = 0; which < 8; ++which)
+    neighbours[which] = block_at(moved(block.lower, (which & 1U) != 0 ? -side : 0, (which & 2U) != 0 ? -side : 0,
+                                       (which & 4U) != 0 ? -side : 0));
   return neighbours;
+}
+
+CellFound Octree::find(const LatticePoint& lower, int level) const {
+  CellFound found;
+  found.level = lattice_.voxel_level();
+  found.block = block_at(lower);
+  if (found.block == nullptr) return found;
+  const Block& block = *found.block;
+  const auto within = [&](std::size_t axis) { return (lower[axis] - block.lower[axis]) >> lattice_.voxel_level(); };
+  const std::size_t cell = Block::cell(within(0), within(1), within(2));
+  std::uint32_t leaf = block.leaf_at(cell) == Block::no_leaf ? Division::none : block.leaf_at(cell);
+  std::uint32_t next = block.division_at(cell);
+  while (next != Division::none && found.level > level) {
+    const Division& division = block.divisions[next];
+    unsigned child = 0;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      child |= static_cast<unsigned>((lower[axis] - division.lower[axis]) >> division.level) << axis;
+    if (leaf == Division::none) leaf = division.leafs[child];
+    next = division.parts[child];
+    found.level = division.level;
+  }
+  found.divided = next != Division::none;
+  if (leaf != Division::none) found.leaf = block.first_leaf + leaf;
+  return found;
 }
 
 }  // namespace fieldfab::contouring

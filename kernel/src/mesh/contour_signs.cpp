@@ -56,7 +56,39 @@ std::array<unsigned, 27> find_corners_around() {
   return around;
 }
 
+bool differs_diagonally(bool a, bool b, bool c, bool d) { return a == d && b == c && a != b; }
+
+std::array<bool, 512> find_plain_faces() {
+  std::array<bool, 512> plain{};
+  for (unsigned inside = 0; inside < 512; ++inside) {
+    const auto at = [&](unsigned u, unsigned v) { return (inside >> (u + 3 * v) & 1U) != 0; };
+    const auto between = [](bool middle, bool one, bool other) { return middle == one || middle == other; };
+    bool good = between(at(1, 0), at(0, 0), at(2, 0)) && between(at(1, 2), at(0, 2), at(2, 2)) &&
+                between(at(0, 1), at(0, 0), at(0, 2)) && between(at(2, 1), at(2, 0), at(2, 2));
+    good = good && (between(at(1, 1), at(0, 0), at(2, 0)) || between(at(1, 1), at(0, 2), at(2, 2)));
+    good = good && !differs_diagonally(at(0, 0), at(2, 0), at(0, 2), at(2, 2));
+    for (unsigned u = 0; u < 2; ++u)
+      for (unsigned v = 0; v < 2; ++v)
+        good = good && !differs_diagonally(at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1));
+    plain[inside] = good;
+  }
+  return plain;
+}
+
 }  // namespace
+
+std::uint8_t Division::corners(unsigned child) const {
+  const unsigned first = (child & 1U) + 3 * (child >> 1 & 1U) + 9 * (child >> 2);
+  unsigned bits = 0;
+  for (unsigned corner = 0; corner < 8; ++corner)
+    bits |= (inside >> (first + (corner & 1U) + 3 * (corner >> 1 & 1U) + 9 * (corner >> 2)) & 1U) << corner;
+  return static_cast<std::uint8_t>(bits);
+}
+
+bool is_plain_face(unsigned inside) {
+  static const std::array<bool, 512> table = find_plain_faces();
+  return table[inside];
+}
 
 bool is_simple(std::uint8_t corners) {
   static const std::array<bool, 256> table = find_simple();

@@ -15,7 +15,7 @@ struct ContourSettings {
   bool features = true;   ///< place vertices on sharp edges and corners; a sampled Field has none
   int depth = 6;          ///< how often a cell may be halved where that is not proved: 6 is a 64th of a voxel; 0: never
   /// How many cells may be halved in all; beyond that the smaller ones stay as they are, and count as uncertain.
-  std::size_t most_divided = 4'000'000;
+  std::size_t most_divided = 1'000'000;
 };
 
 /// A mesh, and how certain it is that it shows all of the solid.

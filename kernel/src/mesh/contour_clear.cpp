@@ -1,0 +1,230 @@
+#include "contour_clear.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "contour_octree.h"
+
+namespace fieldfab::contouring {
+namespace {
+
+// Five directions about a middle one span a pyramid. A Field that grows along all five grows along all directions of the round cone
+// in it; the tangent of the cone's half angle is that of the pyramid's edges times the cosine of 36 degrees.
+constexpr std::size_t edges_of_pyramid = 5;
+constexpr double cosine_36 = 0.80901699;
+
+/// The axes, and then the edges of a pyramid about `outward`.
+std::array<Vec3, 3 + edges_of_pyramid> directions_about(const Vec3& outward, double tangent) {
+  std::array<Vec3, 3 + edges_of_pyramid> directions{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  static const auto turns = [] {
+    std::array<Eigen::Vector2d, edges_of_pyramid> made;
+    for (std::size_t i = 0; i < edges_of_pyramid; ++i) {
+      const double angle = 2 * 3.14159265358979 * static_cast<double>(i) / edges_of_pyramid;
+      made[i] = {std::cos(angle), std::sin(angle)};
+    }
+    return made;
+  }();
+  const double length = std::sqrt(1 + tangent * tangent);
+  const Vec3 across = tangent / length * outward.unitOrthogonal(), third = outward.cross(across);
+  for (std::size_t i = 0; i < edges_of_pyramid; ++i)
+    directions[3 + i] = outward / length + turns[i].x() * across + turns[i].y() * third;
+  return directions;
+}
+
+/// Adds the directions of the gradients at the corners of a box: where planes meet in it, each of them shows at some corner.
+void add_gradients(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals) {
+  std::array<float, 8> x, y, z, value, dx, dy, dz;
+  for (unsigned i = 0; i < 8; ++i) {
+    x[i] = static_cast<float>((i & 1U) != 0 ? box.upper.x() : box.lower.x());
+    y[i] = static_cast<float>((i & 2U) != 0 ? box.upper.y() : box.lower.y());
+    z[i] = static_cast<float>((i & 4U) != 0 ? box.upper.z() : box.lower.z());
+  }
+  field.gradients({x.data(), y.data(), z.data(), 8}, value.data(), {dx.data(), dy.data(), dz.data()});
+  for (unsigned i = 0; i < 8; ++i) {
+    const Eigen::Vector3f gradient(dx[i], dy[i], dz[i]);
+    const float length = gradient.norm();
+    if (std::isfinite(length) && length > 0) normals.push_back(gradient / length);
+  }
+}
+
+/// The axis of a narrow cone about some directions: the mean of them, turned towards the one that is farthest off again and again
+/// (Badoiu and Clarkson 2003, for balls).
+Eigen::Vector3f axis_of(const std::vector<Eigen::Vector3f>& directions) {
+  Eigen::Vector3f axis = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& direction : directions) axis += direction;
+  if (const float length = axis.norm(); length > 1e-6F)
+    axis /= length;
+  else
+    axis = directions.empty() ? Eigen::Vector3f::UnitZ() : directions.front();
+  constexpr int turns = 24;
+  for (int turn = 1; turn <= turns && !directions.empty(); ++turn) {
+    const Eigen::Vector3f* farthest = &directions.front();
+    for (const Eigen::Vector3f& direction : directions)
+      if (direction.dot(axis) < farthest->dot(axis)) farthest = &direction;
+    constexpr float near = 0.95F;
+    if (farthest->dot(axis) > near) break;
+    axis = (axis + (*farthest - axis) / static_cast<float>(turn + 1)).eval();
+    if (const float length = axis.norm(); length > 1e-6F) axis /= length;
+  }
+  return axis.normalized();
+}
+
+}  // namespace
+
+Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings) {
+  add_gradients(field, box, normals);
+  const Vec3 outward = axis_of(normals).cast<double>();
+  const double steepest = std::ldexp(steepest_in_voxels, halvings);
+  const auto directions = directions_about(outward, 1 / (steepest * cosine_36));
+  std::array<Interval, 3 + edges_of_pyramid> slopes;
+  field.slopes(box, directions, slopes);
+  Proof proof;
+  proof.one_sheet = proof.known = true;
+  double change = 0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Interval& slope = slopes[i];
+    if (slope.maybe_nan) return {false, false, std::numeric_limits<double>::infinity()};
+    if (i < 3)
+      change += std::max(std::abs(slope.lower), std::abs(slope.upper));
+    else
+      proof.one_sheet = proof.one_sheet && slope.lower >= 0 && slope.upper > 0;
+  }
+  constexpr double rounding = 1.001;
+  proof.change = rounding * change * side / 2;
+  return proof;
+}
+
+namespace {
+
+/// Looks at a block, then at its parts where that is not enough.
+class BlockInspector {
+ public:
+  BlockInspector(const Lattice& lattice, const LatticePoint& block, const BlockSamples& samples)
+      : lattice_(lattice), block_(block), samples_(samples) {
+    open_.fill(true);
+  }
+
+  std::vector<UnclearCell> run(const Field& field) {
+    field_ = &field;
+    add_ambiguous_cells();
+    if (!field.affine()) {
+      std::vector<std::uint32_t> points(samples_.points.size());
+      for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+      inspect({0, 0, 0}, block_side, field, points);
+    } else {
+      known_ = true;
+    }
+    return std::move(unclear_);
+  }
+  [[nodiscard]] bool known() const { return known_; }
+
+ private:
+  using Corner = std::array<int, 3>;  // in cells from the block's
+
+  [[nodiscard]] LatticePoint point(const Corner& at) const {
+    const int step = lattice_.voxel_level();
+    return moved(block_, at[0] << step, at[1] << step, at[2] << step);
+  }
+  [[nodiscard]] Box cube(const Corner& at, int side) const {
+    int level = lattice_.voxel_level();
+    for (int s = side; s > 1; s /= 2) ++level;
+    return lattice_.cube(point(at), level).grown(overlap * lattice_.voxel());
+  }
+
+  /// Cells with several patches, or a face that could be joined in two ways.
+  void add_ambiguous_cells() {
+    for (int z = 0; z < block_side; ++z)
+      for (int y = 0; y < block_side; ++y)
+        for (int x = 0; x < block_side; ++x) {
+          const std::uint8_t corners = samples_.corners[Block::cell(x, y, z)];
+          if (is_uniform(corners) || is_simple(corners)) continue;
+          open_[Block::cell(x, y, z)] = false;
+          add({x, y, z}, field_->restricted(cube({x, y, z}, 1)).field);
+        }
+  }
+  void add(const Corner& at, FieldPtr field) { unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field)}); }
+
+  [[nodiscard]] bool any_open(const Corner& at, int side) const {
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x)
+          if (open_[Block::cell(x, y, z)]) return true;
+    return false;
+  }
+
+  void inspect(const Corner& at, int side, const Field& field, std::span<const std::uint32_t> points) {
+    const Box box = cube(at, side);
+    normals_.clear();
+    for (const std::uint32_t i : points) normals_.push_back(samples_.points[i].normal);
+    const Proof proof = look(field, box, normals_, lattice_.voxel(), 0);
+    known_ = known_ || proof.known;
+    if (proof.one_sheet) return;
+    if (proof.known) close_far_cells(at, side, proof.change);
+    if (side == 1) {
+      if (open_[Block::cell(at[0], at[1], at[2])]) add(at, field.shared_from_this());
+      return;
+    }
+    inspect_parts(at, side / 2, field, points);
+  }
+
+  void inspect_parts(const Corner& at, int half, const Field& field, std::span<const std::uint32_t> points) {
+    std::array<Corner, 8> corner;
+    std::array<Box, 8> boxes;
+    std::size_t count = 0;
+    for (int part = 0; part < 8; ++part) {
+      const Corner here{at[0] + (part & 1) * half, at[1] + (part >> 1 & 1) * half, at[2] + (part >> 2) * half};
+      if (!any_open(here, half)) continue;
+      corner[count] = here;
+      boxes[count++] = cube(here, half);
+    }
+    std::array<Restriction, 8> parts;
+    field.restrict_all({boxes.data(), count}, Purpose::value, parts);
+    std::vector<std::uint32_t> inner;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (parts[i].range.decided()) continue;
+      inner.clear();
+      for (const std::uint32_t j : points)
+        if (boxes[i].contains(samples_.points[j].position.cast<double>())) inner.push_back(j);
+      inspect(corner[i], half, *parts[i].field, inner);
+    }
+  }
+
+  /// Cells whose corners are all on one side, farther from zero than the value can change on the way to any point of the cell.
+  void close_far_cells(const Corner& at, int side, double change) {
+    constexpr int row = block_side + 1;
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x) {
+          const std::size_t cell = Block::cell(x, y, z);
+          if (!open_[cell] || !is_uniform(samples_.corners[cell])) continue;
+          const float* value = samples_.values + x + row * (y + row * z);
+          float least = std::numeric_limits<float>::infinity();
+          for (const int corner : {0, 1, row, row + 1, row * row, row * row + 1, row * row + row, row * row + row + 1})
+            least = std::min(least, std::abs(value[corner]));
+          if (static_cast<double>(least) > change) open_[cell] = false;
+        }
+  }
+
+  const Lattice& lattice_;
+  const LatticePoint& block_;
+  const BlockSamples& samples_;
+  const Field* field_ = nullptr;
+  std::array<bool, block_side * block_side * block_side> open_;
+  std::vector<UnclearCell> unclear_;
+  std::vector<Eigen::Vector3f> normals_;
+  bool known_ = false;
+};
+
+}  // namespace
+
+std::vector<UnclearCell> unclear_cells(const Field& field, const Lattice& lattice, const LatticePoint& block,
+                                       const BlockSamples& samples, bool& known) {
+  BlockInspector inspector(lattice, block, samples);
+  std::vector<UnclearCell> unclear = inspector.run(field);
+  known = known || inspector.known();
+  return unclear;
+}
+
+}  // namespace fieldfab::contouring
