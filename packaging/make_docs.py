@@ -66,13 +66,13 @@ def gallery():
         title, *text = path.read_text().splitlines()
         name = path.stem.replace("_", " ")
         lines += [f"## {name.capitalize()}", "", title.lstrip("# ").capitalize() + ".", "", f"![{name}](figures/gallery/{path.stem}.png)", ""]
-        lines += ["```", *text, "```", ""]
+        lines += ["```frep", *text, "```", ""]
     for path in sorted((ROOT / "examples" / "openscad").glob("*.scad")):
         if path.stem == "fieldfab":  # the library, put there by a run
             continue
         title, *text = path.read_text().splitlines()
         lines += [f"## {path.stem.capitalize()}, in OpenSCAD", "", title.lstrip("/ "), "", f"![{path.stem}](figures/openscad_{path.stem}.png)", ""]
-        lines += [f"`fieldfab openscad examples/openscad/{path.name} -o {path.stem}.stl` ([openscad.md](openscad.md))", "", "```", *text, "```", ""]
+        lines += [f"`fieldfab openscad examples/openscad/{path.name} -o {path.stem}.stl` ([openscad.md](openscad.md))", "", "```openscad", *text, "```", ""]
     return "\n".join(lines)
 
 
