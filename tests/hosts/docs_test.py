@@ -1,0 +1,396 @@
+"""README.md and docs/*.md: each command is run as it is written there, each session of Python compared with what it prints, each model,
+job, set-up and script read, and each option, file and heading that is named looked for.
+
+Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in PLACEHOLDERS."""
+
+import contextlib
+import fnmatch
+import os
+import re
+import shutil
+import signal
+import subprocess
+import time
+
+import numpy as np
+import pytest
+from conftest import BUILD, COMMAND, ROOT
+from documents import DOCUMENTS, NAME_OF_VERB
+from freecad_host import screen  # noqa: F401: a fixture
+
+import fieldfab as ff
+
+SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the windows
+SECONDS = 120  # for a command
+
+# Commands that are not run here, and why.
+NOT_RUN = {
+    "./dev test": "runs this very test",
+    "./dev demo": "takes minutes",
+    "./dev bench": "takes more than ten minutes",
+    "./dev docs": "takes minutes, and writes the documents that are tested",
+    "./dev install-meshlab": "writes into the system, as root",
+    "build/release/bin/simulation_figures": "takes minutes",
+    "build/release/bin/volume_figures FOLDER large": "takes minutes and gigabytes",
+    "ffmpeg -i FOLDER/frame_%04d.png film.mp4": "ffmpeg is none of Fieldfab's packages",
+}
+
+# Commands that open a window, and what its title begins or ends with.
+WINDOWS = {r"\./dev freecad\b": "^FreeCAD", r"\./dev meshlab\b": "^MeshLab", r"\S*fieldfab edit\b": "Fieldfab$"}
+
+# What words in capitals stand for, one after the other.
+PLACEHOLDERS = {
+    "VERB": ["build", "mesh", "render", "check", "info", "convert", "edit", "cam", "simulate", "openscad"],
+    "JOB.toml": ["examples/cam/pcb_modela.toml"],
+    "PROGRAM": ["part.ngc"],
+    "SETUP.toml": ["part.toml"],
+    "MODEL": ["part.frep"],
+}
+
+JOB = """machine = "linuxcnc"
+input.model = "part.frep"
+stock.margin = 5
+tool = [{ number = 1, diameter = 3, flute = 12, length = 30 }]
+operation = [{ type = "profile", tool = 1 }]
+"""
+
+
+def copy_of(source):
+    return lambda path: shutil.copy(ROOT / source, path)
+
+
+def text(words):
+    return lambda path: path.write_text(words)
+
+
+def scan(path):
+    """Of a ball of 9 mm, with a scanner's 12 bits and a blurred surface: the scans of tests/data have 8 bits."""
+    z, y, x = np.mgrid[-12:12.1:0.5, -12:12.1:0.5, -12:12.1:0.5]
+    densities = np.round(1000 / (1 + np.exp((np.sqrt(x**2 + y**2 + z**2) - 9) / 0.3))).astype("<i2")
+    head = "NRRD0004\ntype: short\ndimension: 3\nsizes: 49 49 49\nspacings: 0.5 0.5 0.5\nendian: little\nencoding: raw\n\n"
+    path.write_bytes(head.encode() + densities.tobytes())
+
+
+def mesh(path):
+    ff.mesh(ff.parse("sphere(10) | move(box(8, 8, 8), 9)"), voxel=0.5).save(path)
+
+
+def program(path):
+    give("part.toml", path.parent)
+    subprocess.run([COMMAND, "cam", "part.toml", "-o", path], cwd=path.parent, check=True)
+
+
+def job(path):
+    give("part.frep", path.parent)
+    path.write_text(JOB)
+
+
+# Made where a command names one that no command before it has made.
+GIVEN = {
+    "part.scad": copy_of("tests/data/openscad/knurl.scad"),
+    "knob.scad": text("use <fieldfab.scad>\nsmooth_union(r = 2, voxel = 1) { cylinder(h = 4, r = 16); cylinder(h = 18, r = 9); }\n"),
+    "bracket.frep": text("move(box(30, 30, 8), dz = -5)\n"),
+    "part.frep": text("box(20, 12, 4)\n"),
+    "part.toml": job,
+    "part.ngc": program,
+    "scan.nrrd": scan,
+    "part.ply": mesh,
+}
+
+
+def give(name, folder):
+    if not (folder / name).exists():
+        GIVEN[name](folder / name)
+
+
+def given_in(words):
+    return [name for name in GIVEN if re.search(rf"(?<![\w./-]){re.escape(name)}\b", words)]
+
+
+# What a document's commands find.
+
+
+@pytest.fixture(scope="module")
+def folders(tmp_path_factory):
+    """For each document a folder like the source tree, in which commands may write; its commands are run in it in their order."""
+    made = {}
+
+    def folder_of(document):
+        if document not in made:
+            made[document] = folder = tmp_path_factory.mktemp("tree")
+            for each in ROOT.iterdir():
+                if each.name not in ("build", "out", "examples", "dev", ".git"):
+                    (folder / each.name).symlink_to(each)
+            shutil.copy(ROOT / "dev", folder / "dev")  # it works in the folder where it is
+            shutil.copytree(ROOT / "examples", folder / "examples", ignore=shutil.ignore_patterns("fieldfab-cache"))
+            (folder / "build").mkdir()
+            (folder / "build" / "release").symlink_to(BUILD)
+            (folder / "home" / "bin").mkdir(parents=True)
+            (folder / "home" / "bin" / "cmake").write_text("#!/bin/sh\n")  # ./dev builds first, and the build is there
+            (folder / "home" / "bin" / "cmake").chmod(0o755)
+        return made[document]
+
+    return folder_of
+
+
+def environment(folder, **more):
+    kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON", "QT", "DISPLAY", "WAYLAND"))}
+    cache = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))
+    return {"FIELDFAB_CACHE": f"{cache}/fieldfab", **kept, "HOME": str(folder / "home"), "XDG_RUNTIME_DIR": str(folder / "home"), "LIBGL_ALWAYS_SOFTWARE": "1",
+            "PATH": os.pathsep.join(map(str, (folder / "home" / "bin", BUILD / "bin", os.environ["PATH"]))), **more}
+
+
+@contextlib.contextmanager
+def started(command, folder, **more):
+    """A command under way, and the file that takes what it says; ended with all that it started."""
+    log = folder / "home" / "said"
+    log.parent.mkdir(exist_ok=True)
+    with open(log, "w") as file:
+        process = subprocess.Popen(["bash", "-c", command], cwd=folder, env=environment(folder, **more), stdin=subprocess.DEVNULL, stdout=file,
+                                   stderr=subprocess.STDOUT, start_new_session=True)
+    try:
+        yield process, log
+    finally:
+        for asked in (signal.SIGTERM, signal.SIGKILL):  # asked first, the command ends what it has started itself
+            with contextlib.suppress(ProcessLookupError, subprocess.TimeoutExpired):
+                os.killpg(process.pid, asked)
+                process.wait(5)
+
+
+def run(command, folder, **more):
+    """What it said; it must end well, and leave the files that it was to write."""
+    for name in given_in(command):
+        give(name, folder)
+    outputs = [folder / name for name in re.findall(r" (?:-o|--picture|--sheet|--report|--histogram) (\S+)", command)]
+    for path in outputs:
+        path.unlink(missing_ok=True)
+    with started(command, folder, **more) as (process, log):
+        try:
+            code = process.wait(SECONDS)
+        except subprocess.TimeoutExpired:
+            code = "no end"
+        said = log.read_text(errors="replace")
+    assert code == 0, f"{command}: {code}\n{said[-3000:]}"
+    assert [path.name for path in outputs if not path.exists()] == [], said
+    return said
+
+
+def forms(command):
+    """A command with and without what is in brackets, and with everything that its capitals may stand for."""
+    found = [command] if "[-" not in command else [re.sub(r" \[-[^]]*\]", "", command), re.sub(r"\[(-[^]]*)\]", r"\1", command)]
+    for name, values in PLACEHOLDERS.items():
+        if name in command.split() or f"[-{name}" in command or f" {name}]" in command:
+            found = [re.sub(rf"(?<= ){re.escape(name)}(?= |$)", value, each) for each in found for value in values]
+    return list(dict.fromkeys(found))
+
+
+def opens_a_window(command):
+    return next((title for pattern, title in WINDOWS.items() if re.match(pattern, command)), None)
+
+
+COMMANDS = [each for document in DOCUMENTS for each in document.commands]
+FIRST = {each.command: each for each in COMMANDS[::-1]}
+# A command that reads the source tree alone, or opens a window, does the same in every document.
+TO_RUN = [each for each in COMMANDS if each.command not in NOT_RUN
+          and (FIRST[each.command] is each or not (opens_a_window(each.command) or re.match(r"fieldfab \w+ examples/", each.command)))]
+BLOCKS = [block for document in DOCUMENTS for block in document.blocks]
+SPANS = [span for document in DOCUMENTS for span in document.spans]
+
+
+def each_of(places):
+    return pytest.mark.parametrize("place", places, ids=lambda place: place.name)
+
+
+@each_of([each for each in TO_RUN if not opens_a_window(each.command)])
+def test_command(place, folders):
+    folder = folders(place.document)
+    if place.session:
+        (folder / "session").write_text(place.session)
+        for name in given_in(place.session):
+            give(name, folder)
+        run(f"{place.command} -m doctest session", folder)
+        return
+    for command in forms(place.text):
+        run(command, folder)
+
+
+def window_on(screen, title):  # noqa: F811
+    """The width of the largest window with that title; 0 where there is none."""
+    search = ["xdotool", "search", "--onlyvisible", "--name", title, "getwindowgeometry", "--shell", "%@"]
+    said = subprocess.run(search, env={**os.environ, "DISPLAY": screen}, capture_output=True, text=True).stdout
+    return max(map(int, re.findall(r"WIDTH=(\d+)", said)), default=0)
+
+
+@each_of([each for each in TO_RUN if opens_a_window(each.command)])
+def test_command_opens_its_window(place, folders, screen):  # noqa: F811
+    folder, end = folders(place.document), time.monotonic() + SECONDS
+    [command] = forms(place.text)
+    for name in given_in(command):
+        give(name, folder)
+    with started(command, folder, DISPLAY=screen) as (process, log):
+        while window_on(screen, opens_a_window(command)) < 500:  # splash screens and messages are smaller
+            assert process.poll() is None and time.monotonic() < end, log.read_text(errors="replace")[-3000:]
+            time.sleep(0.2)
+        time.sleep(2)
+        assert process.poll() is None, log.read_text(errors="replace")[-3000:]
+        if SHOTS:
+            time.sleep(3)
+            shot = os.path.join(SHOTS, f"{place.name.replace('/', '_').replace(':', '_')}.png")
+            subprocess.run(["import", "-window", "root", shot], env={**os.environ, "DISPLAY": screen}, check=True)
+        assert "Traceback" not in log.read_text(errors="replace")
+
+
+PROBE = """
+import FreeCADGui
+from PySide2 import QtCore
+def look():
+    with open("seen", "w") as file:
+        file.write(FreeCADGui.activeWorkbench().name())
+    FreeCADGui.activateWorkbench("StartWorkbench")  # its page ends root's FreeCAD where it may not
+    QtCore.QTimer.singleShot(3000, FreeCADGui.getMainWindow().close)
+QtCore.QTimer.singleShot(1000, look)
+"""
+
+
+def test_dev_freecad_has_the_workbench_chosen(folders, screen):  # noqa: F811
+    """It starts, shows its start page, saves its settings and ends, and leaves the user's own as they were."""
+    folder = folders("README.md")
+    (folder / "probe.py").write_text(PROBE)
+    before = own_freecad(folder)
+    run("./dev freecad probe.py", folder, DISPLAY=screen)
+    assert (folder / "seen").read_text() == "FieldfabWorkbench"
+    assert "StartWorkbench" in (folder / "build" / "freecad" / "FreeCAD" / "user.cfg").read_text()
+    assert own_freecad(folder) == before
+
+
+def own_freecad(folder):
+    """The user's settings and add-ons, and when they were changed."""
+    return {path: path.lstat().st_mtime for name in (".config", ".local") for path in (folder / "home" / name).rglob("*")}
+
+
+# Blocks that are no commands.
+
+LANGUAGES = {"sh", "frep", "toml", "openscad", "xml"}
+UNTESTED = {"text": "a drawing or a table", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
+
+
+# The designs of examples/, without their titles, where a command runs the file.
+RUN_AS_FILES = {path.read_text().partition("\n")[2].strip() for path in (ROOT / "examples" / "openscad").glob("*.scad")
+                if any(f"examples/openscad/{path.name}" in each.command for each in TO_RUN)}
+
+
+def of_language(language):
+    return each_of([block for block in BLOCKS if block.language == language and block.text not in RUN_AS_FILES])
+
+
+@of_language("frep")
+def test_formula(place):
+    ff.parse(place.text)
+
+
+@of_language("toml")
+def test_job_machine_or_setup(place, tmp_path):
+    (tmp_path / "part.frep").write_text("box(1, 0.6, 0.2)\n")  # inches
+    tables = set(re.findall(r"^\[+(\w+)", place.text, re.M))
+    if "operation" in tables:
+        (tmp_path / "job.toml").write_text(place.text)
+        run(f"'{COMMAND}' cam job.toml -o job.out", tmp_path)
+    elif "stock" in tables:
+        give("bracket.frep", tmp_path)
+        (tmp_path / "setup.toml").write_text(place.text)
+        (tmp_path / "air.ngc").write_text("G21 G90 G54 T1 M6\nM3 S1000\nG1 X0 Y0 Z15 F1000\nM2\n")
+        run(f"'{COMMAND}' simulate air.ngc --setup setup.toml -o part.stl", tmp_path)
+    else:
+        assert "text" in tables or "kinematics" in tables
+        (tmp_path / "part.frep").write_text("move(box(20, 12, 4), 30, 30)\n")  # no place below 0
+        machine = place.text
+        if "text" not in tables:  # the axes of a machine that has others
+            head = (ROOT / "cam" / "machine" / "five_axis_head.toml").read_text()
+            machine = re.sub(r"^\[kinematics\].*?(?=^\[(?!\[?kinematics))", lambda _: place.text + "\n", head, flags=re.M | re.S)
+            assert place.text in machine
+        (tmp_path / "mine.toml").write_text(machine)
+        (tmp_path / "job.toml").write_text(JOB.replace("linuxcnc", "mine.toml"))
+        run(f"'{COMMAND}' cam job.toml -o part.out", tmp_path)
+
+
+@of_language("openscad")
+def test_design(place, tmp_path):
+    (tmp_path / "design.scad").write_text(place.text)
+    for name in given_in(place.text):
+        give(name, tmp_path)
+    run(f"'{COMMAND}' openscad design.scad -o design.stl", tmp_path)
+
+
+@of_language("xml")
+def test_script_of_meshlab(place, tmp_path, screen):  # noqa: F811
+    (tmp_path / "script.mlx").write_text(place.text)
+    run(f"'{BUILD}/meshlab/meshlabserver' -i part.ply -o remeshed.ply -s script.mlx", tmp_path, DISPLAY=screen)
+
+
+def test_each_block_says_what_it_is():
+    assert [(block.name, block.language) for block in BLOCKS if block.language not in LANGUAGES and block.language not in UNTESTED] == []
+
+
+# The lists above, and all else that is named.
+
+
+def test_lists_name_what_documents_have():
+    commands = {each.command for each in COMMANDS}
+    assert [command for command in NOT_RUN if command not in commands] == []
+    assert [pattern for pattern in WINDOWS if not any(re.match(pattern, command) for command in commands)] == []
+    assert [name for name in PLACEHOLDERS if not any(re.search(rf"\b{name}\b", command) for command in commands)] == []
+    words = [block.text for block in BLOCKS] + [each for place in TO_RUN for each in (*forms(place.text), place.session)]
+    named = {name for each in words for name in given_in(each)}
+    assert [name for name in GIVEN if name not in named] == []
+    assert [language for language in UNTESTED if language not in {block.language for block in BLOCKS}] == []
+
+
+@pytest.fixture(scope="module")
+def options():
+    """The options of each verb by its help, and under None those of all programs."""
+    told = lambda *words, **more: set(re.findall(r"--[a-z][\w-]+", subprocess.run(words, capture_output=True, text=True, check=True, **more).stdout))
+    found = {verb: told(COMMAND, verb, "--help") | told(COMMAND, "--help") for verb in PLACEHOLDERS["VERB"]}
+    bricks = told("/usr/bin/python3", "-m", "fieldfab.bricks", "--help", env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
+    return {**found, None: set.union(bricks, *found.values())}
+
+
+def test_options_exist(options):
+    missing = []
+    for span in SPANS:
+        verb = re.match(r"fieldfab (\w+)", span.text)
+        known = options.get(verb[1] if verb and verb[1] != "VERB" else None, ())
+        missing += [(span.name, option) for option in re.findall(r"(?<!\S)--[a-z][\w-]+", span.text) if option not in known]
+    assert missing == []
+
+
+def test_named_verbs_exist():
+    named = {(span.name, found[1]) for span in SPANS if (found := re.fullmatch(NAME_OF_VERB, span.text))}
+    assert named and [each for each in named if each[1] not in PLACEHOLDERS["VERB"]] == []
+
+
+def test_links_lead_somewhere():
+    anchor = lambda heading: re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+    headings = {str(document.folder / document.name.split("/")[-1]): {anchor(each) for each in document.headings} for document in DOCUMENTS}
+    wrong = []
+    for document in DOCUMENTS:
+        for link in document.links:
+            if link.text.startswith("http"):
+                continue
+            path, _, place = link.text.partition("#")
+            target = (document.folder / path).resolve() if path else ROOT / document.name
+            if not target.exists() or (place and place not in headings[str(target)]):
+                wrong.append((link.name, link.text))
+    assert wrong == []
+
+
+def test_files_of_the_tree_exist():
+    """Where a path begins is not always said: `frep/tape.cpp` is anywhere."""
+    known = {str(path.relative_to(ROOT)) for top in ROOT.iterdir() if top.name not in ("build", "out", ".git") for path in [top, *top.rglob("*")]}
+    ends = {path[n:] for path in known for n in range(len(path)) if n == 0 or path[n - 1] == "/"}
+    wrong = []
+    for document in DOCUMENTS:
+        for span in document.spans:
+            if re.fullmatch(r"[\w./-]+\.(cpp|h|inl|py)|(tests|docs|examples|cam|kernel|packaging|cli|python)/[\w./-]*", span.text):
+                if "NAME" not in span.text and not fnmatch.filter(ends, span.text.rstrip("/").replace("...", "*")):
+                    wrong.append((span.name, span.text))
+    assert wrong == []
