@@ -30,7 +30,7 @@ nlohmann::ordered_json json_of(const Certainty& certainty) {
   auto places = nlohmann::ordered_json::array();
   for (const UncertainPlace& place : certainty.places)
     places.push_back({{"bounds", json_of(place.box)}, {"thickness", place.thickness}});
-  return {{"count", certainty.count},     {"largest", certainty.largest}, {"thickness", certainty.thickness},
+  return {{"count", certainty.count},   {"largest", certainty.largest}, {"thickness", certainty.thickness},
           {"finest", certainty.finest}, {"text", certainty.text()},     {"places", places}};
 }
 
@@ -127,9 +127,9 @@ class MeshVerb final : public Verb {
                                       : "no surface was found, and no mesh was written; " + certainty.text());
     write_mesh(mesh, options_.output, progress);
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {}, {:.2f} s", options_.output,
-                               mesh.triangles.size(), mesh.vertices.size(), mesh.volume(),
-                               faces ? "exact faces" : certainty.text(), clock.seconds());
+    outcome.line =
+        fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {}, {:.2f} s", options_.output, mesh.triangles.size(),
+                    mesh.vertices.size(), mesh.volume(), faces ? "exact faces" : certainty.text(), clock.seconds());
     outcome.code = certain_ && !certainty.certain() ? 1 : 0;
     outcome.json = {{"output", options_.output},
                     {"triangles", mesh.triangles.size()},

@@ -204,6 +204,10 @@ class SlopeRun {
       }
       return total;
     }
+    const auto zero = [](float slope) { return slope == 0; };
+    if (slopes.known && std::all_of(slopes.lower, slopes.lower + slope_lanes, zero) &&
+        std::all_of(slopes.upper, slopes.upper + slope_lanes, zero))
+      return all(0);
     if (value.lower <= 0) return unknown();
     return scaled(inverse({2 * value.lower, 2 * value.upper, false}), slopes);
   }

@@ -10,6 +10,7 @@ std::string Certainty::text() const {
   switch (doubt) {
     case Doubt::none: break;
     case Doubt::finest_size: why = "the smallest cells"; break;
+    case Doubt::not_proved: why = "nothing is seen to be missing, but its slopes there are too roughly known for a proof"; break;
     case Doubt::too_many: why = "the limit of divided cells was reached"; break;
     case Doubt::slopes_unknown: why = "this kind of solid does not tell its slopes"; break;
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contour_cells.h"
 #include "contour_curves.h"
@@ -15,7 +16,6 @@ namespace fieldfab {
 
 ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
   using namespace contouring;
-  const Lattice lattice(bounds, wanted.voxel, std::clamp(wanted.depth, 0, 6));
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
@@ -23,17 +23,23 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   constexpr double steep = 8;
   const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
 
-  const Octree octree(*solid, lattice, settings, progress);
+  std::optional<Lattice> halved;
+  std::optional<Octree> cells;
+  int depth = std::clamp(wanted.depth, 0, 6);
+  for (;; --depth, settings.voxel /= 2) {
+    halved.emplace(bounds, settings.voxel, depth);
+    cells.emplace(*solid, *halved, settings, progress);
+    if (!cells->wants_half_voxel()) break;
+  }
+  const Lattice& lattice = *halved;
+  const Octree& octree = *cells;
   progress.report(0.8, "tracing curves");
   const Curves curves = trace_curves(*solid, lattice, octree, settings.features, progress);
   progress.report(0.9, "filling cells");
   FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
   progress.report(0.95, "sharpening edges");
-  for (std::size_t halvings = 0; halvings < filled.creased.size(); ++halvings) {
-    const double side = std::ldexp(lattice.voxel(), -static_cast<int>(halvings));
-    sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased[halvings], filled.mesh,
-            progress);
-  }
+  const double side = lattice.voxel();
+  sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased, filled.mesh, progress);
   return {std::move(filled.mesh), octree.certainty()};
 }
 

@@ -71,6 +71,8 @@ class BlockSampler {
     for (int z = 0; z < block_side; ++z)
       for (int y = 0; y < block_side; ++y)
         for (int x = 0; x < block_side; ++x) signs[Block::cell(x, y, z)] = corners(x, y, z, 1);
+    seen.crossed = static_cast<std::size_t>(
+        std::count_if(signs.begin(), signs.end(), [](std::uint8_t corners) { return !is_uniform(corners); }));
     seen.unclear = unclear_cells(field_, lattice_, lower_, {value_.data(), signs, points}, seen.known);
   }
 
@@ -417,9 +419,9 @@ class BlockSampler {
   std::vector<Edge> edges_;
   std::array<std::array<Cube, 512>, block_level + 1> cubes_;  // by level; see cube_index()
   std::vector<SurfacePoint> points_;
-  std::span<const std::uint32_t> divided_;        // Block::division_of
-  std::vector<std::optional<Patch>> patches_;     // by division: the one patch that it is, where it is
-  std::vector<std::uint32_t> apart_;              // divisions of whole cells that are leafs in parts
+  std::span<const std::uint32_t> divided_;     // Block::division_of
+  std::vector<std::optional<Patch>> patches_;  // by division: the one patch that it is, where it is
+  std::vector<std::uint32_t> apart_;           // divisions of whole cells that are leafs in parts
 };
 
 }  // namespace

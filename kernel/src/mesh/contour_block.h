@@ -18,13 +18,15 @@ struct Patch {
 
 /// What the cells of a block are, before any is divided.
 struct BlockView {
-  std::optional<Patch> patch;          ///< where all of the block is one
-  std::vector<UnclearCell> unclear;    ///< cells that may hide something; where there are any, the rest is left open
-  bool known = false;                  ///< whether the Field told its slopes anywhere
+  std::optional<Patch> patch;        ///< where all of the block is one
+  std::vector<UnclearCell> unclear;  ///< cells that may hide something; where there are any, the rest is left open
+  bool known = false;                ///< whether the Field told its slopes anywhere
+  std::size_t crossed = 0;           ///< how many cells the surface is seen to pass
 };
 
 /// Samples `field` (the solid, good in the block and about it) at the block's 9x9x9 lattice points, looks whether its cells are
-/// clear, and merges them. Where all of the block is one patch `block` gets its crossings only, until it is known how far it merges.
+/// clear, and merges them. Where all of the block is one patch `block` gets its crossings only, until it is known how far it
+/// merges.
 BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
                      Block& block);
 

@@ -21,8 +21,7 @@ struct CellCurve {
 struct Piece {
   std::vector<Position> vertices;
   std::vector<Triangle> triangles;
-  /// Triangles of cells that a sharp edge may pass through, by how often a voxel was halved for these.
-  std::vector<std::vector<std::uint32_t>> creased;
+  std::vector<std::uint32_t> creased;  ///< triangles of cells that a sharp edge may pass through
 };
 
 constexpr std::uint32_t first_new = 1U << 31;
@@ -45,11 +44,9 @@ class CellFiller {
       fill_several(leaf, around);
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
-    if (features_ && is_creased(leaf, around) && !is_smooth(leaf)) {
-      const auto halvings = static_cast<std::size_t>(std::max(0, lattice_.voxel_level() - leaf.level));
-      if (piece_.creased.size() <= halvings) piece_.creased.resize(halvings + 1);
-      for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased[halvings].push_back(t);
-    }
+    // Cells that were divided are small enough for their edges to be near where they should be.
+    if (features_ && leaf.level >= lattice_.voxel_level() && is_creased(leaf, around) && !is_smooth(leaf))
+      for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
   }
 
  private:
@@ -67,9 +64,7 @@ class CellFiller {
 
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
   /// Edge of the cells that a leaf was merged from, or a voxel: what the surface is seen by there.
-  [[nodiscard]] double cell_side(const Leaf& leaf) const {
-    return lattice_.side(std::min(leaf.level, lattice_.voxel_level()));
-  }
+  [[nodiscard]] double cell_side(const Leaf& leaf) const { return lattice_.side(std::min(leaf.level, lattice_.voxel_level())); }
   [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const {
     return static_cast<std::uint32_t>(curves_.positions.size()) + bend;
   }
@@ -280,10 +275,7 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
   mesh.triangles.reserve(triangles);
   for (Piece& piece : pieces) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-    if (filled.creased.size() < piece.creased.size()) filled.creased.resize(piece.creased.size());
-    for (std::size_t halvings = 0; halvings < piece.creased.size(); ++halvings)
-      for (const std::uint32_t t : piece.creased[halvings])
-        filled.creased[halvings].push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
+    for (const std::uint32_t t : piece.creased) filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
     for (Triangle triangle : piece.triangles) {
       for (std::uint32_t& vertex : triangle)
         if (vertex >= first_new) vertex = vertex - first_new + offset;

@@ -6,11 +6,10 @@
 
 namespace fieldfab::contouring {
 
-/// A closed mesh, and which of its triangles are in cells that a sharp edge may pass through: by how often a voxel was halved for
-/// these.
+/// A closed mesh, and which of its triangles are in cells of a voxel or more that a sharp edge may pass through.
 struct FilledCells {
   TriangleMesh mesh;
-  std::vector<std::vector<std::uint32_t>> creased;
+  std::vector<std::uint32_t> creased;
 };
 
 /// Spans the closed loops of curves around each leaf with triangles that meet its faces in those curves only.

@@ -1,6 +1,7 @@
 #include "contour_clear.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,8 +11,8 @@
 namespace fieldfab::contouring {
 namespace {
 
-// Five directions about a middle one span a pyramid. A Field that grows along all five grows along all directions of the round cone
-// in it; the tangent of the cone's half angle is that of the pyramid's edges times the cosine of 36 degrees.
+// Five directions about a middle one span a pyramid. A Field that grows along all five grows along all directions of the round
+// cone in it; the tangent of the cone's half angle is that of the pyramid's edges times the cosine of 36 degrees.
 constexpr std::size_t edges_of_pyramid = 5;
 constexpr double cosine_36 = 0.80901699;
 
@@ -49,50 +50,145 @@ void add_gradients(const Field& field, const Box& box, std::vector<Eigen::Vector
   }
 }
 
-/// The axis of a narrow cone about some directions: the mean of them, turned towards the one that is farthest off again and again
-/// (Badoiu and Clarkson 2003, for balls).
-Eigen::Vector3f axis_of(const std::vector<Eigen::Vector3f>& directions) {
-  Eigen::Vector3f axis = Eigen::Vector3f::Zero();
-  for (const Eigen::Vector3f& direction : directions) axis += direction;
-  if (const float length = axis.norm(); length > 1e-6F)
-    axis /= length;
-  else
-    axis = directions.empty() ? Eigen::Vector3f::UnitZ() : directions.front();
-  constexpr int turns = 24;
-  for (int turn = 1; turn <= turns && !directions.empty(); ++turn) {
-    const Eigen::Vector3f* farthest = &directions.front();
-    for (const Eigen::Vector3f& direction : directions)
-      if (direction.dot(axis) < farthest->dot(axis)) farthest = &direction;
-    constexpr float near = 0.95F;
-    if (farthest->dot(axis) > near) break;
-    axis = (axis + (*farthest - axis) / static_cast<float>(turn + 1)).eval();
-    if (const float length = axis.norm(); length > 1e-6F) axis /= length;
+/// The cone about the directions that the surface is seen to face: its axis, and the cosine of its half angle.
+struct Cone {
+  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();
+  float cosine = 1;
+};
+
+const Eigen::Vector3f& farthest_from(const Eigen::Vector3f& axis, const std::vector<Eigen::Vector3f>& directions) {
+  const Eigen::Vector3f* farthest = &directions.front();
+  for (const Eigen::Vector3f& direction : directions)
+    if (direction.dot(axis) < farthest->dot(axis)) farthest = &direction;
+  return *farthest;
+}
+
+/// A narrow cone: about the mean, turned towards the direction that is farthest off again and again (Badoiu and Clarkson 2003,
+/// for balls). Not looked for where two directions differ so much that none has a cosine of `least`.
+Cone cone_about(const std::vector<Eigen::Vector3f>& directions, float least) {
+  Cone cone;
+  if (directions.empty()) return cone;
+  const Eigen::Vector3f& one = farthest_from(directions.front(), directions);
+  const Eigen::Vector3f& other = farthest_from(one, directions);
+  if (one.dot(other) < 2 * least * least - 1) return {directions.front(), -1};
+  for (const Eigen::Vector3f& direction : directions) cone.axis += direction;
+  cone.axis = cone.axis.normalized().eval();
+  constexpr int turns = 16;
+  for (int turn = 1;; ++turn) {
+    const Eigen::Vector3f& farthest = farthest_from(cone.axis, directions);
+    cone.cosine = farthest.dot(cone.axis);
+    constexpr float near = 0.9F;
+    if (cone.cosine > near || turn > turns) return cone;
+    cone.axis = (cone.axis + (farthest - cone.axis) / static_cast<float>(turn + 1)).normalized().eval();
   }
-  return axis.normalized();
+}
+
+}  // namespace
+
+namespace {
+
+/// The cone of directions in which the Field must grow for a graph that is nowhere steeper than is allowed.
+struct Wanted {
+  explicit Wanted(int halvings) : tangent(1 / std::ldexp(steepest_in_voxels, halvings)) {}
+  /// The least cosine between a normal and the cone's axis.
+  [[nodiscard]] float least_cosine() const { return static_cast<float>(tangent / std::sqrt(1 + tangent * tangent)); }
+  [[nodiscard]] std::array<Vec3, 3 + edges_of_pyramid> directions(const Cone& cone) const {
+    return directions_about(cone.axis.cast<double>(), tangent / cosine_36);
+  }
+  double tangent;
+};
+
+bool grows(std::span<const Interval> slopes) {
+  return std::all_of(slopes.begin(), slopes.end(),
+                     [](const Interval& slope) { return !slope.maybe_nan && slope.lower >= 0 && slope.upper > 0; });
+}
+
+std::array<Box, 8> halves(const Box& box) {
+  std::array<Box, 8> parts;
+  const Vec3 centre = box.centre();
+  for (unsigned part = 0; part < 8; ++part)
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const bool upper = (part >> axis & 1U) != 0;
+      parts[part].lower[axis] = upper ? centre[axis] : box.lower[axis];
+      parts[part].upper[axis] = upper ? box.upper[axis] : centre[axis];
+    }
+  return parts;
+}
+
+/// Whether the Field grows along all `directions` wherever in the box its interval leaves room for a surface, as far as its
+/// halves and quarters tell.
+bool grows_where_undecided(const Field& field, const Box& box, std::span<const Vec3> directions, int depth) {
+  std::array<Interval, edges_of_pyramid> slopes;
+  field.slopes(box, directions, slopes);
+  if (grows(slopes)) return true;
+  if (depth == 0) return false;
+  const std::array<Box, 8> parts = halves(box);
+  std::array<Restriction, 8> here;
+  field.restrict_all(parts, Purpose::value, here);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!here[i].range.decided() && !grows_where_undecided(*here[i].field, parts[i], directions, depth - 1)) return false;
+  return true;
+}
+
+/// The gradients at the corners of a box, or of those of its parts that the Field's interval leaves room for a surface in.
+void add_gradients_where_undecided(const Field& field, const Box& box, int depth, std::vector<Eigen::Vector3f>& normals) {
+  if (depth == 0) return add_gradients(field, box, normals);
+  const std::array<Box, 8> parts = halves(box);
+  std::array<Restriction, 8> here;
+  field.restrict_all(parts, Purpose::value, here);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth - 1, normals);
 }
 
 }  // namespace
 
 Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings) {
+  const std::size_t given = normals.size();
   add_gradients(field, box, normals);
-  const Vec3 outward = axis_of(normals).cast<double>();
-  const double steepest = std::ldexp(steepest_in_voxels, halvings);
-  const auto directions = directions_about(outward, 1 / (steepest * cosine_36));
-  std::array<Interval, 3 + edges_of_pyramid> slopes;
-  field.slopes(box, directions, slopes);
+  const Wanted wanted(halvings);
+  const Cone cone = cone_about(normals, wanted.least_cosine());
+  normals.resize(given);
   Proof proof;
-  proof.one_sheet = proof.known = true;
+  proof.folded = cone.cosine < wanted.least_cosine();
+  const auto directions = wanted.directions(cone);
+  std::array<Interval, 3 + edges_of_pyramid> slopes;
+  const std::size_t count = proof.folded ? 3 : directions.size();
+  field.slopes(box, {directions.data(), count}, {slopes.data(), count});
   double change = 0;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Interval& slope = slopes[i];
-    if (slope.maybe_nan) return {false, false, std::numeric_limits<double>::infinity()};
-    if (i < 3)
-      change += std::max(std::abs(slope.lower), std::abs(slope.upper));
-    else
-      proof.one_sheet = proof.one_sheet && slope.lower >= 0 && slope.upper > 0;
+  proof.known = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    proof.known = proof.known && !slopes[axis].maybe_nan;
+    change += std::max(std::abs(slopes[axis].lower), std::abs(slopes[axis].upper));
   }
   constexpr double rounding = 1.001;
-  proof.change = rounding * change * side / 2;
+  proof.change = proof.known ? rounding * change * side / 2 : std::numeric_limits<double>::infinity();
+  proof.one_sheet = !proof.folded && grows({slopes.data() + 3, edges_of_pyramid});
+  return proof;
+}
+
+Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings) {
+  const int deep = halvings == 0 ? 1 : 0;  // what is halved again soon is not worth more
+  const Wanted wanted(halvings);
+  const std::array<Box, 8> parts = halves(box);
+  std::array<Restriction, 8> here;
+  field.restrict_all(parts, Purpose::value, here);
+  const std::size_t given = normals.size();
+  Cone cone;
+  for (int depth = 0; depth <= deep; ++depth) {
+    normals.resize(given);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth, normals);
+    cone = cone_about(normals, wanted.least_cosine());
+    if (cone.cosine >= wanted.least_cosine()) break;
+  }
+  Proof proof;
+  proof.folded = cone.cosine < wanted.least_cosine();
+  if (proof.folded) return proof;
+  const auto directions = wanted.directions(cone);
+  const std::span<const Vec3> edges{directions.data() + 3, edges_of_pyramid};
+  proof.one_sheet = true;
+  for (std::size_t i = 0; i < parts.size() && proof.one_sheet; ++i)
+    proof.one_sheet = here[i].range.decided() || grows_where_undecided(*here[i].field, parts[i], edges, deep);
   return proof;
 }
 
@@ -141,10 +237,12 @@ class BlockInspector {
           const std::uint8_t corners = samples_.corners[Block::cell(x, y, z)];
           if (is_uniform(corners) || is_simple(corners)) continue;
           open_[Block::cell(x, y, z)] = false;
-          add({x, y, z}, field_->restricted(cube({x, y, z}, 1)).field);
+          add({x, y, z}, field_->restricted(cube({x, y, z}, 1)).field, true);
         }
   }
-  void add(const Corner& at, FieldPtr field) { unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field)}); }
+  void add(const Corner& at, FieldPtr field, bool folded) {
+    unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field), folded});
+  }
 
   [[nodiscard]] bool any_open(const Corner& at, int side) const {
     for (int z = at[2]; z < at[2] + side; ++z)
@@ -157,13 +255,15 @@ class BlockInspector {
   void inspect(const Corner& at, int side, const Field& field, std::span<const std::uint32_t> points) {
     const Box box = cube(at, side);
     normals_.clear();
-    for (const std::uint32_t i : points) normals_.push_back(samples_.points[i].normal);
+    for (const std::uint32_t i : points) add_normal(samples_.points[i], normals_);
     const Proof proof = look(field, box, normals_, lattice_.voxel(), 0);
     known_ = known_ || proof.known;
     if (proof.one_sheet) return;
     if (proof.known) close_far_cells(at, side, proof.change);
     if (side == 1) {
-      if (open_[Block::cell(at[0], at[1], at[2])]) add(at, field.shared_from_this());
+      if (!open_[Block::cell(at[0], at[1], at[2])]) return;
+      const Proof closer = look_closer(field, box, normals_, 0);
+      if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded);
       return;
     }
     inspect_parts(at, side / 2, field, points);

@@ -14,6 +14,7 @@ namespace fieldfab::contouring {
 /// What is proved of the surface in a box from the Field's slopes.
 struct Proof {
   bool known = false;      ///< whether the Field tells its slopes there at all
+  bool folded = false;     ///< normals or gradients of it are seen to differ so much that it is not such a graph
   bool one_sheet = false;  ///< it is the graph of a function over a plane, and nowhere steeper than is allowed
   double change = 0;       ///< the value differs from that at the nearest corner of a cell by no more; infinite where not known
 };
@@ -27,20 +28,31 @@ inline constexpr double steepest_in_voxels = 1.83;
 /// neighbour for the bottom is found by both.
 inline constexpr double overlap = 0.125;
 
-/// Looks at `box`, for which `field` must be good. `normals` are those of the surface there, as far as known; `side` is the edge of
-/// the cells, in mm, and `halvings` how often a voxel was halved for them.
+/// Adds the direction that the surface faces at a point, where that is known.
+inline void add_normal(const SurfacePoint& point, std::vector<Eigen::Vector3f>& normals) {
+  if (!point.normal.isZero(0)) normals.push_back(point.normal);
+}
+
+/// Looks at `box`, for which `field` must be good. `normals` are those of the surface there, as far as known; `side` is the edge
+/// of the cells, in mm, and `halvings` how often a voxel was halved for them.
 Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings);
+
+/// The same of one cell that look() proved nothing of: of those halves and quarters of it that the Field's interval leaves room
+/// for a surface in. Where the others are of one side, whatever their slopes, each line along the axis still meets the surface
+/// once. `change` is left out; adds to `normals`.
+Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings);
 
 /// A cell that nothing could be proved of.
 struct UnclearCell {
   LatticePoint lower;
   int level;
-  FieldPtr field;  ///< good in the cell and `overlap` about it
+  FieldPtr field;       ///< good in the cell and `overlap` about it
+  bool folded = false;  ///< it is seen that one sheet is not all; else only a proof is missing
 };
 
 /// What a block's samples tell.
 struct BlockSamples {
-  const float* values;                  ///< at 9x9x9 points, x fastest
+  const float* values;                    ///< at 9x9x9 points, x fastest
   std::span<const std::uint8_t> corners;  ///< by cell (x fastest), as Leaf::corners
   std::span<const SurfacePoint> points;   ///< where the surface crosses edges
 };

@@ -83,12 +83,13 @@ class CurveTracer {
       if (!halved) add_point(crossing, cells, lattice_.plane_range(block.lower, lattice_.voxel_level(), crossing.lower), found);
     }
     for (std::size_t i = 0; i < block.divisions.size(); ++i)
-      for (const Crossing& crossing : block.divisions[i].crossings) add_point_of_division(block, block.divisions[i], crossing, found);
+      for (const Crossing& crossing : block.divisions[i].crossings)
+        add_point_of_division(block, block.divisions[i], crossing, found);
     return found;
   }
 
-  /// The cell in one quadrant about an edge, in cells from where its crossing is counted: quadrant 0 is below on both other axes u,
-  /// v; 1 above on u; 2 above on both; 3 above on v.
+  /// The cell in one quadrant about an edge, in cells from where its crossing is counted: quadrant 0 is below on both other axes
+  /// u, v; 1 above on u; 2 above on both; 3 above on v.
   static std::array<int, 3> cell_beside(const Crossing& crossing, std::size_t quadrant) {
     const auto a = static_cast<std::size_t>(crossing.axis), u = (a + 1) % 3, v = (a + 2) % 3;
     std::array<int, 3> cell{crossing.lower[0], crossing.lower[1], crossing.lower[2]};
@@ -97,8 +98,8 @@ class CurveTracer {
     return cell;
   }
 
-  /// An edge of a divided cell is one of the cells' edges where none of the cells about it is smaller. It may be sampled by several
-  /// divisions: the one with the first of the cells that are as small takes it.
+  /// An edge of a divided cell is one of the cells' edges where none of the cells about it is smaller. It may be sampled by
+  /// several divisions: the one with the first of the cells that are as small takes it.
   void add_point_of_division(const Block& block, const Division& division, const Crossing& crossing, BlockPoints& found) const {
     std::array<std::uint32_t, 4> cells{};
     bool taken = false;
@@ -106,8 +107,8 @@ class CurveTracer {
       const std::array<int, 3> beside = cell_beside(crossing, quadrant);
       const bool own = std::all_of(beside.begin(), beside.end(), [](int i) { return i == 0 || i == 1; });
       const int level = division.level;
-      const CellFound cell =
-          octree_.find(moved(division.lower, beside[0] * (1 << level), beside[1] * (1 << level), beside[2] * (1 << level)), level);
+      const CellFound cell = octree_.find(
+          moved(division.lower, beside[0] * (1 << level), beside[1] * (1 << level), beside[2] * (1 << level)), level);
       if (cell.divided) return;
       if (cell.level == level && !taken) {
         if (!own) return;
@@ -131,7 +132,8 @@ class CurveTracer {
     found.points.push_back(crossing.point);
     found.positions.push_back(on_edge(crossing, edge));
     for (const EdgeFace& face : faces_of_edge) {
-      const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)], upper = cells[static_cast<std::size_t>(face.upper)];
+      const std::uint32_t lower = cells[static_cast<std::size_t>(face.lower)],
+                          upper = cells[static_cast<std::size_t>(face.upper)];
       if (lower == upper) continue;
       found.rim.push_back({lower, upper, vertex, static_cast<std::uint8_t>((crossing.axis + face.normal_offset) % 3),
                            static_cast<std::uint8_t>(face.side), crossing.lower_inside == face.forward});

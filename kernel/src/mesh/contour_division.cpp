@@ -1,5 +1,6 @@
 #include "contour_division.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -28,6 +29,13 @@ unsigned face_of(unsigned inside, unsigned axis, bool upper) {
 
 }  // namespace
 
+void BlockRefiner::give_up_unproved() {
+  const auto unproved =
+      std::stable_partition(unclear_.begin(), unclear_.end(), [](const UnclearCell& cell) { return cell.folded; });
+  for (auto cell = unproved; cell != unclear_.end(); ++cell) given_up_.push_back({cell->lower, cell->level, nullptr, false});
+  unclear_.erase(unproved, unclear_.end());
+}
+
 void BlockRefiner::advance() {
   std::vector<UnclearCell> parts;
   std::vector<Eigen::Vector3f> normals;
@@ -44,14 +52,18 @@ void BlockRefiner::advance() {
       const Division& division = divisions_[number];
       const std::uint8_t corners = division.corners(child);
       if (here[child].range.decided() || here[child].field->affine()) continue;
+      bool folded = true;
       if (is_uniform(corners) || is_simple(corners)) {
         normals.clear();
         for (const Crossing& crossing : division.crossings)
-          if (boxes[child].contains(crossing.point.position.cast<double>())) normals.push_back(crossing.point.normal);
+          if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
         const Proof proof = look(*here[child].field, boxes[child], normals, side, halvings);
         if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
+        const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings);
+        if (closer.one_sheet) continue;
+        folded = closer.folded;
       }
-      parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field)});
+      parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
     }
     cell.field.reset();
   }
@@ -133,17 +145,18 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level, const Fie
   static thread_local std::vector<SurfacePoint> points;
   edges.clear();
   std::size_t changes = 0;
-  for (const unsigned step : stride) changes += static_cast<std::size_t>(std::popcount(division.inside ^ division.inside >> step));
+  for (const unsigned step : stride)
+    changes += static_cast<std::size_t>(std::popcount(division.inside ^ division.inside >> step));
   division.crossings.reserve(changes);  // more than there are, since rows run into each other
   for (unsigned axis = 0; axis < 3; ++axis)
     for (unsigned i = 0; i < 27; ++i) {
       const unsigned next = i + stride[axis];
       if (i / stride[axis] % 3 == 2 || (division.inside >> i & 1U) == (division.inside >> next & 1U)) continue;
-      division.crossings.push_back({static_cast<std::uint8_t>(axis),
-                                    {static_cast<std::uint8_t>(i % 3), static_cast<std::uint8_t>(i / 3 % 3),
-                                     static_cast<std::uint8_t>(i / 9)},
-                                    (division.inside >> i & 1U) != 0,
-                                    {}});
+      division.crossings.push_back(
+          {static_cast<std::uint8_t>(axis),
+           {static_cast<std::uint8_t>(i % 3), static_cast<std::uint8_t>(i / 3 % 3), static_cast<std::uint8_t>(i / 9)},
+           (division.inside >> i & 1U) != 0,
+           {}});
       edges.push_back({static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / stride[axis] % 3 + 1], value[i], value[next]});
     }
   locate_crossings(field, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);

@@ -27,6 +27,10 @@ class BlockRefiner {
   /// Cells that are not clear and not divided either: those of the next round.
   [[nodiscard]] const std::vector<UnclearCell>& unclear() const { return unclear_; }
 
+  /// Leaves the cells as they are that are not seen to be folded.
+  void give_up_unproved();
+  [[nodiscard]] const std::vector<UnclearCell>& given_up() const { return given_up_; }
+
   /// Halves the cells that are not clear; then unclear() has those of their parts that are not.
   void advance();
   /// Halves the cells that hold the one asked for, and that one itself; those of their parts that have no simple surface, too, as
@@ -54,11 +58,11 @@ class BlockRefiner {
   const Lattice& lattice_;
   const LatticePoint block_;
   FieldPtr field_;
-  std::vector<UnclearCell> unclear_;
+  std::vector<UnclearCell> unclear_, given_up_;
   std::vector<Division> divisions_;
   std::vector<std::uint32_t> division_of_;
   std::array<float, 27> values_{};  ///< of the division that was made last
-  std::size_t requested_ = 0;  ///< how many divisions have had their requests collected
+  std::size_t requested_ = 0;       ///< how many divisions have had their requests collected
 };
 
 }  // namespace fieldfab::contouring

@@ -13,7 +13,7 @@ namespace {
 // Shapes are drawn on round numbers; planes that are not keep the surface from running along a lattice plane.
 const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
 
-constexpr int greatest_level = 20;      // of the root, in voxels
+constexpr int greatest_level = 20;     // of the root, in voxels
 constexpr double floats_across = 256;  // the least number of floats across a cell
 
 }  // namespace

@@ -19,8 +19,8 @@ inline constexpr int block_side = 1 << block_level;
 
 inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) { return {point[0] + x, point[1] + y, point[2] + z}; }
 
-/// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside. Cells are a voxel wide;
-/// where that is not enough they are halved, up to the finest.
+/// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside. Cells are a voxel
+/// wide; where that is not enough they are halved, up to the finest.
 ///
 /// Because planes are floats, a vertex that is rounded to floats stays on its edge, in its face or in its cell: the guarantees
 /// of contour() hold for the coordinates that are written, not only for those that were computed.

@@ -42,6 +42,7 @@ Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings
     : lattice_(lattice) {
   subdivide(solid, progress);
   sample_blocks(settings, progress);
+  if (wants_half_voxel_) return;
   merge_blocks(settings.max_error);
   number_leafs();
 }
@@ -82,7 +83,8 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
 void Octree::settle(std::span<Node> siblings) const {
   std::array<Box, 8> cube;
   std::array<Restriction, 8> here;
-  for (std::size_t i = 0; i < siblings.size(); ++i) cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(overlap * lattice_.voxel());
+  for (std::size_t i = 0; i < siblings.size(); ++i)
+    cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(overlap * lattice_.voxel());
   const FieldPtr parent = siblings[0].field;
   parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
   for (std::size_t i = 0; i < siblings.size(); ++i) {
@@ -99,11 +101,15 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   std::vector<std::unique_ptr<BlockRefiner>> refiners(open.size());
   std::atomic<std::size_t> done{0};
   std::atomic<bool> known{false};
+  std::atomic<std::size_t> crossed{0}, folded{0};
   parallel_for(open.size(), [&](std::size_t i) {
     progress.check();
     BlockView view = view_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
     if (view.known) known.store(true, std::memory_order_relaxed);
     open[i]->patch = std::move(view.patch);
+    crossed += view.crossed;
+    folded += static_cast<std::size_t>(
+        std::count_if(view.unclear.begin(), view.unclear.end(), [](const UnclearCell& cell) { return cell.folded; }));
     if (!view.unclear.empty()) {
       refiners[i] = std::make_unique<BlockRefiner>(lattice_, open[i]->lower, open[i]->field);
       refiners[i]->add_unclear(std::move(view.unclear));
@@ -112,7 +118,9 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
       progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
   });
   certainty_.doubt = known ? Doubt::finest_size : Doubt::slopes_unknown;
-  refine(open, settings, progress, refiners);
+  wants_half_voxel_ = known && half_voxel_pays(folded, crossed, open.size(), settings);
+  if (wants_half_voxel_) return;
+  refine(open, settings, crossed, progress, refiners);
   parallel_for(open.size(), [&](std::size_t i) {
     if (refiners[i]) {
       progress.check();
@@ -130,23 +138,37 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   }
 }
 
-/// Halves cells that are not clear, level by level, and then those that their neighbours need halved.
-void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, Progress& progress,
+bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks, const ContourSettings& settings) const {
+  constexpr std::size_t few = 4000;  // as many are halved one by one in less time than it takes to begin anew
+  return lattice_.voxel_level() > 0 && folded > few && 4 * folded > crossed && folded <= settings.most_divided &&
+         4 * blocks * bytes_a_block < available_memory() / 2;
+}
+
+/// Halves cells that are not clear, level by level, and then those that their neighbours need halved. Cells that are seen to be
+/// folded have the whole budget; those that only lack a proof a small part of what the surface costs, and all of a level or none.
+void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
                     std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < refiners.size(); ++i)
     if (refiners[i]) active.push_back(i);
   int finest = lattice_.voxel_level();
-  std::size_t divided = 0;
+  std::size_t budget = settings.most_divided, proofs = std::min(budget, std::max<std::size_t>(500, crossed / 64));
   while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
-    std::size_t wanted = 0;
-    for (const std::size_t i : active) wanted += refiners[i]->unclear().size();
-    if (wanted == 0) break;
-    if (divided + wanted > settings.most_divided) {
+    std::size_t folded = 0, unproved = 0;
+    for (const std::size_t i : active)
+      for (const UnclearCell& cell : refiners[i]->unclear()) ++(cell.folded ? folded : unproved);
+    if (unproved > proofs) {
+      for (const std::size_t i : active) refiners[i]->give_up_unproved();
+      certainty_.doubt = Doubt::not_proved;
+      unproved = 0;
+    }
+    if (folded + unproved == 0) break;
+    if (folded > budget) {
       certainty_.doubt = Doubt::too_many;
       break;
     }
-    divided += wanted;
+    budget -= folded;
+    proofs -= unproved;
     const double level = lattice_.voxel_level() - finest;
     progress.report(0.6 + 0.15 * level / lattice_.voxel_level(), "looking closer");
     parallel_for(active.size(), [&](std::size_t i) {
@@ -156,7 +178,10 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     --finest;
   }
   DoubtMap doubts(lattice_);
-  for (const std::size_t i : active) doubts.add(refiners[i]->unclear());
+  for (const std::size_t i : active) {
+    doubts.add(refiners[i]->unclear());
+    doubts.add(refiners[i]->given_up());
+  }
   doubts.write(certainty_);
   certainty_.finest = lattice_.side(finest);
   if (finest == lattice_.voxel_level()) return;
@@ -284,8 +309,8 @@ std::array<const Block*, 8> Octree::lower_neighbours(const Block& block) const {
   const int side = 1 << block_root();
   std::array<const Block*, 8> neighbours{};
   for (unsigned which = 0; which < 8; ++which)
-    neighbours[which] = block_at(moved(block.lower, (which & 1U) != 0 ? -side : 0, (which & 2U) != 0 ? -side : 0,
-                                       (which & 4U) != 0 ? -side : 0));
+    neighbours[which] =
+        block_at(moved(block.lower, (which & 1U) != 0 ? -side : 0, (which & 2U) != 0 ? -side : 0, (which & 4U) != 0 ? -side : 0));
   return neighbours;
 }
 

@@ -39,11 +39,13 @@ struct Division {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   LatticePoint lower;
-  std::int32_t level = 0;               ///< of the eight cells
-  std::uint32_t inside = 0;             ///< a bit for each lattice point, x fastest
+  std::int32_t level = 0;                ///< of the eight cells
+  std::uint32_t inside = 0;              ///< a bit for each lattice point, x fastest
   std::vector<Crossing> crossings = {};  ///< on all edges
-  std::array<std::uint32_t, 8> parts{none, none, none, none, none, none, none, none};  ///< where a cell was halved again: which division
-  std::array<std::uint32_t, 8> leafs{none, none, none, none, none, none, none, none};  ///< where a cell is a leaf: which of the block's
+  std::array<std::uint32_t, 8> parts{none, none, none, none,
+                                     none, none, none, none};  ///< where a cell was halved again: which division
+  std::array<std::uint32_t, 8> leafs{none, none, none, none,
+                                     none, none, none, none};  ///< where a cell is a leaf: which of the block's
 
   [[nodiscard]] std::uint8_t corners(unsigned child) const;
 };
@@ -53,8 +55,8 @@ struct Block {
   static constexpr std::uint16_t no_leaf = std::numeric_limits<std::uint16_t>::max();
 
   LatticePoint lower;
-  std::vector<Crossing> crossings;  ///< on edges whose lower end is below 8 on every axis, so that each edge has one block
-  std::vector<Leaf> leafs;          ///< those of whole cells and more first
+  std::vector<Crossing> crossings;     ///< on edges whose lower end is below 8 on every axis, so that each edge has one block
+  std::vector<Leaf> leafs;             ///< those of whole cells and more first
   std::vector<std::uint16_t> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf; empty where all is leaf 0
   std::vector<Division> divisions;
   std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty where no cell is halved
@@ -69,7 +71,7 @@ struct Block {
 
 /// What lies at a cell of some level: the smallest cell that holds it, or it itself where that is divided, too.
 struct CellFound {
-  const Block* block = nullptr;  ///< null where there is no surface
+  const Block* block = nullptr;         ///< null where there is no surface
   std::uint32_t leaf = Division::none;  ///< among all leafs
   int level = 0;
   bool divided = false;
@@ -84,6 +86,9 @@ class Octree {
   /// Samples the solid. Throws cancelled, too_large.
   Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress);
   ~Octree();
+  /// Whether most cells are not clear, so that a lattice of half the voxel costs less than looking into them one by one. Nothing
+  /// else is known of such an octree.
+  [[nodiscard]] bool wants_half_voxel() const { return wants_half_voxel_; }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
@@ -98,7 +103,9 @@ class Octree {
   void subdivide(const Field& solid, Progress& progress);
   void settle(std::span<Node> siblings) const;
   void sample_blocks(const ContourSettings& settings, Progress& progress);
-  void refine(std::span<Node* const> open, const ContourSettings& settings, Progress& progress,
+  [[nodiscard]] bool half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks,
+                                     const ContourSettings& settings) const;
+  void refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
               std::vector<std::unique_ptr<BlockRefiner>>& refiners);
   void merge_blocks(double max_error);
   void number_leafs();
@@ -113,6 +120,7 @@ class Octree {
   std::vector<std::uint64_t> block_keys_;  ///< sorted; parallel to block_order_
   std::vector<std::uint32_t> block_order_;
   Certainty certainty_;
+  bool wants_half_voxel_ = false;
 };
 
 /// Where an 8-cell neighbourhood's signs make one surface patch: the corners of the eight merged, or nothing where merging would
@@ -123,8 +131,8 @@ bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& me
 bool is_simple(std::uint8_t corners);
 inline bool is_uniform(std::uint8_t corners) { return corners == 0 || corners == 255; }
 
-/// Whether the signs at the 3x3 points of a halved face (bit u + 3 v) show what its corners alone would: a neighbour of the face's
-/// size then agrees with them.
+/// Whether the signs at the 3x3 points of a halved face (bit u + 3 v) show what its corners alone would: a neighbour of the
+/// face's size then agrees with them.
 bool is_plain_face(unsigned inside);
 
 }  // namespace fieldfab::contouring

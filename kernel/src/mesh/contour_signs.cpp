@@ -68,8 +68,7 @@ std::array<bool, 512> find_plain_faces() {
     good = good && (between(at(1, 1), at(0, 0), at(2, 0)) || between(at(1, 1), at(0, 2), at(2, 2)));
     good = good && !differs_diagonally(at(0, 0), at(2, 0), at(0, 2), at(2, 2));
     for (unsigned u = 0; u < 2; ++u)
-      for (unsigned v = 0; v < 2; ++v)
-        good = good && !differs_diagonally(at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1));
+      for (unsigned v = 0; v < 2; ++v) good = good && !differs_diagonally(at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1));
     plain[inside] = good;
   }
   return plain;

@@ -19,6 +19,7 @@ struct UncertainPlace {
 enum class Doubt {
   none,
   finest_size,   ///< the smallest cells allowed are not small enough: edges thinner than these, or surfaces that touch
+  not_proved,    ///< nothing is seen to be missing, but the Field's slopes are too roughly known to exclude it
   too_many,      ///< more cells would have to be divided than the limit allows
   slopes_unknown ///< the Field does not tell how fast its value changes, so that nothing can be proved
 };

@@ -25,8 +25,8 @@ struct ContourMesh : TriangleMesh {
 
 /// The surface of the part of `field` inside `bounds`, capped where the solid goes on. Closed, 2-manifold, outward oriented,
 /// without degenerate triangles or self-intersections, by construction (docs/contouring.md); empty where there is no solid.
-/// Complete, or its `certainty` tells where not. The same mesh for any number of threads. Throws bad_input for bounds or voxel that are not finite and positive,
-/// too_large where it would not fit in memory, cancelled.
+/// Complete, or its `certainty` tells where not. The same mesh for any number of threads. Throws bad_input for bounds or voxel
+/// that are not finite and positive, too_large where it would not fit in memory, cancelled.
 ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& settings,
                     Progress& progress = Progress::none());
 

@@ -1,0 +1,301 @@
+// Complete, or it tells where not: hard solids from one cell thick to a thousandth, against closed forms and against a lattice 16
+// times finer, which knows nothing of intervals and slopes.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <random>
+
+#include "fieldfab/check/check.h"
+#include "fieldfab/core/parallel.h"
+#include "fieldfab/field/bounds.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/contour.h"
+
+namespace fieldfab {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+FieldPtr solid_of(const std::string& text) { return frep::make_field(frep::parse_infix(text)); }
+
+/// Vertices less edges plus faces: 2 for each ball, 0 for each torus.
+long euler(const TriangleMesh& mesh) {
+  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(mesh.triangles.size()) / 2;
+}
+
+struct Hard {
+  std::string name, text;
+  Box bounds;
+  double voxel;
+  double volume;    ///< mm3; negative where there is no closed form
+  double accuracy;  ///< of the volume, as a part of it
+  long euler;       ///< what it must be where the mesh is certain
+};
+
+Box cube_about_zero(double half) { return {Vec3::Constant(-half), Vec3::Constant(half)}; }
+
+/// One cell is a millimetre; parts are `t` mm thick.
+std::vector<Hard> family(double t) {
+  std::vector<Hard> all;
+  const Box room = cube_about_zero(8.3);
+  const auto add = [&](const char* name, std::string text, double volume, double accuracy, long number) {
+    all.push_back({fmt::format("{} {}", name, t), std::move(text), room, 1, volume, accuracy, number});
+  };
+  add("plate", fmt::format("box(12, 10, {})", t), 120 * t, 1e-3, 2);
+  add("plate between lattice planes", fmt::format("move(box(12, 10, {}), dz = 0.37)", t), 120 * t, 1e-3, 2);
+  add("plate beside a block", fmt::format("box(14, 12, {}) | move(box(4, 4, 5), dz = 2.5)", t), 168 * t + 80 - 8 * t, 2e-3, 2);
+  add("slit", fmt::format("difference(box(10, 10, 10), move(box(8, {}, 12), dy = 0.21))", t), 1000 - 80 * t, 1e-3, 0);
+  add("wall between bores",
+      fmt::format("difference(difference(box(14, 8, 6), move(cylinder(2.5, 8), dx = {0})), move(cylinder(2.5, 8), dx = -{0}))",
+                  2.5 + t / 2),
+      14 * 8 * 6 - 2 * pi * 6.25 * 6, 2e-3, -2);
+  add("shell of a ball", fmt::format("shell(sphere(6), {})", t),
+      4 * pi / 3 * (std::pow(6 + t / 2, 3) - std::pow(6 - t / 2, 3)), 0.02, 4);
+  for (int turn = 1; turn <= 10; ++turn)
+    add(fmt::format("plate turned {} times", turn).c_str(),
+        fmt::format("rotate_z(rotate_x(box(9, 7, {}), {}), {})", t, 17 * turn, 23 * turn), 63 * t, 5e-3, 2);
+  if (t >= 0.02) {
+    add("needle", fmt::format("rotate_y(rotate_x(box({0}, {0}, 12), 33), 21)", t), 12 * t * t, 0.02, 2);
+    add("round needle", fmt::format("rotate_x(cylinder({}, 12), 40)", t / 2), 3 * pi * t * t, 0.05, 2);
+  }
+  return all;
+}
+
+/// What is measured of one hard solid; `told` where the mesh says that it is not certain.
+struct Outcome {
+  bool valid = false, told = false, right = false;
+  double volume = 0;
+  long euler = 0;
+};
+
+Outcome try_one(const Hard& hard) {
+  const ContourMesh mesh = contour(*solid_of(hard.text), hard.bounds, {hard.voxel});
+  Outcome outcome;
+  outcome.valid = inspect(mesh).valid();
+  outcome.told = !mesh.certainty.certain();
+  outcome.volume = mesh.volume();
+  outcome.euler = euler(mesh);
+  outcome.right = std::abs(outcome.volume - hard.volume) <= hard.accuracy * hard.volume && outcome.euler == hard.euler;
+  return outcome;
+}
+
+TEST(Certain, ThinPartsAreThereOrAreTold) {
+  int certain = 0, all = 0;
+  for (const double t : {1.0, 0.3, 0.1, 0.03, 0.01, 0.001})
+    for (const Hard& hard : family(t)) {
+      const Outcome outcome = try_one(hard);
+      EXPECT_TRUE(outcome.valid) << hard.name;
+      EXPECT_TRUE(outcome.told || outcome.right)
+          << hard.name << " is said to be certain: volume " << outcome.volume << " of " << hard.volume << ", Euler number "
+          << outcome.euler << " of " << hard.euler;
+      if (t >= 0.1) {
+        EXPECT_FALSE(outcome.told) << hard.name;
+      }
+      certain += !outcome.told;
+      ++all;
+    }
+  fmt::print("{} of {} certain\n", certain, all);
+}
+
+TEST(Certain, PointsEdgesAndTouchingBallsAreThereOrAreTold) {
+  const Box room = cube_about_zero(8.3);
+  const double ball = 4 * pi / 3;
+  std::vector<Hard> all{
+      {"cone's tip", "cone(5, 0, 12)", room, 1, 100 * pi, 0.01, 2},
+      {"knife edge", "rotate_x(intersect(box(8, 8, 8), intersect(rotate_x(half_space(0, 0, 1, 0), 4), rotate_x(half_space(0, 0, -1, 0), -4))), 12)",
+       room, 1, -1, 0.02, 2},
+      {"faces a millionth apart", "union(move(box(4, 6, 6), dx = -2), move(box(4, 6, 6), dx = 2.000001))", room, 1, 288, 1e-3, 4},
+      {"balls that touch", "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))", room, 1, 16 * ball, 0.02, -1},
+  };
+  for (const double gap : {0.3, 0.1, 0.03, 0.01, -0.01, -0.03, -0.1, -0.3})
+    all.push_back({fmt::format("balls {} apart", gap),
+                   fmt::format("union(move(sphere(2), dx = -{0}), move(sphere(2), dx = {0}))", 2 + gap / 2), room, 1, 16 * ball, 0.04,
+                   gap > 0 ? 4 : 2});
+  for (const Hard& hard : all) {
+    const Outcome outcome = try_one(hard);
+    EXPECT_TRUE(outcome.valid) << hard.name;
+    if (outcome.told) continue;
+    if (hard.euler >= 0) {
+      EXPECT_EQ(outcome.euler, hard.euler) << hard.name;
+    }
+    if (hard.volume >= 0) {
+      EXPECT_NEAR(outcome.volume, hard.volume, hard.accuracy * hard.volume) << hard.name;
+    }
+    EXPECT_NE(hard.name, "balls that touch") << "certain of what is neither one nor two";
+  }
+}
+
+/// A cubic lattice of n^3 nodes with square bars between neighbours has a handle for each bar more than a tree needs.
+TEST(Certain, LatticesHaveAllTheirHandles) {
+  for (const int n : {2, 3, 4})
+    for (const double bar : {1.2, 0.5, 0.2}) {
+      const double pitch = 15.0 / (n - 1), reach = 15 + bar;
+      std::string text;
+      for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < n; ++i)
+          for (int j = 0; j < n; ++j) {
+            std::array<double, 3> size{bar, bar, bar}, at{};
+            size[static_cast<std::size_t>(axis)] = reach;
+            at[static_cast<std::size_t>((axis + 1) % 3)] = -7.5 + i * pitch;
+            at[static_cast<std::size_t>((axis + 2) % 3)] = -7.5 + j * pitch;
+            text += fmt::format("{}move(box({}, {}, {}), dx = {}, dy = {}, dz = {})", text.empty() ? "" : " | ", size[0], size[1],
+                                size[2], at[0], at[1], at[2]);
+          }
+      const ContourMesh mesh = contour(*solid_of(text), cube_about_zero(9.1), {1});
+      const long nodes = n * n * n, bars = 3 * n * n * (n - 1), handles = bars - nodes + 1;
+      EXPECT_TRUE(inspect(mesh).valid()) << n << ' ' << bar;
+      EXPECT_TRUE(mesh.certainty.certain()) << n << ' ' << bar << ' ' << mesh.certainty.text();
+      EXPECT_EQ(euler(mesh), 2 - 2 * handles) << n << ' ' << bar;
+      const double volume = static_cast<double>(nodes) * bar * bar * bar + static_cast<double>(bars) * bar * bar * (pitch - bar);
+      EXPECT_NEAR(mesh.volume(), volume, 5e-3 * volume) << n << ' ' << bar;
+    }
+}
+
+/// Which points of a lattice a mesh holds: by the parity of its crossings with lines along x.
+class Mask {
+ public:
+  Mask(const Box& bounds, int side) : bounds_(bounds), side_(side), inside_(count(side), false) {}
+  Mask(const Box& bounds, int side, const TriangleMesh& mesh) : Mask(bounds, side) {
+    std::vector<std::vector<double>> rows(static_cast<std::size_t>(side) * static_cast<std::size_t>(side));
+    for (const auto& triangle : mesh.triangles) cross(mesh, triangle, rows);
+    for (int z = 0; z < side; ++z)
+      for (int y = 0; y < side; ++y) {
+        std::vector<double>& row = rows[static_cast<std::size_t>(y + side * z)];
+        std::sort(row.begin(), row.end());
+        for (int x = 0; x < side; ++x)
+          inside_[index(x, y, z)] = (std::upper_bound(row.begin(), row.end(), point(x, y, z).x()) - row.begin()) % 2 == 1;
+      }
+  }
+  [[nodiscard]] Vec3 point(int x, int y, int z) const {
+    return bounds_.lower + bounds_.size().cwiseProduct((Vec3(x, y, z).array() + 0.5).matrix() / side_);
+  }
+  [[nodiscard]] bool at(int x, int y, int z) const { return inside_[index(x, y, z)]; }
+  /// Whether the mesh has some surface within `reach` points of one.
+  [[nodiscard]] bool changes_near(int x, int y, int z, int reach) const {
+    const bool here = at(x, y, z);
+    for (int ring = 1; ring <= reach; ++ring)
+      for (int dz = -ring; dz <= ring; ++dz)
+        for (int dy = -ring; dy <= ring; ++dy)
+          for (int dx = -ring; dx <= ring; ++dx) {
+            if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) != ring) continue;
+            const int px = x + dx, py = y + dy, pz = z + dz;
+            if (std::min({px, py, pz}) < 0 || std::max({px, py, pz}) >= side_) continue;
+            if (at(px, py, pz) != here) return true;
+          }
+    return false;
+  }
+
+ private:
+  static std::size_t count(int side) { return static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side); }
+  [[nodiscard]] std::size_t index(int x, int y, int z) const { return static_cast<std::size_t>(x + side_ * (y + side_ * z)); }
+
+  void cross(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle, std::vector<std::vector<double>>& rows) const {
+    std::array<Vec3, 3> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& v = mesh.vertices[triangle[i]];
+      p[i] = Vec3(v[0], v[1], v[2]);
+    }
+    const auto range = [&](int axis) {
+      const double low = std::min({p[0][axis], p[1][axis], p[2][axis]}), high = std::max({p[0][axis], p[1][axis], p[2][axis]});
+      const double step = bounds_.size()[axis] / side_;
+      return std::pair{std::max(0, static_cast<int>(std::floor((low - bounds_.lower[axis]) / step - 0.5))),
+                       std::min(side_ - 1, static_cast<int>(std::ceil((high - bounds_.lower[axis]) / step - 0.5)))};
+    };
+    const auto [low_y, high_y] = range(1);
+    const auto [low_z, high_z] = range(2);
+    const auto side = [](const Vec3& a, const Vec3& b, double y, double z) {
+      return (b.y() - a.y()) * (z - a.z()) - (b.z() - a.z()) * (y - a.y());
+    };
+    for (int z = low_z; z <= high_z; ++z)
+      for (int y = low_y; y <= high_y; ++y) {
+        const Vec3 at = point(0, y, z);
+        const double a = side(p[1], p[2], at.y(), at.z()), b = side(p[2], p[0], at.y(), at.z()), c = side(p[0], p[1], at.y(), at.z());
+        if (!((a > 0) == (b > 0) && (b > 0) == (c > 0))) continue;
+        rows[static_cast<std::size_t>(y + side_ * z)].push_back((a * p[0].x() + b * p[1].x() + c * p[2].x()) / (a + b + c));
+      }
+  }
+
+  Box bounds_;
+  int side_;
+  std::vector<bool> inside_;
+};
+
+/// A few boxes, balls, cylinders and shells, some dimension of each far below a cell, turned and joined at random.
+std::string random_thin_solid(std::mt19937& random) {
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto thin = [&] { return std::pow(10, number(-2, 0)); };
+  const auto whole = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  std::string text;
+  const int parts = whole(1, 4);
+  for (int i = 0; i < parts; ++i) {
+    std::string part;
+    switch (whole(0, 5)) {
+      case 0: part = fmt::format("box({}, {}, {})", number(1, 4), number(1, 4), thin()); break;
+      case 1: part = fmt::format("box({}, {}, {})", thin(), number(1, 4), thin()); break;
+      case 2: part = fmt::format("cylinder({}, {})", thin(), number(1, 4)); break;
+      case 3: part = fmt::format("shell(sphere({}), {})", number(0.5, 2), thin()); break;
+      case 4: part = fmt::format("sphere({})", thin()); break;
+      default: part = fmt::format("difference(cylinder({0}, 3), cylinder({1}, 4))", number(0.5, 2), number(0.4, 1.9)); break;
+    }
+    part = fmt::format("move(rotate_z(rotate_x({}, {}), {}), dx = {}, dy = {}, dz = {})", part, number(0, 180), number(0, 180),
+                       number(-1, 1), number(-1, 1), number(-1, 1));
+    if (i == 0)
+      text = part;
+    else
+      text = fmt::format("{}({}, {})", whole(0, 2) == 0 ? "difference" : "union", text, part);
+  }
+  return text;
+}
+
+/// FIELDFAB_THIN_SOLIDS says how many; the full proof tries 10,000.
+TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
+  const char* wanted = std::getenv("FIELDFAB_THIN_SOLIDS");
+  const int count = wanted != nullptr ? std::atoi(wanted) : 150;
+  constexpr int voxels = 6, finer = 16, side = voxels * finer;
+  const Box bounds = cube_about_zero(3);
+  std::mt19937 random(20261123);
+  int certain = 0, empty = 0, seen_by_lattice = 0;
+  for (int i = 0; i < count; ++i) {
+    const std::string text = random_thin_solid(random);
+    const FieldPtr solid = solid_of(text);
+    const ContourMesh mesh = contour(*solid, bounds, {1});
+    ASSERT_TRUE(mesh.triangles.empty() || inspect(mesh).valid()) << text;
+    if (!mesh.certainty.certain()) continue;
+    ++certain;
+    const Mask made(bounds, side, mesh);
+    const FieldPtr cut = intersect(solid, box_field(bounds));
+    std::vector<float> x(side), y(side), z(side), value(side);
+    bool any = false, coarse = false;
+    for (int k = 0; k < side; ++k)
+      for (int j = 0; j < side; ++j) {
+        for (int l = 0; l < side; ++l) {
+          const Vec3 p = made.point(l, j, k);
+          const auto at = static_cast<std::size_t>(l);
+          x[at] = static_cast<float>(p.x()), y[at] = static_cast<float>(p.y()), z[at] = static_cast<float>(p.z());
+        }
+        cut->values({x.data(), y.data(), z.data(), side}, value.data());
+        for (int l = 0; l < side; ++l) {
+          const float here = value[static_cast<std::size_t>(l)];
+          any = any || here < 0;
+          coarse = coarse || (here < 0 && l % finer == 0 && j % finer == 0 && k % finer == 0);
+          if ((here < 0) == made.at(l, j, k)) continue;
+          ASSERT_TRUE(made.changes_near(l, j, k, finer))
+              << text << " at " << x[static_cast<std::size_t>(l)] << ' ' << y[0] << ' ' << z[0] << " is " << here << ", and no surface is near";
+        }
+      }
+    empty += !any;
+    seen_by_lattice += coarse;
+  }
+  fmt::print("{} of {} certain; a lattice of the cells' size sees something of {}\n", certain, count, seen_by_lattice);
+  EXPECT_GE(certain, count / 2);
+}
+
+}  // namespace
+}  // namespace fieldfab
