@@ -1,6 +1,7 @@
 /// Whether Field::slopes() holds differences.
 #pragma once
 
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 
 namespace fieldfab {
 
+inline constexpr double last_place = 1.2e-7;  // of floats
+
 /// A value, and how far rounding may have taken it from the Field's own formula.
 struct RoundedValue {
   double value;
@@ -24,7 +27,6 @@ struct RoundedValue {
 /// steeper than 1 a mm, or not much.
 inline RoundedValue rounded_value(const Field& field, const Vec3& p) {
   const double value = field.value(p);
-  constexpr double last_place = 1.2e-7;
   return {value, 32 * last_place * (1 + p.cwiseAbs().maxCoeff() + std::abs(value))};
 }
 
@@ -66,12 +68,16 @@ inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const 
       // Rounded to floats, the way there is not quite along the direction: what is left is made up for along the axes.
       const double t = (to - from).dot(directions[i]);
       const Vec3 aside = to - from - t * directions[i];
-      double rounding = a.rounding + b.rounding + 2e-6 * t * steepest(slope);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        rounding += std::abs(aside[static_cast<Eigen::Index>(axis)]) * steepest(slopes[axis]);
+      double sum = steepest(slope), rounding = a.rounding + b.rounding;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto k = static_cast<Eigen::Index>(axis);
+        rounding += std::abs(aside[k]) * steepest(slopes[axis]);
+        sum += std::abs(directions[i][k]) * steepest(slopes[axis]);
+      }
+      rounding += 8 * last_place * t * sum;
       if (b.value - a.value < t * slope.lower - rounding || b.value - a.value > t * slope.upper + rounding)
-        RC_FAIL("a difference of " + std::to_string(b.value - a.value) + " for a step of " + std::to_string(t) + " is not in [" +
-                std::to_string(slope.lower) + ", " + std::to_string(slope.upper) + "], rounding " + std::to_string(rounding));
+        RC_FAIL(fmt::format("a difference of {} for a step of {} is not in [{}, {}] times that; rounding {}", b.value - a.value,
+                            t, slope.lower, slope.upper, rounding));
     }
   }
   return known;
