@@ -84,14 +84,20 @@ class MeshSlopes {
     if (normals_.empty()) return {};
     cone_.emplace(normals_);
     if (!(cone_->cosine() > steepest_face)) return {};
-    // As high as surfaces reach that are at the ball and no steeper than those that are near.
-    const double cosine = cone_->cosine(), radius = 1.001 * nearest_;
-    const double half_height = radius * (1 + 2 * std::sqrt(1 - cosine * cosine) / cosine) * 1.01,
-                 around = std::hypot(radius, half_height);
+    // A low cylinder meets fewer other faces, a high one holds all of a surface that is no steeper than those that are near.
+    const double cosine = cone_->cosine(), tangent = std::sqrt(1 - cosine * cosine) / cosine, radius = 1.001 * nearest_;
+    for (const double rise : {0.05, 1.05, 2.05}) {
+      if (const std::optional<double> side = side_in(radius, radius * (1 + rise * tangent))) return side;
+      if (tangent < 0.1) break;
+    }
+    return {};
+  }
+  std::optional<double> side_in(double radius, double half_height) {
+    const double around = std::hypot(radius, half_height);
     if (!windings_.tell_sides(ball_.centre, around)) return {};
-    std::vector<std::uint32_t> wide;
-    if (!tree_.within(ball_.centre, around, most_triangles, wide)) return {};
-    for (const std::uint32_t triangle : wide) {
+    wide_.clear();
+    if (!tree_.within(ball_.centre, around, most_triangles, wide_)) return {};
+    for (const std::uint32_t triangle : wide_) {
       const Vec3 normal = normal_of(triangle);
       if (normal.squaredNorm() > 0.5 && !(normal.dot(cone_->axis()) > 0.01)) return {};
       if (meets_end(triangle, half_height, radius) || meets_end(triangle, -half_height, radius)) return {};
@@ -128,7 +134,7 @@ class MeshSlopes {
   const Windings& windings_;
   DistanceBall ball_;
   double nearest_;  ///< mm from the centre: nowhere in the ball is the nearest place farther off
-  std::vector<std::uint32_t> near_;
+  std::vector<std::uint32_t> near_, wide_;
   std::vector<Vec3> normals_;
   std::optional<NormalCone> cone_;
 };
