@@ -21,6 +21,7 @@ inline constexpr double last_place = 1.2e-7;  // of floats
 struct RoundedValue {
   double value;
   double rounding;
+  double slope_rounding = 0;  ///< how far it may have taken slopes there
 };
 
 /// The Field's value. Numbers up to its coordinates and its value were rounded to floats some times: for Fields that are no
@@ -74,7 +75,7 @@ inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const 
         rounding += std::abs(aside[k]) * steepest(slopes[axis]);
         sum += std::abs(directions[i][k]) * steepest(slopes[axis]);
       }
-      rounding += 8 * last_place * t * sum;
+      rounding += t * std::max({8 * last_place * sum, a.slope_rounding, b.slope_rounding});
       if (b.value - a.value < t * slope.lower - rounding || b.value - a.value > t * slope.upper + rounding)
         RC_FAIL(fmt::format("a difference of {} for a step of {} is not in [{}, {}] times that; rounding {}", b.value - a.value,
                             t, slope.lower, slope.upper, rounding));

@@ -47,7 +47,7 @@ class Twin {
       if (!same_branch(op, entries_[first], entries_[second], entries_[i])) return {NAN, 0};
       largest = std::max(largest, std::abs(entries_[i].value));
     }
-    return {entries_.back().value, 1e-14 * largest};
+    return {entries_.back().value, 1e-14 * largest, 8 * last_place * entries_.back().summed + 2 * entries_.back().blur};
   }
 
  private:
@@ -55,19 +55,58 @@ class Twin {
     double value;
     float single;
     bool fixed;
+    double summed = 0;  // the slope, with all that it is summed from taken as positive
+    double blur = 0;    // how much of it is due to values that single precision has otherwise
   };
 
   static Entry made(frep::Opcode op, double constant, const Entry& a, const Entry& b, const Vec3& p) {
     switch (op) {
       case frep::Opcode::constant: return {static_cast<float>(constant), static_cast<float>(constant), true};
-      case frep::Opcode::x: return {p.x(), static_cast<float>(p.x()), false};
-      case frep::Opcode::y: return {p.y(), static_cast<float>(p.y()), false};
-      case frep::Opcode::z: return {p.z(), static_cast<float>(p.z()), false};
+      case frep::Opcode::x: return {p.x(), static_cast<float>(p.x()), false, 1};
+      case frep::Opcode::y: return {p.y(), static_cast<float>(p.y()), false, 1};
+      case frep::Opcode::z: return {p.z(), static_cast<float>(p.z()), false, 1};
       default: break;
     }
     const float single = frep::apply(op, a.single, b.single);
     const bool fixed = a.fixed && (frep::info(op).arity == 1 || b.fixed);
-    return {fixed ? single : frep::apply(op, a.value, b.value), single, fixed};
+    const double value = fixed ? single : frep::apply(op, a.value, b.value);
+    Entry made{value, single, fixed};
+    if (fixed) return made;
+    const auto [by_a, by_b] = partials(op, a.value, b.value, value);
+    const auto [single_by_a, single_by_b] = partials(op, a.single, b.single, single);
+    const auto add = [&](const Entry& from, double slope, double single_slope) {
+      if (from.fixed) return;
+      made.summed += std::abs(slope) * from.summed;
+      made.blur += std::abs(slope) * from.blur + std::abs(slope - single_slope) * from.summed;
+    };
+    add(a, by_a, single_by_a);
+    if (frep::info(op).arity == 2) add(b, by_b, single_by_b);
+    return made;
+  }
+  /// By the first and the second argument; of those that decide by size or sign some bounds.
+  static std::pair<double, double> partials(frep::Opcode op, double x, double y, double value) {
+    using frep::Opcode;
+    switch (op) {
+      case Opcode::sine: return {std::cos(x), 0};
+      case Opcode::cosine: return {std::sin(x), 0};
+      case Opcode::tangent: return {1 + value * value, 0};
+      case Opcode::arcsine:
+      case Opcode::arccosine: return {1 / std::sqrt(1 - x * x), 0};
+      case Opcode::arctangent: return {1 / (1 + x * x), 0};
+      case Opcode::square: return {2 * x, 0};
+      case Opcode::square_root: return {1 / (2 * value), 0};
+      case Opcode::exponential: return {value, 0};
+      case Opcode::logarithm: return {1 / x, 0};
+      case Opcode::floor:
+      case Opcode::ceiling:
+      case Opcode::compare: return {0, 0};
+      case Opcode::multiply: return {y, x};
+      case Opcode::divide: return {1 / y, value / y};
+      case Opcode::power: return {y * std::pow(x, y - 1), x > 0 ? value * std::log(x) : 0};
+      case Opcode::arctangent2: return {y / (x * x + y * y), x / (x * x + y * y)};
+      case Opcode::modulo: return {1, std::floor(x / y)};
+      default: return {1, 1};
+    }
   }
   static bool same_branch(frep::Opcode op, const Entry& a, const Entry& b, const Entry& made) {
     switch (op) {
