@@ -331,7 +331,13 @@ std::string random_design() {
                              ", $fa = 12, $fs = 2) {\n" + random_outline(1.1) + "}\n";
   const std::string moved = "multmatrix([[1, 0, 0, " + n(-1, 1) + "], [0, 0.8, -0.6, " + n(-1, 1) + "], [0, 0.6, 0.8, " +
                             n(-1, 1) + "], [0, 0, 0, 1]]) {\n";
-  switch (draw(0, 5)) {
+  // A pyramid with a dent in its base.
+  const std::string dented =
+      "polyhedron(points = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [" + n(-1, 1) + ", " + n(-1, 1) + ", 1], [" +
+      n(-0.1, 0.1) + ", " + n(-0.1, 0.1) + ", " + n(-0.95, -0.3) +
+      "]], faces = [[4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3], [5, 0, 1], [5, 1, 2], [5, 2, 3], [5, 3, 0]], convexity = 2);\n";
+  switch (draw(0, 6)) {
+    case 5: return dented;
     case 0: return extruded;
     case 1: return turned;
     case 2: return moved + extruded + "}\n";
