@@ -14,6 +14,9 @@ class FacedField final : public Field {
     field_->gradients(points, out, slopes);
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return field_->interval(box); }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    field_->slopes(box, directions, out);
+  }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     field_->restrict_all(boxes, purpose, out);
   }

@@ -10,6 +10,7 @@ namespace fieldfab::openscad {
 namespace {
 
 constexpr std::size_t chunk = 256;
+constexpr std::size_t lanes = 8;  // directions that are followed together
 using Chunk = std::array<float, chunk>;
 
 /// The distance between boxes along the axis on which they are farthest apart; 0 where they meet.
@@ -70,6 +71,29 @@ class Assembly final : public Field {
       all = {std::min(all.lower, here.lower), std::min(all.upper, here.upper), all.maybe_nan || here.maybe_nan};
     }
     return all;
+  }
+
+  /// Of several that change by so much for a step the least changes no less and no more.
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    const float upper = interval(box).upper;
+    std::fill_n(out.begin(), directions.size(), Interval::unknown());
+    bool any = false;
+    std::array<Interval, lanes> one;
+    for (const Placed& part : parts_) {
+      if (least_of(part, box) > upper) continue;
+      if (const Interval range = part.field->interval(box); range.lower > upper && !range.maybe_nan) continue;
+      for (std::size_t first = 0; first < directions.size(); first += lanes) {
+        const std::size_t count = std::min(lanes, directions.size() - first);
+        part.field->slopes(box, directions.subspan(first, count), one);
+        for (std::size_t i = 0; i < count; ++i) {
+          Interval& all = out[first + i];
+          all = any ? Interval{std::min(all.lower, one[i].lower), std::max(all.upper, one[i].upper),
+                               all.maybe_nan || one[i].maybe_nan}
+                    : one[i];
+        }
+      }
+      any = true;
+    }
   }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {

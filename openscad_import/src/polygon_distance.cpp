@@ -5,6 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "fieldfab/field/distance_slopes.h"
 
 namespace fieldfab::openscad {
 namespace {
@@ -95,7 +98,13 @@ PolygonDistance::Nearest PolygonDistance::at(const Vec2& point) const {
 
 std::shared_ptr<const PolygonDistance> PolygonDistance::near(const Vec2& centre, double reach, double& distance) const {
   distance = at(centre).distance;
-  const double farthest = (std::abs(distance) + 2 * reach) * (1 + 1e-9) + 1e-9, square = farthest * farthest;
+  std::vector<Edge> kept = within(centre, (std::abs(distance) + 2 * reach) * (1 + 1e-9) + 1e-9);
+  if (kept.size() == edges_.size()) return nullptr;
+  return std::shared_ptr<const PolygonDistance>(new PolygonDistance(std::move(kept)));
+}
+
+std::vector<PolygonDistance::Edge> PolygonDistance::within(const Vec2& centre, double reach) const {
+  const double square = reach * reach;
   std::vector<Edge> kept;
   std::array<std::uint32_t, 64> open;
   std::size_t count = 0;
@@ -115,8 +124,55 @@ std::shared_ptr<const PolygonDistance> PolygonDistance::near(const Vec2& centre,
       if (found.square <= square) kept.push_back(edges_[i]);
     }
   }
-  if (kept.size() == edges_.size()) return nullptr;
-  return std::shared_ptr<const PolygonDistance>(new PolygonDistance(std::move(kept)));
+  return kept;
+}
+
+void PolygonDistance::slopes(const Vec2& centre, double reach, std::span<const Vec2> directions, std::span<Interval> out) const {
+  std::fill_n(out.begin(), directions.size(), Interval::unknown());
+  const double distance = at(centre).distance;
+  if (!std::isfinite(distance) || !std::isfinite(reach)) return;
+  const std::vector<Edge> near = within(centre, (std::abs(distance) + 2 * reach) * (1 + 1e-9) + 1e-9);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const auto steepest = static_cast<float>(directions[i].norm());
+    out[i] = {-steepest, steepest, false};
+  }
+  constexpr std::size_t many = 64;
+  if (near.empty() || near.size() > many) return;
+  const auto in_space = [](const Vec2& v) { return Vec3(v.x(), v.y(), 0); };
+  // The gradient is an edge's normal, or at a corner any between those of its edges.
+  std::vector<std::array<Vec3, 2>> corners;
+  std::vector<Vec3> ways;
+  std::vector<double> reaches;
+  for (const Edge& edge : near) {
+    const auto outward = [&](const Edge& of) {
+      const Vec2 along = (of.to - of.from).normalized();
+      return Vec3(along.y(), -along.x(), 0);
+    };
+    bool any = false;
+    for (const Edge& next : near)
+      if (edge.to == next.from) corners.push_back({outward(edge), outward(next)}), any = true;
+    if (!any) corners.push_back({outward(edge), outward(edge)});
+    // Off the outlines it leads away from the nearest place; beside the edge that is along its normal.
+    Found found;
+    look(edge, centre, found);
+    ways.push_back(distance < 0 ? Vec3(-in_space(found.to)) : in_space(found.to));
+    const double length = (edge.to - edge.from).norm(), along = (edge.to - edge.from).dot(centre - edge.from) / length;
+    reaches.push_back(along > reach && along < length - reach ? 0 : reach);
+  }
+  std::vector<NormalCone> cones;
+  for (const std::array<Vec3, 2>& normals : corners) cones.emplace_back(normals);
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const Vec3 direction = in_space(directions[i]);
+    const auto add = [](std::optional<Interval>& all, const Interval& one) {
+      all = all ? Interval{std::min(all->lower, one.lower), std::max(all->upper, one.upper), false} : one;
+    };
+    std::optional<Interval> by_normals, by_ways;
+    for (const NormalCone& cone : cones) add(by_normals, cone.along(direction));
+    out[i] = common(out[i], *by_normals);
+    if (std::abs(distance) <= reach) continue;
+    for (std::size_t k = 0; k < ways.size(); ++k) add(by_ways, slope_away_from(ways[k], reaches[k], direction));
+    out[i] = common(out[i], *by_ways);
+  }
 }
 
 std::size_t PolygonDistance::cost() const {

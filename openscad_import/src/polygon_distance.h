@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "fieldfab/core/interval.h"
 #include "flat.h"
 
 namespace fieldfab::openscad {
@@ -24,6 +26,9 @@ class PolygonDistance {
   /// to that at the centre.
   [[nodiscard]] std::shared_ptr<const PolygonDistance> near(const Vec2& centre, double reach, double& distance) const;
 
+  /// Bounds on how fast the distance changes along each direction between points within `reach` of `centre` (Field::slopes()).
+  void slopes(const Vec2& centre, double reach, std::span<const Vec2> directions, std::span<Interval> out) const;
+
   [[nodiscard]] std::size_t edges() const { return edges_.size(); }
   /// Rough cost of at(), in arithmetic operations.
   [[nodiscard]] std::size_t cost() const;
@@ -40,6 +45,7 @@ class PolygonDistance {
   struct Found;
   explicit PolygonDistance(std::vector<Edge> edges);
   void divide(std::uint32_t first, std::uint32_t count);
+  [[nodiscard]] std::vector<Edge> within(const Vec2& centre, double reach) const;
   static void look(const Edge& edge, const Vec2& point, Found& best);
 
   std::vector<Edge> edges_;

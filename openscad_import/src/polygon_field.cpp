@@ -1,11 +1,14 @@
 #include "polygon_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <vector>
 
+#include "fieldfab/field/distance_slopes.h"
 #include "polygon_distance.h"
 
 namespace fieldfab::openscad {
@@ -30,6 +33,26 @@ Span distances(const Distance& whole, const Vec2& centre, double reach, Distance
   if (!near) near = whole;
   const double wide = reach + margin(std::abs(middle) + reach + centre.cwiseAbs().maxCoeff());
   return {middle - wide, middle + wide};
+}
+
+constexpr std::size_t lanes = 8;  // directions that are followed together
+
+/// Calls visit(some, first) for consecutive parts of at most `lanes` directions.
+template <class Visit>
+void for_few(std::span<const Vec3> directions, const Visit& visit) {
+  for (std::size_t first = 0; first < directions.size(); first += lanes)
+    visit(directions.subspan(first, std::min(lanes, directions.size() - first)), first);
+}
+
+Interval hull(const Interval& a, const Interval& b) {
+  return {std::min(a.lower, b.lower), std::max(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
+}
+
+/// The least of cos(t) a + sin(t) b for t from `first` to `last`, which lie between 0 and a right angle.
+double least_mixture(double a, double b, double first, double last) {
+  const double lowest = std::atan2(-b, -a);
+  if (first < lowest && lowest < last) return -std::hypot(a, b);
+  return std::min(std::cos(first) * a + std::sin(first) * b, std::cos(last) * a + std::sin(last) * b);
 }
 
 bool is_finite(const Box& box) { return box.lower.allFinite() && box.upper.allFinite(); }
@@ -65,6 +88,30 @@ class Extruded final : public Field {
     }
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return restricted_to(box).range; }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    std::fill_n(out.begin(), directions.size(), Interval::unknown());
+    if (!is_finite(box)) return;
+    const Part part = restricted_to(box);
+    const bool above = box.upper.z() >= middle_, below = box.lower.z() <= middle_;
+    const auto along_z = [&](double up) -> Interval {
+      const auto step = static_cast<float>(up);
+      return {above && below ? -std::abs(step)
+              : above        ? step
+                             : -step,
+              above && below ? std::abs(step)
+              : above        ? step
+                             : -step,
+              false};
+    };
+    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+      std::array<Vec2, lanes> flat;
+      std::array<Interval, lanes> across;
+      for (std::size_t i = 0; i < some.size(); ++i) flat[i] = some[i].head<2>();
+      if (part.outlines) part.outlines->slopes(box.centre().head<2>(), half_diagonal(box), {flat.data(), some.size()}, across);
+      for (std::size_t i = 0; i < some.size(); ++i)
+        out[first + i] = joined_slope(part, across[i], along_z(some[i].z()), some[i].norm());
+    });
+  }
   void restrict_all(std::span<const Box> boxes, Purpose, std::span<Restriction> out) const override {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Part part = restricted_to(boxes[i]);
@@ -80,7 +127,23 @@ class Extruded final : public Field {
   struct Part {
     Interval range;
     Distance outlines;
+    Span across{}, along{};  ///< the distances to the outlines, where they matter, and to the ends
   };
+  static double half_diagonal(const Box& box) { return 0.5 * box.size().head<2>().norm(); }
+
+  /// The slope of joined(): beside both, cos(t) times that across and sin(t) times that along, where t is the angle under which
+  /// the nearest edge lies; else that of the greater.
+  static Interval joined_slope(const Part& part, const Interval& across, const Interval& along, double steepest) {
+    if (!part.outlines) return along;
+    if (across.maybe_nan) return across;
+    const Span &d = part.across, &w = part.along;
+    if (d.upper <= 0 || w.upper <= 0) return d.lower >= w.upper ? across : w.lower > d.upper ? along : hull(across, along);
+    const double right = 0.5 * std::numbers::pi;
+    const double least = std::atan2(std::max(w.lower, 0.0), d.upper), most = d.lower > 0 ? std::atan2(w.upper, d.lower) : right;
+    const double lower = least_mixture(across.lower, along.lower, least, most);
+    const double upper = -least_mixture(-across.upper, -along.upper, least, most);
+    return rounded({std::max(lower, -steepest), std::min(upper, steepest)});
+  }
   [[nodiscard]] double along(double z) const { return std::abs(z - middle_) - half_; }
   static double joined(double across, double along) {
     return across > 0 && along > 0 ? std::hypot(across, along) : std::max(across, along);
@@ -93,10 +156,10 @@ class Extruded final : public Field {
     const Span w{(holds_middle ? -half_ : std::min(low, high)) - slack, std::max(low, high) + slack};
     Span d{-huge, -huge};
     Distance near = outlines_;
-    if (outlines_) d = distances(outlines_, box.centre().head<2>(), 0.5 * box.size().head<2>().norm(), near);
+    if (outlines_) d = distances(outlines_, box.centre().head<2>(), half_diagonal(box), near);
     const Span all{joined(d.lower, w.lower) - growth_, joined(d.upper, w.upper) - growth_};
     if (d.upper < w.lower && d.upper < 0) near = nullptr;  // the ends alone decide
-    return {rounded(all), near};
+    return {rounded(all), near, d, w};
   }
 
   Distance outlines_;  ///< null where they do not matter
@@ -128,6 +191,27 @@ class Turned final : public Field {
     }
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return restricted_to(box).range; }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    std::fill_n(out.begin(), directions.size(), Interval::unknown());
+    if (!is_finite(box)) return;
+    const auto [middle, reach] = in_profile(box);
+    const std::vector<Vec2> ways = ways_out(box);
+    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
+      // A step goes as far out as the ways there allow, and as far up as it says.
+      std::array<Vec2, 2 * lanes> steps;
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const Span out_by = steps_out(ways, some[i].head<2>());
+        steps[2 * i] = {out_by.lower, some[i].z()};
+        steps[2 * i + 1] = {out_by.upper, some[i].z()};
+      }
+      std::array<Interval, 2 * lanes> changes;
+      profile_->slopes(middle, reach, {steps.data(), 2 * some.size()}, changes);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const Interval change = hull(changes[2 * i], changes[2 * i + 1]);
+        if (!change.maybe_nan) out[first + i] = rounded({shrink_ * change.lower, shrink_ * change.upper});
+      }
+    });
+  }
   void restrict_all(std::span<const Box> boxes, Purpose, std::span<Restriction> out) const override {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Part part = restricted_to(boxes[i]);
@@ -158,16 +242,66 @@ class Turned final : public Field {
     const Vec2 direction(std::cos(way), std::sin(way));
     return {(x * direction.x() + y * direction.y()) / shrink_, direction};
   }
-  [[nodiscard]] Part restricted_to(const Box& box) const {
-    if (!is_finite(box)) return {Interval::unknown(), profile_};
+  /// The middle of a circle in the profile that holds the box, and its radius.
+  [[nodiscard]] std::pair<Vec2, double> in_profile(const Box& box) const {
     const Vec2 centre = box.centre().head<2>();
     const Vec2 half = 0.5 * box.size().head<2>();
     const double out = out_from_axis(centre.x(), centre.y()).first;
     // The way out is the greatest of linear functions, none steeper than this.
     const double reach = half.norm() / shrink_ + margin(out);
-    const Vec2 middle(out, box.centre().z());
+    return {Vec2(out, box.centre().z()), std::hypot(reach, 0.5 * box.size().z())};
+  }
+  /// The ways out over a box: of round solids the outermost two, of others those of all sides that are there; none where any may
+  /// be.
+  [[nodiscard]] std::vector<Vec2> ways_out(const Box& box) const {
+    std::array<Vec2, 4> corners;
+    for (unsigned i = 0; i < 4; ++i)
+      corners[i] = {(i & 1U) != 0 ? box.upper.x() : box.lower.x(), (i & 2U) != 0 ? box.upper.y() : box.lower.y()};
+    std::vector<Vec2> ways;
+    if (turn_.fragments == 0) {
+      if ((box.lower.head<2>().array() <= 0).all() && (box.upper.head<2>().array() >= 0).all()) return ways;
+      const auto before = [](const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x() > 0; };
+      const auto [first, last] = std::minmax_element(corners.begin(), corners.end(), before);
+      return {first->normalized(), last->normalized()};
+    }
+    // The way out is the greatest of linear functions, of which some are nowhere in the box as great as another is everywhere.
+    std::vector<double> most;
+    double least = -std::numeric_limits<double>::infinity();
+    for (int side = 0; side < turn_.fragments; ++side) {
+      const double way = turn_.first + (side + 0.5) * turn_.step;
+      ways.emplace_back(std::cos(way), std::sin(way));
+      double low = std::numeric_limits<double>::infinity(), high = -low;
+      for (const Vec2& corner : corners) {
+        const double out = ways.back().dot(corner);
+        low = std::min(low, out), high = std::max(high, out);
+      }
+      most.push_back(high);
+      least = std::max(least, low);
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+      if (most[i] >= least - margin(least)) ways[kept++] = ways[i];
+    ways.resize(kept);
+    return ways;
+  }
+  /// How far out a step goes, at least and at most.
+  [[nodiscard]] Span steps_out(const std::vector<Vec2>& ways, const Vec2& step) const {
+    const double longest = step.norm();
+    if (ways.empty()) return {-longest / shrink_, longest / shrink_};
+    if (turn_.fragments == 0) {
+      const std::array<Vec3, 2> ends{Vec3(ways[0].x(), ways[0].y(), 0), Vec3(ways[1].x(), ways[1].y(), 0)};
+      const Interval found = NormalCone(ends).along({step.x(), step.y(), 0});
+      return {found.lower, found.upper};
+    }
+    Span out{longest, -longest};
+    for (const Vec2& way : ways) out = {std::min(out.lower, way.dot(step)), std::max(out.upper, way.dot(step))};
+    return {out.lower / shrink_, out.upper / shrink_};
+  }
+  [[nodiscard]] Part restricted_to(const Box& box) const {
+    if (!is_finite(box)) return {Interval::unknown(), profile_};
+    const auto [middle, reach] = in_profile(box);
     Distance near;
-    const Span d = distances(profile_, middle, std::hypot(reach, 0.5 * box.size().z()), near);
+    const Span d = distances(profile_, middle, reach, near);
     return {rounded({shrink_ * d.lower - growth_, shrink_ * d.upper - growth_}), near};
   }
 

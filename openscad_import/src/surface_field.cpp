@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 
+#include "fieldfab/field/distance_slopes.h"
+
 namespace fieldfab::openscad {
 namespace {
 
@@ -98,6 +100,36 @@ class SurfaceField final : public Field {
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     double distance = 0;
     return range(box, distance);
+  }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    std::fill_n(out.begin(), directions.size(), Interval::unknown());
+    if (!box.valid()) return;
+    const Vec3 centre = box.centre();
+    const double distance = signed_distance(nearest(centre)), reach = 0.5 * box.diagonal() * (1 + 1e-9) + 1e-9;
+    constexpr std::size_t many = 512;
+    const std::vector<std::uint32_t> near = within(centre, (std::abs(distance) + 2 * reach) * (1 + 1e-9) + 1e-9);
+    std::vector<Vec3> normals, ways;
+    if (near.size() <= many)
+      for (const std::uint32_t i : near) {
+        Found one;
+        look((*facets_)[i], centre, one);
+        normals.push_back((*facets_)[i].normals[0]);
+        ways.push_back(distance < 0 ? Vec3(-one.to) : one.to);
+      }
+    const NormalCone cone(normals);
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const auto steepest = static_cast<float>(directions[i].norm());
+      out[i] = {-steepest, steepest, false};
+      if (normals.empty()) continue;
+      out[i] = common(out[i], cone.along(directions[i]));
+      if (std::abs(distance) <= reach) continue;
+      Interval all = slope_away_from(ways[0], reach, directions[i]);
+      for (const Vec3& way : ways) {
+        const Interval one = slope_away_from(way, reach, directions[i]);
+        all = {std::min(all.lower, one.lower), std::max(all.upper, one.upper), false};
+      }
+      out[i] = common(out[i], all);
+    }
   }
   void restrict_all(std::span<const Box> boxes, Purpose, std::span<Restriction> out) const override {
     for (std::size_t i = 0; i < boxes.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "fieldfab/render/render.h"
 #include "fieldfab/volume/distances.h"
 #include "random_expression.h"
+#include "slopes_check.h"
 
 namespace fieldfab {
 namespace {
@@ -99,46 +100,11 @@ RC_GTEST_PROP(FieldOperations, IntervalsHoldValuesAndRestrictionChangesNothing, 
   }
 }
 
-/// Whether slopes() holds every difference quotient between points of a box, but for rounding of the values.
-void expect_slopes_hold(const Field& field, const Box& box) {
-  constexpr std::size_t count = 11;  // more than are followed together
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  std::uniform_real_distribution<double> unit(0, 1);
-  std::vector<Vec3> directions{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  while (directions.size() < count) directions.push_back(Vec3(normal(random), normal(random), normal(random)).normalized());
-  std::array<Interval, count> slopes;
-  field.slopes(box, directions, slopes);
-  const Interval range = field.interval(box);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Interval& slope = slopes[i];
-    if (slope.maybe_nan) continue;
-    for (int j = 0; j < 40; ++j) {
-      const Vec3 p = box.lower + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.size());
-      const Vec3 q = p + unit(random) * box.size().minCoeff() * directions[i];
-      const Eigen::Vector3f from = p.cast<float>(), to = q.cast<float>();
-      if (!box.contains(q) || (to - from).norm() < 1e-3 * box.size().minCoeff()) continue;
-      const double a = field.value(from.cast<double>()), b = field.value(to.cast<double>());
-      const double t = (to - from).cast<double>().dot(directions[i]);
-      const double scale = std::max({1.0, std::abs(double{range.lower}), std::abs(double{range.upper}), p.norm(),
-                                     std::abs(double{slope.lower}), std::abs(double{slope.upper})});
-      const double rounding = 2e-5 * scale;
-      RC_ASSERT(b - a >= t * slope.lower - rounding);
-      RC_ASSERT(b - a <= t * slope.upper + rounding);
-    }
-  }
-}
-
 RC_GTEST_PROP(FieldOperations, SlopesHoldDifferences, ()) {
   const FieldPtr solid = random_solid(draw(0, 4));
   const Box box = random_box();
   expect_slopes_hold(*solid, box);
   expect_slopes_hold(*solid->restricted(box).field, box);
-}
-
-RC_GTEST_PROP(FieldOperations, SlopesOfExpressionsHoldDifferences, ()) {
-  const FieldPtr field = frep::make_field(frep::random_expression(draw(1, 6)));
-  expect_slopes_hold(*field, random_box());
 }
 
 RC_GTEST_PROP(AsdfProperties, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {

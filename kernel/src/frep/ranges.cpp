@@ -29,17 +29,46 @@ Chosen choose(const Clause& clause, const Interval& a, const Interval& b, bool s
 
 }  // namespace
 
+namespace {
+
+/// apply() for what most tapes are made of, without a call.
+inline Interval apply_inline(const Clause& clause, const Interval& a, const Interval& b) {
+  const bool nan = a.maybe_nan || b.maybe_nan;
+  switch (clause.op) {
+    case Opcode::absolute: return absolute(a);
+    case Opcode::square: return square(a);
+    case Opcode::negate: return negate(a);
+    case Opcode::add: return add(a, b, nan);
+    case Opcode::subtract: return add(a, negate(b), nan);
+    // A value times itself is its square, and their products are the same floats.
+    case Opcode::multiply: return clause.a == clause.b ? square(a) : multiply(a, b, nan);
+    case Opcode::minimum: return minimum(a, b, nan);
+    case Opcode::maximum: return maximum(a, b, nan);
+    default: return apply(clause.op, a, b);
+  }
+}
+
+}  // namespace
+
 Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, Ranges& ranges) {
   ranges.resize(first_value + tape.code.size());
   ranges.set(0, x);
   ranges.set(1, y);
   ranges.set(2, z);
-  std::size_t at = first_value;
-  for (const Clause& clause : tape.code) {
-    const Interval a = operand_range(tape, ranges, clause.a), b = operand_range(tape, ranges, clause.b);
-    // A value times itself is its square, and their products are the same floats.
-    const bool squared = clause.op == Opcode::multiply && clause.a == clause.b;
-    ranges.set(at++, squared ? square(a) : apply(clause.op, a, b));
+  // A byte may be part of anything: through these pointers it is clear that the arrays themselves do not change.
+  float *const lower = ranges.lower.data(), *const upper = ranges.upper.data();
+  std::uint8_t* const maybe_nan = ranges.maybe_nan.data();
+  const float* const constants = tape.constants->data();
+  const auto range_of = [&](Operand operand) {
+    return is_constant(operand) ? Interval::of(constants[operand & ~constant_bit])
+                                : Interval{lower[operand], upper[operand], maybe_nan[operand] != 0};
+  };
+  const Clause* const code = tape.code.data();
+  for (std::size_t i = 0, count = tape.code.size(); i < count; ++i) {
+    const Clause clause = code[i];
+    const Interval made = apply_inline(clause, range_of(clause.a), range_of(clause.b));
+    lower[first_value + i] = made.lower, upper[first_value + i] = made.upper;
+    maybe_nan[first_value + i] = static_cast<std::uint8_t>(made.maybe_nan);
   }
   return operand_range(tape, ranges, tape.root);
 }

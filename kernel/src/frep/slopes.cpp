@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "fieldfab/frep/reference.h"
 #include "interval_arithmetic.h"
@@ -11,62 +12,77 @@
 namespace fieldfab::frep {
 namespace {
 
-/// The slopes of one value, a direction a lane; `known` is false where nothing is known about them.
+/// Four lanes: what every processor has registers for.
+using Four = float __attribute__((vector_size(16)));
+constexpr std::size_t fours = slope_lanes / 4;
+
+Four least(Four a, Four b) { return a < b ? a : b; }
+Four greatest(Four a, Four b) { return a > b ? a : b; }
+
+/// The slopes of one value, a direction a lane; where nothing is known about them `known` is false, and the numbers mean nothing.
 struct Lanes {
-  float lower[slope_lanes];
-  float upper[slope_lanes];
+  Four lower[fours], upper[fours];
   bool known;
 };
 
-Lanes all(float number) {
-  Lanes lanes;
-  std::fill_n(lanes.lower, slope_lanes, number);
-  std::fill_n(lanes.upper, slope_lanes, number);
-  lanes.known = true;
-  return lanes;
-}
+constexpr Lanes none{{}, {}, true};  // of a constant
 
-Lanes unknown() {
-  Lanes lanes = all(0);
-  lanes.known = false;
-  return lanes;
-}
+void set_unknown(Lanes& out) { out.known = false; }
 
-Lanes negated(const Lanes& a) {
-  Lanes out;
-  for (std::size_t i = 0; i < slope_lanes; ++i) out.lower[i] = -a.upper[i], out.upper[i] = -a.lower[i];
-  out.known = a.known;
-  return out;
-}
-
-Lanes sum(const Lanes& a, const Lanes& b) {
-  Lanes out;
-  for (std::size_t i = 0; i < slope_lanes; ++i) out.lower[i] = a.lower[i] + b.lower[i], out.upper[i] = a.upper[i] + b.upper[i];
-  out.known = a.known && b.known;
-  return out;
-}
-
-Lanes hull(const Lanes& a, const Lanes& b) {
-  Lanes out;
-  for (std::size_t i = 0; i < slope_lanes; ++i) {
-    out.lower[i] = a.lower[i] < b.lower[i] ? a.lower[i] : b.lower[i];
-    out.upper[i] = a.upper[i] > b.upper[i] ? a.upper[i] : b.upper[i];
+void set_negated(Lanes& out, const Lanes& a) {
+  for (std::size_t i = 0; i < fours; ++i) {
+    const Four lower = -a.upper[i], upper = -a.lower[i];
+    out.lower[i] = lower, out.upper[i] = upper;
   }
+  out.known = a.known;
+}
+
+void set_sum(Lanes& out, const Lanes& a, const Lanes& b) {
+  for (std::size_t i = 0; i < fours; ++i) out.lower[i] = a.lower[i] + b.lower[i], out.upper[i] = a.upper[i] + b.upper[i];
   out.known = a.known && b.known;
-  return out;
+}
+
+void set_difference(Lanes& out, const Lanes& a, const Lanes& b) {
+  for (std::size_t i = 0; i < fours; ++i) out.lower[i] = a.lower[i] - b.upper[i], out.upper[i] = a.upper[i] - b.lower[i];
+  out.known = a.known && b.known;
+}
+
+void set_hull(Lanes& out, const Lanes& a, const Lanes& b) {
+  for (std::size_t i = 0; i < fours; ++i)
+    out.lower[i] = least(a.lower[i], b.lower[i]), out.upper[i] = greatest(a.upper[i], b.upper[i]);
+  out.known = a.known && b.known;
+}
+
+void set_scaled(Lanes& out, const Interval& by, const Lanes& a) {
+  const float low = by.lower, high = by.upper;
+  for (std::size_t i = 0; i < fours; ++i) {
+    const Four ll = low * a.lower[i], lu = low * a.upper[i], ul = high * a.lower[i], uu = high * a.upper[i];
+    out.lower[i] = least(least(ll, lu), least(ul, uu));
+    out.upper[i] = greatest(greatest(ll, lu), greatest(ul, uu));
+  }
+  out.known = a.known && !by.maybe_nan && std::isfinite(low) && std::isfinite(high);
 }
 
 Lanes scaled(const Interval& by, const Lanes& a) {
-  if (by.maybe_nan || !std::isfinite(by.lower) || !std::isfinite(by.upper)) return unknown();
   Lanes out;
-  for (std::size_t i = 0; i < slope_lanes; ++i) {
-    const float ll = by.lower * a.lower[i], lu = by.lower * a.upper[i], ul = by.upper * a.lower[i], uu = by.upper * a.upper[i];
-    const float low = ll < lu ? ll : lu, lower = ul < uu ? ul : uu, high = ll > lu ? ll : lu, higher = ul > uu ? ul : uu;
-    out.lower[i] = low < lower ? low : lower;
-    out.upper[i] = high > higher ? high : higher;
-  }
-  out.known = a.known;
+  set_scaled(out, by, a);
   return out;
+}
+
+/// Whether all ends are finite: a number less itself is 0 but for infinities and NaN.
+bool is_finite(const Lanes& a) {
+  Four off{};
+  for (std::size_t i = 0; i < fours; ++i) off += (a.lower[i] - a.lower[i]) + (a.upper[i] - a.upper[i]);
+  std::array<std::uint64_t, 2> bits;
+  std::memcpy(bits.data(), &off, sizeof off);
+  return (bits[0] | bits[1]) == 0;
+}
+
+/// Whether all slopes are known to be 0.
+bool never_changes(const Lanes& a) {
+  Four off{};
+  for (std::size_t i = 0; i < fours; ++i) off += greatest(a.lower[i], -a.lower[i]) + greatest(a.upper[i], -a.upper[i]);
+  return a.known && off[0] + off[1] + off[2] + off[3] == 0;
 }
 
 Interval inverse(const Interval& a) {
@@ -92,24 +108,25 @@ class SlopeRun {
  public:
   SlopeRun(const Tape& tape, const Ranges& ranges, std::span<const Vec3> directions) : tape_(tape), ranges_(ranges) {
     static thread_local std::vector<Lanes> kept;
-    kept.resize(first_value + tape.code.size());
+    if (kept.size() < first_value + tape.code.size()) kept.resize(first_value + tape.code.size());
     slopes_ = kept.data();
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      slopes_[axis] = all(0);
+      slopes_[axis] = none;
       for (std::size_t i = 0; i < directions.size(); ++i)
-        slopes_[axis].lower[i] = slopes_[axis].upper[i] = static_cast<float>(directions[i][static_cast<Eigen::Index>(axis)]);
+        slopes_[axis].lower[i / 4][i % 4] = static_cast<float>(directions[i][static_cast<Eigen::Index>(axis)]);
+      std::copy_n(slopes_[axis].lower, fours, slopes_[axis].upper);
     }
   }
 
-  Lanes run() {
+  const Lanes& run() {
     for (std::size_t i = 0; i < tape_.code.size(); ++i) {
       Lanes& made = slopes_[first_value + i];
-      const bool jumps = ranges_.maybe_nan[first_value + i] != 0;
-      made = jumps ? unknown() : step(tape_.code[i], ranges_[first_value + i]);
+      if (ranges_.maybe_nan[first_value + i] != 0)
+        set_unknown(made);
+      else
+        step(tape_.code[i], first_value + i, made);
       // An end that is not finite would spoil what is made of it.
-      float largest = 0;
-      for (std::size_t lane = 0; lane < slope_lanes; ++lane) largest += std::abs(made.lower[lane]) + std::abs(made.upper[lane]);
-      if (!std::isfinite(largest)) made = unknown();
+      if (made.known && !is_finite(made)) set_unknown(made);
     }
     return slopes_of(tape_.root);
   }
@@ -118,98 +135,122 @@ class SlopeRun {
   [[nodiscard]] Interval range_of(Operand operand) const {
     return is_constant(operand) ? Interval::of((*tape_.constants)[operand & ~constant_bit]) : ranges_[operand];
   }
-  [[nodiscard]] Lanes slopes_of(Operand operand) const { return is_constant(operand) ? all(0) : slopes_[operand]; }
+  [[nodiscard]] const Lanes& slopes_of(Operand operand) const { return is_constant(operand) ? none : slopes_[operand]; }
 
-  [[nodiscard]] Lanes step(const Clause& clause, const Interval& value) const {
-    const Interval a = range_of(clause.a), b = range_of(clause.b);
-    const Lanes da = slopes_of(clause.a);
-    if (arity(clause.op) == 2) return step_of_two(clause, value, a, b, da, slopes_of(clause.b));
+  void step(const Clause& clause, std::size_t place, Lanes& out) const {
+    const Lanes& da = slopes_of(clause.a);
+    if (arity(clause.op) == 2) return step_of_two(clause, place, da, slopes_of(clause.b), out);
+    const Interval a = range_of(clause.a), value = ranges_[place];
     switch (clause.op) {
-      case Opcode::sine: return scaled(apply(Opcode::cosine, a), da);
-      case Opcode::cosine: return scaled(negate(apply(Opcode::sine, a)), da);
-      case Opcode::tangent: return scaled(add(Interval::of(1), square(value), false), da);
+      case Opcode::sine: return set_scaled(out, apply(Opcode::cosine, a), da);
+      case Opcode::cosine: return set_scaled(out, negate(apply(Opcode::sine, a)), da);
+      case Opcode::tangent: return set_scaled(out, add(Interval::of(1), square(value), false), da);
       case Opcode::arcsine:
       case Opcode::arccosine: {
+        if (a.lower <= -1 || a.upper >= 1) return set_unknown(out);
         const Interval slope = inverse(of_root(add(Interval::of(1), negate(square(a)), false)));
-        if (a.lower <= -1 || a.upper >= 1) return unknown();
-        return scaled(clause.op == Opcode::arcsine ? slope : negate(slope), da);
+        return set_scaled(out, clause.op == Opcode::arcsine ? slope : negate(slope), da);
       }
-      case Opcode::arctangent: return scaled(inverse(add(Interval::of(1), square(a), false)), da);
-      case Opcode::absolute: return a.lower >= 0 ? da : a.upper <= 0 ? negated(da) : hull(da, negated(da));
-      case Opcode::square: return scaled({2 * a.lower, 2 * a.upper, false}, da);
-      case Opcode::square_root: return root(clause.a, value, da);
-      case Opcode::negate: return negated(da);
-      case Opcode::exponential: return scaled(value, da);
-      case Opcode::logarithm: return scaled(inverse(a), da);
+      case Opcode::arctangent: return set_scaled(out, inverse(add(Interval::of(1), square(a), false)), da);
+      case Opcode::absolute:
+        if (a.lower >= 0) return void(out = da);
+        set_negated(out, da);
+        if (a.upper > 0) set_hull(out, out, da);
+        return;
+      case Opcode::square: return set_scaled(out, {2 * a.lower, 2 * a.upper, false}, da);
+      case Opcode::square_root: return root(clause.a, value, da, out);
+      case Opcode::negate: return set_negated(out, da);
+      case Opcode::exponential: return set_scaled(out, value, da);
+      case Opcode::logarithm: return set_scaled(out, inverse(a), da);
       case Opcode::floor:
-      case Opcode::ceiling: return value.lower == value.upper ? all(0) : unknown();
-      default: return unknown();
+      case Opcode::ceiling: return value.lower == value.upper ? void(out = none) : set_unknown(out);
+      default: return set_unknown(out);
     }
   }
 
-  [[nodiscard]] Lanes step_of_two(const Clause& clause, const Interval& value, const Interval& a, const Interval& b,
-                                  const Lanes& da, const Lanes& db) const {
+  void step_of_two(const Clause& clause, std::size_t place, const Lanes& da, const Lanes& db, Lanes& out) const {
+    if (clause.op == Opcode::add) return set_sum(out, da, db);
+    if (clause.op == Opcode::subtract) return set_difference(out, da, db);
+    const Interval a = range_of(clause.a), b = range_of(clause.b);
     switch (clause.op) {
-      case Opcode::add: return sum(da, db);
-      case Opcode::subtract: return sum(da, negated(db));
       case Opcode::multiply:
-        if (clause.a == clause.b) return scaled({2 * a.lower, 2 * a.upper, false}, da);
-        return sum(scaled(b, da), scaled(a, db));
-      case Opcode::divide: return scaled(inverse(b), sum(da, scaled(negate(value), db)));
-      case Opcode::minimum: return a.upper <= b.lower ? da : b.upper < a.lower ? db : hull(da, db);
-      case Opcode::maximum: return a.lower >= b.upper ? da : b.lower > a.upper ? db : hull(da, db);
+        if (clause.a == clause.b) return set_scaled(out, {2 * a.lower, 2 * a.upper, false}, da);
+        if (is_constant(clause.a)) return set_scaled(out, a, db);
+        set_scaled(out, b, da);
+        if (!is_constant(clause.b)) set_sum(out, out, scaled(a, db));
+        return;
+      case Opcode::divide: {
+        if (is_constant(clause.b)) return set_scaled(out, inverse(b), da);
+        Lanes sum;
+        set_sum(sum, da, scaled(negate(ranges_[place]), db));
+        return set_scaled(out, inverse(b), sum);
+      }
+      case Opcode::minimum:
+        if (a.upper <= b.lower) return void(out = da);
+        return b.upper < a.lower ? void(out = db) : set_hull(out, da, db);
+      case Opcode::maximum:
+        if (a.lower >= b.upper) return void(out = da);
+        return b.lower > a.upper ? void(out = db) : set_hull(out, da, db);
       case Opcode::power: {
         const Interval by_a = multiply(b, apply(Opcode::power, a, add(b, Interval::of(-1), false)), false);
-        const Lanes first = scaled(by_a, da);
-        if (b.lower == b.upper) return first;
-        return a.lower > 0 ? sum(first, scaled(multiply(value, apply(Opcode::logarithm, a, a), false), db)) : unknown();
+        set_scaled(out, by_a, da);
+        if (b.lower == b.upper) return;
+        if (!(a.lower > 0)) return set_unknown(out);
+        return set_sum(out, out, scaled(multiply(ranges_[place], apply(Opcode::logarithm, a, a), false), db));
       }
       case Opcode::arctangent2: {
-        if (!(b.lower > 0 || a.lower > 0 || a.upper < 0)) return unknown();  // the cut, or the origin
+        if (!(b.lower > 0 || a.lower > 0 || a.upper < 0)) return set_unknown(out);  // the cut, or the origin
         const Interval length = inverse(add(square(a), square(b), false));
-        return sum(scaled(multiply(b, length, false), da), scaled(negate(multiply(a, length, false)), db));
+        set_scaled(out, multiply(b, length, false), da);
+        return set_sum(out, out, scaled(negate(multiply(a, length, false)), db));
       }
       case Opcode::modulo: {
         const Interval quotient = apply(Opcode::divide, a, b);
         const float whole = std::floor(quotient.lower);
-        if (quotient.maybe_nan || whole != std::floor(quotient.upper)) return unknown();
-        return sum(da, scaled(Interval::of(-whole), db));
+        if (quotient.maybe_nan || whole != std::floor(quotient.upper)) return set_unknown(out);
+        return set_sum(out, da, scaled(Interval::of(-whole), db));
       }
-      case Opcode::compare: return value.lower == value.upper ? all(0) : unknown();
-      default: return unknown();
+      case Opcode::compare: {
+        const Interval value = ranges_[place];
+        return value.lower == value.upper ? void(out = none) : set_unknown(out);
+      }
+      default: return set_unknown(out);
     }
   }
 
   /// The square root of a sum of squares is a length: its slope is that of each part times the part's share of it, which is at
   /// most 1 also where the length is 0. Other roots are known where they are off 0.
-  [[nodiscard]] Lanes root(Operand argument, const Interval& value, const Lanes& slopes) const {
+  void root(Operand argument, const Interval& value, const Lanes& slopes, Lanes& out) const {
     std::array<Operand, 4> parts;
     std::size_t count = 0;
-    if (squares_in(argument, parts, count)) {
-      Lanes total = all(0), squares = all(0);
-      for (std::size_t i = 0; i < count; ++i) {
-        Interval rest = Interval::of(0);
-        for (std::size_t j = 0; j < count; ++j)
-          if (j != i) rest = add(rest, square(range_of(parts[j])), false);
-        const Lanes part = slopes_of(parts[i]);
-        total = sum(total, scaled(share_of_length(range_of(parts[i]), rest), part));
-        for (std::size_t lane = 0; lane < slope_lanes; ++lane) {
-          const float most = std::max(std::abs(part.lower[lane]), std::abs(part.upper[lane]));
-          squares.upper[lane] += most * most;
-        }
+    if (!squares_in(argument, parts, count)) {
+      if (never_changes(slopes)) {
+        out = none;
+        return;
       }
-      for (std::size_t lane = 0; lane < slope_lanes; ++lane) {  // a length changes by no more than its end moves
-        const float most = std::sqrt(squares.upper[lane]) * (1 + 1e-6F);
-        total.lower[lane] = std::max(total.lower[lane], -most), total.upper[lane] = std::min(total.upper[lane], most);
-      }
-      return total;
+      if (value.lower <= 0) return set_unknown(out);
+      return set_scaled(out, inverse({2 * value.lower, 2 * value.upper, false}), slopes);
     }
-    const auto zero = [](float slope) { return slope == 0; };
-    if (slopes.known && std::all_of(slopes.lower, slopes.lower + slope_lanes, zero) &&
-        std::all_of(slopes.upper, slopes.upper + slope_lanes, zero))
-      return all(0);
-    if (value.lower <= 0) return unknown();
-    return scaled(inverse({2 * value.lower, 2 * value.upper, false}), slopes);
+    std::array<Interval, 4> range;
+    for (std::size_t i = 0; i < count; ++i) range[i] = range_of(parts[i]);
+    Four squares[fours] = {};
+    out = none;
+    for (std::size_t i = 0; i < count; ++i) {
+      Interval rest = Interval::of(0);
+      for (std::size_t j = 0; j < count; ++j)
+        if (j != i) rest = add(rest, square(range[j]), false);
+      const Lanes& part = slopes_of(parts[i]);
+      set_sum(out, out, scaled(share_of_length(range[i], rest), part));
+      for (std::size_t k = 0; k < fours; ++k) {
+        const Four most = greatest(-part.lower[k], part.upper[k]);
+        squares[k] += most * most;
+      }
+    }
+    for (std::size_t k = 0; k < fours; ++k) {  // a length changes by no more than its end moves
+      Four most;
+      for (int lane = 0; lane < 4; ++lane) most[lane] = std::sqrt(squares[k][lane]) * (1 + 1e-6F);
+      out.lower[k] = greatest(out.lower[k], -most), out.upper[k] = least(out.upper[k], most);
+    }
   }
 
   /// Whether a value is a square or a sum of two to four squares; `parts` gets what is squared.
@@ -232,9 +273,10 @@ class SlopeRun {
 }  // namespace
 
 void evaluate_slopes(const Tape& tape, const Ranges& ranges, std::span<const Vec3> directions, std::span<Interval> out) {
-  const Lanes found = SlopeRun(tape, ranges, directions).run();
+  SlopeRun run(tape, ranges, directions);
+  const Lanes& found = run.run();
   for (std::size_t i = 0; i < directions.size(); ++i)
-    out[i] = found.known ? Interval{found.lower[i], found.upper[i], false} : Interval::unknown();
+    out[i] = found.known ? Interval{found.lower[i / 4][i % 4], found.upper[i / 4][i % 4], false} : Interval::unknown();
 }
 
 }  // namespace fieldfab::frep

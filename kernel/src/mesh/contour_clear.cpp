@@ -63,24 +63,34 @@ const Eigen::Vector3f& farthest_from(const Eigen::Vector3f& axis, const std::vec
   return *farthest;
 }
 
-/// A narrow cone: about the mean, turned towards the direction that is farthest off again and again (Badoiu and Clarkson 2003,
-/// for balls). Not looked for where two directions differ so much that none has a cosine of `least`.
+/// A narrow cone: the narrowest about the two or three directions that differ most, which then is turned towards what it leaves
+/// out (Badoiu and Clarkson 2003, for balls). Not looked for where two directions differ so much that none has a cosine of
+/// `least`.
 Cone cone_about(const std::vector<Eigen::Vector3f>& directions, float least) {
   Cone cone;
   if (directions.empty()) return cone;
   const Eigen::Vector3f& one = farthest_from(directions.front(), directions);
   const Eigen::Vector3f& other = farthest_from(one, directions);
   if (one.dot(other) < 2 * least * least - 1) return {directions.front(), -1};
-  for (const Eigen::Vector3f& direction : directions) cone.axis += direction;
-  cone.axis = cone.axis.normalized().eval();
-  constexpr int turns = 16;
-  for (int turn = 1;; ++turn) {
-    const Eigen::Vector3f& farthest = farthest_from(cone.axis, directions);
-    cone.cosine = farthest.dot(cone.axis);
-    constexpr float near = 0.9F;
-    if (cone.cosine > near || turn > turns) return cone;
-    cone.axis = (cone.axis + (farthest - cone.axis) / static_cast<float>(turn + 1)).normalized().eval();
+  const auto try_axis = [&](Eigen::Vector3f axis) {
+    const float length = axis.norm();
+    if (!(length > 1e-4F)) return;
+    axis *= (axis.dot(one) < 0 ? -1 : 1) / length;
+    if (const float cosine = farthest_from(axis, directions).dot(axis); cosine > cone.cosine) cone = {axis, cosine};
+  };
+  cone = {one, other.dot(one)};
+  try_axis(one + other);
+  constexpr float wide = 0.9F;
+  if (cone.cosine > wide) return cone;
+  const Eigen::Vector3f third = farthest_from(cone.axis, directions);
+  try_axis((other - one).cross(third - one));
+  constexpr int turns = 12;
+  Eigen::Vector3f axis = cone.axis;
+  for (int turn = 4; turn < 4 + turns && cone.cosine < wide; ++turn) {
+    axis = (axis + (farthest_from(axis, directions) - axis) / static_cast<float>(turn)).normalized().eval();
+    try_axis(axis);
   }
+  return cone;
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "../field/interval_sums.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
+#include "trilinear_slopes.h"
 
 namespace fieldfab {
 namespace {
@@ -76,6 +78,36 @@ class VolumeField final : public Field {
   [[nodiscard]] bool sampled() const noexcept override { return true; }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    const Interval inside = interpolated_over(box), cap = beyond_over(box);
+    return {std::max(inside.lower, cap.lower), std::max(inside.upper, cap.upper), false};
+  }
+  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
+    const Interval inside = interpolated_over(box), cap = beyond_over(box);
+    if (inside.upper >= cap.lower)
+      trilinear_slopes({samples_.data(), size_, box_.lower, per_mm_}, box, directions, out);
+    else
+      std::fill_n(out.begin(), directions.size(), no_slope);
+    if (cap.upper < inside.lower) return;
+    // Of the sides of the lattice those that a point of the box can be as far beyond as its value is.
+    const float least = std::max(inside.lower, cap.lower);
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<std::size_t>(axis);
+      const bool below = faces_[0][a] - static_cast<float>(box.lower[axis]) >= least;
+      const bool above = static_cast<float>(box.upper[axis]) - faces_[1][a] >= least;
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const auto along = static_cast<float>(directions[i][axis]);
+        if (below) out[i] = hull(out[i], Interval::of(-along));
+        if (above) out[i] = hull(out[i], Interval::of(along));
+      }
+    }
+  }
+  [[nodiscard]] std::size_t cost() const noexcept override { return 40; }
+
+ private:
+  static constexpr Interval no_slope{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
+
+  /// The interval of what is interpolated, wherever the samples end.
+  [[nodiscard]] Interval interpolated_over(const Box& box) const {
     std::array<int, 3> first, last;  // the cells that the box meets
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
@@ -89,12 +121,9 @@ class VolumeField final : public Field {
     }
     Extremes found = extremes_of_cells(first, last);
     const float rounding = 4e-6F * std::max(std::abs(found.least), std::abs(found.most));
-    const Interval inside{found.least - rounding, found.most + rounding, false}, cap = beyond_over(box);
-    return {std::max(inside.lower, cap.lower), std::max(inside.upper, cap.upper), false};
+    return {found.least - rounding, found.most + rounding, false};
   }
-  [[nodiscard]] std::size_t cost() const noexcept override { return 40; }
 
- private:
   struct Extremes {
     float least = std::numeric_limits<float>::infinity(), most = -std::numeric_limits<float>::infinity();
     void add(float value) { least = std::min(least, value), most = std::max(most, value); }
