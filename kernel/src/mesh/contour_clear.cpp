@@ -177,28 +177,26 @@ Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& nor
 }
 
 Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings) {
-  const int deep = halvings == 0 ? 1 : 0;  // what is halved again soon is not worth more
+  const int deep = halvings == 0 ? 2 : 0;  // what is halved again soon is not worth more
   const Wanted wanted(halvings);
   const std::array<Box, 8> parts = halves(box);
   std::array<Restriction, 8> here;
   field.restrict_all(parts, Purpose::value, here);
   const std::size_t given = normals.size();
-  Cone cone;
-  for (int depth = 0; depth <= deep; ++depth) {
+  Proof proof;
+  for (int depth = 0; depth <= deep && !proof.one_sheet; ++depth) {
     normals.resize(given);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth, normals);
-    cone = cone_about(normals, wanted.least_cosine());
-    if (cone.cosine >= wanted.least_cosine()) break;
+    const Cone cone = cone_about(normals, wanted.least_cosine());
+    proof.folded = cone.cosine < wanted.least_cosine();
+    if (proof.folded) continue;
+    const auto directions = wanted.directions(cone);
+    const std::span<const Vec3> edges{directions.data() + 3, edges_of_pyramid};
+    proof.one_sheet = true;
+    for (std::size_t i = 0; i < parts.size() && proof.one_sheet; ++i)
+      proof.one_sheet = here[i].range.decided() || grows_where_undecided(*here[i].field, parts[i], edges, deep);
   }
-  Proof proof;
-  proof.folded = cone.cosine < wanted.least_cosine();
-  if (proof.folded) return proof;
-  const auto directions = wanted.directions(cone);
-  const std::span<const Vec3> edges{directions.data() + 3, edges_of_pyramid};
-  proof.one_sheet = true;
-  for (std::size_t i = 0; i < parts.size() && proof.one_sheet; ++i)
-    proof.one_sheet = here[i].range.decided() || grows_where_undecided(*here[i].field, parts[i], edges, deep);
   return proof;
 }
 
@@ -213,8 +211,6 @@ class BlockInspector {
   }
 
   std::vector<UnclearCell> run(const Field& field) {
-    field_ = &field;
-    add_ambiguous_cells();
     if (!field.affine()) {
       std::vector<std::uint32_t> points(samples_.points.size());
       for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
@@ -239,19 +235,14 @@ class BlockInspector {
     return lattice_.cube(point(at), level).grown(overlap * lattice_.voxel());
   }
 
-  /// Cells with several patches, or a face that could be joined in two ways.
-  void add_ambiguous_cells() {
-    for (int z = 0; z < block_side; ++z)
-      for (int y = 0; y < block_side; ++y)
-        for (int x = 0; x < block_side; ++x) {
-          const std::uint8_t corners = samples_.corners[Block::cell(x, y, z)];
-          if (is_uniform(corners) || is_simple(corners)) continue;
-          open_[Block::cell(x, y, z)] = false;
-          add({x, y, z}, field_->restricted(cube({x, y, z}, 1)).field, true);
-        }
-  }
   void add(const Corner& at, FieldPtr field, bool folded) {
     unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field), folded});
+  }
+
+  /// Whether a cell's corners show several patches, or a face that could be joined in two ways.
+  [[nodiscard]] bool is_ambiguous(const Corner& at) const {
+    const std::uint8_t corners = samples_.corners[Block::cell(at[0], at[1], at[2])];
+    return !is_uniform(corners) && !is_simple(corners);
   }
 
   [[nodiscard]] bool any_open(const Corner& at, int side) const {
@@ -273,7 +264,7 @@ class BlockInspector {
     if (side == 1) {
       if (!open_[Block::cell(at[0], at[1], at[2])]) return;
       const Proof closer = look_closer(field, box, normals_, 0);
-      if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded);
+      if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
       return;
     }
     inspect_parts(at, side / 2, field, points);
@@ -320,7 +311,6 @@ class BlockInspector {
   const Lattice& lattice_;
   const LatticePoint& block_;
   const BlockSamples& samples_;
-  const Field* field_ = nullptr;
   std::array<bool, block_side * block_side * block_side> open_;
   std::vector<UnclearCell> unclear_;
   std::vector<Eigen::Vector3f> normals_;

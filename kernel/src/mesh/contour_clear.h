@@ -22,7 +22,7 @@ struct Proof {
 /// The part of the surface that is lost where a cell's corners do not see it is less than a cell deep; but a thin part that grows
 /// out of what is seen may be as long as this many times its width. A voxel shows parts that are steeper only after halving; with
 /// each time twice as steep ones are allowed, since what may be lost is half as large.
-inline constexpr double steepest_in_voxels = 1.83;
+inline constexpr double steepest_in_voxels = 2;
 
 /// How far about a cell it is looked, as a part of its side, so that what one cell takes for the top of something and its
 /// neighbour for the bottom is found by both.

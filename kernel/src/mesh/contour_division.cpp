@@ -52,17 +52,14 @@ void BlockRefiner::advance() {
       const Division& division = divisions_[number];
       const std::uint8_t corners = division.corners(child);
       if (here[child].range.decided() || here[child].field->affine()) continue;
-      bool folded = true;
-      if (is_uniform(corners) || is_simple(corners)) {
-        normals.clear();
-        for (const Crossing& crossing : division.crossings)
-          if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
-        const Proof proof = look(*here[child].field, boxes[child], normals, side, halvings);
-        if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
-        const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings);
-        if (closer.one_sheet) continue;
-        folded = closer.folded;
-      }
+      normals.clear();
+      for (const Crossing& crossing : division.crossings)
+        if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
+      const Proof proof = look(*here[child].field, boxes[child], normals, side, halvings);
+      if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
+      const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings);
+      if (closer.one_sheet) continue;
+      const bool folded = closer.folded || !(is_uniform(corners) || is_simple(corners));
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
     }
     cell.field.reset();
