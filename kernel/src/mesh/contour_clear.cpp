@@ -172,19 +172,35 @@ Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& nor
   }
   constexpr double rounding = 1.001;
   proof.change = proof.known ? rounding * change * side / 2 : std::numeric_limits<double>::infinity();
-  proof.one_sheet = !proof.folded && grows({slopes.data() + 3, edges_of_pyramid});
+  if (proof.folded || !proof.known) return proof;
+  const std::span<Interval> along{slopes.data() + 3, edges_of_pyramid};
+  proof.one_sheet = grows(along);
+  // Where a face of the solid may reach into the box that no sample is on, the directions in which the Field may fall tell which
+  // way to turn.
+  constexpr int turns = 3;
+  constexpr double step = 0.3;
+  auto edges = directions;
+  Vec3 axis = cone.axis.cast<double>();
+  for (int turn = 0; turn < turns && !proof.one_sheet; ++turn) {
+    Vec3 away = Vec3::Zero();
+    for (std::size_t i = 0; i < edges_of_pyramid; ++i) away += std::min(0.0F, along[i].lower) * (edges[3 + i] - axis);
+    if (!(away.norm() > 0)) break;
+    axis = (axis + step * away.normalized()).normalized();
+    edges = directions_about(axis, wanted.tangent / cosine_36);
+    field.slopes(box, {edges.data() + 3, edges_of_pyramid}, along);
+    proof.one_sheet = grows(along);
+  }
   return proof;
 }
 
-Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings) {
-  const int deep = halvings == 0 ? 2 : 0;  // what is halved again soon is not worth more
+Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings, int deep) {
   const Wanted wanted(halvings);
   const std::array<Box, 8> parts = halves(box);
   std::array<Restriction, 8> here;
   field.restrict_all(parts, Purpose::value, here);
   const std::size_t given = normals.size();
   Proof proof;
-  for (int depth = 0; depth <= deep && !proof.one_sheet; ++depth) {
+  for (int depth = 0; depth <= std::min(deep, 1) && !proof.one_sheet; ++depth) {
     normals.resize(given);
     for (std::size_t i = 0; i < parts.size(); ++i)
       if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth, normals);
@@ -263,7 +279,10 @@ class BlockInspector {
     if (proof.known) close_far_cells(at, side, proof.change);
     if (side == 1) {
       if (!open_[Block::cell(at[0], at[1], at[2])]) return;
-      const Proof closer = look_closer(field, box, normals_, 0);
+      // Where it has been to no avail often, it is not worth much more.
+      constexpr int patience = 24;
+      const Proof closer = look_closer(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
+      ++(closer.one_sheet ? successes_ : failures_);
       if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
       return;
     }
@@ -314,6 +333,7 @@ class BlockInspector {
   std::array<bool, block_side * block_side * block_side> open_;
   std::vector<UnclearCell> unclear_;
   std::vector<Eigen::Vector3f> normals_;
+  int failures_ = 0, successes_ = 0;  ///< of looking closer
   bool known_ = false;
 };
 

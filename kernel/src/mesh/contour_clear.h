@@ -37,10 +37,11 @@ inline void add_normal(const SurfacePoint& point, std::vector<Eigen::Vector3f>& 
 /// of the cells, in mm, and `halvings` how often a voxel was halved for them.
 Proof look(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings);
 
-/// The same of one cell that look() proved nothing of: of those halves and quarters of it that the Field's interval leaves room
+/// The same of one cell that look() proved nothing of: of those parts of it that the Field's interval leaves room
 /// for a surface in. Where the others are of one side, whatever their slopes, each line along the axis still meets the surface
-/// once. `change` is left out; adds to `normals`.
-Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings);
+/// once. `change` is left out; adds to `normals`. Halves
+/// are halved again `deep` times.
+Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings, int deep);
 
 /// A cell that nothing could be proved of.
 struct UnclearCell {

@@ -57,7 +57,7 @@ void BlockRefiner::advance() {
         if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
       const Proof proof = look(*here[child].field, boxes[child], normals, side, halvings);
       if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
-      const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings);
+      const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
       const bool folded = closer.folded || !(is_uniform(corners) || is_simple(corners));
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});

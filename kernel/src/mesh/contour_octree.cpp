@@ -144,31 +144,31 @@ bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_
          4 * blocks * bytes_a_block < available_memory() / 2;
 }
 
-/// Halves cells that are not clear, level by level, and then those that their neighbours need halved. Cells that are seen to be
-/// folded have the whole budget; those that only lack a proof a small part of what the surface costs, and all of a level or none.
+/// Halves cells that are not clear, level by level, and then those that their neighbours need halved. Cells that only
+/// lack a proof are divided where they are few beside those that are seen to be folded, or beside the whole surface.
 void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
                     std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < refiners.size(); ++i)
     if (refiners[i]) active.push_back(i);
   int finest = lattice_.voxel_level();
-  std::size_t budget = settings.most_divided, proofs = std::min(budget, std::max<std::size_t>(500, crossed / 64));
+  std::size_t budget = settings.most_divided, folded_before = 0;
   while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
     std::size_t folded = 0, unproved = 0;
     for (const std::size_t i : active)
       for (const UnclearCell& cell : refiners[i]->unclear()) ++(cell.folded ? folded : unproved);
-    if (unproved > proofs) {
+    if (unproved > std::max({std::size_t{2000}, crossed / 64, folded, folded_before})) {
       for (const std::size_t i : active) refiners[i]->give_up_unproved();
       certainty_.doubt = Doubt::not_proved;
       unproved = 0;
     }
     if (folded + unproved == 0) break;
-    if (folded > budget) {
+    if (folded + unproved > budget) {
       certainty_.doubt = Doubt::too_many;
       break;
     }
-    budget -= folded;
-    proofs -= unproved;
+    budget -= folded + unproved;
+    folded_before = folded;
     const double level = lattice_.voxel_level() - finest;
     progress.report(0.6 + 0.15 * level / lattice_.voxel_level(), "looking closer");
     parallel_for(active.size(), [&](std::size_t i) {
