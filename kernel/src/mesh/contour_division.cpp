@@ -81,7 +81,7 @@ double BlockRefiner::least_value(unsigned child) const {
 void BlockRefiner::divide(const DivisionRequest& request, int finest) {
   for (;;) {
     const Place place = place_of(request.lower, request.level);
-    if (*place.division != Division::none) return;
+    if (*place.division != Division::none || (request.only_ambiguous && !is_ambiguous(place))) return;
     const double reach = overlap * lattice_.side(place.level);
     const FieldPtr field = field_->restricted(lattice_.cube(place.lower, place.level).grown(reach)).field;
     const std::uint32_t made = make(place.lower, place.level, *field);
@@ -96,8 +96,24 @@ void BlockRefiner::divide_ambiguous(std::uint32_t division, int finest) {
     const std::uint8_t corners = divisions_[division].corners(child);
     if (level <= finest || is_uniform(corners) || is_simple(corners)) continue;
     const LatticePoint lower = child_of(divisions_[division].lower, child, level);
-    if (divisions_[division].parts[child] == Division::none) divide({block_, lower, level}, finest);
+    if (divisions_[division].parts[child] == Division::none) divide({block_, lower, level, false}, finest);
   }
+}
+
+/// Whether the corners of a cell show several patches, or a face that could be joined in two ways.
+bool BlockRefiner::is_ambiguous(const Place& place) const {
+  std::array<float, 8> x, y, z, value;
+  const Box cell = lattice_.cube(place.lower, place.level);
+  for (unsigned i = 0; i < 8; ++i) {
+    x[i] = static_cast<float>((i & 1U) != 0 ? cell.upper.x() : cell.lower.x());
+    y[i] = static_cast<float>((i & 2U) != 0 ? cell.upper.y() : cell.lower.y());
+    z[i] = static_cast<float>((i & 4U) != 0 ? cell.upper.z() : cell.lower.z());
+  }
+  field_->values({x.data(), y.data(), z.data(), 8}, value.data());
+  unsigned corners = 0;
+  for (unsigned i = 0; i < 8; ++i) corners |= static_cast<unsigned>(value[i] < 0) << i;
+  const auto signs = static_cast<std::uint8_t>(corners);
+  return !is_uniform(signs) && !is_simple(signs);
 }
 
 /// The smallest cell that holds the one given, or that one itself; and where its division is kept.
@@ -169,10 +185,12 @@ void BlockRefiner::collect_requests(std::vector<DivisionRequest>& requests) {
     if (division.inside == 0 || division.inside == (1U << 27) - 1) continue;
     for (unsigned axis = 0; axis < 3; ++axis)
       for (const bool upper : {false, true}) {
-        if (is_plain_face(face_of(division.inside, axis, upper))) continue;
+        const unsigned face = face_of(division.inside, axis, upper);
+        constexpr unsigned all_inside = (1U << 9) - 1;
+        if (face == 0 || face == all_inside) continue;
         LatticePoint lower = division.lower;
         lower[axis] += upper ? side : -side;
-        request(lower, level, requests);
+        request(lower, level, is_plain_face(face), requests);
       }
     // An edge whose middle differs from both of its ends matters to all cells around it.
     for (unsigned axis = 0; axis < 3; ++axis) {
@@ -181,21 +199,23 @@ void BlockRefiner::collect_requests(std::vector<DivisionRequest>& requests) {
         const bool high_u = (corner & 1U) != 0, high_v = (corner & 2U) != 0;
         const unsigned base = (high_u ? 2 * stride[u] : 0) + (high_v ? 2 * stride[v] : 0);
         const auto at = [&](unsigned i) { return (division.inside >> (base + i * stride[axis]) & 1U) != 0; };
-        if (at(1) == at(0) || at(1) == at(2)) continue;
+        if (at(1) == at(0) && at(1) == at(2)) continue;
+        const bool plain = at(1) == at(0) || at(1) == at(2);
         LatticePoint by_u = division.lower, by_v = division.lower;
         by_u[u] += high_u ? side : -side;
         by_v[v] += high_v ? side : -side;
         LatticePoint by_both = by_u;
         by_both[v] = by_v[v];
-        for (const LatticePoint& lower : {by_u, by_v, by_both}) request(lower, level, requests);
+        for (const LatticePoint& lower : {by_u, by_v, by_both}) request(lower, level, plain, requests);
       }
     }
   }
 }
 
-void BlockRefiner::request(const LatticePoint& lower, int level, std::vector<DivisionRequest>& requests) const {
+void BlockRefiner::request(const LatticePoint& lower, int level, bool only_ambiguous,
+                           std::vector<DivisionRequest>& requests) const {
   const int mask = ~((1 << (lattice_.voxel_level() + block_level)) - 1);
-  requests.push_back({{lower[0] & mask, lower[1] & mask, lower[2] & mask}, lower, level});
+  requests.push_back({{lower[0] & mask, lower[1] & mask, lower[2] & mask}, lower, level, only_ambiguous});
 }
 
 void BlockRefiner::move_to(Block& block) {

@@ -6,11 +6,13 @@
 
 namespace fieldfab::contouring {
 
-/// A cell that has to be divided, since a neighbour's points show more on their common boundary than its corners do.
+/// A cell that has to be divided, since a neighbour's points show more on their common boundary than its corners do; or since a
+/// neighbour is divided and the cell has several patches, which only cells without smaller neighbours can have.
 struct DivisionRequest {
   LatticePoint block;  ///< lower corner of the block it is in
   LatticePoint lower;
   int level;
+  bool only_ambiguous;  ///< only where the cell, or the one that it is part of, has several patches or a face with two readings
   auto operator<=>(const DivisionRequest&) const = default;
 };
 
@@ -33,13 +35,14 @@ class BlockRefiner {
 
   /// Halves the cells that are not clear; then unclear() has those of their parts that are not.
   void advance();
-  /// Halves the cells that hold the one asked for, and that one itself; those of their parts that have no simple surface, too, as
-  /// far as the level `finest`.
+  /// Halves the cells that hold the one asked for, and that one itself, where the request holds for them; those of their parts
+  /// that have no simple surface, too, as far as the level `finest`.
   void divide(const DivisionRequest& request, int finest);
 
   /// What divisions made since the last call ask of the cells around: of their own size, divided as well.
   void collect_requests(std::vector<DivisionRequest>& requests);
 
+  [[nodiscard]] bool empty() const { return divisions_.empty(); }
   /// Hands the divisions over to the block.
   void move_to(Block& block);
 
@@ -53,7 +56,8 @@ class BlockRefiner {
   std::uint32_t make(const LatticePoint& lower, int level, const Field& field);
   [[nodiscard]] double least_value(unsigned child) const;
   void divide_ambiguous(std::uint32_t division, int finest);
-  void request(const LatticePoint& lower, int level, std::vector<DivisionRequest>& requests) const;
+  [[nodiscard]] bool is_ambiguous(const Place& place) const;
+  void request(const LatticePoint& lower, int level, bool only_ambiguous, std::vector<DivisionRequest>& requests) const;
 
   const Lattice& lattice_;
   const LatticePoint block_;

@@ -195,23 +195,27 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     if (requests.empty()) return;
-    std::vector<std::size_t> first;  // of each block's requests
+    std::vector<std::span<const DivisionRequest>> of_block;
     active.clear();
-    for (std::size_t i = 0; i < requests.size(); ++i) {
-      if (i > 0 && requests[i].block == requests[i - 1].block) continue;
+    for (std::size_t i = 0, next = 0; i < requests.size(); i = next) {
+      bool must = false;
+      for (; next < requests.size() && requests[next].block == requests[i].block; ++next)
+        must = must || !requests[next].only_ambiguous;
       const auto found = number.find(requests[i].block);
+      if (found == number.end() && !must) continue;
       if (found == number.end())
         throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
-      first.push_back(i);
+      of_block.emplace_back(&requests[i], next - i);
       active.push_back(found->second);
     }
-    first.push_back(requests.size());
     parallel_for(active.size(), [&](std::size_t i) {
       progress.check();
       std::unique_ptr<BlockRefiner>& refiner = refiners[active[i]];
       if (!refiner) refiner = std::make_unique<BlockRefiner>(lattice_, open[active[i]]->lower, open[active[i]]->field);
-      for (std::size_t j = first[i]; j < first[i + 1]; ++j) refiner->divide(requests[j], finest);
+      for (const DivisionRequest& request : of_block[i]) refiner->divide(request, finest);
+      if (refiner->empty()) refiner.reset();
     });
+    std::erase_if(active, [&](std::size_t i) { return !refiners[i]; });
   }
 }
 
