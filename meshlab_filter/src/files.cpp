@@ -58,7 +58,7 @@ Layer read_file_as_layer(const std::filesystem::path& file, const Values& values
   if (voxel == 0) voxel = model.voxel ? *model.voxel : bounds.size().maxCoeff() / 128;
   const Vec3 size = bounds.size();
   require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  Layer layer = layer_of(model.field, bounds, {voxel}, true, file.filename().string(), progress);
+  Layer layer = layer_of(model.field, bounds, {voxel}, true, file.filename().string(), log, progress);
   log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, voxel {:.3g} mm", file.filename().string(), model.kind,
                             layer.mesh.triangles.size(), layer.mesh.volume(), voxel));
   return layer;

@@ -86,6 +86,12 @@ FieldPtr sampled(const TriangleMesh& mesh, const Box& bounds, double voxel, Prog
   return volume_field(*volume, {0, true, 1}, progress);
 }
 
+/// Of a mesh that a result is only measured from: certain ones need no line.
+void warn_where_uncertain(const Layer& layer, const Certainty& certainty, std::vector<std::string>& log) {
+  if (!certainty.certain())
+    log.push_back(fmt::format("layer '{}', as the solid it encloses, is {}", layer.name, certainty.text()));
+}
+
 }  // namespace
 
 TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log) {
@@ -155,10 +161,13 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
     TriangleMesh closed = closed_by(lids, mesh);
     bool pieces = !lids.are_small(mesh);
     if (pieces) {  // then it counts where half of the view is triangles
-      const TriangleMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
+      const ContourMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
       pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
       sharp = false;
-      if (pieces) closed = wrapped;
+      if (pieces) {
+        closed = wrapped;
+        warn_where_uncertain(layer, wrapped.certainty, log);
+      }
     }
     if (std::abs(closed.volume()) < 1e-9 * std::pow(mesh.area(), 1.5))
       throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'",
@@ -172,7 +181,9 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   if (sharp) {
     if (reach > 0 && inspect(mesh).self_intersections > 0) {  // triangles within the solid are no surface to measure from
       log.push_back(fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
-      mesh = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);
+      ContourMesh enclosed = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);
+      warn_where_uncertain(layer, enclosed.certainty, log);
+      mesh = std::move(enclosed);
       if (mesh.triangles.empty())
         throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'", "encloses nothing that is as thick as a voxel");
     }
@@ -193,11 +204,12 @@ std::optional<Layer> layer_of(const ExactSolid& solid, std::string name) {
 }
 
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
-               Progress& progress) {
-  TriangleMesh mesh = contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp}, progress);
+               std::vector<std::string>& log, Progress& progress) {
+  ContourMesh mesh = contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp}, progress);
   if (mesh.triangles.empty())
     throw Error(ErrorKind::bad_input, "result",
                 fmt::format("there is nothing left that is as thick as a voxel of {:.3g} mm", fineness.voxel));
+  log.push_back(fmt::format("the mesh is {}", mesh.certainty.text()));
   return {std::move(name), std::move(mesh)};
 }
 

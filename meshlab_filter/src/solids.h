@@ -60,10 +60,10 @@ FieldPtr with_distances(const FieldPtr& field, const Box& bounds, double reach, 
 /// An exact solid as a new layer; nothing where single precision cannot hold it.
 std::optional<Layer> layer_of(const ExactSolid& solid, std::string name);
 
-/// The solid's surface as a new layer: closed, manifold, without self-intersections. Throws bad_input for nothing, too_large,
-/// cancelled.
+/// The solid's surface as a new layer: closed, manifold, without self-intersections. The log tells how certain it is that all of
+/// the solid is in it. Throws bad_input for nothing, too_large, cancelled.
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
-               Progress& progress);
+               std::vector<std::string>& log, Progress& progress);
 
 /// A solid from a file of any kind that load_model() knows, or from an infix formula where the text is no file's name; its bounds
 /// as found, or `bounds` where it has none of its own.

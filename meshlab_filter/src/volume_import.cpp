@@ -64,7 +64,7 @@ Layer import_volume(const std::filesystem::path& file, const Values& values, std
   const Box bounds = model.bounds->grown(voxel);
   const Vec3 size = bounds.size();
   require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  Layer layer = layer_of(model.field, bounds, {voxel}, false, path.filename().string(), progress);
+  Layer layer = layer_of(model.field, bounds, {voxel}, false, path.filename().string(), log, progress);
   log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", layer.mesh.triangles.size(),
                             layer.mesh.volume(), layer.mesh.area(), voxel));
   return layer;

@@ -177,6 +177,16 @@ def test_a_solid_from_a_formula(tmp_path):
     assert result.volume == pytest.approx(600, rel=1e-4)
 
 
+def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
+    box = result_of(tmp_path, None, (FREP, {"Formula": "box(10, 10, 10)", "Voxel": 0.5}))[2]
+    assert "the mesh is certain" in box, box.text
+    touching = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"  # no size of cells tells balls that touch from balls that do not
+    balls = serve(tmp_path, [], [(FREP, {"Formula": touching, "Voxel": 0.25})], tmp_path / "balls.ply")
+    assert "the mesh is not certain at 1 place, the largest " in balls and "the mesh is certain" not in balls, balls.text
+    cut = result_of(tmp_path, sphere(48), (OFFSET, {"Distance": 1, "Voxel": 1}))[2]
+    assert cut.text.count("LOG: 2 the mesh is ") == 1, cut.text
+
+
 def ball_volume_file(folder):
     """A scan of a ball of radius 12 in the middle of a cube of 32 mm, blurred, as .nrrd."""
     size, spacing = 64, 0.5

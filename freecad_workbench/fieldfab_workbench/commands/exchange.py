@@ -3,6 +3,7 @@
 import FreeCAD
 import FreeCADGui
 
+from ..certainty import uncertain_places
 from ..objects import part_shape
 from ..objects.solid import is_solid
 from .command import Command
@@ -63,6 +64,26 @@ class CrossCheck(Command):
         FreeCADGui.Control.showDialog(CheckPanel(_chosen_solids()[0]))
 
 
+class ShowUncertainPlaces(Command):
+    """Shows the boxes of the selected solids, and the largest place of the first; takes them away where all of them are shown."""
+
+    def ready(self):
+        return any(uncertain_places(obj) for obj in _chosen_solids())
+
+    def Activated(self):
+        from ..views.uncertain_places import look_at_largest
+
+        chosen = [obj for obj in _chosen_solids() if uncertain_places(obj)]
+        if all(obj.ViewObject.Proxy.shows_places() for obj in chosen):
+            for obj in chosen:
+                obj.ViewObject.Proxy.hide_places()
+            return
+        for obj in chosen:
+            obj.ViewObject.Visibility = True
+            obj.ViewObject.Proxy.show_places(obj)
+        look_at_largest(chosen[0])
+
+
 def _chosen_solids():
     return [obj for obj in FreeCADGui.Selection.getSelection() if is_solid(obj) and obj.Mesh.CountFacets]
 
@@ -73,6 +94,10 @@ COMMANDS = {
         "CrossCheck", "Cross-check", "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
         "Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its "
         "deviations until the panel is closed; nothing of the document is changed."),
+    "Fieldfab_ShowUncertainPlaces": ShowUncertainPlaces(
+        "UncertainPlaces", "Show uncertain places", "Show where the selected solid's mesh may lack parts of it, or hide these places again",
+        "Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to "
+        "take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
         "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),

@@ -4,7 +4,7 @@ import hashlib
 
 import FreeCAD
 
-from .. import kernel, meshes, preferences, work
+from .. import certainty, kernel, meshes, preferences, work
 from ..openscad import matrix_of
 from ..words import tr
 from .document_object import DocumentObject
@@ -46,6 +46,8 @@ class Solid(DocumentObject):
         add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
         add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
         self.add_results(obj)
+        add(obj, "String", "Certainty", "Result", "Whether it is proved that the mesh shows all of the solid, else where it is not; empty for a mesh of an earlier version", mode=1)
+        add(obj, "VectorList", "UncertainPlaces", "Result", "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)  # hidden
 
     def add_results(self, obj):
         add = self.add
@@ -88,6 +90,7 @@ class Solid(DocumentObject):
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         self.put_mesh(obj, mesh)
+        certainty.put(obj, mesh)
         obj.MadeFrom = made_from
 
     def has_its_mesh(self, obj):

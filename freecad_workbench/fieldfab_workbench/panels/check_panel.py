@@ -7,6 +7,7 @@ import FreeCADGui
 import numpy as np
 
 from .. import kernel, meshes
+from ..certainty import is_uncertain, with_doubt
 from ..deviations import colours, deviations, nice_reach
 from ..newest import Newest
 from ..objects.solid import source_of
@@ -15,6 +16,7 @@ from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..views.solid_view import icon
 from ..words import marked, tr
+from .edit_panel import COLOURS
 
 HEADINGS = ("", marked("Measured, and its bound"))
 
@@ -93,8 +95,11 @@ class CheckPanel:
         self.report = report
         broken = [row for row in report.rows if not row.passed]
         words = tr("{broken} of {count} checks are broken.") if broken else tr("All {count} checks are passed.")
-        self.verdict.setText(words.format(broken=len(broken), count=len(report.rows)))
-        self.verdict.setStyleSheet("color: #2c7a3f" if not broken else "color: #b3261e")
+        words, good = words.format(broken=len(broken), count=len(report.rows)), not broken
+        if good and is_uncertain(self.obj):
+            words, good = with_doubt(words, self.obj.Certainty)
+        self.verdict.setText(words)
+        self.verdict.setStyleSheet(f"color: {COLOURS[good]}")
         self.table.setRowCount(len(report.rows))
         for i, row in enumerate(report.rows):
             figures = tr("{measured:.4g} of {bound:.4g}").format(measured=row.measured, bound=row.bound)
@@ -103,7 +108,7 @@ class CheckPanel:
                 item = QtWidgets.QTableWidgetItem(text.strip())
                 item.setToolTip(row.name)
                 if column == 0:
-                    item.setForeground(QtGui.QColor("#2c7a3f" if row.passed else "#b3261e"))
+                    item.setForeground(QtGui.QColor(COLOURS[row.passed]))
                 self.table.setItem(i, column, item)
         self.save.setEnabled(True)
         QtCore.QTimer.singleShot(0, self.table.resizeRowsToContents)  # once the columns have their widths
@@ -117,7 +122,7 @@ class CheckPanel:
 
     def _failed(self, error):
         self.verdict.setText(str(error))
-        self.verdict.setStyleSheet("color: #b3261e")
+        self.verdict.setStyleSheet(f"color: {COLOURS[False]}")
 
     def _show_progress(self, fraction, message):
         self.progress.setVisible(fraction is not None)

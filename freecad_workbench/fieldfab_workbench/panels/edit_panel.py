@@ -2,9 +2,11 @@
 
 import FreeCADGui
 
+from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
 from ..words import tr
 
+COLOURS = {True: "#2c7a3f", False: "#b3261e", DOUBTFUL: "#8a5a00"}
 WIDTH = 420  # pixels of the dock, at least: FreeCAD's own is too narrow for three buttons
 
 
@@ -21,6 +23,8 @@ class EditPanel:
         self.layout = QtWidgets.QVBoxLayout(self.form)
         self.message = QtWidgets.QLabel()
         self.message.setWordWrap(True)
+        if obj.isValid() and is_uncertain(obj):
+            self.say_valid()
         shown = QtCore.QTimer(self.form)  # goes with the form
         shown.setSingleShot(True)
         shown.timeout.connect(self.make_room)
@@ -41,14 +45,18 @@ class EditPanel:
 
     def say(self, text, good=False):
         self.message.setText(text)
-        self.message.setStyleSheet("color: #2c7a3f" if good else "color: #b3261e")
+        self.message.setStyleSheet(f"color: {COLOURS[good]}")
+
+    def say_valid(self):
+        """Nothing needs to be said of an object that came out well, except where its mesh may lack parts."""
+        self.say(*(with_doubt(tr("Valid"), self.obj.Certainty) if is_uncertain(self.obj) else ("", True)))
 
     def apply(self):
         """Takes the values over and recomputes; True where the object came out well."""
         self.take_over()
         self.document.recompute([self.obj])
         if self.obj.isValid():
-            self.say("", True)
+            self.say_valid()
             return True
         self.say(self.obj.getStatusString())
         return False

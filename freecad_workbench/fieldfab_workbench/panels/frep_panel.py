@@ -1,5 +1,6 @@
 """The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
+from ..certainty import is_uncertain, with_doubt
 from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
 from ..shim import QtWidgets
 from ..views.preview import Preview
@@ -101,7 +102,8 @@ class FrepPanel(EditPanel):
         if mistake:
             self.say(mistake)
             return
-        self.say(tr("{count} operations").format(count=count), True)
+        known = self.obj.isValid() and self.text.toPlainText() == self.obj.Expression and is_uncertain(self.obj)
+        self.say(*with_doubt(tr("{count} operations").format(count=count), self.obj.Certainty if known else ""))
         self._follow_text()
         self._show()
 

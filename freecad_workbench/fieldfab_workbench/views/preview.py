@@ -8,6 +8,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import work
+from ..certainty import doubt_of, with_doubt
 from ..objects.solid import key_of
 from ..shim import QtCore
 from ..words import tr
@@ -48,6 +49,7 @@ class Preview:
         self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
+        self._doubt = ""  # about the solid's own mesh
         self._eye, self._eye_moved, self._refined_for = None, 0.0, None
         self._put_in_place()
         self._timer = QtCore.QTimer()
@@ -141,7 +143,7 @@ class Preview:
         if self._wanted is not None and not (self._task and self._task.is_alive() and self._coarse):
             self._stop()
             source, settings = self._wanted
-            self._wanted, self._began = None, self._changed
+            self._wanted, self._began, self._doubt = None, self._changed, ""
             self._refinement = Refinement(source, settings, self.guess, self.cells, Preview.most, self._faces_first)
             self._refined_for, self._coarse, self._ready = None, True, None
             self._start(self._whole)
@@ -188,6 +190,10 @@ class Preview:
             elif stage == "bounds":
                 self.guess = given
                 self._ready = self._ready or time.monotonic()
+            elif stage == "doubt":
+                self._doubt = given
+                if given and self.stage:
+                    self._say_stage()
             else:
                 self._waiting.append((stage, given))
 
@@ -233,7 +239,11 @@ class Preview:
             self._coarse, self._undrawn = False, True
         took = self._refinement.source.faces_took
         self._faces_first = took < BUDGET if took is not None else self._faces_first
-        self.say(_said("final" if self._refinement.exact else stage).format(cell=self._refinement.voxel), True)
+        self._say_stage()
+
+    def _say_stage(self):
+        words = _said("final" if self._refinement.exact else self.stage).format(cell=self._refinement.voxel)
+        self.say(*with_doubt(words, self._doubt))
 
     def _watch_camera(self):
         eye = self._find_eye()
@@ -272,6 +282,7 @@ class Preview:
         yield "bounds", refinement.extent
         for pieces in refinement.final(progress):
             yield "final", pieces
+        yield "doubt", refinement.doubt
         yield "bounds", refinement.extent
 
     @staticmethod
@@ -281,7 +292,8 @@ class Preview:
                 yield "divided", refinement.divided(progress)
             for pieces in refinement.detail(eye, progress):
                 yield "detail", pieces
-            refinement.source.mesh(progress, **refinement.settings)  # it will be asked for, and is not shown now
+            yield "doubt", doubt_of(refinement.source.mesh(progress, **refinement.settings))  # it will be asked for, and is not shown now
         else:
             for pieces in refinement.final(progress):
                 yield "final", pieces
+            yield "doubt", refinement.doubt

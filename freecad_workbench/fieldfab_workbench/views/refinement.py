@@ -3,6 +3,7 @@
 import numpy as np
 
 from .. import kernel, work
+from ..certainty import doubt_of
 from . import inventor
 
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
@@ -25,6 +26,7 @@ class Refinement:
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self.extent = guess  # of the solid, as far as it is known
         self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
         self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
         self.in_blocks = False  # whether the last picture was one of blocks
         self.details, self.shown = {}, {}  # of each block: its DetailMesh, and how many triangles of that are shown
@@ -56,7 +58,7 @@ class Refinement:
         mesh = self._faces(progress)
         if mesh is None:
             mesh = self.source.mesh(progress, **self.settings)
-        self.sharp, self.in_blocks = True, False
+        self.sharp, self.in_blocks, self.doubt = True, False, doubt_of(mesh)
         if len(mesh.triangles) <= self.most:
             yield self._picture(mesh, progress)
         elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen

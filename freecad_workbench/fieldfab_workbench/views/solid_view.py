@@ -6,6 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import preferences
+from ..certainty import uncertain_places
 from ..shim import QtCore
 from ..words import tr
 
@@ -65,8 +66,31 @@ class SolidView(ObjectView):
     def updateData(self, obj, name):
         if name == "Operation":
             obj.ViewObject.signalChangeIcon()
+        elif name == "UncertainPlaces" and self.shows_places():
+            self.show_places(obj)
+
+    # The places where the mesh may lack parts of the solid.
+    _places = None
+
+    def shows_places(self):
+        return self._places is not None
+
+    def show_places(self, obj):
+        """Shows them as they are now; where there are none, nothing."""
+        from .uncertain_places import UncertainPlaces
+
+        self.hide_places()
+        if uncertain_places(obj) and obj.ViewObject.Visibility:
+            self._places = UncertainPlaces(obj)
+
+    def hide_places(self):
+        if self._places is not None:
+            self._places.close()
+            self._places = None
 
     def onChanged(self, view, name):
+        if name == "Visibility" and not view.Visibility:
+            self.hide_places()
         if name == "Visibility" and view.Visibility and getattr(view.Object, "OnlyWhenShown", False) and not view.Object.Document.Restoring:
             make_mesh_later(view.Object)
 

@@ -1008,6 +1008,22 @@
         <translation>Obere Ecke des Bereichs, wo die Grenzen nicht gesucht werden</translation>
     </message>
     <message>
+        <source>Certainty</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Whether it is proved that the mesh shows all of the solid, else where it is not; empty for a mesh of an earlier version</source>
+        <translation>Ob bewiesen ist, dass das Netz den ganzen Körper zeigt, sonst wo nicht; leer bei einem Netz einer früheren Version</translation>
+    </message>
+    <message>
+        <source>Uncertain Places</source>
+        <translation>Unsichere Stellen</translation>
+    </message>
+    <message>
+        <source>Lower and upper corners of boxes in which parts may be missing, the largest first</source>
+        <translation>Untere und obere Ecken der Quader, in denen Teile fehlen können, die größten zuerst</translation>
+    </message>
+    <message>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
@@ -1385,6 +1401,10 @@
     <message>
         <source>{label}: choose a StockObject</source>
         <translation>{label}: StockObject wählen</translation>
+    </message>
+    <message>
+        <source>The mesh is {certainty}</source>
+        <translation>Das Netz ist {certainty}</translation>
     </message>
     <message>
         <source>{label}: about {time}</source>
@@ -2001,6 +2021,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Edit {label}</source>
         <translation>{label} bearbeiten</translation>
+    </message>
+    <message>
+        <source>Valid</source>
+        <translation>Gültig</translation>
     </message>
     <message>
         <source>Event</source>
@@ -3224,6 +3248,21 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.</source>
         <translation>Macht aus dem ausgewählten Körper einen hohlen; außen bleibt er, wie er ist. Das Aufgabenfenster fragt nach der Dicke der Wand.</translation>
+    </message>
+</context>
+<context>
+    <name>Fieldfab_ShowUncertainPlaces</name>
+    <message>
+        <source>Show uncertain places</source>
+        <translation>Unsichere Stellen zeigen</translation>
+    </message>
+    <message>
+        <source>Show where the selected solid's mesh may lack parts of it, or hide these places again</source>
+        <translation>Zeigen, wo dem Netz des ausgewählten Körpers Teile fehlen können, oder diese Stellen wieder verbergen</translation>
+    </message>
+    <message>
+        <source>Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places.</source>
+        <translation>Zeichnet einen Quader um jede Stelle, an der nicht bewiesen ist, dass das Netz den ganzen ausgewählten Körper zeigt, und zoomt auf die größte. Noch einmal gewählt, nimmt es die Quader wieder weg. Wo das Netz sicher ist, lässt es sich nicht wählen; kleinere Zellen lassen weniger und kleinere Stellen übrig.</translation>
     </message>
 </context>
 <context>

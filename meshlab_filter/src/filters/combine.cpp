@@ -55,7 +55,7 @@ Layer joined_as_fields(const Layer& first, const Layer& second, int operation, d
   const Solid a = solid_of(first, fineness, radius, log, progress), b = solid_of(second, fineness, radius, log, progress);
   const FieldPtr both = joined(operation, a.field, b.field, radius);
   const Box bounds = operation == 2 ? a.bounds : hull(a.bounds, b.bounds);
-  return layer_of(both, bounds, fineness, a.sharp || b.sharp, name, progress);
+  return layer_of(both, bounds, fineness, a.sharp || b.sharp, name, log, progress);
 }
 
 Result run(const Values& values, Progress& progress) {

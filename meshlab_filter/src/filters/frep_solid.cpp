@@ -47,7 +47,7 @@ Result run(const Values& values, Progress& progress) {
   if (voxel == 0) voxel = solid.bounds.size().maxCoeff() / 128;
   const Vec3 size = solid.bounds.size();
   require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  result.layer = layer_of(solid.field, solid.bounds, {voxel}, true, text.size() < 40 ? text : "formula", progress);
+  result.layer = layer_of(solid.field, solid.bounds, {voxel}, true, text.size() < 40 ? text : "formula", result.log, progress);
   const TriangleMesh& mesh = result.layer->mesh;
   result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", mesh.triangles.size(), mesh.volume(),
                                    mesh.area(), voxel));

@@ -108,7 +108,7 @@ Result run(const Values& values, Progress& progress) {
   if (wall < fineness.voxel)
     result.log.push_back(fmt::format("the wall is {:.2g} voxels thick: it may have holes", wall / fineness.voxel));
   if (holes > 0) {
-    const TriangleMesh hollow = contour(*inner, solid.bounds, {fineness.voxel, -1, false}, progress);
+    const ContourMesh hollow = contour(*inner, solid.bounds, {fineness.voxel, -1, false}, progress);
     int made = 0;
     for (const std::vector<Vec3>& piece : pieces_of(hollow)) {
       for (const Drain& drain : drains_of(piece, holes))
@@ -116,8 +116,10 @@ Result run(const Values& values, Progress& progress) {
       if (made > 1000) throw Error(ErrorKind::bad_input, "DrainHoles", "there are too many hollows; a thicker wall leaves fewer");
     }
     result.log.push_back(fmt::format("{} drain holes", made));
+    if (!hollow.certainty.certain())
+      result.log.push_back(fmt::format("the hollow that is drained is {}", hollow.certainty.text()));
   }
-  result.layer = layer_of(shelled, solid.bounds, fineness, solid.sharp, layer.name + " hollow", progress);
+  result.layer = layer_of(shelled, solid.bounds, fineness, solid.sharp, layer.name + " hollow", result.log, progress);
   const TriangleMesh& mesh = result.layer->mesh;
   result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
   return result;

@@ -28,7 +28,7 @@ Result run(const Values& values, Progress& progress) {
   const Layer& layer = values.layer();
   const Solid solid = solid_of(layer, fineness, std::abs(distance), result.log, progress);
   result.layer = layer_of(offset(solid.field, distance), solid.bounds, fineness, solid.sharp,
-                          fmt::format("{} offset by {:g}", layer.name, distance), progress);
+                          fmt::format("{} offset by {:g}", layer.name, distance), result.log, progress);
   const TriangleMesh& mesh = result.layer->mesh;
   result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
   return result;

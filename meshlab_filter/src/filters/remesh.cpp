@@ -28,7 +28,7 @@ Layer through_a_field(const Layer& layer, const Fineness& fineness, double gap, 
     const FieldPtr grown = offset(with_distances(field, bounds, gap, fineness.voxel, progress), gap / 2);
     field = unite(field, offset(with_distances(grown, bounds, gap, fineness.voxel, progress), -gap / 2));
   }
-  return layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", progress);
+  return layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", log, progress);
 }
 
 Result run(const Values& values, Progress& progress) {

@@ -8,7 +8,7 @@ import Mesh
 import Part
 import pytest
 
-from fieldfab_workbench import meshes, work
+from fieldfab_workbench import certainty, meshes, work
 from fieldfab_workbench.objects import combine, frep_solid, modify, solid_from_object
 from fieldfab_workbench.objects import solid as solids
 
@@ -62,6 +62,33 @@ def test_sets_are_those_of_the_placed_sources(document):
     c = frep(document, "sphere(r = 4)", at=(10, 0, 0))
     assert sane(combined(document, "Morph", a, c, Weight=0.0)) == pytest.approx(SPHERE, rel=0.01)
     assert sane(combined(document, "Morph", a, c, Weight=1.0)) == pytest.approx(4 / 3 * math.pi * 64, rel=0.02)
+
+
+TOUCHING = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"  # no size of cells tells balls that touch from balls that do not
+
+
+def test_a_solid_keeps_where_its_mesh_is_not_certain(document, tmp_path):
+    box, balls = frep(document, "box(10, 10, 10)"), frep(document, TOUCHING, 0.25)
+    document.recompute()
+    assert box.Certainty == "certain" and box.UncertainPlaces == [] and not certainty.is_uncertain(box)
+    assert balls.isValid() and certainty.is_uncertain(balls) and balls.Certainty.startswith("not certain at 1 place, the largest ")
+    (lower, upper), = certainty.uncertain_places(balls)
+    assert all(a < 0.01 and b > -0.01 and a < b for a, b in zip(lower, upper)), "it is where the balls touch"
+    assert "ReadOnly" in balls.getEditorMode("Certainty") and "Hidden" in balls.getEditorMode("UncertainPlaces")
+    said, places = balls.Certainty, list(balls.UncertainPlaces)
+    copy = tmp_path / "places.FCStd"
+    document.saveCopy(str(copy))
+    opened = FreeCAD.openDocument(str(copy))
+    kept = opened.getObject(balls.Name)
+    assert kept.Certainty == said and len(kept.UncertainPlaces) == 2 and (kept.UncertainPlaces[0] - lower).Length < 1e-6
+    FreeCAD.closeDocument(opened.Name)
+    document.openTransaction("apart")
+    balls.Expression = "box(10, 10, 10)"
+    document.recompute()
+    document.commitTransaction()
+    assert balls.Certainty == "certain" and balls.UncertainPlaces == []
+    document.undo()
+    assert balls.Certainty == said and balls.UncertainPlaces == places
 
 
 def test_a_source_that_moves_or_changes_takes_its_results_along(document):
