@@ -1,4 +1,4 @@
-// Field::slopes() of expressions, volumes, meshes and what OpenSCAD's designs are made of: no difference is outside of them.
+// Field::slopes() of expressions, volumes and what OpenSCAD's designs are made of: no difference is outside of them.
 #include "slopes_check.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/mesh/contour.h"
-#include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/volume/volume_field.h"
 #include "random_expression.h"
@@ -225,86 +224,6 @@ TEST(Slopes, OfVolumesAreUnknownForManyCellsAndWhatIsNoNumber) {
   EXPECT_EQ(slopes[0], Interval::of(0));
   field->slopes({Vec3::Constant(0.5), Vec3::Constant(3)}, directions, slopes);
   EXPECT_TRUE(slopes[0].maybe_nan);
-}
-
-// --- meshes
-// ---------------------------------------------------------------------------------------------------------------------
-
-TriangleMesh random_mesh() {
-  namespace s = frep::shapes;
-  const auto solid = [] {
-    switch (draw(0, 4)) {
-      case 0: return frep::make_field(s::sphere(number(0.3, 1)));
-      case 1: return frep::make_field(s::torus(number(0.4, 0.8), number(0.1, 0.3)));
-      case 2: return frep::make_field(s::cylinder(number(0.2, 0.8), number(0.2, 1)));
-      default:
-        return rotate(frep::make_field(s::box(number(0.3, 1), number(0.3, 1), number(0.3, 1))), {1, number(-1, 1), 0},
-                      number(0, 3));
-    }
-  };
-  const auto one = [&] {
-    return contour(*translate(solid(), place(-0.3, 0.3)), {Vec3::Constant(-2), Vec3::Constant(2)}, {number(0.07, 0.3)});
-  };
-  TriangleMesh mesh = one();
-  if (draw(0, 3) == 0) {  // another one, that overlaps or not, inside out or not
-    TriangleMesh other = one();
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
-    const bool over = draw(0, 2) == 0;
-    for (auto& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[over ? 2 : 1] + first, t[over ? 1 : 2] + first});
-  }
-  if (draw(0, 3) == 0) {  // with a hole
-    const auto limit = static_cast<float>(number(0, 0.5));
-    TriangleMesh left = mesh;
-    std::erase_if(left.triangles, [&](const auto& t) { return left.vertices[t[0]][2] > limit; });
-    if (left.triangles.size() > mesh.triangles.size() / 3) mesh = left;
-  }
-  if (draw(0, 4) == 0)
-    for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
-  return mesh;
-}
-
-RC_GTEST_PROP(Slopes, OfMeshesHoldDifferences, ()) {
-  const FieldPtr field = mesh_field(random_mesh());
-  for (int i = 0; i < 20; ++i) {
-    const Vec3 middle = place(-1, 1);
-    // Near the surface, as contouring asks.
-    const Vec3 near = middle - (draw(0, 2) * double{field->value(middle)}) * field->gradient(middle);
-    const Vec3 half = Vec3::Constant(std::pow(10, number(-2.5, 0)) / 2);
-    if (near.allFinite()) expect_slopes_hold(*field, {near - half, near + half});
-  }
-}
-
-void expect_range(const Interval& range, double lower, double upper) {
-  EXPECT_NEAR(range.lower, lower, 1e-5);
-  EXPECT_NEAR(range.upper, upper, 1e-5);
-}
-
-TEST(Slopes, OfMeshesAreThoseOfTheirFaces) {
-  const Box cube{Vec3::Constant(-1), Vec3::Constant(1)};
-  const TriangleMesh mesh = contour(*box_field(cube), cube.grown(0.3), {0.25});
-  const std::array<Vec3, 3> directions{Vec3::UnitX(), Vec3::UnitZ(), Vec3(1, 1, 0.2)};
-  std::array<Interval, 3> slopes;
-  const auto about = [&](const TriangleMesh& solid, const Vec3& middle, double half) {
-    mesh_field(solid)->slopes({middle - Vec3::Constant(half), middle + Vec3::Constant(half)}, directions, slopes);
-  };
-  about(mesh, {1, 0.2, 0.3}, 0.05);
-  expect_range(slopes[0], 1, 1);
-  expect_range(slopes[1], 0, 0);
-  about(mesh, {1, 0.99, 0.3}, 0.02);  // an edge
-  expect_range(slopes[0], 0, 1);
-  EXPECT_NEAR(slopes[2].lower, 1, 1e-5);
-  TriangleMesh turned = mesh;
-  for (auto& t : turned.triangles) std::swap(t[0], t[1]);
-  about(turned, {1, 0.2, 0.3}, 0.05);
-  expect_range(slopes[0], 1, 1);
-  // Two faces of the same kind, one behind the other, as of a solid drawn twice: between them values fall on both sides.
-  TriangleMesh twice = mesh;
-  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (const auto& v : mesh.vertices) twice.vertices.push_back({v[0] + 0.03F, v[1], v[2]});
-  for (const auto& t : mesh.triangles) twice.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
-  about(twice, {1, 0.2, 0.3}, 0.01);
-  EXPECT_NEAR(slopes[0].lower, -1, 1e-5);
 }
 
 // --- OpenSCAD

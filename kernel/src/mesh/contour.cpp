@@ -19,13 +19,14 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
+  if (field.sampled()) settings.depth = 0;  // nothing is known of a scan but its samples: noise is not to be looked into
   // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
   constexpr double steep = 8;
   const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
 
   std::optional<Lattice> halved;
   std::optional<Octree> cells;
-  int depth = std::clamp(wanted.depth, 0, 6);
+  int depth = std::clamp(settings.depth, 0, 6);
   for (;; --depth, settings.voxel /= 2) {
     halved.emplace(bounds, settings.voxel, depth);
     cells.emplace(*solid, *halved, settings, progress);

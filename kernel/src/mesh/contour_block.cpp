@@ -42,7 +42,7 @@ class BlockSampler {
     Patch whole;
     if (take_plane(block, whole)) {
       look_for_unclear_cells(whole.points, seen);
-      if (seen.unclear.empty()) seen.patch = std::move(whole);
+      if (seen.complete) seen.patch = std::move(whole);
       return seen;
     }
     find_edges();
@@ -51,7 +51,7 @@ class BlockSampler {
     points.reserve(edges_.size());
     for (const Edge& edge : edges_) points.push_back(edge.point);
     look_for_unclear_cells(points, seen);
-    if (seen.unclear.empty()) seen.patch = merge_all(block);
+    if (seen.complete) seen.patch = merge_all(block);
     return seen;
   }
 
@@ -73,7 +73,10 @@ class BlockSampler {
         for (int x = 0; x < block_side; ++x) signs[Block::cell(x, y, z)] = corners(x, y, z, 1);
     seen.crossed = static_cast<std::size_t>(
         std::count_if(signs.begin(), signs.end(), [](std::uint8_t corners) { return !is_uniform(corners); }));
+    seen.complete = true;
+    if (settings_.depth == 0) return;
     seen.unclear = unclear_cells(field_, lattice_, lower_, {value_.data(), signs, points}, seen.known);
+    seen.complete = std::all_of(seen.unclear.begin(), seen.unclear.end(), [](const UnclearCell& cell) { return !cell.field; });
   }
 
   std::optional<Patch> merge_all(Block& block) {

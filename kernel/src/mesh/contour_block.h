@@ -19,7 +19,8 @@ struct Patch {
 /// What the cells of a block are, before any is divided.
 struct BlockView {
   std::optional<Patch> patch;        ///< where all of the block is one
-  std::vector<UnclearCell> unclear;  ///< cells that may hide something; where there are any, the rest is left open
+  std::vector<UnclearCell> unclear;  ///< cells that may hide something
+  bool complete = false;             ///< nothing of that is to be looked into, and so the cells are merged
   bool known = false;                ///< whether the Field told its slopes anywhere
   std::size_t crossed = 0;           ///< how many cells the surface is seen to pass
 };

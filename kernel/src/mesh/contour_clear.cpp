@@ -286,10 +286,10 @@ class BlockInspector {
       if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
       return;
     }
-    inspect_parts(at, side / 2, field, points);
+    inspect_parts(at, side / 2, field, proof.known, points);
   }
 
-  void inspect_parts(const Corner& at, int half, const Field& field, std::span<const std::uint32_t> points) {
+  void inspect_parts(const Corner& at, int half, const Field& field, bool known, std::span<const std::uint32_t> points) {
     std::array<Corner, 8> corner;
     std::array<Box, 8> boxes;
     std::size_t count = 0;
@@ -301,6 +301,9 @@ class BlockInspector {
     }
     std::array<Restriction, 8> parts;
     field.restrict_all({boxes.data(), count}, Purpose::value, parts);
+    const bool simpler = std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
+                                     [&](const Restriction& part) { return part.field.get() != &field; });
+    if (!simpler && !known) return leave_open_cells(at, 2 * half);
     std::vector<std::uint32_t> inner;
     for (std::size_t i = 0; i < count; ++i) {
       if (parts[i].range.decided()) continue;
@@ -309,6 +312,15 @@ class BlockInspector {
         if (boxes[i].contains(samples_.points[j].position.cast<double>())) inner.push_back(j);
       inspect(corner[i], half, *parts[i].field, inner);
     }
+  }
+
+  /// A Field that is the same in the parts of a cube (a mesh, a scan) is dear to ask, and tells little more of each: what is
+  /// still open there is not looked into.
+  void leave_open_cells(const Corner& at, int side) {
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x)
+          if (open_[Block::cell(x, y, z)]) add({x, y, z}, nullptr, false);
   }
 
   /// Cells whose corners are all on one side, farther from zero than the value can change on the way to any point of the cell.

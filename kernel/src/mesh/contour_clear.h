@@ -47,7 +47,7 @@ Proof look_closer(const Field& field, const Box& box, std::vector<Eigen::Vector3
 struct UnclearCell {
   LatticePoint lower;
   int level;
-  FieldPtr field;       ///< good in the cell and `overlap` about it
+  FieldPtr field;       ///< good in the cell and `overlap` about it; null where it is not to be looked into
   bool folded = false;  ///< it is seen that one sheet is not all; else only a proof is missing
 };
 

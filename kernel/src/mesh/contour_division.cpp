@@ -29,11 +29,16 @@ unsigned face_of(unsigned inside, unsigned axis, bool upper) {
 
 }  // namespace
 
-void BlockRefiner::give_up_unproved() {
-  const auto unproved =
-      std::stable_partition(unclear_.begin(), unclear_.end(), [](const UnclearCell& cell) { return cell.folded; });
-  for (auto cell = unproved; cell != unclear_.end(); ++cell) given_up_.push_back({cell->lower, cell->level, nullptr, false});
-  unclear_.erase(unproved, unclear_.end());
+void BlockRefiner::add_unclear(std::vector<UnclearCell> cells) {
+  unclear_ = std::move(cells);
+  give_up([](const UnclearCell& cell) { return cell.field == nullptr; });
+}
+
+void BlockRefiner::give_up(bool (*which)(const UnclearCell&)) {
+  const auto left =
+      std::stable_partition(unclear_.begin(), unclear_.end(), [&](const UnclearCell& cell) { return !which(cell); });
+  for (auto cell = left; cell != unclear_.end(); ++cell) given_up_.push_back({cell->lower, cell->level, nullptr, false});
+  unclear_.erase(left, unclear_.end());
 }
 
 void BlockRefiner::advance() {

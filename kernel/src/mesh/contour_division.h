@@ -25,12 +25,14 @@ class BlockRefiner {
       : lattice_(lattice), block_(block), field_(std::move(field)) {}
 
   [[nodiscard]] const LatticePoint& block() const { return block_; }
-  void add_unclear(std::vector<UnclearCell> cells) { unclear_ = std::move(cells); }
+  void add_unclear(std::vector<UnclearCell> cells);
   /// Cells that are not clear and not divided either: those of the next round.
   [[nodiscard]] const std::vector<UnclearCell>& unclear() const { return unclear_; }
 
   /// Leaves the cells as they are that are not seen to be folded.
-  void give_up_unproved();
+  void give_up_unproved() {
+    give_up([](const UnclearCell& cell) { return !cell.folded; });
+  }
   [[nodiscard]] const std::vector<UnclearCell>& given_up() const { return given_up_; }
 
   /// Halves the cells that are not clear; then unclear() has those of their parts that are not.
@@ -52,6 +54,7 @@ class BlockRefiner {
     LatticePoint lower;
     int level;
   };
+  void give_up(bool (*which)(const UnclearCell&));
   [[nodiscard]] Place place_of(const LatticePoint& lower, int level);
   std::uint32_t make(const LatticePoint& lower, int level, const Field& field);
   [[nodiscard]] double least_value(unsigned child) const;

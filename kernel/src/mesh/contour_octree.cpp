@@ -102,6 +102,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   std::atomic<std::size_t> done{0};
   std::atomic<bool> known{false};
   std::atomic<std::size_t> crossed{0}, folded{0};
+  std::vector<char> complete(open.size());
   parallel_for(open.size(), [&](std::size_t i) {
     progress.check();
     BlockView view = view_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
@@ -110,6 +111,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
     crossed += view.crossed;
     folded += static_cast<std::size_t>(
         std::count_if(view.unclear.begin(), view.unclear.end(), [](const UnclearCell& cell) { return cell.folded; }));
+    complete[i] = view.complete;
     if (!view.unclear.empty()) {
       refiners[i] = std::make_unique<BlockRefiner>(lattice_, open[i]->lower, open[i]->field);
       refiners[i]->add_unclear(std::move(view.unclear));
@@ -122,10 +124,10 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   if (wants_half_voxel_) return;
   refine(open, settings, crossed, progress, refiners);
   parallel_for(open.size(), [&](std::size_t i) {
-    if (refiners[i]) {
+    if (complete[i] == 0 || (refiners[i] && !refiners[i]->empty())) {
       progress.check();
       sampled[i] = {};
-      refiners[i]->move_to(sampled[i]);
+      if (refiners[i]) refiners[i]->move_to(sampled[i]);
       open[i]->patch = sample_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
       refiners[i].reset();
     }
@@ -184,6 +186,8 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
   }
   doubts.write(certainty_);
   certainty_.finest = lattice_.side(finest);
+  if (certainty_.doubt == Doubt::finest_size && finest > 0) certainty_.doubt = Doubt::not_proved;
+  if (settings.depth == 0) certainty_.doubt = Doubt::not_looked;
   if (finest == lattice_.voxel_level()) return;
 
   std::map<LatticePoint, std::size_t> number;

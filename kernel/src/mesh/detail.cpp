@@ -117,7 +117,7 @@ void DetailMesh::mesh(const std::vector<Node*>& nodes, Progress& progress) {
     Node& node = *nodes[i];
     const double cell = node.box.size().maxCoeff() / settings_.cells;
     const Box reached = node.level == 0 ? node.box : intersection(node.box.grown(cell), root_->box);
-    const TriangleMesh whole = contour(*node.solid, reached, {cell}, progress);
+    const TriangleMesh whole = contour(*node.solid, reached, {cell, -1, true, 0}, progress);
     node.mesh = std::make_shared<const TriangleMesh>(without(find_caps(whole, *node.solid, node.box, root_->box, cell), whole));
   });
   for (const Node* node : nodes) triangles_ += node->mesh->triangles.size();

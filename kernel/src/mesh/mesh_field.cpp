@@ -8,7 +8,6 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/mesh_distances.h"
-#include "mesh_slopes.h"
 #include "triangle_tree.h"
 #include "winding.h"
 
@@ -43,32 +42,20 @@ class Inside {
   [[nodiscard]] bool at(const Vec3& p) const { return std::abs(number(p)) > 0.5; }
   /// Whether all places within `reach`, where no triangle is, are on the same side.
   [[nodiscard]] bool same_within(const Vec3& p, double reach) const {
+    constexpr double rounding = 0.03;  // of numbers, where groups of triangles count as one
     return closed() || std::abs(std::abs(number(p)) - 0.5) > rounding + reach * number_->steepest(p, reach);
   }
 
-  /// Whether within `reach` places are inside where turns() is not 0, so that sides change at triangles only: no lid is there,
-  /// and the number of all lids does not come near a half.
-  [[nodiscard]] bool turns_tell(const Vec3& p, double reach) const {
-    if (closed()) return true;
-    if (!lids_ || (lids_->tree.nearest(p).at - p).norm() <= reach) return false;
-    return std::abs(lids_->number.at(p)) + rounding + reach * lids_->number.steepest(p, reach) < 0.5;
-  }
-  /// Of the mesh with its lids.
-  [[nodiscard]] int turns(const Vec3& p) const {
-    const bool from_above = p.z() > middle_;  // the shorter way
-    return tree_.turns(p, from_above) + (lids_ ? lids_->tree.turns(p, from_above) : 0);
-  }
-
  private:
-  static constexpr double rounding = 0.03;  // of numbers, where groups of triangles count as one
-
   struct Lid {
     TriangleTree tree;
     WindingNumber number;
   };
   [[nodiscard]] double number(const Vec3& p) const {
     if (number_ && !lids_) return number_->at(p);
-    return lids_ ? turns(p) - lids_->number.at(p) : turns(p);
+    const bool from_above = p.z() > middle_;  // the shorter way
+    const int turns = tree_.turns(p, from_above);
+    return lids_ ? turns + lids_->tree.turns(p, from_above) - lids_->number.at(p) : turns;
   }
 
   const TriangleTree& tree_;
@@ -122,16 +109,6 @@ class MeshField final : public Field {
     if (!(least > 0)) return {-most, most, false};
     if (!inside_.same_within(centre, reach)) return {-most, most, false};
     return inside_.at(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
-  }
-  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    std::fill_n(out.begin(), directions.size(), Interval::unknown());
-    if (!box.valid()) return;
-    const DistanceBall ball{box.centre(), 0.5 * box.diagonal() * (1 + 1e-6), look(box.centre()).distance};
-    // At a virtual lid the value jumps.
-    if (!inside_.turns_tell(ball.centre, ball.reach) && !inside_.same_within(ball.centre, ball.reach)) return;
-    const Windings windings{[this](const Vec3& p, double reach) { return inside_.turns_tell(p, reach); },
-                            [this](const Vec3& p) { return inside_.turns(p); }};
-    mesh_slopes(tree_, windings, ball, directions, out);
   }
   [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }

@@ -103,32 +103,6 @@ TriangleTree::Place TriangleTree::nearest(const Vec3& point, std::uint32_t perha
   return best;
 }
 
-bool TriangleTree::within(const Vec3& point, double reach, std::size_t most, std::vector<std::uint32_t>& found) const {
-  const double square = reach * reach;
-  std::array<std::uint32_t, deepest> open;
-  std::size_t count = 0;
-  for (open[count++] = 0; count > 0;) {
-    const Node& node = nodes_[open[--count]];
-    double away = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double at = point[static_cast<Eigen::Index>(axis)];
-      const double out = std::max(0.0, std::max(node.lower[axis] - at, at - node.upper[axis]));
-      away += out * out;
-    }
-    if (away > square) continue;
-    for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle) {
-      const auto& [a, b, c] = triangles_[triangle];
-      if ((nearest_place(point, a, b, c) - point).squaredNorm() > square) continue;
-      if (found.size() == most) return false;
-      found.push_back(triangle);
-    }
-    if (node.count > 0) continue;
-    open[count++] = node.first;
-    open[count++] = node.first + 1;
-  }
-  return true;
-}
-
 int TriangleTree::turns(const Vec3& point, bool from_above) const {
   const double x = point.x(), y = point.y(), z = point.z();
   int sum = 0;

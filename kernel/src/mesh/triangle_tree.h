@@ -29,9 +29,6 @@ class TriangleTree {
   /// The place of the triangles that is nearest to a point. The search begins with a triangle that may be near (any will do).
   [[nodiscard]] Place nearest(const Vec3& point, std::uint32_t perhaps = 0) const;
 
-  /// Appends the triangles with a place within `reach` of a point. Stops when there are more than `most`; then returns false.
-  bool within(const Vec3& point, double reach, std::size_t most, std::vector<std::uint32_t>& found) const;
-
   /// How often the line through a point along z passes triangles on its way there, from above or from below: of a closed mesh it
   /// is how often that winds around the point, exactly; on its surface, around some place next to it. Sums over parts of a closed
   /// mesh are as good.

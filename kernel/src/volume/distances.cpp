@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "../field/chunk.h"
-#include "../field/interval_sums.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
@@ -245,38 +244,6 @@ class DistanceField final : public Field {
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     return range(solid_->interval(box), far_->interval(box));
-  }
-  /// The value is own + s (far - own) with a share s: its change is that of both, in shares s and 1 - s, and the share's own,
-  /// which counts as often as far and own differ.
-  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    const Interval own = solid_->interval(box), far = far_->interval(box);
-    if (is_away(own, far)) return far_->slopes(box, directions, out);
-    if (far.lower >= -voxel_ && far.upper <= voxel_) return solid_->slopes(box, directions, out);
-    const bool same_side = (own.inside() && far.inside()) || (own.lower >= 0 && far.lower >= 0 && !own.maybe_nan);
-    if (!same_side) {  // the share may jump where one of them changes its sign
-      std::fill_n(out.begin(), directions.size(), Interval::unknown());
-      return;
-    }
-    const float nearest = std::min(std::abs(far.lower), std::abs(far.upper)) / voxel_ - 1;
-    const float farthest = std::max(std::abs(far.lower), std::abs(far.upper)) / voxel_ - 1;
-    const Interval share{std::clamp(nearest, 0.0F, 1.0F), std::clamp(farthest, 0.0F, 1.0F), false};
-    // The share of the distance grows by 1 / voxel a mm, or, within one voxel and beyond two, not at all.
-    const bool always = nearest >= 0 && farthest <= 1;
-    const float growth = std::copysign(1 / voxel_, far.lower + far.upper), slower = always ? growth : 0.0F;
-    const Interval share_by_distance{std::min(growth, slower), std::max(growth, slower), false};
-    const Interval by_distance = times(share_by_distance, plus(far, {-own.upper, -own.lower, false}));
-    solid_->slopes(box, directions, out);
-    for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
-      std::array<Interval, slope_lanes> other;
-      far_->slopes(box, some, other);
-      for (std::size_t i = 0; i < some.size(); ++i) {
-        Interval& slope = out[first + i];
-        const auto mixture = [&](float part) {
-          return plus(times(slope, Interval::of(1 - part)), times(other[i], Interval::of(part)));
-        };
-        slope = plus(hull(mixture(share.lower), mixture(share.upper)), times(by_distance, other[i]));
-      }
-    });
   }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     solid_->restrict_all(boxes, purpose, out);

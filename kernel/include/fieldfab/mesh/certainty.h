@@ -18,14 +18,15 @@ struct UncertainPlace {
 /// Why places were left uncertain.
 enum class Doubt {
   none,
-  finest_size,   ///< the smallest cells allowed are not small enough: edges thinner than these, or surfaces that touch
-  not_proved,    ///< nothing is seen to be missing, but the Field's slopes are too roughly known to exclude it
-  too_many,      ///< more cells would have to be divided than the limit allows
-  slopes_unknown ///< the Field does not tell how fast its value changes, so that nothing can be proved
+  not_looked,     ///< it was not asked for
+  finest_size,    ///< the smallest cells allowed are not small enough: edges thinner than these, or surfaces that touch
+  not_proved,     ///< nothing is seen to be missing, but the Field's slopes are too roughly known to exclude it
+  too_many,       ///< more cells would have to be divided than the limit allows
+  slopes_unknown  ///< the Field does not tell how fast its value changes, so that nothing can be proved
 };
 
-/// The answer to "is all of the solid in this mesh?". Certain where, in each cell, the interval of the Field excludes a surface, or
-/// its slopes prove that there is one sheet of it at most (docs/contouring.md).
+/// The answer to "is all of the solid in this mesh?". Certain where, in each cell, the interval of the Field excludes a surface,
+/// or its slopes prove that there is one sheet of it at most (docs/contouring.md).
 struct Certainty {
   std::size_t count = 0;               ///< uncertain places
   double largest = 0;                  ///< mm: longest side of the largest place
@@ -35,7 +36,7 @@ struct Certainty {
   double finest = 0;                   ///< mm: edge of the smallest cell that was looked at
 
   static constexpr std::size_t most_places = 1000;
-  [[nodiscard]] bool certain() const { return count == 0; }
+  [[nodiscard]] bool certain() const { return doubt == Doubt::none; }
   /// One line for people: "certain", or how many places are not, how large they are, and why.
   [[nodiscard]] std::string text() const;
 };

@@ -13,7 +13,8 @@ struct ContourSettings {
   double voxel = 0;       ///< edge of the cells, mm, where the Field proves that these show all of the surface
   double max_error = -1;  ///< cells merge while the surface stays within this many mm; negative: a tenth of a voxel
   bool features = true;   ///< place vertices on sharp edges and corners; a sampled Field has none
-  int depth = 6;          ///< how often a cell may be halved where that is not proved: 6 is a 64th of a voxel; 0: never
+  int depth = 6;  ///< how often a cell may be halved where that is not proved: 6 is a 64th of a voxel; 0: never, and nothing is
+                  ///< looked for
   /// How many cells may be halved in all; beyond that the smaller ones stay as they are, and count as uncertain.
   std::size_t most_divided = 1'000'000;
 };
