@@ -179,6 +179,9 @@ class CheckVerb final : public Verb {
           {{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
     }
     outcome.json["rows"] = rows;
+    outcome.json["certain"] = report.certainty.certain();
+    if (!report.certainty.certain()) outcome.json["uncertain"] = json_of(report.certainty);
+    outcome.line += fmt::format("the mesh is {}\n", report.certainty.text());
     outcome.json["seconds"] = clock.seconds();
     outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, report.passed() ? "all bounds hold" : "A BOUND IS BROKEN",
                                 clock.seconds());

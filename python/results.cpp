@@ -230,6 +230,7 @@ void bind_results(py::module_& module) {
       .def_property_readonly("passed", &CheckRow::passed);
   py::class_<CheckReport>(module, "CheckReport")
       .def_readonly("rows", &CheckReport::rows)
+      .def_readonly("certainty", &CheckReport::certainty, "of the mesh that was checked")
       .def_property_readonly("passed", &CheckReport::passed)
       .def("__str__", [](const CheckReport& report) {
         std::string text;

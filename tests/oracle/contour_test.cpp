@@ -149,7 +149,7 @@ TEST(Contour, IsValidForFieldsThatAreNone) {
   for (const auto& [name, expression] : wild)
     for (const double voxel : {0.25, 0.1}) {
       ContourSettings settings{voxel};
-      settings.most_divided = 20'000;  // what is rough at any size would take them all
+      settings.most_divided = 4'000;  // what is rough at any size would take them all
       const ContourMesh mesh = contour(*frep::make_field(expression), {Vec3::Constant(-1.1), {1.2, 1.3, 1}}, settings);
       expect_valid(mesh, name);
       EXPECT_TRUE(!mesh.certainty.certain() || std::string(name) != "noise");

@@ -6,6 +6,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
@@ -41,6 +42,45 @@ std::vector<Vec3> random_points(const Box& bounds, const TriangleMesh& mesh, con
     }
   }
   return points;
+}
+
+/// A box that the Field's interval proves to be inside or outside.
+struct ProvedBox {
+  Box box;
+  bool inside;
+};
+
+/// Searches for the surface from the whole region down, at random: of each box a random one of those halves that the interval
+/// leaves open. Thin parts are found by their area, not by their volume, and no lattice is in it. Gives the last proved boxes of
+/// each search: those next to the surface.
+std::vector<ProvedBox> proved_boxes(const FieldPtr& solid, const Box& bounds, const CheckSettings& settings, Progress& progress) {
+  constexpr std::size_t kept = 3;
+  const double smallest = settings.voxel / 64;
+  std::vector<std::vector<ProvedBox>> found(static_cast<std::size_t>(settings.searches));
+  parallel_for(found.size(), [&](std::size_t i) {
+    if (i % 16 == 0) progress.check();
+    std::mt19937 random(settings.seed + 2 + static_cast<std::uint32_t>(i));
+    Box box = bounds;
+    FieldPtr here = solid;
+    while (box.size().maxCoeff() > smallest) {
+      Eigen::Index axis = 0;
+      box.size().maxCoeff(&axis);
+      std::array<Box, 2> halves{box, box};
+      halves[0].upper[axis] = halves[1].lower[axis] = box.centre()[axis];
+      std::array<Restriction, 2> parts;
+      here->restrict_all(halves, Purpose::value, parts);
+      for (std::size_t half = 0; half < 2; ++half)
+        if (parts[half].range.decided()) found[i].push_back({halves[half], parts[half].range.inside()});
+      if (parts[0].range.decided() && parts[1].range.decided()) break;
+      const std::size_t next = parts[0].range.decided() ? 1 : parts[1].range.decided() ? 0 : random() % 2;
+      box = halves[next];
+      here = parts[next].field;
+    }
+    if (found[i].size() > kept) found[i].erase(found[i].begin(), found[i].end() - kept);
+  });
+  std::vector<ProvedBox> all;
+  for (const auto& some : found) all.insert(all.end(), some.begin(), some.end());
+  return all;
 }
 
 /// Points spread evenly over the mesh's area.
@@ -106,12 +146,15 @@ class Checker {
   }
 
   CheckReport run() {
-    mesh_ = contour(*solid_, bounds_, {settings_.voxel, settings_.max_error, has_features_}, progress_);
+    ContourMesh made = contour(*solid_, bounds_, {settings_.voxel, settings_.max_error, has_features_}, progress_);
+    report_.certainty = std::move(made.certainty);
+    mesh_ = std::move(made);
     check_validity();
     points_ = random_points(bounds_, mesh_, settings_);
     if (!mesh_.triangles.empty()) surface_ = surface_points(mesh_, settings_);
     check_asdf();
     if (report_.passed() && !mesh_.triangles.empty()) check_sides();
+    if (valid_) check_completeness();
     check_level_set();
     return std::move(report_);
   }
@@ -206,6 +249,19 @@ class Checker {
       if (side != Side::near_surface && oracle.inside(points_[i]) != (side == Side::inside)) ++wrong;
     }
     row("mesh: points on the wrong side, of those sure (CGAL)", wrong, 0);
+  }
+
+  /// What is proved to be solid, or empty, farther than a cell from the mesh's surface has to be so in the mesh.
+  void check_completeness() {
+    progress_.report(0, "searching for lost parts");
+    std::optional<MeshOracle> oracle;
+    if (!mesh_.triangles.empty()) oracle.emplace(mesh_);
+    int lost = 0;
+    for (const ProvedBox& proved : proved_boxes(solid_, bounds_, settings_, progress_)) {
+      const Vec3 p = proved.box.centre();
+      if (oracle ? oracle->inside(p) != proved.inside && oracle->distance(p) > settings_.voxel : proved.inside) ++lost;
+    }
+    row("mesh: places lost or filled, of those proved", lost, 0);
   }
 
   void check_level_set() {

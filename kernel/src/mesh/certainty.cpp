@@ -9,7 +9,7 @@ std::string Certainty::text() const {
   const char* why = "";
   switch (doubt) {
     case Doubt::none: break;
-    case Doubt::not_looked: return "not looked whether anything is missing";
+    case Doubt::not_looked: return "not certain, since it was not looked whether anything is missing";
     case Doubt::finest_size: why = "the smallest cells"; break;
     case Doubt::not_proved: why = "nothing is seen to be missing, but its slopes there are too roughly known for a proof"; break;
     case Doubt::too_many: why = "the limit of divided cells was reached"; break;

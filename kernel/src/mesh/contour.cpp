@@ -27,10 +27,11 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   std::optional<Lattice> halved;
   std::optional<Octree> cells;
   int depth = std::clamp(settings.depth, 0, 6);
-  for (;; --depth, settings.voxel /= 2) {
+  for (;; --depth) {
     halved.emplace(bounds, settings.voxel, depth);
     cells.emplace(*solid, *halved, settings, progress);
-    if (!cells->wants_half_voxel()) break;
+    if (!cells->wants_half_voxel() && !cells->too_deep()) break;
+    if (cells->wants_half_voxel()) settings.voxel /= 2;
   }
   const Lattice& lattice = *halved;
   const Octree& octree = *cells;

@@ -234,12 +234,15 @@ class BlockInspector {
     } else {
       known_ = true;
     }
+    if (failures_ > rough)
+      for (UnclearCell& cell : unclear_) cell.field.reset(), cell.folded = false;
     return std::move(unclear_);
   }
   [[nodiscard]] bool known() const { return known_; }
 
  private:
   using Corner = std::array<int, 3>;  // in cells from the block's
+  static constexpr int rough = 256;   // as many folded cells, half of the block, are no sheet: smaller ones would be folded, too
 
   [[nodiscard]] LatticePoint point(const Corner& at) const {
     const int step = lattice_.voxel_level();
@@ -270,6 +273,7 @@ class BlockInspector {
   }
 
   void inspect(const Corner& at, int side, const Field& field, std::span<const std::uint32_t> points) {
+    if (field.smooth() || failures_ > rough) return leave_open_cells(at, side);
     const Box box = cube(at, side);
     normals_.clear();
     for (const std::uint32_t i : points) add_normal(samples_.points[i], normals_);

@@ -57,6 +57,10 @@ void BlockRefiner::advance() {
       const Division& division = divisions_[number];
       const std::uint8_t corners = division.corners(child);
       if (here[child].range.decided() || here[child].field->affine()) continue;
+      if (here[child].field->smooth()) {
+        given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
+        continue;
+      }
       normals.clear();
       for (const Crossing& crossing : division.crossings)
         if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);

@@ -42,7 +42,7 @@ Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings
     : lattice_(lattice) {
   subdivide(solid, progress);
   sample_blocks(settings, progress);
-  if (wants_half_voxel_) return;
+  if (wants_half_voxel_ || too_deep_) return;
   merge_blocks(settings.max_error);
   number_leafs();
 }
@@ -123,6 +123,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   wants_half_voxel_ = known && half_voxel_pays(folded, crossed, open.size(), settings);
   if (wants_half_voxel_) return;
   refine(open, settings, crossed, progress, refiners);
+  if (too_deep_) return;
   parallel_for(open.size(), [&](std::size_t i) {
     if (complete[i] == 0 || (refiners[i] && !refiners[i]->empty())) {
       progress.check();
@@ -142,8 +143,10 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
 
 bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks, const ContourSettings& settings) const {
   constexpr std::size_t few = 4000;  // as many are halved one by one in less time than it takes to begin anew
-  return lattice_.voxel_level() > 0 && folded > few && 4 * folded > crossed && folded <= settings.most_divided &&
-         4 * blocks * bytes_a_block < available_memory() / 2;
+  constexpr std::size_t sheet =
+      200;  // more of a block's 512 cells are no sheet, but rough: that does not end with half the voxel
+  return lattice_.voxel_level() > 0 && folded > few && folded < sheet * blocks && 4 * folded > crossed &&
+         folded <= settings.most_divided && 4 * blocks * bytes_a_block < available_memory() / 2;
 }
 
 /// Halves cells that are not clear, level by level, and then those that their neighbours need halved. Cells that only
@@ -192,6 +195,7 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
 
   std::map<LatticePoint, std::size_t> number;
   for (std::size_t i = 0; i < open.size(); ++i) number.emplace(open[i]->lower, i);
+  std::size_t asked = 0;
   for (;;) {
     progress.check();
     std::vector<DivisionRequest> requests;
@@ -199,6 +203,10 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     std::sort(requests.begin(), requests.end());
     requests.erase(std::unique(requests.begin(), requests.end()), requests.end());
     if (requests.empty()) return;
+    constexpr std::size_t few = 5'000;
+    asked += requests.size();
+    too_deep_ = asked > std::max(few, settings.most_divided);
+    if (too_deep_) return;
     std::vector<std::span<const DivisionRequest>> of_block;
     active.clear();
     for (std::size_t i = 0, next = 0; i < requests.size(); i = next) {

@@ -89,6 +89,9 @@ class Octree {
   /// Whether most cells are not clear, so that a lattice of half the voxel costs less than looking into them one by one. Nothing
   /// else is known of such an octree.
   [[nodiscard]] bool wants_half_voxel() const { return wants_half_voxel_; }
+  /// Whether cells were halved so often that too many of their neighbours had to be, too: in what is rough at any size that has
+  /// no end. Nothing else is known of such an octree.
+  [[nodiscard]] bool too_deep() const { return too_deep_; }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
@@ -120,7 +123,7 @@ class Octree {
   std::vector<std::uint64_t> block_keys_;  ///< sorted; parallel to block_order_
   std::vector<std::uint32_t> block_order_;
   Certainty certainty_;
-  bool wants_half_voxel_ = false;
+  bool wants_half_voxel_ = false, too_deep_ = false;
 };
 
 /// Where an 8-cell neighbourhood's signs make one surface patch: the corners of the eight merged, or nothing where merging would

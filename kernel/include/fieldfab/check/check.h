@@ -7,6 +7,7 @@
 
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
+#include "fieldfab/mesh/certainty.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab {
@@ -22,6 +23,7 @@ struct CheckRow {
 
 struct CheckReport {
   std::vector<CheckRow> rows;
+  Certainty certainty;  ///< what the mesh says of itself
   [[nodiscard]] bool passed() const;
 };
 
@@ -30,6 +32,7 @@ struct CheckSettings {
   double max_error = -1;
   std::uint32_t seed = 1;
   int samples = 20000;  ///< random points for the ASDF and for inside/outside tests
+  int searches = 2000;  ///< for parts that the mesh lacks
 };
 
 /// Builds the Asdf and the mesh of `field` over `bounds` and measures both (see docs/checks.md for each row and its bound).
