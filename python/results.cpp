@@ -120,7 +120,7 @@ void bind_results(py::module_& module) {
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         std::optional<double> max_error, bool features, const py::object& progress, bool exact) {
+         std::optional<double> max_error, bool features, const py::object& progress, bool exact, int depth) {
         const FieldPtr field = field_of(solid);
         const bool whole = bounds.is_none();
         return long_work(progress, [&](Progress& p) {
@@ -130,14 +130,15 @@ void bind_results(py::module_& module) {
             return ContourMesh{*std::move(faces), {}};
           }
           const Box region = region_of(field, bounds, p);
-          return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features}, p);
+          return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features, depth}, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
       py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(), py::arg("exact") = true,
+      py::arg("depth") = ContourSettings().depth,
       "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD design has its "
       "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
-      "anything may be missing.");
+      "anything may be missing; cells are halved up to depth times to see that, and with 0 it is not looked for.");
 
   py::class_<DetailMesh>(
       module, "DetailMesh",

@@ -159,9 +159,9 @@ class Refinement:
 
     def _meshed(self, box, cell, progress):
         """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
-        merged ones would cut corners then."""
+        merged ones would cut corners then. What is thinner than the cells waits for the solid's own mesh."""
         sharp = self.sharp and cell <= 1.01 * self._wanted()
-        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, progress=progress)
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, depth=0, progress=progress)
 
     def _fit_region(self, mesh):
         """Fits the region to a mesh, unless it is given; True where it became larger."""
