@@ -263,7 +263,7 @@ std::string random_thin_solid(std::mt19937& random) {
 /// FIELDFAB_THIN_SOLIDS says how many; the full proof tries 10,000.
 TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   const char* wanted = std::getenv("FIELDFAB_THIN_SOLIDS");
-  const int count = wanted != nullptr ? std::atoi(wanted) : 100;
+  const int count = wanted != nullptr ? std::atoi(wanted) : 50;
   constexpr int voxels = 6, finer = 16, side = voxels * finer;
   const Box bounds = cube_about_zero(3);
   std::mt19937 random(20261123);
