@@ -93,10 +93,6 @@ Cone cone_about(const std::vector<Eigen::Vector3f>& directions, float least) {
   return cone;
 }
 
-}  // namespace
-
-namespace {
-
 /// The cone of directions in which the Field must grow for a graph that is nowhere steeper than is allowed.
 struct Wanted {
   explicit Wanted(int halvings) : tangent(1 / std::ldexp(steepest_in_voxels, halvings)) {}

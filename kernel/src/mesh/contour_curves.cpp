@@ -82,9 +82,8 @@ class CurveTracer {
         cells[quadrant] = leaf_at(neighbours, cell_beside(crossing, quadrant), halved);
       if (!halved) add_point(crossing, cells, lattice_.plane_range(block.lower, lattice_.voxel_level(), crossing.lower), found);
     }
-    for (std::size_t i = 0; i < block.divisions.size(); ++i)
-      for (const Crossing& crossing : block.divisions[i].crossings)
-        add_point_of_division(block, block.divisions[i], crossing, found);
+    for (const Division& division : block.divisions)
+      for (const Crossing& crossing : division.crossings) add_point_of_division(division, crossing, found);
     return found;
   }
 
@@ -100,7 +99,7 @@ class CurveTracer {
 
   /// An edge of a divided cell is one of the cells' edges where none of the cells about it is smaller. It may be sampled by
   /// several divisions: the one with the first of the cells that are as small takes it.
-  void add_point_of_division(const Block& block, const Division& division, const Crossing& crossing, BlockPoints& found) const {
+  void add_point_of_division(const Division& division, const Crossing& crossing, BlockPoints& found) const {
     std::array<std::uint32_t, 4> cells{};
     bool taken = false;
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
@@ -116,7 +115,6 @@ class CurveTracer {
       }
       cells[quadrant] = checked(cell.leaf);
     }
-    static_cast<void>(block);
     add_point(crossing, cells, lattice_.plane_range(division.lower, division.level, crossing.lower), found);
   }
 

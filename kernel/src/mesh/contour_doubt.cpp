@@ -2,27 +2,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "fieldfab/core/together.h"
 
 namespace fieldfab::contouring {
-namespace {
-
-/// Disjoint sets (union-find) with path halving.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[std::max(root(a), root(b))] = std::min(root(a), root(b)); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
-}  // namespace
-
 void DoubtMap::add(std::span<const UnclearCell> cells) {
   const int mask = ~((1 << lattice_.voxel_level()) - 1);
   for (const UnclearCell& cell : cells)
@@ -36,11 +19,11 @@ void DoubtMap::write(Certainty& certainty) const {
     certainty.doubt = Doubt::none;
     return;
   }
-  std::map<LatticePoint, std::size_t> by_voxel;
-  Sets sets(cells_.size());
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
+  std::map<LatticePoint, std::uint32_t> by_voxel;
+  Together together(cells_.size());
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
     const auto [found, fresh] = by_voxel.emplace(cells_[i].voxel, i);
-    if (!fresh) sets.join(found->second, i);
+    if (!fresh) together.join(found->second, i);
   }
   const int step = 1 << lattice_.voxel_level();
   for (const auto& [voxel, i] : by_voxel)
@@ -48,11 +31,11 @@ void DoubtMap::write(Certainty& certainty) const {
       for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x)
           if (const auto found = by_voxel.find(moved(voxel, x * step, y * step, z * step)); found != by_voxel.end())
-            sets.join(found->second, i);
+            together.join(found->second, i);
 
-  std::map<std::size_t, UncertainPlace> places;
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const auto [found, fresh] = places.emplace(sets.root(i), UncertainPlace{cells_[i].box, cells_[i].side});
+  std::map<std::uint32_t, UncertainPlace> places;
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    const auto [found, fresh] = places.emplace(together.of(i), UncertainPlace{cells_[i].box, cells_[i].side});
     UncertainPlace& place = found->second;
     place.box = {place.box.lower.cwiseMin(cells_[i].box.lower), place.box.upper.cwiseMax(cells_[i].box.upper)};
     place.thickness = std::max(place.thickness, cells_[i].side);
