@@ -14,6 +14,7 @@
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
+#include "json.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -125,7 +126,16 @@ class InfoVerb final : public Verb {
       outcome.json["bounds"] = ranges;
     }
     outcome.line = fmt::format("{}: f-rep, {} nodes ({} simplified), {}", file_, nodes, simplified, bounds);
+    tell_measures(*model.field, found, outcome, progress);
     return outcome;
+  }
+  /// Volume and area, where the solid has a thickness and an end.
+  static void tell_measures(const Field& field, const SolidBounds& found, Outcome& outcome, Progress& progress) {
+    if (found.empty || !found.is_bounded() || !(found.box.size().minCoeff() > 0)) return;
+    // Faces that lie in the bounds are inside of what is measured.
+    const Measures measures = measure(field, found.box.grown(1e-3 * found.box.diagonal()), {}, progress);
+    outcome.line += ", " + measures.text();
+    outcome.json.update(json_of(measures));
   }
   Outcome design_info(const Model& model, Progress& progress) const {
     print_notes(model.notes);
@@ -140,6 +150,7 @@ class InfoVerb final : public Verb {
     outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_, flat ? "flat" : "solid",
                                a.x(), b.x(), a.y(), b.y());
     if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
+    tell_measures(*model.field, found, outcome, progress);
     return outcome;
   }
   Outcome asdf_info(const Asdf& asdf) const {

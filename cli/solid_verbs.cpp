@@ -7,6 +7,7 @@
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/contour.h"
+#include "json.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -22,16 +23,11 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-nlohmann::ordered_json json_of(const Box& box) {
-  return {box.lower.x(), box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z()};
-}
-
-nlohmann::ordered_json json_of(const Certainty& certainty) {
-  auto places = nlohmann::ordered_json::array();
-  for (const UncertainPlace& place : certainty.places)
-    places.push_back({{"bounds", json_of(place.box)}, {"thickness", place.thickness}});
-  return {{"count", certainty.count},   {"largest", certainty.largest}, {"thickness", certainty.thickness},
-          {"finest", certainty.finest}, {"text", certainty.text()},     {"places", places}};
+/// Adds to the answer whether it shows all of the solid; `wanted`: it has to.
+void tell_certainty(const Certainty& certainty, bool wanted, Outcome& outcome) {
+  outcome.json["certain"] = certainty.certain();
+  if (!certainty.certain()) outcome.json["uncertain"] = json_of(certainty);
+  if (wanted && !certainty.certain()) outcome.code = 1;
 }
 
 class BuildVerb final : public Verb {
@@ -43,6 +39,7 @@ class BuildVerb final : public Verb {
         ->check(CLI::Range(1, 32));
     verb_->add_option("--quantum", file_.quantum,
                       "keep distances as multiples of this many mm; the default is 1/1024 of a voxel");
+    verb_->add_flag("--certain", certain_, "exit 1 unless the distance field is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
     if (options_.takes_samples()) return import(progress);
@@ -51,18 +48,21 @@ class BuildVerb final : public Verb {
     const Box bounds = working_bounds(model, options_.region(), progress);
     const auto asdf =
         Asdf::build(*model.field, bounds, {options_.cell(bounds, model), options_.max_error.value_or(-1), true}, progress);
+    const Certainty certainty = certainty_of_cells(*model.field, bounds, asdf->voxel(), progress);
     asdf->save(options_.output, file_, progress);
     const AsdfStatistics counts = asdf->statistics();
     const auto& n = asdf->lattice();
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {:.2f} s", options_.output,
-                               n[0], n[1], n[2], counts.cells(), counts.leafs,
-                               static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), clock.seconds());
+    outcome.line =
+        fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {}, {:.2f} s", options_.output, n[0],
+                    n[1], n[2], counts.cells(), counts.leafs,
+                    static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), certainty.text(), clock.seconds());
     outcome.json = {{"output", options_.output}, {"lattice", n},
                     {"bounds", json_of(bounds)}, {"cells", counts.cells()},
                     {"leafs", counts.leafs},     {"filled", counts.filled},
                     {"empty", counts.empty},     {"branches", counts.branches},
                     {"bytes", counts.bytes},     {"seconds", clock.seconds()}};
+    tell_certainty(certainty, certain_, outcome);
     return outcome;
   }
 
@@ -96,6 +96,7 @@ class BuildVerb final : public Verb {
 
   ModelOptions options_;
   AsdfFileSettings file_;
+  bool certain_ = false;
 };
 
 class MeshVerb final : public Verb {
@@ -130,7 +131,6 @@ class MeshVerb final : public Verb {
     outcome.line =
         fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {}, {:.2f} s", options_.output, mesh.triangles.size(),
                     mesh.vertices.size(), mesh.volume(), faces ? "exact faces" : certainty.text(), clock.seconds());
-    outcome.code = certain_ && !certainty.certain() ? 1 : 0;
     outcome.json = {{"output", options_.output},
                     {"triangles", mesh.triangles.size()},
                     {"vertices", mesh.vertices.size()},
@@ -138,10 +138,9 @@ class MeshVerb final : public Verb {
                     {"area", mesh.area()},
                     {"voxel", cell},
                     {"exact", faces.has_value()},
-                    {"certain", certainty.certain()},
                     {"bounds", json_of(bounds)},
                     {"seconds", clock.seconds()}};
-    if (!certainty.certain()) outcome.json["uncertain"] = json_of(certainty);
+    tell_certainty(certainty, certain_, outcome);
     return outcome;
   }
 
@@ -179,9 +178,10 @@ class CheckVerb final : public Verb {
           {{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
     }
     outcome.json["rows"] = rows;
-    outcome.json["certain"] = report.certainty.certain();
-    if (!report.certainty.certain()) outcome.json["uncertain"] = json_of(report.certainty);
+    tell_certainty(report.certainty, false, outcome);
     outcome.line += fmt::format("the mesh is {}\n", report.certainty.text());
+    outcome.json["measures"] = json_of(report.measures);
+    outcome.line += fmt::format("the solid has {}\n", report.measures.text());
     outcome.json["seconds"] = clock.seconds();
     outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, report.passed() ? "all bounds hold" : "A BOUND IS BROKEN",
                                 clock.seconds());

@@ -140,6 +140,42 @@ void bind_results(py::module_& module) {
       "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
       "anything may be missing; cells are halved up to depth times to see that, and with 0 it is not looked for.");
 
+  module.def(
+      "certainty",
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
+         const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          return certainty_of_cells(*field, region, cell_of(region, voxel, resolution, field), p);
+        });
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
+      py::arg("progress") = py::none(),
+      "Whether cells of this size show all of a solid, as those of an Asdf that is built of it; a mesh has its own certainty.");
+
+  const auto pair = [](const Enclosed& number) { return std::pair(number.lower, number.upper); };
+  py::class_<Measures>(module, "Measures", "Volume and area of a solid, with bounds that hold.")
+      .def_property_readonly(
+          "volume", [pair](const Measures& m) { return pair(m.volume); }, "(least, most), mm3")
+      .def_property_readonly(
+          "area", [pair](const Measures& m) { return pair(m.area); }, "(least, most), mm2; infinite where nothing bounds it")
+      .def("__str__", &Measures::text);
+  module.def(
+      "measure",
+      [](const py::object& solid, const py::object& bounds, std::size_t boxes, const py::object& progress) {
+        const FieldPtr field = field_of(solid);
+        return long_work(progress, [&](Progress& p) {
+          const Box region = region_of(field, bounds, p);
+          MeasureSettings settings;
+          settings.most_boxes = boxes;
+          return measure(*field, bounds.is_none() ? region.grown(1e-3 * region.diagonal()) : region, settings, p);
+        });
+      },
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("boxes") = MeasureSettings().most_boxes,
+      py::arg("progress") = py::none(),
+      "Volume and area of a solid, or of its part in the bounds, from the Field itself: as exactly as so many boxes can tell.");
+
   py::class_<DetailMesh>(
       module, "DetailMesh",
       "A solid in parts that are meshed when someone looks at them, finely where the eye is near; for display.")
@@ -232,6 +268,7 @@ void bind_results(py::module_& module) {
   py::class_<CheckReport>(module, "CheckReport")
       .def_readonly("rows", &CheckReport::rows)
       .def_readonly("certainty", &CheckReport::certainty, "of the mesh that was checked")
+      .def_readonly("measures", &CheckReport::measures, "of the solid, from its Field")
       .def_property_readonly("passed", &CheckReport::passed)
       .def("__str__", [](const CheckReport& report) {
         std::string text;

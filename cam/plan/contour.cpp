@@ -8,9 +8,11 @@
 #include <cmath>
 #include <mutex>
 #include <span>
+#include <tuple>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/field/plane_bounds.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -52,8 +54,10 @@ class Block {
   Block(const Field& field, const Squares& squares, double level, const Part& part)
       : field_(field), squares_(squares), level_(static_cast<float>(level)), part_(part), wide_(part.right - part.left + 1) {}
 
-  void trace(std::vector<Piece>& pieces) {
+  /// `missed`: where wanted, what the samples do not show is added.
+  void trace(std::vector<Piece>& pieces, MissedParts* missed) {
     sample();
+    if (missed != nullptr) look_between_samples(field_, part_, *missed);
     find_crossings();
     if (count_ == 0) return;
     close_in();
@@ -65,6 +69,75 @@ class Block {
 
  private:
   static constexpr std::size_t side = block + 1, most_crossings = 2 * side * side;
+
+  /// Adds squares where part of a contour may have been missed.
+  void look_between_samples(const Field& field, const Part& part, MissedParts& missed) const {
+    if (part.left >= part.right || part.low >= part.high) return;
+    const auto box_of = [&](double beyond) {
+      return Box{{squares_.x(part.left) - beyond, squares_.y(part.low) - beyond, squares_.z},
+                 {squares_.x(part.right) + beyond, squares_.y(part.high) + beyond, squares_.z}};
+    };
+    // A little beyond the squares, so that what one takes for a bulge of the contour in the next is one there, too.
+    const Box box = box_of(squares_.cell / 8);
+    const Restriction here = field.restricted(box);
+    if (is_clear(here, box) || is_one_curve(*here.field, box)) return;
+    if (part.right - part.left > 1 || part.high - part.low > 1) {
+      const int u = (part.left + part.right + 1) / 2, v = (part.low + part.high + 1) / 2;
+      for (const Part& quarter : {Part{part.left, part.low, u, v}, Part{u, part.low, part.right, v},
+                                  Part{part.left, v, u, part.high}, Part{u, v, part.right, part.high}})
+        look_between_samples(*here.field, quarter, missed);
+      return;
+    }
+    const bool inside = value_[sample_index(part.left, part.low)] < 0;
+    for (const auto& [i, j] :
+         {std::pair{part.right, part.low}, std::pair{part.left, part.high}, std::pair{part.right, part.high}})
+      if ((value_[sample_index(i, j)] < 0) != inside) return;
+    constexpr int deepest = 4;
+    const Box square = intersection(box_of(0), squares_.region.at(squares_.z));
+    if (square.valid()) look_into(*here.field, square, inside, deepest, missed);
+  }
+
+  /// Whether a Field is on one side of the level all over a box, by its interval or its slopes.
+  [[nodiscard]] bool is_clear(const Restriction& here, const Box& box) const {
+    if (!here.range.maybe_nan && (here.range.lower > level_ || here.range.upper < level_)) return true;
+    const PlaneBounds plane = plane_bounds(*here.field, box);
+    const double level = level_;
+    return plane.known && (plane.lower() > level || plane.upper() < level);
+  }
+
+  /// Whether the Field grows all over a box along its mean slope: then the contour there is the graph of a function.
+  [[nodiscard]] static bool is_one_curve(const Field& field, const Box& box) {
+    const PlaneBounds plane = plane_bounds(field, box);
+    Vec3 along = plane.slope;
+    along.z() = 0;
+    if (!plane.known || !(along.norm() > 0)) return false;
+    along.normalize();
+    Interval slope;
+    field.slopes(box, {&along, 1}, {&slope, 1});
+    return !slope.maybe_nan && slope.lower >= 0 && slope.upper > 0;
+  }
+
+  /// Looks for the other side in a square whose corners are all inside, or all outside. True where it is found.
+  bool look_into(const Field& field, const Box& box, bool inside, int depth, MissedParts& missed) const {
+    const Restriction here = field.restricted(box);
+    if (is_clear(here, box)) return false;
+    const Vec3 middle = box.centre();
+    if ((here.field->value(middle) < level_) != inside) {
+      if (missed.lost++ == 0) missed.place = middle.head<2>();
+      return true;
+    }
+    if (depth == 0) {
+      if (!plane_bounds(*here.field, box).known) return false;
+      if (missed.unproved++ == 0 && missed.lost == 0) missed.place = middle.head<2>();
+      return false;
+    }
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      Box part = box;
+      for (int axis = 0; axis < 2; ++axis) ((quarter >> axis & 1) != 0 ? part.lower : part.upper)[axis] = middle[axis];
+      if (look_into(*here.field, part, inside, depth - 1, missed)) return true;
+    }
+    return false;
+  }
 
   [[nodiscard]] std::size_t sample_index(int i, int j) const {
     return static_cast<std::size_t>(j - part_.low) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i - part_.left);
@@ -285,15 +358,19 @@ class Block {
 /// Goes down the quadtree and collects pieces.
 class Descent {
  public:
-  Descent(const Squares& squares, double level, Progress& progress) : squares_(squares), level_(level), progress_(progress) {}
+  /// `missed`: see Block::trace().
+  Descent(const Squares& squares, double level, MissedParts* missed, Progress& progress)
+      : squares_(squares), level_(level), missed_(missed), progress_(progress) {}
 
   void run(const FieldPtr& field, const Part& part) {
     progress_.check();
     const int longer = std::max(part.right - part.left, part.high - part.low);
     if (longer <= task) {
       std::vector<Piece> found;
-      descend(field, part, found);
+      MissedParts missed;
+      descend(field, part, found, missed);
       const std::lock_guard lock(collecting_);
+      if (missed_ != nullptr) add(missed);
       pieces_.insert(pieces_.end(), found.begin(), found.end());
       return;
     }
@@ -345,14 +422,23 @@ class Descent {
     return children;
   }
 
-  void descend(const FieldPtr& field, const Part& part, std::vector<Piece>& found) const {
+  /// The place is that of the lowest, of the leftmost where these are alike, whatever thread comes first.
+  void add(const MissedParts& more) {
+    const auto rank = [](const MissedParts& m) { return std::tuple(m.lost == 0, !m.any(), m.place.y(), m.place.x()); };
+    if (rank(more) < rank(*missed_)) missed_->place = more.place;
+    missed_->lost += more.lost;
+    missed_->unproved += more.unproved;
+  }
+
+  void descend(const FieldPtr& field, const Part& part, std::vector<Piece>& found, MissedParts& missed) const {
     if (part.right - part.left <= block && part.high - part.low <= block)
-      return Block(*field, squares_, level_, part).trace(found);
-    for (const Child& child : split(*field, part)) descend(child.field, child.part, found);
+      return Block(*field, squares_, level_, part).trace(found, missed_ != nullptr ? &missed : nullptr);
+    for (const Child& child : split(*field, part)) descend(child.field, child.part, found, missed);
   }
 
   const Squares& squares_;
   double level_;
+  MissedParts* missed_;
   Progress& progress_;
   std::mutex collecting_;
   std::vector<Piece> pieces_;
@@ -412,9 +498,8 @@ Loops link(std::vector<Piece> pieces, double cell) {
   return loops;
 }
 
-}  // namespace
-
-Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, Progress& progress) {
+Loops traced(const Field& field, const Rectangle& region, const ContourSettings& settings, MissedParts* missed,
+             Progress& progress) {
   const Vec2 size = region.size();
   if (!(settings.cell > 0) || !size.allFinite() || !(size.minCoeff() > 0))
     throw Error(ErrorKind::bad_input, "contour", "needs a region and a cell that are finite and have a size");
@@ -427,9 +512,21 @@ Loops contours(const Field& field, const Rectangle& region, const ContourSetting
                         static_cast<int>(count.x()),
                         static_cast<int>(count.y()),
                         region};
-  Descent descent(squares, settings.level, progress);
+  Descent descent(squares, settings.level, missed, progress);
   descent.run(field.shared_from_this(), {0, 0, squares.columns, squares.rows});
   return link(descent.take(), settings.cell);
+}
+
+}  // namespace
+
+Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, Progress& progress) {
+  return traced(field, region, settings, nullptr, progress);
+}
+
+Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, MissedParts& missed,
+               Progress& progress) {
+  missed = {};
+  return traced(field, region, settings, &missed, progress);
 }
 
 }  // namespace fieldfab::cam

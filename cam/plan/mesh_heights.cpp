@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fieldfab/mesh/mesh_field.h"
 
@@ -71,12 +72,12 @@ std::unique_ptr<MeshHeights> MeshHeights::of(const Field& field, const Rectangle
   return made;
 }
 
-bool MeshHeights::rises(const Rectangle& square, double z) const {
-  bool higher = false;
+double MeshHeights::highest(const Rectangle& square) const {
+  double highest = -std::numeric_limits<double>::infinity();
   each_bin(square, [&](std::size_t bin) {
-    for (std::uint32_t m = starts_[bin]; m < starts_[bin + 1] && !higher; ++m) {
+    for (std::uint32_t m = starts_[bin]; m < starts_[bin + 1]; ++m) {
       const Triangle& t = triangles_[members_[m]];
-      if (std::max({t[0].z(), t[1].z(), t[2].z()}) <= z) continue;
+      if (std::max({t[0].z(), t[1].z(), t[2].z()}) <= highest) continue;
       // The triangle cut by the square's sides: its corners tell.
       std::vector<Vec3> corners(t.begin(), t.end());
       for (int side = 0; side < 4 && !corners.empty(); ++side) {
@@ -91,10 +92,10 @@ bool MeshHeights::rises(const Rectangle& square, double z) const {
         }
         corners = std::move(kept);
       }
-      higher = std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return p.z() > z; });
+      for (const Vec3& corner : corners) highest = std::max(highest, corner.z());
     }
   });
-  return higher;
+  return highest;
 }
 
 std::vector<float> MeshHeights::heights(const Rectangle& area, int wide, int high, double low) const {

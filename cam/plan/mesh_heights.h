@@ -18,8 +18,8 @@ class MeshHeights {
   /// Heights at `wide` x `high` places from corner to corner of a rectangle inside the area; `low` where there is nothing higher.
   [[nodiscard]] std::vector<float> heights(const Rectangle& area, int wide, int high, double low) const;
 
-  /// Whether something in the square between these corners rises higher than `z`.
-  [[nodiscard]] bool rises(const Rectangle& square, double z) const;
+  /// The highest z of the surface over a square; minus infinity where there is nothing.
+  [[nodiscard]] double highest(const Rectangle& square) const;
 
  private:
   using Triangle = std::array<Vec3, 3>;

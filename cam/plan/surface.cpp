@@ -11,6 +11,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/render/heights.h"
+#include "hidden_parts.h"
 #include "mesh_heights.h"
 
 namespace fieldfab::cam {
@@ -19,7 +20,12 @@ namespace fieldfab::cam {
 class SurfaceSampler {
  public:
   SurfaceSampler(const Field& field, const Box& bounds, const SurfaceSettings& settings, Progress& progress)
-      : field_(field), bounds_(bounds), settings_(settings), progress_(progress), surface_(new Surface) {}
+      : field_(field),
+        bounds_(bounds),
+        settings_(settings),
+        progress_(progress),
+        surface_(new Surface),
+        hidden_(bounds, slack(), 3 * settings.cell) {}
 
   std::shared_ptr<const Surface> make() {
     check();
@@ -94,20 +100,16 @@ class SurfaceSampler {
     });
   }
 
-  /// Squares above whose samples something stands that no sample has met: asked of the Field's intervals, or of the mesh.
+  /// Squares above whose samples something may stand that no sample has met: asked of the Field, or of the mesh.
   void find_ribs() {
     const HeightMap& h = surface_->heights_;
     if (mesh_) {
       parallel_for(static_cast<std::size_t>(h.height - 1), [&](std::size_t r) {
         progress_.check();
         const int row = static_cast<int>(r);
-        for (int column = 0; column + 1 < h.width; ++column) {
-          const double top =
-              std::max({h.at(column, row), h.at(column + 1, row), h.at(column, row + 1), h.at(column + 1, row + 1)});
-          if (top < bounds_.upper.z() &&
-              mesh_->rises({h.place(column, row), h.place(column + 1, row + 1)}, top + 4 * settings_.tolerance))
+        for (int column = 0; column + 1 < h.width; ++column)
+          if (mesh_->highest({h.place(column, row), h.place(column + 1, row + 1)}) > top_of(h, column, row) + slack())
             rough_[h.index(column, row)] = 1;
-        }
       });
       return;
     }
@@ -116,27 +118,44 @@ class SurfaceSampler {
     parallel_for(static_cast<std::size_t>(wide * high), [&](std::size_t t) {
       progress_.check();
       const int left = static_cast<int>(t) % wide * tile, low = static_cast<int>(t) / wide * tile;
-      find_ribs(field_.shared_from_this(), left, low, std::min(left + tile, h.width - 1), std::min(low + tile, h.height - 1));
+      hidden_.search(field_, h, left, low, std::min(left + tile, h.width - 1), std::min(low + tile, h.height - 1),
+                     [&](const SuspectSquare& square) { rough_[h.index(square.column, square.row)] = 1; });
     });
   }
 
-  void find_ribs(const FieldPtr& field, int left, int low, int right, int high) {
-    const HeightMap& h = surface_->heights_;
-    if (left >= right || low >= high) return;
-    float top = static_cast<float>(surface_->floor_);
-    for (int row = low; row <= high; ++row) top = std::max(top, *std::max_element(h.row(row) + left, h.row(row) + right + 1));
-    const double above = top + 3 * settings_.cell;
-    if (above >= bounds_.upper.z()) {
-      if (right - left == 1 && high - low == 1) return;  // too little room for a rib that matters
+  /// How far the solid may rise above the samples between them, mm: what find_rough_squares() allows.
+  [[nodiscard]] double slack() const { return 4 * settings_.tolerance; }
+  [[nodiscard]] static double top_of(const HeightMap& h, int column, int row) {
+    return std::max({h.at(column, row), h.at(column + 1, row), h.at(column, row + 1), h.at(column + 1, row + 1)});
+  }
+
+  /// Raises fine samples to what stands between them, or may stand there: a cutter then stays off what is thinner than they are
+  /// apart. Returns how many squares are raised although nothing is known to be there; `place` is that of one.
+  std::size_t raise_ribs(HeightMap& fine, Vec3& place) const {
+    std::size_t doubtful = 0;
+    HeightMap raised = fine;
+    const auto raise = [&](int column, int row, const HiddenParts::Top& top) {
+      if (!(top.z > top_of(fine, column, row) + slack())) return;
+      if (!top.sure) {
+        ++doubtful;
+        place << fine.place(column + 0.5, row + 0.5), top.z;
+      }
+      for (const int v : {row, row + 1})
+        for (const int u : {column, column + 1}) raised.at(u, v) = std::max(raised.at(u, v), static_cast<float>(top.z));
+    };
+    if (mesh_) {
+      for (int row = 0; row + 1 < fine.height; ++row)
+        for (int column = 0; column + 1 < fine.width; ++column)
+          raise(column, row, {mesh_->highest({fine.place(column, row), fine.place(column + 1, row + 1)}), true});
     } else {
-      const Vec2 a = h.place(left, low), b = h.place(right, high);
-      const Restriction here = field->restricted({{a.x(), a.y(), above}, {b.x(), b.y(), bounds_.upper.z()}}, Purpose::occupancy);
-      if (here.range.outside()) return;
-      if (right - left == 1 && high - low == 1) return rough_[h.index(left, low)] = 1, void();
+      hidden_.search(field_, fine, 0, 0, fine.width - 1, fine.height - 1, [&](const SuspectSquare& square) {
+        const Box box = hidden_.above(fine, square.column, square.row, square.column + 1, square.row + 1,
+                                      top_of(fine, square.column, square.row) + slack());
+        if (box.valid()) raise(square.column, square.row, HiddenParts::highest(*square.field, box));
+      });
     }
-    const int u = (left + right + 1) / 2, v = (low + high + 1) / 2;
-    find_ribs(field, left, low, u, v), find_ribs(field, u, low, right, v), find_ribs(field, left, v, u, high),
-        find_ribs(field, u, v, right, high);
+    fine = std::move(raised);
+    return doubtful;
   }
 
   void refine() {
@@ -152,16 +171,25 @@ class SurfaceSampler {
     s.fine_side_ = parts + 1;
     s.fine_index_.assign(s.heights_.values.size(), -1);
     s.fine_.resize(squares.size());
+    std::vector<Surface::Doubtful> doubtful(squares.size());
     std::atomic<std::size_t> done{0};
     parallel_for(squares.size(), [&](std::size_t k) {
       const int column = static_cast<int>(squares[k] % static_cast<std::size_t>(s.heights_.width));
       const int row = static_cast<int>(squares[k] / static_cast<std::size_t>(s.heights_.width));
       s.fine_index_[squares[k]] = static_cast<std::int32_t>(k);
-      s.fine_[k] =
+      HeightMap fine(parts + 1, parts + 1, s.heights_.cell / parts, s.heights_.place(column, row), 0);
+      fine.values =
           heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1, parts + 1, s.floor_);
+      Surface::Doubtful& here = doubtful[k];
+      here.count = raise_ribs(fine, here.place);
+      s.fine_[k] = std::move(fine.values);
       if (const std::size_t n = ++done; n % 1024 == 0)
         progress_.report(static_cast<double>(n) / static_cast<double>(squares.size()), "refining edges");
     });
+    for (const Surface::Doubtful& here : doubtful) {
+      if (s.doubtful_.count == 0) s.doubtful_.place = here.place;
+      s.doubtful_.count += here.count;
+    }
     s.top_ = s.floor_;
     for (const float z : s.heights_.values) s.top_ = std::max<double>(s.top_, z);
     for (const auto& block : s.fine_)
@@ -173,6 +201,7 @@ class SurfaceSampler {
   SurfaceSettings settings_;
   Progress& progress_;
   std::shared_ptr<Surface> surface_;
+  HiddenParts hidden_;
   std::vector<std::uint8_t> rough_;
   std::unique_ptr<MeshHeights> mesh_;  // where the solid is one: its triangles tell heights at once
 };

@@ -10,6 +10,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/mapped_file.h"
+#include "fieldfab/field/certainty.h"
 #include "simulation_run.h"
 
 namespace fieldfab::cam {
@@ -77,6 +78,18 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
 }
 
+void Simulation::note_thin_parts(Progress& progress) {
+  const double cell = stock_.lattice().spacing().minCoeff();
+  const Certainty thin = certainty_of_cells(*setup_.target, setup_.stock_box, cell, progress);
+  if (thin.places.empty() || thin.doubt == Doubt::slopes_unknown) return;
+  const Vec3 p = thin.places.front().box.centre();
+  report_.notes.push_back(
+      {0, fmt::format(
+              "the target may have parts thinner than a cell of {:.3g} mm at {} places, the largest {:.3g} mm, about ({:.3f}, "
+              "{:.3f}, {:.3f}): cuts into them may not be seen",
+              cell, thin.count, thin.largest, p.x(), p.y(), p.z())});
+}
+
 void Simulation::finish(Progress& progress) {
   std::optional<DeviationGauge> gauge;
   if (setup_.target) gauge.emplace(*setup_.target, setup_.floor, setup_.gouge, line_of_cut_, 0.5 * stock_.tolerance());
@@ -99,6 +112,7 @@ void Simulation::finish(Progress& progress) {
     add(Kind::gouge, spot,
         line ? "it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})"
              : "the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})");
+  note_thin_parts(progress);
   const DeviationGauge::Spot highest = gauge->highest();
   if (setup_.excess > 0 && highest.deviation > setup_.excess)
     add(Kind::excess, highest, "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})");

@@ -23,6 +23,33 @@ Setting cell_setting() {
   return above_zero(number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
 }
 
+/// Squares are halved as long as they miss what is narrower.
+Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double z, Context& context) {
+  constexpr int halvings = 4;
+  MissedParts missed;
+  Loops loops = contours(*solid.field, bounds, {cell, z}, missed, context.progress);
+  for (int i = 0; i < halvings && missed.lost > 0; ++i) {
+    cell /= 2;
+    loops = contours(*solid.field, bounds, {cell, z}, missed, context.progress);
+  }
+  if (missed.any())
+    context.notes.push_back(
+        fmt::format("the outline {} parts narrower than {:.2g} mm, for example at x {:.2f}, y {:.2f}: give a smaller cell",
+                    missed.lost > 0 ? "lacks" : "may lack", cell, missed.place.x(), missed.place.y()));
+  return loops;
+}
+
+/// Tells where a surface is kept higher than it is known to be.
+void note_doubtful(const Surface& surface, Context& context) {
+  const Surface::Doubtful& doubtful = surface.doubtful();
+  if (doubtful.count > 0)
+    context.notes.push_back(
+        fmt::format("at {} places something thinner than {:.2g} mm may stand, for example at x {:.2f}, y {:.2f} up to z {:.2f}: "
+                    "the tool stays above it",
+                    doubtful.count, surface.samples().cell / std::max(1, surface.fine_side() - 1), doubtful.place.x(),
+                    doubtful.place.y(), doubtful.place.z()));
+}
+
 Artifact outline_of_solid(const Artifact& in, const Values& values, Context& context) {
   const Solid& solid = std::get<Solid>(in);
   const Rectangle bounds = Rectangle::of(solid.bounds);
@@ -30,10 +57,11 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
   Loops loops;
   if (solid.flat || is_set(values, "slice")) {
     const double z = is_set(values, "slice") ? values.number("slice") : 0;
-    loops = contours(*solid.field, bounds, {cell, z}, context.progress);
+    loops = slice_of(solid, bounds, cell, z, context);
   } else {
     // What a thin needle from above meets: the part's shadow.
     const auto surface = Surface::of(*solid.field, solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
+    note_doubtful(*surface, context);
     const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
     loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)}, context.progress);
   }
@@ -47,9 +75,10 @@ Artifact surface_of_solid(const Artifact& in, const Values& values, Context& con
   if (solid.flat)
     throw Error(ErrorKind::bad_input, "surface",
                 "the model is flat: it has no surface to finish; use profile, pocket, isolate or v_carve");
-  return Surface::of(*solid.field, solid.bounds,
-                     {cell_for(values, Rectangle::of(solid.bounds).size(), context), values.number("surface_tolerance")},
-                     context.progress);
+  const double cell = cell_for(values, Rectangle::of(solid.bounds).size(), context);
+  auto surface = Surface::of(*solid.field, solid.bounds, {cell, values.number("surface_tolerance")}, context.progress);
+  note_doubtful(*surface, context);
+  return surface;
 }
 
 double pixel_of(const Image& image, const Values& values) {

@@ -559,3 +559,31 @@ def test_a_job_of_a_part_that_is_given(tmp_path):
     assert raised.value.place.startswith("mine:3")
     with pytest.raises(ff.Error, match="whole number"):
         ff.cam.Job.parse(text.format(model="", stock="margin = 2").replace('"rough"', '"profile"\ntabs = 1.5'), ff.parse(DOME))
+
+
+RIB = "move(box(40, 30, 4), dz = -2) | move(box(0.0004, 20, 5), dx = 3.1234, dz = 2.5)"
+
+
+@pytest.mark.parametrize("operation", ['type = "finish"\ntool = 2', 'type = "rough"\ntool = 2'])
+def test_a_rib_thinner_than_any_sample_is_not_cut(tmp_path, operation):
+    """A wall of 0.4 micrometres, of which no sample of the height map knows: the tool stays above it."""
+    path = job(tmp_path, SOLID + "[[operation]]\n" + operation, part_frep=RIB)
+    planned = ff.cam.Job(path)
+    planned.run()
+    for moves in planned.moves:
+        at = moves[:, :3]
+        along = np.linspace(0, 1, 200)[None, :, None]
+        passed = (at[:-1, None] + along * (at[1:] - at[:-1])[:, None]).reshape(-1, 3)
+        near = passed[(abs(passed[:, 0] - 3.1234) < 2.95) & (abs(passed[:, 1]) < 9.5)]
+        assert near[:, 2].min(initial=99) > 4.9
+    assert np.vstack(planned.moves)[:, 2].min() < 0.1, "the plate around it is cut"
+    assert any("the tool stays above it" in note for note in planned.notes)
+
+
+def test_an_outline_tells_of_walls_thinner_than_its_cells(tmp_path):
+    """Cells are halved until a wall shows; one that is thinner still is named."""
+    slot = '[[operation]]\ntype = "profile"\ncell = 0.2'
+    for width, told in ((0.03, False), (0.0001, True)):
+        path = job(tmp_path, FLAT + slot, part_frep=f"rotate_z(max(abs(x) - 15, abs(y - 2) - {width / 2}) | max(abs(x + 10) - 5, abs(y + 5) - 5), 20)")
+        done = run("cam", path, "-o", tmp_path / "out.ngc")
+        assert ("narrower than" in done.stderr) == told, done.stderr

@@ -60,6 +60,32 @@ def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
     assert summary("info", tmp_path / "a.obj")["triangles"] == summary("info", tmp_path / "a.stl")["triangles"]
 
 
+def test_certainty_of_a_distance_field(ball, tmp_path):
+    assert summary("build", ball, "-o", tmp_path / "ball.asdf", "--certain")["certain"]
+    (tmp_path / "plate.frep").write_text("box(100, 80, 0.3)")
+    done = run("--json", "build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")
+    assert done.returncode == 1, done.stderr
+    told = json.loads(done.stdout)
+    assert not told["certain"] and told["uncertain"]["count"] == 1
+    lower, upper = told["uncertain"]["places"][0]["bounds"][:3], told["uncertain"]["places"][0]["bounds"][3:]
+    assert all(a < -s and b > s for a, b, s in zip(lower, upper, (49, 39, 0.1), strict=True))
+    line = run("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--voxel", 0.1).stdout
+    assert "certain" in line and "not certain" not in line
+
+
+def test_info_and_check_give_bounds_of_volume_and_area(ball, tmp_path):
+    (tmp_path / "plate.frep").write_text("rotate_x(box(100, 80, 0.3), 30)")
+    for model, volume, area in ((ball, 500 / 3 * math.pi, 100 * math.pi), (tmp_path / "plate.frep", 2400, 16000 + 108)):
+        told = summary("info", model)
+        for name, exact in (("volume", volume), ("area", area)):
+            least, most = told[name]
+            assert least <= exact <= most and most - least < 0.2 * exact, (model, name, told[name])
+        assert "volume" in run("info", model).stdout
+    report = summary("check", ball, "--voxel", 0.3)
+    assert report["measures"]["volume"][0] <= 500 / 3 * math.pi <= report["measures"]["volume"][1]
+    assert any(row["name"] == "volume beyond what its Field proves" for row in report["rows"])
+
+
 def test_render_modes(ball, tmp_path):
     for mode, channels, depth in (("bitmap", 1, 8), ("height", 1, 16), ("normals", 3, 8), ("shaded", 3, 8)):
         summary("render", ball, "-o", tmp_path / "p.png", "--mode", mode, "--size", 80, "--alpha", 20, "--beta", -30)

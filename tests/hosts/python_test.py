@@ -281,3 +281,19 @@ def test_making_faces_can_be_cancelled():
         with pytest.raises(ff.Error) as told:
             make(progress=lambda fraction, message: False)
         assert told.value.kind == "cancelled"
+
+
+def test_certainty_and_measures():
+    plate = ff.Field(ff.shapes.box(100, 80, 0.3))
+    told = ff.certainty(plate, voxel=1)
+    assert not told.certain and told.count == 1 and told.thickness > 0.9
+    assert ff.certainty(plate, voxel=0.1).certain
+    assert not ff.certainty(ff.mesh(plate).field(), voxel=1).certain
+    measures = ff.measure(plate)
+    assert measures.volume[0] <= 2400 <= measures.volume[1] < 2405
+    assert measures.area[0] <= 16108 <= measures.area[1]
+    half = ff.measure(plate, bounds=(0, -50, -1, 60, 50, 1))
+    assert half.volume[0] <= 1200 <= half.volume[1] < 1205
+    assert "mm3" in str(measures)
+    with pytest.raises(ff.Error):
+        ff.measure(ff.X)

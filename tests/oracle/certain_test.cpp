@@ -305,5 +305,21 @@ TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   EXPECT_GE(certain, count / 5);  // most of these meet each other in edges sharper than the budget shows
 }
 
+TEST(Certain, TellsWhichCellsWouldShowWhatIsMissing) {
+  for (const char* text : {"shell(sphere(4), 0.08)", "box(7, 6, 0.08) | rotate_x(box(7, 6, 0.08), 40)"}) {
+    const FieldPtr solid = solid_of(text);
+    ContourSettings settings{1};
+    settings.most_divided = 150;
+    const Certainty told = contour(*solid, cube_about_zero(4.4), settings).certainty;
+    ASSERT_EQ(told.doubt, Doubt::too_many) << text;
+    EXPECT_NEAR(told.wanted_voxel, 0.04, 0.015) << text;
+    const ContourMesh shown = contour(*solid, cube_about_zero(4.4), {told.wanted_voxel, 0});
+    EXPECT_TRUE(shown.certainty.certain()) << text << ": " << shown.certainty.text();
+    const auto triangles = static_cast<double>(shown.triangles.size());
+    EXPECT_GT(told.wanted_triangles, 0.4 * triangles) << text;
+    EXPECT_LT(told.wanted_triangles, 2.5 * triangles) << text;
+  }
+}
+
 }  // namespace
 }  // namespace fieldfab

@@ -105,6 +105,30 @@ TEST(Contours, AreTheSameForAnyNumberOfThreadsAndHoldEveryIsland) {
   EXPECT_NEAR(area, inside * 0.000625, 0.2);
 }
 
+TEST(Contours, TellOfPartsNarrowerThanASquare) {
+  const Rectangle region{{-6, -6}, {6, 6}};
+  const FieldPtr wall = rotate(box_field({{-4, 0.101, -1}, {4, 0.111, 1}}), {0, 0, 1}, 0.3);
+  const FieldPtr thin = unite(wall, box_field({{-5, 2, -1}, {-1, 5, 1}})), slit = subtract(box_field({{-5, -5, -1}, {5, 5, 1}}), wall);
+  MissedParts missed;
+  for (const FieldPtr& solid : {thin, slit}) {
+    (void)contours(*solid, region, {0.2}, missed);
+    EXPECT_GT(missed.lost, 10U);
+    EXPECT_NEAR(wall->value({missed.place.x(), missed.place.y(), 0}), 0, 0.02);
+    const MissedParts many = missed;
+    const ThreadLimit limit(1);
+    (void)contours(*solid, region, {0.2}, missed);
+    EXPECT_EQ(many.lost, missed.lost);
+    EXPECT_EQ(many.place, missed.place);
+    const Loops fine = contours(*solid, region, {0.005}, missed);
+    EXPECT_EQ(fine.size(), 2U);
+    EXPECT_FALSE(missed.any());
+  }
+  (void)contours(*formula("sqrt(x*x + y*y) - 5"), region, {0.2}, missed);
+  EXPECT_FALSE(missed.any());
+  (void)contours(*formula("sin(x)*sin(y) + 0.3*sin(3*x+1)"), region, {0.1}, missed);
+  EXPECT_EQ(missed.lost, 0U);
+}
+
 TEST(Contours, RefuseWhatHasNoSize) {
   EXPECT_THROW(contours(*formula("x"), {{0, 0}, {1, 1}}, {0}), Error);
   EXPECT_THROW(contours(*formula("x"), {{0, 0}, {0, 1}}, {0.1}), Error);

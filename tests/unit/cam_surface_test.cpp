@@ -76,6 +76,57 @@ TEST(Surface, FindsRibsThatNoSampleMeets) {
   EXPECT_NEAR(surface->height({0.125, 1.234}), 5, 1e-2);
 }
 
+/// Ribs and pins thinner than fine samples are apart, low ones, such beside a higher wall, a turned one: the tool must stay above
+/// all of them.
+TEST(Surface, KeepsWhatIsThinnerThanAnySample) {
+  const Box bounds{{-6, -6, -1}, {6, 6, 5}};
+  const FieldPtr floor = box_field({{-6, -6, -1}, {6, 6, 0}});
+  const auto with = [&](const FieldPtr& part) { return unite(part, floor); };
+  const auto wall = box_field({{2, -5, 0}, {4, 5, 5}});
+  struct Rib {
+    const char* name;
+    FieldPtr solid;
+    Vec2 from, to;  ///< along its middle
+    double top;
+  };
+  const auto line = [](double angle, double length) { return Vec2(length * std::cos(angle), length * std::sin(angle)); };
+  const Rib all[] = {
+      {"high", with(box_field({{0.1, -3, 0}, {0.1001, 3, 4}})), {0.10005, -3}, {0.10005, 3}, 4},
+      {"low", with(box_field({{0.1, -3, 0}, {0.1004, 3, 0.3}})), {0.1002, -3}, {0.1002, 3}, 0.3},
+      {"beside a wall", unite(with(box_field({{0.1, -3, 0}, {0.1004, 3, 2}})), wall), {0.1002, -3}, {0.1002, 3}, 2},
+      {"turned", with(rotate(box_field({{-3, 0.1, 0}, {3, 0.1003, 1}}), {0, 0, 1}, 0.7)),
+       line(0.7, -3) + line(0.7 + pi / 2, 0.10015), line(0.7, 3) + line(0.7 + pi / 2, 0.10015), 1},
+      {"pin",
+       with(formula("max(sqrt((x-1.234)*(x-1.234)+(y-0.567)*(y-0.567))-0.002, max(0-z, z-3))")),
+       {1.234, 0.567},
+       {1.234, 0.567},
+       3},
+  };
+  for (const Rib& rib : all) {
+    const auto surface = Surface::of(*rib.solid, bounds, {0.3, 0.02});
+    const TipSurface tips(surface, tool("flat", 1).profile()), needle(surface, Profile(0, 0, 0, 1e-6));
+    for (int i = 0; i <= 100; ++i) {
+      const Vec2 p = rib.from + (rib.to - rib.from) * (0.01 + 0.0098 * i);
+      EXPECT_GE(tips.tip(p), rib.top - 0.081) << rib.name << " " << p.transpose();
+      EXPECT_LE(tips.tip(p), rib.top + 0.081) << rib.name << " " << p.transpose();
+      EXPECT_GT(needle.tip(p), 0.01) << rib.name << " " << p.transpose();  // so that it is in an outline
+    }
+  }
+}
+
+/// A slope that intervals are loose on is not taken for a rib.
+TEST(Surface, RaisesNothingWhereNothingStands) {
+  const FieldPtr hills = formula("z - sin(x)*cos(y) - 0.3*sin(3*x + 1)*sin(2*y) - 1.5");
+  const auto surface = Surface::of(*hills, {{-6, -6, -1}, {6, 6, 5}}, {0.2, 0.01});
+  EXPECT_EQ(surface->doubtful().count, 0U);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> at(-5.9, 5.9);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = at(random), y = at(random);
+    EXPECT_NEAR(surface->height({x, y}), std::sin(x) * std::cos(y) + 0.3 * std::sin(3 * x + 1) * std::sin(2 * y) + 1.5, 0.02);
+  }
+}
+
 TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
   const FieldPtr knot =
       formula("max(min(sqrt(x*x+y*y+z*z)-4, max(abs(x+3)-1, max(abs(y)-5, abs(z-1)-1))), 0-(sqrt((y-2)*(y-2)+z*z)-1))");

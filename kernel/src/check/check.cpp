@@ -155,6 +155,7 @@ class Checker {
     check_asdf();
     if (report_.passed() && !mesh_.triangles.empty()) check_sides();
     if (valid_) check_completeness();
+    report_.measures = measure(*solid_, bounds_, {}, progress_);
     check_level_set();
     return std::move(report_);
   }
@@ -278,6 +279,9 @@ class Checker {
         surface_.empty() ? 0 : area * (1 - static_cast<double>(mine.size()) / static_cast<double>(surface_.size()));
     // Both stand for the same surface to a part of a voxel: so volumes differ by that part of area x voxel, by more where the
     // solid is thin.
+    const Enclosed& proved = report_.measures.volume;
+    row("volume beyond what its Field proves", std::max({0.0, proved.lower - volume, volume - proved.upper}),
+        0.25 * area * voxel + thin * voxel, "mm3");
     row("volume against OpenVDB's level set", std::abs(level_set.volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
     // A level set rounds every sharp edge by about a voxel, and thin parts may be missing from it altogether.
     row("area against OpenVDB's level set", std::abs(level_set.area() - area),

@@ -8,6 +8,7 @@
 
 #include "contour_cells.h"
 #include "contour_curves.h"
+#include "contour_needs.h"
 #include "contour_octree.h"
 #include "contour_sharpen.h"
 #include "fieldfab/field/operations.h"
@@ -42,7 +43,9 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   progress.report(0.95, "sharpening edges");
   const double side = lattice.voxel();
   sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased, filled.mesh, progress);
-  return {std::move(filled.mesh), octree.certainty()};
+  ContourMesh mesh{std::move(filled.mesh), octree.certainty()};
+  if (mesh.certainty.doubt == Doubt::too_many) estimate_needs(*solid, octree.uncertain(), mesh.certainty);
+  return mesh;
 }
 
 }  // namespace fieldfab

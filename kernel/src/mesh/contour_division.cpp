@@ -51,7 +51,7 @@ void BlockRefiner::advance() {
     std::array<Box, 8> boxes;
     std::array<Restriction, 8> here;
     for (unsigned child = 0; child < 8; ++child)
-      boxes[child] = lattice_.cube(child_of(cell.lower, child, level), level).grown(overlap * side);
+      boxes[child] = lattice_.cube(child_of(cell.lower, child, level), level).grown(sheet_overlap * side);
     cell.field->restrict_all(boxes, Purpose::value, here);
     for (unsigned child = 0; child < 8; ++child) {
       const Division& division = divisions_[number];
@@ -64,9 +64,9 @@ void BlockRefiner::advance() {
       normals.clear();
       for (const Crossing& crossing : division.crossings)
         if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
-      const Proof proof = look(*here[child].field, boxes[child], normals, side, halvings);
+      const SurfaceProof proof = prove_sheet(*here[child].field, boxes[child], normals, side, halvings);
       if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
-      const Proof closer = look_closer(*here[child].field, boxes[child], normals, halvings, 0);
+      const SurfaceProof closer = prove_sheet_by_parts(*here[child].field, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
       const bool folded = closer.folded || !(is_uniform(corners) || is_simple(corners));
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
@@ -91,7 +91,7 @@ void BlockRefiner::divide(const DivisionRequest& request, int finest) {
   for (;;) {
     const Place place = place_of(request.lower, request.level);
     if (*place.division != Division::none || (request.only_ambiguous && !is_ambiguous(place))) return;
-    const double reach = overlap * lattice_.side(place.level);
+    const double reach = sheet_overlap * lattice_.side(place.level);
     const FieldPtr field = field_->restricted(lattice_.cube(place.lower, place.level).grown(reach)).field;
     const std::uint32_t made = make(place.lower, place.level, *field);
     divide_ambiguous(made, finest);

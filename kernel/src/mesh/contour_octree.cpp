@@ -11,7 +11,6 @@
 
 #include "contour_block.h"
 #include "contour_division.h"
-#include "contour_doubt.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
@@ -84,7 +83,7 @@ void Octree::settle(std::span<Node> siblings) const {
   std::array<Box, 8> cube;
   std::array<Restriction, 8> here;
   for (std::size_t i = 0; i < siblings.size(); ++i)
-    cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(overlap * lattice_.voxel());
+    cube[i] = lattice_.cube(siblings[i].lower, siblings[i].level).grown(sheet_overlap * lattice_.voxel());
   const FieldPtr parent = siblings[0].field;
   parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
   for (std::size_t i = 0; i < siblings.size(); ++i) {
@@ -182,12 +181,18 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     });
     --finest;
   }
-  DoubtMap doubts(lattice_);
+  const auto add = [&](std::span<const UnclearCell> cells) {
+    const int level = lattice_.voxel_level();
+    for (const UnclearCell& cell : cells)
+      uncertain_.push_back({{cell.lower[0] >> level, cell.lower[1] >> level, cell.lower[2] >> level},
+                          lattice_.cube(cell.lower, cell.level),
+                          lattice_.side(cell.level)});
+  };
   for (const std::size_t i : active) {
-    doubts.add(refiners[i]->unclear());
-    doubts.add(refiners[i]->given_up());
+    add(refiners[i]->unclear());
+    add(refiners[i]->given_up());
   }
-  doubts.write(certainty_);
+  certainty_.gather(uncertain_);
   certainty_.finest = lattice_.side(finest);
   if (certainty_.doubt == Doubt::finest_size && finest > 0) certainty_.doubt = Doubt::not_proved;
   if (settings.depth == 0) certainty_.doubt = Doubt::not_looked;

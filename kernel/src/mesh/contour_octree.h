@@ -96,6 +96,8 @@ class Octree {
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
   [[nodiscard]] const Certainty& certainty() const { return certainty_; }
+  /// The cells that are not certain.
+  [[nodiscard]] std::span<const UncertainCell> uncertain() const { return uncertain_; }
   /// The eight blocks at and below `block` (bit set in the index: one block down that axis); null where no surface is.
   [[nodiscard]] std::array<const Block*, 8> lower_neighbours(const Block& block) const;
   /// Looks up the cell of that level (a voxel's at most) with that lower corner.
@@ -123,6 +125,7 @@ class Octree {
   std::vector<std::uint64_t> block_keys_;  ///< sorted; parallel to block_order_
   std::vector<std::uint32_t> block_order_;
   Certainty certainty_;
+  std::vector<UncertainCell> uncertain_;
   bool wants_half_voxel_ = false, too_deep_ = false;
 };
 

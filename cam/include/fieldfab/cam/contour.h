@@ -14,11 +14,23 @@ struct ContourSettings {
   double level = 0;   ///< the value that counts as the surface
 };
 
+/// What contours() may have missed between its samples.
+struct MissedParts {
+  std::size_t lost = 0;       ///< squares whose corners do not show what is found within
+  std::size_t unproved = 0;   ///< squares in which it is not proved that there is nothing
+  Vec2 place = Vec2::Zero();  ///< one of them, the lost ones first
+  [[nodiscard]] bool any() const { return lost + unproved > 0; }
+};
+
 /// Marching squares over a quadtree whose squares are left out where the Field's interval tells that no contour passes: time and
 /// memory grow with the length of the contour, not with the area. Points lie on the contour to a thousandth of a cell; corners
 /// are met where two tangents do. What reaches beyond `region` is closed along its border. Same result for any number of threads.
 /// Throws bad_input for a cell or region that is not positive and finite, too_large, cancelled.
 Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings,
+               Progress& progress = Progress::none());
+/// The same, and whether parts narrower than a square were missed: squares with all corners on one side are looked into, down to
+/// a 16th of a cell, by the Field's intervals and slopes. Of a Field that tells no slopes only what is found is counted.
+Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, MissedParts& missed,
                Progress& progress = Progress::none());
 
 /// Signed distance to closed curves as a Field of x and y, exact: negative where the loops have their left side. Its contours are

@@ -170,6 +170,8 @@ class Simulation {
 
  private:
   friend class SimulationRun;
+  /// Tells where the target may have parts that the stock's cells are too large for.
+  void note_thin_parts(Progress& progress);
   SimulationSetup setup_;
   Stock stock_;
   std::optional<Stock> fixture_;

@@ -18,12 +18,14 @@ struct SurfaceSettings {
 
 /// The upper surface of a solid over a rectangle: heights on a lattice, bilinear between samples; squares where that would be off
 /// by more than the tolerance (walls, edges, thin ribs) hold a finer lattice, whose samples are at most about the tolerance
-/// apart. Where there is nothing, the surface is the floor. (Keeter's height map of 6.2, made good to a tolerance.)
+/// apart. What stands between fine samples lifts them, so that it is kept, wider by that distance. Where there is nothing, the
+/// surface is the floor. (Keeter's height map of 6.2, made good to a tolerance.)
 class Surface {
  public:
-  /// Samples the solid inside `bounds`, whose lower z is the floor. What is thinner than a square and does not rise more than
-  /// three squares above its neighbourhood, or is thinner than a fine sample, may be missed. Throws bad_input, too_large,
-  /// cancelled.
+  /// Samples the solid inside `bounds`, whose lower z is the floor. Where the Field tells its slopes, or is a mesh, nothing of it
+  /// is missed that rises more than four tolerances above the samples, however thin; of other Fields (distance fields of
+  /// scans) what is thinner than a square and does not rise three squares above its corners, or is thinner than a fine
+  /// sample. Throws bad_input, too_large, cancelled.
   static std::shared_ptr<const Surface> of(const Field& field, const Box& bounds, const SurfaceSettings& settings,
                                            Progress& progress = Progress::none());
   /// A height map as it is.
@@ -34,6 +36,12 @@ class Surface {
   [[nodiscard]] const HeightMap& samples() const { return heights_; }
   [[nodiscard]] double floor() const { return floor_; }
   [[nodiscard]] double top() const { return top_; }
+  /// Places that are kept as high as a thin part could be, because it is not proved that there is none.
+  struct Doubtful {
+    std::size_t count = 0;
+    Vec3 place = Vec3::Zero();  ///< the first of them, mm
+  };
+  [[nodiscard]] const Doubtful& doubtful() const { return doubtful_; }
   /// Squares with a finer lattice, and samples along one side of it.
   [[nodiscard]] std::size_t fine_squares() const { return fine_.size(); }
   [[nodiscard]] int fine_side() const { return fine_side_; }
@@ -48,6 +56,7 @@ class Surface {
   friend class SurfaceSampler;
   HeightMap heights_;
   double floor_ = 0, top_ = 0;
+  Doubtful doubtful_;
   int fine_side_ = 0;
   std::vector<std::int32_t> fine_index_;  // by square; -1: none
   std::vector<std::vector<float>> fine_;

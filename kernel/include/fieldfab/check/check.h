@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "fieldfab/core/progress.h"
+#include "fieldfab/field/certainty.h"
 #include "fieldfab/field/field.h"
-#include "fieldfab/mesh/certainty.h"
+#include "fieldfab/field/measure.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab {
@@ -24,6 +25,7 @@ struct CheckRow {
 struct CheckReport {
   std::vector<CheckRow> rows;
   Certainty certainty;  ///< what the mesh says of itself
+  Measures measures;    ///< of the solid, from its Field
   [[nodiscard]] bool passed() const;
 };
 

@@ -3,7 +3,7 @@
 
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
-#include "fieldfab/mesh/certainty.h"
+#include "fieldfab/field/certainty.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab {

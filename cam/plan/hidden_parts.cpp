@@ -1,0 +1,97 @@
+#include "hidden_parts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "fieldfab/field/plane_bounds.h"
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+/// NaN is outside, as 0 is.
+bool holds_nothing(const Interval& range) { return range.lower >= 0; }
+
+/// Samples of a lattice from (left, low) to (right, high), both included.
+struct Samples {
+  const HeightMap& heights;
+  int left, low, right, high;
+
+  [[nodiscard]] std::pair<float, float> range() const {
+    float least = std::numeric_limits<float>::infinity(), most = -least;
+    for (int row = low; row <= high; ++row) {
+      const auto [a, b] = std::minmax_element(heights.row(row) + left, heights.row(row) + right + 1);
+      least = std::min(least, *a), most = std::max(most, *b);
+    }
+    return {least, most};
+  }
+
+  /// Whether the solid lies below a plane that is nowhere more than `slack` above the samples.
+  [[nodiscard]] bool under_plane(const PlaneBounds& plane, double slack) const {
+    if (!(plane.slope.z() > 0)) return false;
+    for (int row = low; row <= high; ++row)
+      for (int column = left; column <= right; ++column) {
+        const Vec2 offset = heights.place(column, row) - plane.centre.head<2>();
+        const double z = plane.centre.z() + (plane.error - plane.value - plane.slope.head<2>().dot(offset)) / plane.slope.z();
+        if (z > static_cast<double>(heights.at(column, row)) + slack) return false;
+      }
+    return true;
+  }
+};
+
+HiddenParts::Top highest_in(const Field& field, const Box& box, int depth) {
+  const Restriction here = field.restricted(box, Purpose::occupancy);
+  if (holds_nothing(here.range)) return {nothing, true};
+  if (here.range.inside()) return {box.upper.z(), true};
+  if (const PlaneBounds plane = plane_bounds(*here.field, box); plane.known && plane.lower() > 0) return {nothing, true};
+  if (depth == 0) return {box.upper.z(), false};
+  Eigen::Index axis = 0;
+  box.size().maxCoeff(&axis);
+  Box upper = box, lower = box;
+  upper.lower[axis] = lower.upper[axis] = box.centre()[axis];
+  const HiddenParts::Top first = highest_in(*here.field, upper, depth - 1);
+  if (axis == 2 && first.z > nothing) return first;
+  const HiddenParts::Top second = highest_in(*here.field, lower, depth - 1);
+  return second.z > first.z ? second : first;
+}
+
+}  // namespace
+
+Box HiddenParts::above(const HeightMap& heights, int left, int low, int right, int high, double z) const {
+  const Vec2 a = heights.place(left, low), b = heights.place(right, high);
+  return intersection(bounds_, {{a.x(), a.y(), z}, {b.x(), b.y(), bounds_.upper.z()}});
+}
+
+void HiddenParts::search(const Field& field, const HeightMap& heights, int left, int low, int right, int high,
+                         const std::function<void(const SuspectSquare&)>& visit) const {
+  if (left >= right || low >= high) return;
+  const Samples samples{heights, left, low, right, high};
+  const auto [least, most] = samples.range();
+  const Box box = above(heights, left, low, right, high, static_cast<double>(least) + slack_);
+  if (!box.valid()) return;
+  const Restriction here = field.restricted(box, Purpose::occupancy);
+  if (holds_nothing(here.range)) return;
+  const PlaneBounds plane = plane_bounds(*here.field, box);
+  if (plane.known && samples.under_plane(plane, slack_)) return;
+  if (right - left == 1 && high - low == 1) {
+    const auto stands_out = [&] {
+      const Box top = above(heights, left, low, right, high, static_cast<double>(most) + coarse_slack_);
+      return top.valid() && !holds_nothing(here.field->restricted(top, Purpose::occupancy).range);
+    };
+    if (plane.known || stands_out()) visit({left, low, here.field});
+    return;
+  }
+  const int u = (left + right + 1) / 2, v = (low + high + 1) / 2;
+  search(*here.field, heights, left, low, u, v, visit);
+  search(*here.field, heights, u, low, right, v, visit);
+  search(*here.field, heights, left, v, u, high, visit);
+  search(*here.field, heights, u, v, right, high, visit);
+}
+
+HiddenParts::Top HiddenParts::highest(const Field& field, const Box& box) {
+  constexpr int depth = 16;
+  return highest_in(field, box, depth);
+}
+
+}  // namespace fieldfab::cam
