@@ -48,7 +48,7 @@ Deflated deflated(std::string_view text) {
   const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, deflateEnd);
   Deflated result;
   constexpr std::size_t flush = 16;  // what the flush adds to zlib's own bound
-  result.bytes.resize(deflateBound(&stream, static_cast<uLong>(text.size())) + flush);
+  result.bytes = std::string(deflateBound(&stream, static_cast<uLong>(text.size())) + flush, '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(result.bytes.data());
@@ -56,7 +56,7 @@ Deflated deflated(std::string_view text) {
   // A flush ends on a whole byte and leaves the stream open, so that stretches can be joined.
   if (deflate(&stream, Z_SYNC_FLUSH) != Z_OK || stream.avail_in != 0 || stream.avail_out == 0)
     throw Error(ErrorKind::internal, "zlib", "cannot deflate");
-  result.bytes.resize(result.bytes.size() - stream.avail_out);
+  result.bytes.erase(result.bytes.size() - stream.avail_out);
   result.size = text.size();
   result.crc = static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(text.data()), text.size()));
   return result;
