@@ -131,8 +131,70 @@ SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   return *type;
 }
 
-VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
-  const SampleLattice lattice = lattice_of(io, path, false);
+/// What places and distances of a file are multiplied by to be mm. ITK reads no units but NIfTI's, and of these it scales
+/// distances and leaves places.
+struct Units {
+  double origin = 1, spacing = 1;
+  void apply(SampleLattice& lattice) const { lattice.origin *= origin, lattice.spacing *= spacing; }
+};
+
+double mm_of(std::string unit, const Path& path) {
+  if (unit.ends_with('s') && unit.size() > 2) unit.pop_back();
+  if (unit.empty() || unit == "mm" || unit == "millimeter" || unit == "millimetre") return 1;
+  if (unit == "um" || unit == "µm" || unit == "micron" || unit == "micrometer" || unit == "micrometre") return 1e-3;
+  if (unit == "nm" || unit == "nanometer" || unit == "nanometre") return 1e-6;
+  if (unit == "cm" || unit == "centimeter" || unit == "centimetre") return 10;
+  if (unit == "m" || unit == "meter" || unit == "metre") return 1000;
+  if (unit == "in" || unit == "inch" || unit == "inche") return 25.4;
+  refuse(path, fmt::format("has the unit '{:.30}'; known are mm, um, nm, cm, m and in", unit));
+}
+
+/// The field "space units" of the header, one in quotes for each axis; else "units".
+Units units_of_nrrd(const Path& path) {
+  std::ifstream text(path, std::ios::binary);
+  std::string of_space, of_axes;
+  for (std::string line; std::getline(text, line) && !line.empty() && line != "\r";) {
+    if (line.starts_with("space units:")) of_space = line;
+    if (line.starts_with("units:")) of_axes = line;
+  }
+  std::optional<double> unit;
+  const std::string& told = of_space.empty() ? of_axes : of_space;
+  for (std::size_t at = told.find('"'); at != std::string::npos; at = told.find('"', at + 1)) {
+    const std::size_t end = std::min(told.find('"', at + 1), told.size());
+    const double mm = mm_of(told.substr(at + 1, end - at - 1), path);
+    if (unit && *unit != mm) refuse(path, "has different units along its axes");
+    unit = mm;
+    at = end;
+  }
+  return {unit.value_or(1), unit.value_or(1)};
+}
+
+/// The first bytes of a file that may be compressed; zeros where it is shorter.
+std::array<unsigned char, 128> nifti_head(const Path& path) {
+  const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
+  std::array<unsigned char, 128> head{};
+  if (file) gzread(file.get(), head.data(), head.size());
+  return head;
+}
+
+/// Its length of header is 540 in either byte order.
+bool is_nifti_2(const Path& path) {
+  const auto head = nifti_head(path);
+  return (head[0] | head[1] << 8) == 540 || (head[3] | head[2] << 8) == 540;
+}
+
+/// The lowest three bits of byte 123 are the unit of space.
+Units units_of_nifti(const Path& path) {
+  switch (nifti_head(path)[123] & 7) {
+    case 1: return {1000, 1};
+    case 3: return {1e-3, 1};
+    default: return {};
+  }
+}
+
+VolumePtr read_whole(itk::ImageIOBase& io, const Path& path, const Units& units = {}) {
+  SampleLattice lattice = lattice_of(io, path, false);
+  units.apply(lattice);
   const SampleType type = known_type(io, path);
   require_memory(lattice.count() * (size_of(type) + sizeof(float)), path.string());
   std::vector<float> densities(lattice.count());
@@ -165,10 +227,10 @@ void require_all_bytes(const Path& path, std::int64_t samples) {
 /// be, in the file or in one of their own, they stay there until they are asked for.
 VolumePtr open_meta(const Path& path) {
   const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
-  const SampleLattice lattice = lattice_of(*io, path, false);
+  SampleLattice lattice = lattice_of(*io, path, false);
   const SampleType type = known_type(*io, path);
   std::ifstream text(path, std::ios::binary);
-  std::string data_file;
+  std::string data_file, unit;
   bool compressed = false, big_endian = false;
   long long header = 0;
   for (std::string line; data_file.empty() && std::getline(text, line) && line.size() < 4096;) {
@@ -184,11 +246,14 @@ VolumePtr open_meta(const Path& path) {
     if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB")
       big_endian = value == "True" || value == "true" || value == "1";
     if (key == "HeaderSize") header = std::strtoll(value.c_str(), nullptr, 10);
+    if (key == "DistanceUnits") unit = value;
     if (key == "ElementDataFile") data_file = value;
   }
   if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
-  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path);
+  const double mm = mm_of(unit, path);
+  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path, {mm, mm});
+  Units{mm, mm}.apply(lattice);
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
     header = std::max<long long>(
@@ -240,15 +305,16 @@ VolumePtr open_with_itk(const Path& path) {
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
-    return read_whole(*io, path);
+    return read_whole(*io, path, units_of_nrrd(path));
   }
   {
     const Hushed hushed;
-    if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str())) refuse(path, "is no NIfTI file, or a damaged one");
+    if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str()))
+      refuse(path, is_nifti_2(path) ? "is a NIfTI-2 file; NIfTI-1 is read" : "is no NIfTI file, or a damaged one");
   }
   const auto io = opened<itk::NiftiImageIO>(path, "NIfTI");
   require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
-  return read_whole(*io, path);
+  return read_whole(*io, path, units_of_nifti(path));
 }
 
 VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
