@@ -7,6 +7,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -169,28 +171,54 @@ Units units_of_nrrd(const Path& path) {
   return {unit.value_or(1), unit.value_or(1)};
 }
 
-/// The first bytes of a file that may be compressed; zeros where it is shorter.
-std::array<unsigned char, 128> nifti_head(const Path& path) {
-  const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
-  std::array<unsigned char, 128> head{};
-  if (file) gzread(file.get(), head.data(), head.size());
-  return head;
-}
-
-/// Its length of header is 540 in either byte order.
-bool is_nifti_2(const Path& path) {
-  const auto head = nifti_head(path);
-  return (head[0] | head[1] << 8) == 540 || (head[3] | head[2] << 8) == 540;
-}
-
-/// The lowest three bits of byte 123 are the unit of space.
-Units units_of_nifti(const Path& path) {
-  switch (nifti_head(path)[123] & 7) {
-    case 1: return {1000, 1};
-    case 3: return {1e-3, 1};
-    default: return {};
+/// The header of a NIfTI-1 file, which may be compressed, in the byte order of this machine or the other.
+class NiftiHeader {
+ public:
+  explicit NiftiHeader(const Path& path) : path_(path) {
+    const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
+    if (file) gzread(file.get(), bytes_.data(), static_cast<unsigned>(bytes_.size()));
+    if (size() != 348) other_order_ = true;
+    if (size() == 540) refuse(path, "is a NIfTI-2 file; NIfTI-1 is read");
+    if (size() != 348) refuse(path, "is no NIfTI file, or a damaged one");
   }
-}
+  /// What nifti_clib would write to stderr, and what ends the process in ITK (transforms that are not finite).
+  void require_sound() const {
+    const int dimensions = at<std::int16_t>(40), type = at<std::int16_t>(70);
+    if (dimensions < 1 || dimensions > 7) refuse(path_, fmt::format("{} dimensions; a volume has three", dimensions));
+    constexpr std::array types{2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
+    if (std::find(types.begin(), types.end(), type) == types.end())
+      refuse(path_, fmt::format("samples of an unknown type, {}", type));
+    require_finite(76, 8);
+    if (at<std::int16_t>(252) > 0) require_finite(256, 6);
+    if (at<std::int16_t>(254) > 0) require_finite(280, 12);
+  }
+  /// The lowest three bits of byte 123 are the unit of space.
+  [[nodiscard]] Units units() const {
+    switch (static_cast<unsigned char>(bytes_[123]) & 7) {
+      case 1: return {1000, 1};
+      case 3: return {1e-3, 1};
+      default: return {};
+    }
+  }
+
+ private:
+  [[nodiscard]] int size() const { return at<std::int32_t>(0); }
+  void require_finite(std::size_t first, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!std::isfinite(at<float>(first + 4 * i))) refuse(path_, "tells distances or directions that are not possible");
+  }
+  template <class Number>
+  [[nodiscard]] Number at(std::size_t place) const {
+    std::array<char, sizeof(Number)> bytes{};
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(place), bytes.size(), bytes.begin());
+    if (other_order_) std::reverse(bytes.begin(), bytes.end());
+    return std::bit_cast<Number>(bytes);
+  }
+
+  const Path& path_;
+  std::array<char, 348> bytes_{};
+  bool other_order_ = false;
+};
 
 VolumePtr read_whole(itk::ImageIOBase& io, const Path& path, const Units& units = {}) {
   SampleLattice lattice = lattice_of(io, path, false);
@@ -307,14 +335,15 @@ VolumePtr open_with_itk(const Path& path) {
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
     return read_whole(*io, path, units_of_nrrd(path));
   }
+  const NiftiHeader header(path);
+  header.require_sound();
   {
     const Hushed hushed;
-    if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str()))
-      refuse(path, is_nifti_2(path) ? "is a NIfTI-2 file; NIfTI-1 is read" : "is no NIfTI file, or a damaged one");
+    if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str())) refuse(path, "is no NIfTI file, or a damaged one");
   }
   const auto io = opened<itk::NiftiImageIO>(path, "NIfTI");
   require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
-  return read_whole(*io, path, units_of_nifti(path));
+  return read_whole(*io, path, header.units());
 }
 
 VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
