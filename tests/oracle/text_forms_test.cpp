@@ -135,7 +135,7 @@ TEST_F(TextForms, OfTheGalleryAreValidReadEitherWay) {
       bounds.lower.z() = -1, bounds.upper.z() = 5;
       solid = intersect(solid, box_field({{-1e6, -1e6, 0}, {1e6, 1e6, 4}}));
     }
-    ContourSettings settings{bounds.size().maxCoeff() / 32};
+    ContourSettings settings{bounds.size().maxCoeff() / 24};
     settings.most_divided = 0;
     const ContourMesh mesh = contour(*solid, bounds, settings);
     ASSERT_FALSE(mesh.triangles.empty()) << entry.path();
