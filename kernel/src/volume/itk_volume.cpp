@@ -177,7 +177,7 @@ class NiftiHeader {
   explicit NiftiHeader(const Path& path) : path_(path) {
     const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
     if (file) gzread(file.get(), bytes_.data(), static_cast<unsigned>(bytes_.size()));
-    if (size() != 348) other_order_ = true;
+    other_order_ = size() != 348 && size() != 540;
     if (size() == 540) refuse(path, "is a NIfTI-2 file; NIfTI-1 is read");
     if (size() != 348) refuse(path, "is no NIfTI file, or a damaged one");
   }
