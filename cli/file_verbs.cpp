@@ -11,6 +11,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/mesh/contour.h"
+#include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
@@ -93,7 +94,7 @@ class InfoVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const std::string extension = extension_of(file_);
-    if (is_mesh_extension(extension)) return mesh_info();
+    if (is_mesh_extension(extension)) return mesh_info(progress);
     if (extension == ".png") return image_info();
     if (extension == ".asdf") return asdf_info(*Asdf::load(file_));
     if (is_volume_path(file_)) return volume_info(progress);
@@ -205,8 +206,12 @@ class InfoVerb final : public Verb {
          {"otsu", otsu}},
         0};
   }
-  Outcome mesh_info() const {
-    const TriangleMesh mesh = read_mesh(file_);
+  Outcome mesh_info(Progress& progress) const {
+    const auto [mesh, notes] = load_mesh(file_, progress);
+    print_notes(notes);
+    const Box bounds = mesh.bounds();
+    auto ranges = nlohmann::ordered_json::array();
+    for (int axis = 0; axis < 3; ++axis) ranges.push_back({bounds.lower[axis], bounds.upper[axis]});
     return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(),
                         mesh.vertices.size(), mesh.volume()),
             {{"file", file_},
@@ -214,7 +219,9 @@ class InfoVerb final : public Verb {
              {"triangles", mesh.triangles.size()},
              {"vertices", mesh.vertices.size()},
              {"volume", mesh.volume()},
-             {"area", mesh.area()}},
+             {"area", mesh.area()},
+             {"bounds", ranges},
+             {"notes", notes}},
             0};
   }
   Outcome image_info() const {
@@ -248,7 +255,9 @@ class ConvertVerb final : public Verb {
     Outcome outcome{
         fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
     if (is_mesh_extension(from) && is_mesh_extension(to)) {  // as it is; `fieldfab mesh` makes it anew
-      write_mesh(read_mesh(options_.model), options_.output, progress);
+      const auto [mesh, notes] = load_mesh(options_.model, progress);
+      print_notes(notes);
+      write_mesh(mesh, options_.output, progress);
       return outcome;
     }
     if (is_volume_path(options_.model) && is_one_of(to, {".nrrd", ".mha", ".nii", ".gz"})) {

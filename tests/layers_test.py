@@ -19,7 +19,7 @@ BELOW["cam"] = set(BELOW)
 BELOW["openscad"] = set(BELOW) - {"cam", "check"}
 BELOW["cli"] = BELOW["python"] = BELOW["meshlab_filter"] = set(BELOW)
 # FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
-HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "Model/COM")
+HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "zip.h", "expat.h")
 HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask for it by name
 
 

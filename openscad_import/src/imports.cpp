@@ -9,6 +9,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/render/image.h"
 #include "programs.h"
 
@@ -129,7 +130,7 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
 Polyhedron import_mesh(const std::filesystem::path& file, Progress& progress) {
   if (!std::filesystem::is_regular_file(file)) throw Error(ErrorKind::io, file.string(), "there is no such file");
   const std::string extension = lower_extension(file);
-  if (is_mesh_extension(extension)) return to_polyhedron(read_mesh(file));
+  if (is_mesh_extension(extension)) return to_polyhedron(load_mesh(file, progress).mesh);
   if (extension != ".amf" && extension != ".nef3")
     throw Error(ErrorKind::bad_input, file.string(),
                 fmt::format("cannot be imported: '{}' is none of .stl .off .amf .3mf .obj .nef3 .dxf .svg", extension));

@@ -1,5 +1,5 @@
 // Any bytes as a mesh file, of the kind that the first byte chooses: an Error, or triangles of vertices that are there, which a
-// file of ours has again. Not .3mf, which lib3mf reads.
+// file of ours has again. For .3mf there is three_mf_fuzz.cpp.
 #include <unistd.h>
 
 #include <cmath>

@@ -168,6 +168,7 @@ FORMATS = {
     "nifti, scaled": ({"ball.nii": nifti((BALL.astype("i2") - 10) * 2, 4, 0.5, 10.0)}, [], None),
     "tiff stack": ({f"s/slice{k}.tif": tiff(BALL[k]) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
     "tiff stack, palette": ({f"s/{k:03}.tiff": tiff(255 - BALL[k], True) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
+    "tiff stack, palette of signed numbers": ({f"s/{k}.tif": tiff((255 - BALL[k]).view("i1"), True) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint8"),
     "tiff stack, 16 bit": ({f"s/a{k + 8}b.TIF": tiff(BALL[k].astype("<u2")) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "uint16"),
     "tiff stack, real": ({f"s/{k}.tif": tiff(BALL[k].astype("<f4")) for k in range(18)}, ["--spacing", "0.5,0.75,1"], "float32"),
     "tiff stack with dimensions.txt": ({**{f"s/{k}.tif": tiff(BALL[k]) for k in range(18)},

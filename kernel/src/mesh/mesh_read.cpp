@@ -15,6 +15,8 @@ namespace {
 
 using Position = std::array<float, 3>;
 
+constexpr std::size_t often = 16384;  // items between two looks whether to stop
+
 struct HashPosition {
   std::size_t operator()(const Position& p) const {
     std::size_t seed = 0;
@@ -26,7 +28,8 @@ struct HashPosition {
 /// A mesh file's bytes, and the triangles found in them so far.
 class MeshReader {
  public:
-  MeshReader(std::string bytes, const std::filesystem::path& path) : bytes_(std::move(bytes)), path_(path) {}
+  MeshReader(std::string bytes, const std::filesystem::path& path, Progress& progress)
+      : bytes_(std::move(bytes)), path_(path), progress_(progress) {}
 
   TriangleMesh stl() {
     std::uint32_t count = 0;
@@ -156,12 +159,14 @@ class MeshReader {
   }
 
   std::uint32_t add_vertex() {
+    if (soup_.vertices.size() % often == 0) progress_.check();
     Position p;
     for (float& c : p) c = static_cast<float>(parse<double>(next()));
     soup_.vertices.push_back(p);
     return static_cast<std::uint32_t>(soup_.vertices.size() - 1);
   }
   void add_polygon(const std::vector<std::uint32_t>& corners) {
+    if (soup_.triangles.size() % often == 0) progress_.check();
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) soup_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
   }
 
@@ -239,17 +244,19 @@ class MeshReader {
 
   std::string bytes_;
   const std::filesystem::path& path_;
+  Progress& progress_;
   std::size_t at_ = 0;
   TriangleMesh soup_;
 };
 
 /// Equal vertices become one; triangles that come to nothing by that are left out.
-TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path) {
+TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path, Progress& progress) {
   TriangleMesh mesh;
   std::unordered_map<Position, std::uint32_t, HashPosition> place;
   std::vector<std::uint32_t> renamed;
   renamed.reserve(soup.vertices.size());
   for (Position p : soup.vertices) {
+    if (renamed.size() % often == 0) progress.check();
     for (float& c : p) {
       if (!std::isfinite(c)) throw Error(ErrorKind::bad_input, path.string(), "a vertex is not a finite number");
       if (c == 0) c = 0;  // one zero
@@ -258,7 +265,9 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path)
     if (is_new) mesh.vertices.push_back(p);
     renamed.push_back(at->second);
   }
-  for (std::array<std::uint32_t, 3> t : soup.triangles) {
+  for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
+    if (i % often == 0) progress.check();
+    std::array<std::uint32_t, 3> t = soup.triangles[i];
     for (std::uint32_t& vertex : t) {
       if (vertex >= renamed.size())
         throw Error(ErrorKind::bad_input, path.string(), "a face refers to a vertex that is not there");
@@ -272,18 +281,25 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path)
 
 }  // namespace
 
-TriangleMesh read_mesh(const std::filesystem::path& path) {
+MeshFromFile load_mesh(const std::filesystem::path& path, Progress& progress) {
   const std::string extension = lower_extension(path);
   if (!is_mesh_extension(extension))
     throw Error(ErrorKind::bad_input, path.string(), "is not a mesh file; known are .stl .ply .off .obj .3mf");
   std::string bytes = read_file(path, std::uintmax_t{1} << 36);
-  if (extension == ".3mf") return merged(read_3mf(path), path);
-  MeshReader reader(std::move(bytes), path);
-  return merged(extension == ".stl"   ? reader.stl()
-                : extension == ".ply" ? reader.ply()
-                : extension == ".off" ? reader.off()
-                                      : reader.obj(),
-                path);
+  MeshFromFile result;
+  if (extension == ".3mf") {
+    result = read_3mf(bytes, path, progress);
+  } else {
+    MeshReader reader(std::move(bytes), path, progress);
+    result.mesh = extension == ".stl"   ? reader.stl()
+                  : extension == ".ply" ? reader.ply()
+                  : extension == ".off" ? reader.off()
+                                        : reader.obj();
+  }
+  result.mesh = merged(result.mesh, path, progress);
+  return result;
 }
+
+TriangleMesh read_mesh(const std::filesystem::path& path) { return load_mesh(path).mesh; }
 
 }  // namespace fieldfab

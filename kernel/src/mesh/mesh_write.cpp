@@ -71,7 +71,7 @@ void write_ply(const TriangleMesh& mesh, PendingFile& file, const VertexProperti
 }
 
 /// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that both are
-/// exact.
+/// exact. Fewer digits would be the same float, yet another double, and triangles that nearly touch would cross each other.
 void write_off(const TriangleMesh& mesh, PendingFile& file, Progress& progress) {
   file.write(fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size()));
   fmt::memory_buffer line;
@@ -132,7 +132,7 @@ void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, Pro
   if (extension == ".ply") write_ply(mesh, file, {}, progress);
   if (extension == ".off") write_off(mesh, file, progress);
   if (extension == ".obj") write_obj(mesh, file, progress);
-  if (extension == ".3mf") write_3mf(mesh, file.temporary());
+  if (extension == ".3mf") write_3mf(mesh, file, progress);
   file.commit();
 }
 

@@ -10,6 +10,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
+#include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/model/script.h"
@@ -100,9 +101,11 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
     return model;
   }
   if (is_mesh_extension(extension)) {
-    TriangleMesh mesh = read_mesh(path);
+    MeshFromFile file = load_mesh(path, progress);
+    TriangleMesh& mesh = file.mesh;
     Model model;
     model.kind = "mesh";
+    model.notes = std::move(file.notes);
     if (const Lids lids = lids_of(mesh); lids.are_good(mesh)) {
       mesh = closed_by(lids, mesh);
       model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", path.filename().string(), lids.rims,

@@ -7,6 +7,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -131,8 +133,96 @@ SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   return *type;
 }
 
-VolumePtr read_whole(itk::ImageIOBase& io, const Path& path) {
-  const SampleLattice lattice = lattice_of(io, path, false);
+/// What places and distances of a file are multiplied by to be mm. ITK reads no units but NIfTI's, and of these it scales
+/// distances and leaves places.
+struct Units {
+  double origin = 1, spacing = 1;
+  void apply(SampleLattice& lattice) const { lattice.origin *= origin, lattice.spacing *= spacing; }
+};
+
+double mm_of(std::string unit, const Path& path) {
+  if (unit.ends_with('s') && unit.size() > 2) unit.pop_back();
+  if (unit.empty() || unit == "mm" || unit == "millimeter" || unit == "millimetre") return 1;
+  if (unit == "um" || unit == "µm" || unit == "micron" || unit == "micrometer" || unit == "micrometre") return 1e-3;
+  if (unit == "nm" || unit == "nanometer" || unit == "nanometre") return 1e-6;
+  if (unit == "cm" || unit == "centimeter" || unit == "centimetre") return 10;
+  if (unit == "m" || unit == "meter" || unit == "metre") return 1000;
+  if (unit == "in" || unit == "inch" || unit == "inche") return 25.4;
+  refuse(path, fmt::format("has the unit '{:.30}'; known are mm, um, nm, cm, m and in", unit));
+}
+
+/// The field "space units" of the header, one in quotes for each axis; else "units".
+Units units_of_nrrd(const Path& path) {
+  std::ifstream text(path, std::ios::binary);
+  std::string of_space, of_axes;
+  for (std::string line; std::getline(text, line) && !line.empty() && line != "\r";) {
+    if (line.starts_with("space units:")) of_space = line;
+    if (line.starts_with("units:")) of_axes = line;
+  }
+  std::optional<double> unit;
+  const std::string& told = of_space.empty() ? of_axes : of_space;
+  for (std::size_t at = told.find('"'); at != std::string::npos; at = told.find('"', at + 1)) {
+    const std::size_t end = std::min(told.find('"', at + 1), told.size());
+    const double mm = mm_of(told.substr(at + 1, end - at - 1), path);
+    if (unit && *unit != mm) refuse(path, "has different units along its axes");
+    unit = mm;
+    at = end;
+  }
+  return {unit.value_or(1), unit.value_or(1)};
+}
+
+/// The header of a NIfTI-1 file, which may be compressed, in the byte order of this machine or the other.
+class NiftiHeader {
+ public:
+  explicit NiftiHeader(const Path& path) : path_(path) {
+    const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
+    if (file) gzread(file.get(), bytes_.data(), static_cast<unsigned>(bytes_.size()));
+    other_order_ = size() != 348 && size() != 540;
+    if (size() == 540) refuse(path, "is a NIfTI-2 file; NIfTI-1 is read");
+    if (size() != 348) refuse(path, "is no NIfTI file, or a damaged one");
+  }
+  /// What nifti_clib would write to stderr, and what ends the process in ITK (transforms that are not finite).
+  void require_sound() const {
+    const int dimensions = at<std::int16_t>(40), type = at<std::int16_t>(70);
+    if (dimensions < 1 || dimensions > 7) refuse(path_, fmt::format("{} dimensions; a volume has three", dimensions));
+    constexpr std::array types{2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1536, 1792, 2048, 2304};
+    if (std::find(types.begin(), types.end(), type) == types.end())
+      refuse(path_, fmt::format("samples of an unknown type, {}", type));
+    require_finite(76, 8);
+    if (at<std::int16_t>(252) > 0) require_finite(256, 6);
+    if (at<std::int16_t>(254) > 0) require_finite(280, 12);
+  }
+  /// The lowest three bits of byte 123 are the unit of space.
+  [[nodiscard]] Units units() const {
+    switch (static_cast<unsigned char>(bytes_[123]) & 7) {
+      case 1: return {1000, 1};
+      case 3: return {1e-3, 1};
+      default: return {};
+    }
+  }
+
+ private:
+  [[nodiscard]] int size() const { return at<std::int32_t>(0); }
+  void require_finite(std::size_t first, std::size_t count) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!std::isfinite(at<float>(first + 4 * i))) refuse(path_, "tells distances or directions that are not possible");
+  }
+  template <class Number>
+  [[nodiscard]] Number at(std::size_t place) const {
+    std::array<char, sizeof(Number)> bytes{};
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(place), bytes.size(), bytes.begin());
+    if (other_order_) std::reverse(bytes.begin(), bytes.end());
+    return std::bit_cast<Number>(bytes);
+  }
+
+  const Path& path_;
+  std::array<char, 348> bytes_{};
+  bool other_order_ = false;
+};
+
+VolumePtr read_whole(itk::ImageIOBase& io, const Path& path, const Units& units = {}) {
+  SampleLattice lattice = lattice_of(io, path, false);
+  units.apply(lattice);
   const SampleType type = known_type(io, path);
   require_memory(lattice.count() * (size_of(type) + sizeof(float)), path.string());
   std::vector<float> densities(lattice.count());
@@ -165,10 +255,10 @@ void require_all_bytes(const Path& path, std::int64_t samples) {
 /// be, in the file or in one of their own, they stay there until they are asked for.
 VolumePtr open_meta(const Path& path) {
   const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
-  const SampleLattice lattice = lattice_of(*io, path, false);
+  SampleLattice lattice = lattice_of(*io, path, false);
   const SampleType type = known_type(*io, path);
   std::ifstream text(path, std::ios::binary);
-  std::string data_file;
+  std::string data_file, unit;
   bool compressed = false, big_endian = false;
   long long header = 0;
   for (std::string line; data_file.empty() && std::getline(text, line) && line.size() < 4096;) {
@@ -184,11 +274,14 @@ VolumePtr open_meta(const Path& path) {
     if (key == "BinaryDataByteOrderMSB" || key == "ElementByteOrderMSB")
       big_endian = value == "True" || value == "true" || value == "1";
     if (key == "HeaderSize") header = std::strtoll(value.c_str(), nullptr, 10);
+    if (key == "DistanceUnits") unit = value;
     if (key == "ElementDataFile") data_file = value;
   }
   if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
-  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path);
+  const double mm = mm_of(unit, path);
+  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path, {mm, mm});
+  Units{mm, mm}.apply(lattice);
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
     header = std::max<long long>(
@@ -240,15 +333,17 @@ VolumePtr open_with_itk(const Path& path) {
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
-    return read_whole(*io, path);
+    return read_whole(*io, path, units_of_nrrd(path));
   }
+  const NiftiHeader header(path);
+  header.require_sound();
   {
     const Hushed hushed;
     if (!itk::NiftiImageIO::New()->CanReadFile(path.c_str())) refuse(path, "is no NIfTI file, or a damaged one");
   }
   const auto io = opened<itk::NiftiImageIO>(path, "NIfTI");
   require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
-  return read_whole(*io, path);
+  return read_whole(*io, path, header.units());
 }
 
 VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {

@@ -67,6 +67,7 @@ class TiffPage final : public Slice {
     if (photometric_ == PHOTOMETRIC_PALETTE) {
       if (bits_ > 16 || channels_ != 1) refuse(path_, "a palette of an impossible kind");
       type = SampleType::uint8;
+      format_ = SAMPLEFORMAT_UINT;  // numbers of colours, whatever the file says
     }
   }
 

@@ -1,7 +1,9 @@
 // Volumes of OpenVDB.
-#include <openvdb/io/File.h>
+#include <openvdb/io/Stream.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
+
+#include <fstream>
 
 #include "fieldfab/core/file.h"
 #include "readers.h"
@@ -13,11 +15,13 @@ VolumePtr open_vdb(const Path& path) {
   if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   openvdb::FloatGrid::Ptr grid;
   try {
-    openvdb::io::File file(path.string());
-    file.open(false);
-    for (auto name = file.beginName(); name != file.endName() && !grid; ++name)
-      grid = openvdb::gridPtrCast<openvdb::FloatGrid>(file.readGrid(*name));
-    file.close();
+    // A stream that throws at its end: OpenVDB's own goes on after it, and takes memory for what is not there.
+    std::ifstream file;
+    file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
+    file.open(path, std::ios::binary);
+    openvdb::io::Stream stream(file, false);
+    for (const auto& each : *stream.getGrids())
+      if (grid = openvdb::gridPtrCast<openvdb::FloatGrid>(each); grid) break;
   } catch (const std::exception&) {
     refuse(path, "is no .vdb file, or a damaged one");
   }

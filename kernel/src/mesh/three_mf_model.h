@@ -1,0 +1,57 @@
+/// A model part of a .3mf file as it is written: objects, and what the build names; nothing placed yet.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "fieldfab/core/geometry.h"
+#include "fieldfab/core/progress.h"
+#include "zip_archive.h"
+
+namespace fieldfab {
+
+/// Rows of the transform as the file has them: x, y, z and the translation; a place is multiplied from the left, p' = p M + t.
+using ThreeMfTransform = std::array<double, 12>;
+constexpr ThreeMfTransform three_mf_identity{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+
+/// A component of an object, or an item of the build.
+struct ThreeMfReference {
+  std::uint32_t object = 0;
+  std::uint32_t part = 0;  ///< which of ThreeMfModel::paths, from 1 on; 0: the same part
+  ThreeMfTransform transform = three_mf_identity;
+};
+
+struct ThreeMfObject {
+  bool printed = true;  ///< of type "model"
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of vertices that are there
+  std::vector<ThreeMfReference> components;
+};
+
+struct ThreeMfModel {
+  double unit = 1;  ///< mm
+  std::unordered_map<std::uint32_t, ThreeMfObject> objects;
+  std::vector<ThreeMfReference> build;
+  std::vector<std::string> paths;  ///< names of other parts that references name
+  std::set<std::string> left_out;  ///< in words, for people: "colours and materials"
+};
+
+/// What all parts of a file together may still have.
+struct ThreeMfBudget {
+  std::uint64_t objects = std::uint64_t{1} << 20;
+  std::uint64_t references = std::uint64_t{1} << 22;
+};
+
+/// Reads a model part (3MF core specification 1.3, chapters 3 and 4). Elements are those in the namespace of the root element;
+/// others are left out. Throws bad_input with the part's line, too_large, cancelled.
+ThreeMfModel read_three_mf_model(const ZipReader& zip, const std::string& part, const std::filesystem::path& path,
+                                 ThreeMfBudget& budget, Progress& progress);
+
+/// The name of the model part that a package begins with (Open Packaging Conventions). Throws bad_input.
+std::string first_model_part(const ZipReader& zip, const std::filesystem::path& path, Progress& progress);
+
+}  // namespace fieldfab

@@ -1,0 +1,79 @@
+"""Damaged volumes of the formats whose readers are libraries that the fuzzers cannot be built with (ITK, OpenVDB), and
+PNG slices: each is an Error or a volume that can be read, never a crash and never without an end. Not DICOM: Debian's
+GDCM ends the process at assertions."""
+
+import os
+import subprocess
+
+import pytest
+
+from conftest import BUILD, COMMAND
+from volume_test import FORMATS, files
+
+# FIELDFAB_MUTATIONS says how many of each format; the full proof tries 5000.
+COUNT = int(os.environ.get("FIELDFAB_MUTATIONS", "150"))
+SEEDS = ("mha", "mha, compressed", "mhd", "nrrd", "nrrd, gzip", "nhdr", "nifti", "nifti, gzip", "nifti, big-endian",
+         "png stack, 16 bit")
+
+# Run in a process of its own, which a crash ends: the file is left as it was then.
+LOOP = """
+import pathlib, random, resource, sys
+import fieldfab as ff
+resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))  # OpenVDB takes memory for what a file only says
+path, opened, seed, count = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3], int(sys.argv[4])
+whole = path.read_bytes()
+random, read, refused = random.Random(seed), 0, 0
+NUMBERS = [b"0", b"-1", b"1", b"9999999999", b"1e39", b"nan",
+           b"\\xff\\xff\\xff\\xff", b"\\0\\0\\0\\0", b"\\x7f\\xff", b"\\x80"]
+for _ in range(count):
+    data = bytearray(whole)
+    for _ in range(random.choice((1, 1, 2, 4, 8))):
+        # Half of the damage is to the header.
+        at = random.randrange(min(len(data), 600) if random.random() < 0.5 else len(data)) if data else 0
+        kind = random.randrange(5)
+        if kind == 0 and data:
+            data[at] ^= 1 << random.randrange(8)
+        elif kind == 1:
+            number = random.choice(NUMBERS)
+            data[at:at + len(number)] = number
+        elif kind == 2:
+            del data[at:at + random.choice((1, 2, 8, 64, len(data)))]
+        elif kind == 3:
+            data[at:at] = data[at:at + random.choice((1, 4, 64))]
+        elif data:
+            data[at] = random.randrange(256)
+    path.write_bytes(data)
+    try:
+        volume = ff.Volume.open(opened)
+        if volume.size[0] * volume.size[1] * volume.size[2] < 1e7:
+            volume.densities()
+        read += 1
+    except ff.Error as error:
+        assert error.kind != "internal" and "\\n" not in str(error), error
+        refused += 1
+print(read, refused)
+"""
+
+
+def mutate(path, opened, seed, count=COUNT):
+    python = ["/usr/bin/python3", "-c", LOOP, str(path), str(opened), seed, str(count)]
+    environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
+    done = subprocess.run(python, env=environment, capture_output=True, text=True, timeout=60 + 2 * count)
+    assert done.returncode == 0, f"{done.returncode} at {path}\n{done.stderr[-2000:]}"
+    read, refused = map(int, done.stdout.splitlines()[-1].split())  # OpenVDB may have written a warning before
+    assert read + refused == count and refused > 0
+    assert done.stderr == ""
+
+
+@pytest.mark.parametrize("name", SEEDS)
+def test_damaged_volumes(tmp_path, name):
+    contents, _, _ = FORMATS[name]
+    first = files(tmp_path, contents)
+    mutate(first, first.parent if first.parent != tmp_path else first, name)
+
+
+def test_damaged_level_sets(tmp_path):
+    (tmp_path / "ball.frep").write_text("sphere(2)")
+    command = [COMMAND, "convert", tmp_path / "ball.frep", "-o", tmp_path / "ball.vdb", "--voxel", "0.25"]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    mutate(tmp_path / "ball.vdb", tmp_path / "ball.vdb", "vdb", max(1, COUNT // 5))
