@@ -188,8 +188,10 @@ VolumePtr open_meta(const Path& path) {
   }
   if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
-  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path);
+  const bool several = data_file.find('%') != std::string::npos || data_file == "LIST";
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
+  if (!several) require_regular_file(data);
+  if (compressed || several) return read_whole(*io, path);
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
     header = std::max<long long>(
         0, static_cast<long long>(std::filesystem::file_size(data)) - static_cast<long long>(lattice.count() * size_of(type)));
@@ -235,7 +237,6 @@ bool is_dicom(const Path& path) {
 }
 
 VolumePtr open_with_itk(const Path& path) {
-  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
@@ -322,6 +323,24 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
   return stack_of(std::move(slices), paths, lattice);
 }
 
+namespace {
+
+/// Whether a file that was just written holds these samples. MetaIO, NrrdIO and nifti_clib do not tell when a disk is full.
+bool holds(const Path& path, const std::vector<float>& densities) {
+  try {
+    const VolumePtr written = open_with_itk(path);
+    if (written->lattice().count() != densities.size()) return false;
+    std::vector<float> read(densities.size());
+    written->read(0, written->lattice().size[2], read.data());
+    return std::memcmp(read.data(), densities.data(), densities.size() * sizeof(float)) == 0;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::too_large) throw;
+    return false;
+  }
+}
+
+}  // namespace
+
 void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   const std::vector<float> densities = read_all(volume, progress);
@@ -332,11 +351,10 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (extension == ".nii" || extension == ".gz") io = itk::NiftiImageIO::New().GetPointer();
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
-  // ITK tells formats by the whole extension.
-  const Path made = extension == ".gz" ? Path(file.temporary().string() + ".nii.gz") : file.temporary();
   const Hushed hushed;
+  bool complete = false;
   try {
-    io->SetFileName(made.string());
+    io->SetFileName(file.temporary().string());
     io->SetNumberOfDimensions(3);
     io->SetNumberOfComponents(1);
     io->SetPixelType(itk::IOPixelEnum::SCALAR);
@@ -353,12 +371,11 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
     io->SetUseCompression(extension != ".mha");
     io->SetIORegion(all);
     io->Write(densities.data());
-    if (made != file.temporary()) std::filesystem::rename(made, file.temporary());
-  } catch (const itk::ExceptionObject& error) {
-    std::error_code ignored;
-    if (made != file.temporary()) std::filesystem::remove(made, ignored);
-    throw Error(ErrorKind::io, path.string(), "cannot write: " + said(error));
+    progress.check();
+    complete = holds(file.temporary(), densities);
+  } catch (const itk::ExceptionObject&) {  // its message names the file's temporary name and places in ITK
   }
+  if (!complete) file.refuse_partial(densities.size() * sizeof(float));
   file.commit();
 }
 

@@ -10,7 +10,6 @@ namespace fieldfab {
 
 VolumePtr open_vdb(const Path& path) {
   openvdb::initialize();
-  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   openvdb::FloatGrid::Ptr grid;
   try {
     openvdb::io::File file(path.string());
