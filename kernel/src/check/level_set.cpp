@@ -13,7 +13,7 @@
 
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/file_stream.h"
+#include "fieldfab/core/file_buffer.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
@@ -173,7 +173,9 @@ void LevelSet::save(const std::filesystem::path& path) const {
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   grid->setName("surface");
   PendingFile file(path);
-  FileStream stream(file);
+  FileBuffer buffer(file);
+  std::ostream stream(&buffer);
+  stream.exceptions(std::ios::badbit);
   Archive().write(stream, openvdb::GridPtrVec{grid}, true);
   file.commit();
 }

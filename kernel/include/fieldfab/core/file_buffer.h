@@ -1,17 +1,17 @@
-/// A PendingFile as a standard stream, for libraries that write to one.
+/// A PendingFile as the buffer of a standard stream, for libraries that write to one.
 #pragma once
 
-#include <ostream>
 #include <streambuf>
 
 #include "fieldfab/core/file.h"
 
 namespace fieldfab {
 
-/// Writes to a PendingFile from its beginning, seeks, and throws Error(io) from the call that fails.
-class FileStream : private std::streambuf, public std::ostream {
+/// Writes to a PendingFile from its beginning, and seeks in what was written. Throws Error(io), which a stream lets pass where its
+/// exceptions() have badbit.
+class FileBuffer final : public std::streambuf {
  public:
-  explicit FileStream(PendingFile& file);
+  explicit FileBuffer(PendingFile& file) : file_(file) {}
 
  private:
   int_type overflow(int_type character) override;
