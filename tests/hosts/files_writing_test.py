@@ -137,7 +137,7 @@ def test_a_full_device_is_told(name, folder):
     out.symlink_to("/dev/full")
     message = refused(run(words, folder))
     assert "No space left on device" in message and out.name in message
-    assert out.is_symlink() and os.path.exists("/dev/full")
+    assert out.is_symlink() and pathlib.Path("/dev/full").is_char_device()
 
 
 @pytest.mark.parametrize("name", OUTPUTS)
@@ -146,11 +146,13 @@ def test_a_limit_of_the_size_of_files_is_told(name, folder):
     out = folder / name
     out.parent.mkdir(exist_ok=True)
     words = words_of(name, out)
-    if words[0] == "cam" and name != "part.nc":
-        words[3] = "/dev/null"  # the program is written before its picture
+    limit = 8 if name in TEXTS else 64
+    if words[0] == "cam" and name != "part.nc":  # the program, which is smaller, is written before its picture
+        assert run(words, folder).returncode == 0
+        limit = (folder / "made.nc").stat().st_size
+        assert limit < out.stat().st_size
     out.write_bytes(OLD)
     before = faults.files_of(folder)
-    limit = 8 if name in TEXTS else 64
     done = run(words, folder, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
     message = refused(done)
     if words[0] != "openscad":  # which tells in its own words
@@ -173,7 +175,7 @@ def small_disk(tmp_path_factory):
 @pytest.mark.parametrize("free", [0, 4096])
 @pytest.mark.parametrize("name", OUTPUTS)
 def test_a_full_disk_leaves_the_old_file(name, free, folder, small_disk):
-    if free and name in TEXTS + ["part.nc", "ways.svg", "report.json", "histogram.png", "scan.nii.gz", "design.stl", "stock.png",
+    if free and name in TEXTS + ["part.nc", "solid.asdf", "ways.svg", "report.json", "histogram.png", "scan.nii.gz", "design.stl", "stock.png",
                                  "picture.png", "frames/frame_0001.png", "ways.png", "scan.nrrd", "stock.stl", "scan.asdf"]:
         pytest.skip("fits into 4096 bytes, or nearly")
     for path in small_disk.iterdir():
@@ -182,14 +184,12 @@ def test_a_full_disk_leaves_the_old_file(name, free, folder, small_disk):
     out.parent.mkdir(exist_ok=True)
     words = words_of(name, out)
     out.write_bytes(OLD)
-    with open(small_disk / "filler", "wb") as filler:
-        try:
-            while True:
-                filler.write(bytes(4096))
-                filler.flush()
-        except OSError:
-            pass
-    os.truncate(small_disk / "filler", (small_disk / "filler").stat().st_size // 4096 * 4096 - free)
+    filler = os.open(small_disk / "filler", os.O_WRONLY | os.O_CREAT)
+    with pytest.raises(OSError):
+        while True:
+            os.write(filler, bytes(4096))
+    os.truncate(filler, os.fstat(filler).st_size // 4096 * 4096 - free)
+    os.close(filler)
     before = faults.files_of(small_disk)
     message = refused(run(words, folder))
     if words[0] != "openscad":
@@ -396,7 +396,7 @@ def test_a_substituted_process_is_read(folder):
     """A pipe that the shell gives, by a name with the ending that tells its form."""
     (folder / "given.frep").symlink_to("/dev/stdin")
     done = subprocess.run(["bash", "-c", f"echo 'sphere(5)' | {COMMAND} info given.frep"], cwd=folder, capture_output=True, text=True, timeout=20)
-    assert done.returncode == 0 and "-5..5" in done.stdout, done.stderr
+    assert done.returncode == 0 and "f-rep" in done.stdout, done.stderr
 
 
 # Memory and threads
@@ -498,17 +498,16 @@ def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
     """Even if that is killed: the command, FreeCAD, MeshLab and the edit window start scripts and OpenSCAD."""
     (folder / "endless.py").write_text(ENDLESS)
     (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")
-    python = f"import sys; sys.path.insert(0, {str(BUILD / 'python')!r})\n"
     words = {
         "script": [COMMAND, "info", "endless.py"],
         "openscad": [COMMAND, "info", "endless.scad"],
-        "python": [sys.executable, "-c", python + "import fieldfab as ff; ff.run_model('endless.py')"],
-        "workbench": [sys.executable, "-c", python + "import subprocess\nsubprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py'], "
-                      f"env={{'PYTHONPATH': {str(BUILD / 'python')!r}}}).wait()"],
+        "python": [sys.executable, "-c", "import fieldfab as ff; ff.run_model('endless.py')"],
+        "workbench": [sys.executable, "-c", "import subprocess, sys; subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py']).wait()"],
     }[how]
     if how == "openscad" and shutil.which("openscad") is None:
         pytest.skip("openscad is not installed")
-    process = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
     deadline = time.monotonic() + 20
     while time.monotonic() < deadline and not ((folder / "started").exists() or (how == "openscad" and children_of(process.pid))):
         time.sleep(0.05)

@@ -114,8 +114,8 @@ PendingFile::PendingFile(std::filesystem::path target) : name_(std::move(target)
   // Only a regular file can be replaced. The bytes for a device or a pipe wait elsewhere until they are complete: libraries that
   // open it by name would not tell that it is full, and go back in what they write.
   device_ = exists && !S_ISREG(old.st_mode);
-  const std::string suffix = suffix_of(target_);
-  std::string stem = target_.filename().string();
+  const std::string suffix = suffix_of(name_);
+  std::string stem = name_.filename().string();
   stem.resize(std::min(stem.size() - suffix.size(), longest_stem));
   const std::filesystem::path folder = device_ ? std::filesystem::temp_directory_path() : target_.parent_path();
   std::string pattern = (folder / fmt::format(".{}.XXXXXX{}", stem, suffix)).string();
@@ -166,8 +166,18 @@ void PendingFile::rewrite(std::uint64_t offset, const void* data, std::size_t si
   }
 }
 
+void PendingFile::require_room(std::uintmax_t size) const {
+  struct stat status {};
+  if (size == 0 || ::fstat(descriptor_, &status) != 0) return;
+  if (::fallocate(descriptor_, 0, 0, static_cast<off_t>(size)) != 0) {
+    if (errno != EOPNOTSUPP && errno != EINTR) fail();
+  } else if (::ftruncate(descriptor_, status.st_size) != 0) {  // gives it back
+    fail();
+  }
+}
+
 void PendingFile::refuse_partial(std::uintmax_t size) const {
-  if (::fallocate(descriptor_, 0, 0, static_cast<off_t>(size)) != 0 && errno != EOPNOTSUPP && errno != EINTR) fail();
+  require_room(size);
   throw Error(ErrorKind::io, name_.string(), "cannot write: not all of it is there when it is read again");
 }
 

@@ -200,6 +200,19 @@ VolumePtr open_meta(const Path& path) {
   return open_samples(data, layout);
 }
 
+/// NrrdIO opens the file of the samples with the header's, where that is another one.
+void require_nrrd_samples(const Path& path) {
+  std::ifstream text(path, std::ios::binary);
+  for (std::string line; std::getline(text, line) && !line.empty() && line.size() < 4096;)
+    for (const std::string_view key : {"data file:", "datafile:"}) {
+      if (!line.starts_with(key)) continue;
+      line.erase(0, line.find_first_not_of(" \t", key.size()));
+      line.erase(line.find_last_not_of(" \t\r") + 1);
+      if (!line.empty() && line.find('%') == std::string::npos && !line.starts_with("LIST"))
+        require_regular_file(path.parent_path() / line);
+    }
+}
+
 /// Slices in files of their own, through GDCM.
 class DicomSlice final : public Slice {
  public:
@@ -240,6 +253,7 @@ VolumePtr open_with_itk(const Path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
+    require_nrrd_samples(path);
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
     return read_whole(*io, path);
   }
@@ -351,6 +365,9 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii")) io = itk::NiftiImageIO::New().GetPointer();
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
+  const std::size_t bytes = densities.size() * sizeof(float);
+  const bool compressed = extension != ".mha" && extension != ".nii";
+  if (!compressed) file.require_room(bytes);  // nifti_clib complains on stderr
   const Hushed hushed;
   bool complete = false;
   try {
@@ -368,14 +385,14 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
       io->SetDirection(axis, std::vector<double>{lattice.axes(0, a), lattice.axes(1, a), lattice.axes(2, a)});
       all.SetSize(axis, static_cast<std::size_t>(lattice.size[axis]));
     }
-    io->SetUseCompression(extension != ".mha");
+    io->SetUseCompression(compressed);
     io->SetIORegion(all);
     io->Write(densities.data());
     progress.check();
     complete = holds(file.temporary(), densities);
   } catch (const itk::ExceptionObject&) {  // its message names the file's temporary name and places in ITK
   }
-  if (!complete) file.refuse_partial(densities.size() * sizeof(float));
+  if (!complete) file.refuse_partial(bytes);
   file.commit();
 }
 

@@ -38,6 +38,8 @@ class PendingFile {
   /// Where to write, for libraries that open files by name themselves; its extension is the target's. The caller checks that the
   /// library wrote all of it: see refuse_partial().
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_->path(); }
+  /// Throws Error(io) where so many bytes are more than the disk or a limit leaves; some file systems do not tell.
+  void require_room(std::uintmax_t size) const;
   /// Throws Error(io) for a library that did not write all of about `size` bytes, with the reason where one can be found.
   [[noreturn]] void refuse_partial(std::uintmax_t size) const;
   /// Flushes, syncs, renames onto the target and syncs its folder. Throws Error(io).
