@@ -12,6 +12,7 @@
 #include <new>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/temporary.h"
@@ -23,7 +24,8 @@ namespace {
 constexpr auto patience = std::chrono::milliseconds(300);
 
 std::atomic<Progress*> running{nullptr};
-std::atomic<bool> settled{false};
+enum class State { working, settled, ended };  // ended: from outside
+std::atomic<State> state{State::working};
 sem_t asked;  // to stop
 
 void on_interrupt(int /*signal*/) {
@@ -57,7 +59,8 @@ void watch() {
   while (sem_wait(&asked) != 0) {
   }
   std::this_thread::sleep_for(patience);
-  if (!settled.exchange(true)) end_now(cancelled, {"\nfieldfab: cancelled\n"});
+  State working = State::working;
+  if (state.compare_exchange_strong(working, State::ended)) end_now(cancelled, {"\nfieldfab: cancelled\n"});
 }
 
 [[noreturn]] void on_terminate() noexcept {
@@ -72,8 +75,10 @@ void watch() {
     }
     return "internal error: an exception was not caught";
   }();
-  if (settled.exchange(true))
-    for (;;) ::pause();
+  static thread_local bool again = false;
+  if (std::exchange(again, true)) ::_exit(internal_error);  // while it was ended
+  if (state.exchange(State::ended) == State::ended)
+    for (;;) ::pause();  // another thread is ending the process
   end_now(internal_error, {"fieldfab: ", what, "\n"});
 }
 
@@ -91,8 +96,9 @@ Ending::Ending(Progress& progress) {
 Ending::~Ending() { running = nullptr; }
 
 void Ending::settle() noexcept {
-  if (settled.exchange(true))
-    for (;;) ::pause();  // the other thread is ending the process
+  State working = State::working;
+  if (!state.compare_exchange_strong(working, State::settled) && working == State::ended)
+    for (;;) ::pause();  // another thread is ending the process
 }
 
 }  // namespace fieldfab::cli
