@@ -39,7 +39,8 @@ void on_interrupt(int /*signal*/) {
 void on_write_error(int /*signal*/) {}
 
 void handle(int signal, void (*handler)(int)) {
-  struct sigaction before {}, action {};
+  struct sigaction before {
+  }, action{};
   // What was started with nohup is not to be hung up.
   if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN && signal == SIGHUP) return;
   action.sa_handler = handler;
@@ -52,6 +53,12 @@ void handle(int signal, void (*handler)(int)) {
   remove_temporaries();
   tell(message);
   ::_exit(code);
+}
+
+/// What a library does that has no other way to tell of a lack of memory: glibc for thread_local objects, GMP.
+void on_abort(int /*signal*/) {
+  ::alarm(1);  // the end, if a lock is held that a folder's removal needs
+  end_now(internal_error, {"fieldfab: internal error: a library gave up\n"});
 }
 
 /// Ends the process where the work does not.
@@ -89,6 +96,7 @@ Ending::Ending(Progress& progress) {
   sem_init(&asked, 0, 0);
   std::thread(watch).detach();
   running = &progress;
+  handle(SIGABRT, on_abort);
   for (const int signal : {SIGPIPE, SIGXFSZ}) handle(signal, on_write_error);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, on_interrupt);
 }

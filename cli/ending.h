@@ -7,9 +7,10 @@ namespace fieldfab::cli {
 
 enum ExitCode { done = 0, check_failed = 1, bad_input = 2, internal_error = 3, cancelled = 130 };
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the work. Work that does not stop by itself is ended from outside 0.3 s
-/// later, its temporary files removed. A pipe without a reader and a file over its limit are errors of write(), not signals.
-/// What nobody catches, such as a lack of memory in a library's thread, ends the command with a line and exit code 3.
+/// While it lives, SIGINT, SIGTERM and SIGHUP cancel the work. Work that does not stop by itself is ended from outside
+/// 0.3 s later, its temporary files removed. A pipe without a reader and a file over its limit are errors of write(),
+/// not signals. What nobody catches, such as a lack of memory in a library's thread, and abort() end the command with a
+/// line and exit code 3.
 class Ending {
  public:
   explicit Ending(Progress& progress);

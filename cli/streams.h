@@ -6,7 +6,8 @@
 
 namespace fieldfab::cli {
 
-/// Puts /dev/null in the place of closed standard streams: the next file opened would take their numbers, and get what is printed.
+/// Puts /dev/null in the place of closed standard streams: the next file opened would take their numbers, and get what
+/// is printed.
 void open_closed_streams() noexcept;
 
 /// Writes to standard error; drops what cannot be written. Allocates no memory.

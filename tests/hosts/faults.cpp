@@ -1,5 +1,5 @@
-// Loaded into a program by LD_PRELOAD (tests/hosts/faults.py): makes one of its calls fail, ends it at one, or keeps a journal of
-// what a loss of power would leave of its files. Calls are counted while main() runs.
+// Loaded into a program by LD_PRELOAD (tests/hosts/faults.py): makes one of its calls fail, ends it at one, or keeps a
+// journal of what a loss of power would leave of its files. Calls are counted while main() runs.
 //
 //   FAULT_CALL    write, pwrite, fsync, rename, malloc, pthread_create, or any: one of the first four
 //   FAULT_AT      the number of the call that fails, from 1; it and all later ones with FAULT_LASTING

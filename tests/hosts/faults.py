@@ -12,16 +12,17 @@ LIBRARY = BUILD / "tests" / "libfaults.so"
 CRASHES = (-6, -11, -7, 134, 139, 135)  # SIGABRT, SIGSEGV, SIGBUS
 
 
-def run(arguments, folder, timeout=120, threads=2, **faults):
-    """Runs the command in `folder`, its temporary files in one of their own; faults are variables of faults.cpp in lower case."""
+def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
+    """Runs the command, or another program, in `folder`, its temporary files in one of their own; faults are variables of faults.cpp
+    in lower case."""
     if not LIBRARY.exists():
         pytest.skip(f"{LIBRARY} is not built (target faults)")
     temporary = folder.parent / (folder.name + ".tmp")
     temporary.mkdir(exist_ok=True)
     environment = {**os.environ, "TMPDIR": str(temporary), "LD_PRELOAD": str(LIBRARY)}
     environment |= {f"FAULT_{name.upper()}": str(value) for name, value in faults.items()}
-    done = subprocess.run([COMMAND, "--threads", str(threads), *map(str, arguments)], capture_output=True, text=True, timeout=timeout,
-                          cwd=folder, env=environment, errors="replace")
+    words = [*(program or [COMMAND, "--threads", str(threads)]), *map(str, arguments)]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, cwd=folder, env=environment, errors="replace")
     done.left = sorted(path.name for path in temporary.iterdir())
     shutil.rmtree(temporary)
     return done

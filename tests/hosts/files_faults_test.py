@@ -1,6 +1,7 @@
 """Calls that fail one after another, and losses of power at any moment: what was there stays, or what is new is whole.
 
-FIELDFAB_KILLS: how many moments of a loss of power are tried for each command; 12 where it is not set."""
+FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 12 where it is not
+set."""
 
 import os
 import random
@@ -8,6 +9,7 @@ import shutil
 
 import faults
 import pytest
+from conftest import BUILD
 from files_writing_test import OLD, inputs
 
 KILLS = int(os.environ.get("FIELDFAB_KILLS", "12"))
@@ -123,6 +125,40 @@ def test_a_loss_of_power_leaves_the_old_file_or_the_new_one(name, folder, tmp_pa
             if path not in before:
                 (folder / path).unlink()
     assert seen == {True, False}
+
+
+PARTS = """
+import os, sys
+sys.path.insert(0, sys.argv[1])
+import fieldfab as ff
+scan = ff.Volume.open("scan_20x20x20_uint8.raw")
+for part in range(2):
+    scan.save_part(f"{part}.part", part, 2)
+scan.merge_parts("made.asdf", ["0.part", "1.part"])
+"""
+
+
+def test_a_loss_of_power_leaves_an_import_in_parts_whole(folder, tmp_path):
+    """What fieldfab.bricks does in its processes."""
+    (folder / "parts.py").write_text(PARTS)
+    (folder / "made.asdf").write_bytes(OLD)
+    python = {"program": ["/usr/bin/python3", "-B"], "arguments": ["parts.py", BUILD / "python"], "folder": folder, "call": "any"}
+    done = faults.run(**python, count=tmp_path / "count")
+    assert done.returncode == 0, done.stderr
+    new, total = faults.files_of(folder), int((tmp_path / "count").read_text())
+    assert new["made.asdf"] != OLD
+    for moment in range(1, total + 2):
+        journal = tmp_path / f"journal{moment}"
+        journal.mkdir()
+        for name in ("0.part", "1.part"):
+            (folder / name).unlink(missing_ok=True)
+        (folder / "made.asdf").write_bytes(OLD)
+        before = faults.files_of(folder)
+        assert faults.run(**python, at=moment, kill=1, journal=journal).returncode == (-9 if moment <= total else 0)
+        faults.cut_to_synced(folder, faults.lose_power(journal), before)
+        now = faults.files_of(folder)
+        assert now["made.asdf"] in ((OLD, new["made.asdf"]) if moment <= total else (new["made.asdf"],)), moment
+        assert all(now[name] == new[name] for name in ("0.part", "1.part") if name in now), moment
 
 
 SCAD = "use <fieldfab.scad>\nsmooth_union(2) {{ cube(10); translate([5, 5, 5]) cube({size}); }}\n"

@@ -250,6 +250,27 @@ def test_messages_of_what_cannot_be_written(folder):
     assert run(["mesh", "ball.frep", "-o", "BALL.STL", "--voxel", 1], folder).returncode == 0
 
 
+def test_a_mesh_that_takes_long_says_why(folder):
+    """A rim that no lid closes: a small file, and minutes of winding numbers."""
+    chance = random.Random(1)
+    count = 300
+    rim = [(10 * np.cos(a) + chance.uniform(-2, 2), 10 * np.sin(a) + chance.uniform(-2, 2), chance.uniform(-2, 2))
+           for a in np.linspace(0, 2 * np.pi, count, endpoint=False)]
+    lines = ["OFF", f"{count + 1} {count} 0", *(" ".join(map(str, p)) for p in [*rim, (0, 0, -10)])]
+    lines += [f"3 {i} {(i + 1) % count} {count}" for i in range(count)]
+    (folder / "cone.off").write_text("\n".join(lines) + "\n")
+    process = subprocess.Popen([COMMAND, "--progress", "mesh", "cone.off", "-o", "made.stl"], cwd=folder, stderr=subprocess.PIPE)
+    os.set_blocking(process.stderr.fileno(), False)
+    said, deadline = b"", time.monotonic() + 10
+    while time.monotonic() < deadline and not (b"winding numbers" in said and b"sampling" in said):
+        said += process.stderr.read() or b""
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    started = time.monotonic()
+    assert process.wait(timeout=10) == 130 and time.monotonic() - started < 1
+    assert b"cone.off is open, and lids cannot close it" in said and b"% sampling" in said
+
+
 def test_python_names_the_file_that_was_asked_for(folder, monkeypatch):
     import fieldfab as ff
 

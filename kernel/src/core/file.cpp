@@ -111,8 +111,8 @@ PendingFile::PendingFile(std::filesystem::path target) : name_(std::move(target)
   // A target that is a link keeps being one: what it points to is replaced.
   std::error_code ignored;
   if (std::filesystem::is_symlink(target_, ignored)) target_ = std::filesystem::weakly_canonical(target_, ignored);
-  // Only a regular file can be replaced. The bytes for a device or a pipe wait elsewhere until they are complete: libraries that
-  // open it by name would not tell that it is full, and go back in what they write.
+  // Only a regular file can be replaced. The bytes for a device or a pipe wait elsewhere until they are complete:
+  // libraries that open it by name would not tell that it is full, and go back in what they write.
   device_ = exists && !S_ISREG(old.st_mode);
   const std::string suffix = suffix_of(name_);
   std::string stem = name_.filename().string();
@@ -183,7 +183,8 @@ void PendingFile::refuse_partial(std::uintmax_t size) const {
 
 void PendingFile::commit() {
   flush();
-  struct stat ours {}, named {};
+  struct stat ours {
+  }, named{};
   if (::fstat(descriptor_, &ours) != 0 || ::stat(temporary().c_str(), &named) != 0) fail();
   if (ours.st_ino != named.st_ino || ours.st_dev != named.st_dev) {  // a library has put a file of its own there
     Descriptor other(::open(temporary().c_str(), O_RDWR | O_CLOEXEC));

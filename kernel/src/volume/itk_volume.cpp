@@ -362,7 +362,8 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   itk::ImageIOBase::Pointer io;
   if (extension == ".nrrd") io = itk::NrrdImageIO::New().GetPointer();
   if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();
-  if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii")) io = itk::NiftiImageIO::New().GetPointer();
+  if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii"))
+    io = itk::NiftiImageIO::New().GetPointer();
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
   const std::size_t bytes = densities.size() * sizeof(float);

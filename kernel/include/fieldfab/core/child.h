@@ -12,14 +12,14 @@ namespace fieldfab {
 
 /// How a program is run.
 struct ChildSettings {
-  std::vector<std::string> words;                              ///< the program, looked for in PATH, and its arguments
+  std::vector<std::string> words;                            ///< the program, looked for in PATH, and its arguments
   std::optional<std::vector<std::string>> environment = {};  ///< NAME=VALUE; ours where not given
-  std::uintmax_t memory = 0;                                   ///< bytes it may have; 0 means no limit
-  bool errors_too = false;                                     ///< its standard error is read as well, and its standard input is empty
+  std::uintmax_t memory = 0;                                 ///< bytes it may have; 0 means no limit
+  bool errors_too = false;  ///< its standard error is read as well, and its standard input is empty
 };
 
-/// A program that runs in a process group of its own, whose output is read here. It ends with this object, and with the thread
-/// that made this object, even if that is killed.
+/// A program that runs in a process group of its own, whose output is read here. It ends with this object, and with the
+/// thread that made this object, even if that is killed.
 class Child {
  public:
   /// Throws io where it cannot be started; `advice` is added where there is no such program.

@@ -11,12 +11,12 @@
 
 namespace fieldfab {
 
-/// Throws Error(io) unless `path` is a regular file: libraries that open files by name would wait for ever for a named pipe, and
-/// read a device for ever.
+/// Throws Error(io) unless `path` is a regular file: libraries that open files by name would wait for ever for a named
+/// pipe, and read a device for ever.
 void require_regular_file(const std::filesystem::path& path);
 
-/// The bytes of a regular file, or of a pipe that this process was given (/dev/fd/N), never of a named one. Throws Error(io) where
-/// it cannot be read, Error(too_large) where it is larger than `limit` bytes.
+/// The bytes of a regular file, or of a pipe that this process was given (/dev/fd/N), never of a named one. Throws
+/// Error(io) where it cannot be read, Error(too_large) where it is larger than `limit` bytes.
 std::string read_file(const std::filesystem::path& path, std::uintmax_t limit = std::uintmax_t{1} << 32);
 
 /// A file in the making: written beside its target, put in its place by commit() in one step, removed without it.
@@ -35,12 +35,13 @@ class PendingFile {
   void write(std::string_view text) { write(text.data(), text.size()); }
   /// Overwrites bytes written before, from `offset` on: for headers whose counts are known last.
   void rewrite(std::uint64_t offset, const void* data, std::size_t size);
-  /// Where to write, for libraries that open files by name themselves; its extension is the target's. The caller checks that the
-  /// library wrote all of it: see refuse_partial().
+  /// Where to write, for libraries that open files by name themselves; its extension is the target's. The caller checks
+  /// that the library wrote all of it: see refuse_partial().
   [[nodiscard]] const std::filesystem::path& temporary() const { return temporary_->path(); }
   /// Throws Error(io) where so many bytes are more than the disk or a limit leaves; some file systems do not tell.
   void require_room(std::uintmax_t size) const;
-  /// Throws Error(io) for a library that did not write all of about `size` bytes, with the reason where one can be found.
+  /// Throws Error(io) for a library that did not write all of about `size` bytes, with the reason where one can be
+  /// found.
   [[noreturn]] void refuse_partial(std::uintmax_t size) const;
   /// Flushes, syncs, renames onto the target and syncs its folder. Throws Error(io).
   void commit();

@@ -7,8 +7,8 @@
 
 namespace fieldfab {
 
-/// Writes to a PendingFile from its beginning, and seeks in what was written. Throws Error(io), which a stream lets pass where its
-/// exceptions() have badbit.
+/// Writes to a PendingFile from its beginning, and seeks in what was written. Throws Error(io), which a stream lets
+/// pass where its exceptions() have badbit.
 class FileBuffer final : public std::streambuf {
  public:
   explicit FileBuffer(PendingFile& file) : file_(file) {}
