@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 #include "fieldfab/model/script.h"
 #include "verbs.h"
 
@@ -20,7 +21,7 @@ class EditVerb final : public Verb {
     verb_->add_option("MODEL", file_, "a .frep, .math, .vm, .py or .asdf file; a .py script is run")->required();
   }
   Outcome run(Progress& /*progress*/) override {
-    if (!std::filesystem::is_regular_file(file_)) throw Error(ErrorKind::io, file_, "there is no such file");
+    require_regular_file(file_);
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr &&
         std::getenv("QT_QPA_PLATFORM") == nullptr)
       throw Error(ErrorKind::bad_input, "edit", "there is no screen to show a window on");

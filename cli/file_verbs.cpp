@@ -27,8 +27,6 @@ bool is_one_of(const std::string& extension, std::initializer_list<const char*> 
   return std::find(known.begin(), known.end(), extension) != known.end();
 }
 
-std::string extension_of(const std::string& path) { return std::filesystem::path(path).extension().string(); }
-
 class RenderVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
@@ -260,7 +258,10 @@ class ConvertVerb final : public Verb {
       write_mesh(mesh, options_.output, progress);
       return outcome;
     }
-    if (is_volume_path(options_.model) && is_one_of(to, {".nrrd", ".mha", ".nii", ".gz"})) {
+    if (is_one_of(to, {".nrrd", ".mha", ".nii", ".nii.gz"})) {
+      if (!is_volume_path(options_.model))
+        throw Error(ErrorKind::bad_input, options_.output,
+                    fmt::format("only a volume can be written as '{}', and {} is none", to, options_.model));
       const ScanOptions scan = options_.scan.parsed();
       VolumePtr volume = open_volume(options_.model, scan.file, progress);
       write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
@@ -284,7 +285,7 @@ class ConvertVerb final : public Verb {
     }
     if (to != ".asdf" && !is_mesh_extension(to))
       throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}' yet; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj "
+                  fmt::format("there is no writer for '{}'; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj "
                               ".3mf, and .nrrd .mha .nii .nii.gz for volumes",
                               to));
     const Box bounds = working_bounds(model, options_.region(), progress);

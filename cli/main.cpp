@@ -2,26 +2,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <cstdio>
+#include <algorithm>
 #include <new>
+#include <sstream>
+#include <system_error>
 
+#include "ending.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/openscad/design.h"
+#include "streams.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
 namespace {
-
-enum ExitCode { done = 0, check_failed = 1, bad_input = 2, internal_error = 3, cancelled = 130 };
-
-Progress* running = nullptr;
-void on_interrupt(int) {
-  if (running != nullptr) running->cancel();
-}
 
 int exit_code(ErrorKind kind) {
   switch (kind) {
@@ -32,34 +28,40 @@ int exit_code(ErrorKind kind) {
 }
 
 int complain(int code, const std::string& message) {
-  fmt::print(stderr, "fieldfab: {}\n", printable(message));
+  tell({"fieldfab: ", printable(message), "\n"});
   return code;
 }
 
 /// Reports progress on one line that is written over and over, to terminals only unless forced.
 class ProgressLine {
  public:
-  explicit ProgressLine(bool wanted) : wanted_(wanted) {}
+  void show(bool wanted) { wanted_ = wanted; }
   void operator()(double fraction, const std::string& message) {
     const int percent = static_cast<int>(100 * fraction);
     if (!wanted_ || (percent == percent_ && message == message_)) return;
     percent_ = percent;
     message_ = message;
-    fmt::print(stderr, "\r\033[K{:3d}% {}", percent, message);
-    std::fflush(stderr);
+    tell({fmt::format("\r\033[K{:3d}% ", percent), message});
     shown_ = true;
   }
-  void clear() {
-    if (shown_) fmt::print(stderr, "\r\033[K");
+  void clear() const {
+    if (shown_) tell({"\r\033[K"});
   }
 
  private:
-  bool wanted_, shown_ = false;
+  bool wanted_ = false, shown_ = false;
   int percent_ = -1;
   std::string message_;
 };
 
-int run(int argc, char** argv) {
+/// The one line, or the one object, that a verb comes to.
+std::string text_of(const Outcome& outcome, bool json) {
+  if (!json) return outcome.line + "\n";
+  // Names of files may hold any bytes, JSON only UTF-8.
+  return outcome.json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
   CLI::App app{
       "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
       "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design (.scad .csg) "
@@ -87,33 +89,39 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-    return complain(bad_input, std::string(error.what()) + " (see fieldfab --help)");
+    if (error.get_exit_code() != 0) throw Error(ErrorKind::bad_input, "", std::string(error.what()) + " (see fieldfab --help)");
+    std::ostringstream text;  // of --help and --version
+    app.exit(error, text, text);
+    answer(text.str());
+    return done;
   }
-
-  try {
-    frep::set_default_evaluator(frep::evaluator_named(evaluator));
-  } catch (const Error& error) {
-    return complain(bad_input, error.what());
-  }
+  frep::set_default_evaluator(frep::evaluator_named(evaluator));
   openscad::add_model_readers();
   const ThreadLimit limit(threads);
-  ProgressLine line(show_progress || ::isatty(STDERR_FILENO) != 0);
-  Progress progress(std::ref(line));
-  running = &progress;
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  line.show(show_progress || ::isatty(STDERR_FILENO) != 0);
+  const auto chosen = std::find_if(verbs.begin(), verbs.end(), [](const auto& verb) { return verb->chosen(); });
+  const Outcome outcome = (*chosen)->run(progress);
+  line.clear();
+  answer(text_of(outcome, json));
+  return outcome.code;
+}
+
+/// Runs the command; tells what went wrong.
+int guarded(int argc, char** argv) {
+  ProgressLine line;
   int code = internal_error;
   std::string complaint;
   try {
-    for (const auto& verb : verbs)
-      if (verb->chosen()) {
-        const Outcome outcome = verb->run(progress);
-        line.clear();
-        fmt::print("{}\n", json ? outcome.json.dump() : outcome.line);
-        if (std::fflush(stdout) != 0) return complain(bad_input, "cannot write to the standard output");
-        return outcome.code;
-      }
+    Progress progress(std::ref(line));
+    Ending ending(progress);
+    try {
+      code = run(argc, argv, line, progress);
+      ending.settle();
+      return code;
+    } catch (...) {
+      ending.settle();
+      throw;
+    }
   } catch (const Error& error) {
     code = exit_code(error.kind());
     complaint = error.what();
@@ -121,8 +129,11 @@ int run(int argc, char** argv) {
     code = bad_input;
     complaint = fmt::format("{}: {}", error.path1().string(), error.code().message());
   } catch (const std::bad_alloc&) {
-    code = bad_input;
-    complaint = "there is not enough memory for this";
+    line.clear();
+    tell({"fieldfab: there is not enough memory for this\n"});  // without asking for any
+    return internal_error;
+  } catch (const std::system_error& error) {  // no thread, for instance
+    complaint = fmt::format("the system refuses: {}", error.code().message());
   } catch (const std::exception& error) {
     complaint = fmt::format("internal error: {}", error.what());
   }
@@ -133,4 +144,12 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace fieldfab::cli
 
-int main(int argc, char** argv) { return fieldfab::cli::run(argc, argv); }
+int main(int argc, char** argv) {
+  fieldfab::cli::open_closed_streams();
+  try {
+    return fieldfab::cli::guarded(argc, argv);
+  } catch (const std::bad_alloc&) {  // for the words of a complaint
+    fieldfab::cli::tell({"fieldfab: there is not enough memory for this\n"});
+    return fieldfab::cli::internal_error;
+  }
+}

@@ -8,6 +8,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/openscad/bridge.h"
+#include "streams.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -53,7 +54,7 @@ class OpenscadVerb final : public Verb {
   }
 
   [[noreturn]] void watch(openscad::CacheReport report, Progress& progress) const {
-    fmt::print(stderr, "fieldfab: watching {}; Ctrl-C ends\n", file_);
+    tell({"fieldfab: watching ", printable(file_), "; Ctrl-C ends\n"});
     for (Times before = times_of(report.sources);;) {
       progress.check();
       std::this_thread::sleep_for(std::chrono::milliseconds(90));
@@ -63,10 +64,10 @@ class OpenscadVerb final : public Verb {
       try {
         report = round(progress);
         before = times_of(report.sources);
-        fmt::print(stderr, "fieldfab: {} made, {} kept\n", report.made, report.kept);
+        tell({fmt::format("fieldfab: {} made, {} kept\n", report.made, report.kept)});
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
-        fmt::print(stderr, "fieldfab: {}\n", printable(error.what()));  // the next save may mend it
+        tell({"fieldfab: ", printable(error.what()), "\n"});  // the next save may mend it
       }
     }
   }

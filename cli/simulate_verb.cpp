@@ -14,15 +14,11 @@
 #include "fieldfab/core/text.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/mesh/mesh_field.h"
+#include "streams.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 class SimulateVerb final : public Verb {
  public:
@@ -77,19 +73,18 @@ class SimulateVerb final : public Verb {
  private:
   /// What is to be written, before the work: a wrong name is told of at once.
   void check_outputs() const {
-    const auto extension = [](const std::string& path) { return std::filesystem::path(path).extension().string(); };
-    if (!output_.empty() && extension(output_) != ".asdf" && !is_mesh_extension(lower(extension(output_))))
+    if (!output_.empty() && extension_of(output_) != ".asdf" && !is_mesh_extension(extension_of(output_)))
       throw Error(ErrorKind::bad_input, output_,
-                  fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .asdf", extension(output_)));
+                  fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .asdf", extension_of(output_)));
     for (const std::string& path : reports_)
-      if (extension(path) != ".json" && extension(path) != ".html")
+      if (extension_of(path) != ".json" && extension_of(path) != ".html")
         throw Error(ErrorKind::bad_input, path, "a report is a .html or a .json file");
-    if (!picture_.empty() && extension(picture_) != ".png")
+    if (!picture_.empty() && extension_of(picture_) != ".png")
       throw Error(ErrorKind::bad_input, picture_, "a picture of a stock is a .png");
   }
 
   void write_stock(const cam::Simulation& simulation, Progress& progress) const {
-    if (!output_.ends_with(".asdf")) return cam::write_stock_mesh(simulation, output_, progress);
+    if (extension_of(output_) != ".asdf") return cam::write_stock_mesh(simulation, output_, progress);
     const FieldPtr solid = mesh_field(simulation.mesh(), progress);
     const double cell = simulation.stock().lattice().spacing().minCoeff();
     const auto asdf = Asdf::build(*solid, simulation.mesh().bounds().grown(2 * cell), {cell, -1, true}, progress);
@@ -99,13 +94,13 @@ class SimulateVerb final : public Verb {
   [[nodiscard]] Outcome report(const cam::Simulation& simulation, Progress& progress) const {
     const cam::SimulationReport& r = simulation.report();
     for (const cam::ReadingNote& note : r.notes)
-      fmt::print(stderr, "fieldfab: note: {}:{}: {}\n", program_, note.line, printable(note.message));
+      tell({"fieldfab: note: ", printable(fmt::format("{}:{}: {}", program_, note.line, note.message)), "\n"});
     for (const cam::SimulationEvent& e : r.events)
-      fmt::print(stderr, "fieldfab: {}:{}: {}: {}\n", program_, e.line, cam::to_string(e.kind), printable(e.message));
+      tell({"fieldfab: ", printable(fmt::format("{}:{}: {}: {}", program_, e.line, cam::to_string(e.kind), e.message)), "\n"});
     Outcome outcome;
     outcome.json = nlohmann::ordered_json::parse(cam::to_json(r, false));
     for (const std::string& path : reports_)
-      if (path.ends_with(".html"))
+      if (extension_of(path) == ".html")
         cam::write_html_report(simulation, path, progress);
       else
         write_file(path, cam::to_json(r, true));

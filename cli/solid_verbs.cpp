@@ -107,7 +107,7 @@ class MeshVerb final : public Verb {
     verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
-    if (const std::string extension = std::filesystem::path(options_.output).extension().string(); !is_mesh_extension(extension))
+    if (const std::string extension = extension_of(options_.output); !is_mesh_extension(extension))
       throw Error(ErrorKind::bad_input, options_.output,
                   fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
     const Stopwatch clock;

@@ -12,6 +12,9 @@
 
 namespace fieldfab::cli {
 
+/// The end of a file's name that tells its format, in lower case: ".stl", ".nii.gz".
+std::string extension_of(const std::filesystem::path& path);
+
 /// What a verb came to: one line for people, the same for programs, and the exit code.
 struct Outcome {
   std::string line;

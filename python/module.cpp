@@ -1,5 +1,8 @@
+#include <variant>
+
 #include "bindings.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/openscad/design.h"
@@ -47,6 +50,13 @@ PYBIND11_MODULE(_core, module) {
         limit = std::make_unique<ThreadLimit>(threads);
       },
       py::arg("threads"), "Use at most this many threads from now on; 0 means all cores.");
+  module.def(
+      "write_file",
+      [](const std::filesystem::path& path, const std::variant<py::bytes, std::string>& data) {
+        std::visit([&](const auto& bytes) { write_file(path, std::string_view(bytes)); }, data);
+      },
+      py::arg("filename"), py::arg("data"),
+      "Writes bytes, or text as UTF-8, whole or not at all: beside the file, synced, then put in its place.");
   bind_expressions(module);
   bind_fields(module);
   bind_results(module);

@@ -5,7 +5,6 @@ come in here: commands/scans.py runs them, once their user has said so."""
 
 import os
 import pathlib
-import tempfile
 
 import FreeCAD
 
@@ -228,9 +227,7 @@ def _text_of(filename):
 
 
 def _write_text(filename, text):
-    with tempfile.NamedTemporaryFile("w", encoding="utf-8", dir=os.path.dirname(os.path.abspath(filename)), delete=False) as file:
-        file.write(text if text.endswith("\n") else text + "\n")
-    os.replace(file.name, filename)
+    kernel.write_file(filename, text if text.endswith("\n") else text + "\n")
 
 
 def _ending(filename):

@@ -21,6 +21,15 @@ def load():
     return fieldfab
 
 
+def write_file(path, data):
+    """Writes bytes, or text as UTF-8, whole or not at all. Raises OSError."""
+    fieldfab = load()
+    try:
+        fieldfab.write_file(path, data)
+    except fieldfab.Error as error:
+        raise OSError(str(error)) from None
+
+
 _threads = 0  # that the kernel was told
 
 

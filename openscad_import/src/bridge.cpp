@@ -124,6 +124,8 @@ class Cache {
     const TriangleMesh made = contour(*model.field, bounds, {voxel, -1, true}, progress_);
     if (made.triangles.empty()) fail(request, "there is no solid");
     std::filesystem::create_directories(folder_);
+    // The note of an older mesh must not be there with this one, even if the power fails between the two.
+    if (std::filesystem::exists(note)) write_file(note, "");
     write_mesh(made, mesh, progress_);
     write_file(note, content);
     ++report_.made;
@@ -143,11 +145,11 @@ class Cache {
     if (request.kind == "file") {
       const std::filesystem::path path = source(request);
       report_.sources.push_back(path);
-      if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "there is no such file");
       content += path.string();
-      if (std::filesystem::is_regular_file(path))
+      if (!std::filesystem::is_directory(path)) {
+        require_regular_file(path);
         content += fingerprint(read_file(path));
-      else
+      } else
         for (const auto& entry : std::filesystem::directory_iterator(path)) {  // a folder of slices
           const auto time = std::filesystem::last_write_time(entry).time_since_epoch().count();
           content += fmt::format("{} {} ", entry.path().filename().string(), time);
@@ -264,8 +266,20 @@ class Cache {
 
 }  // namespace
 
+namespace {
+
+/// A message that names the file that is wanted, not the one it was written to first.
+std::string with_name(std::string message, const std::filesystem::path& temporary, const std::filesystem::path& wanted) {
+  const std::string name = std::filesystem::absolute(temporary).string();
+  for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))
+    message.replace(at, name.size(), wanted.string());
+  return message;
+}
+
+}  // namespace
+
 CacheReport refresh_cache(const std::filesystem::path& design, Progress& progress) {
-  if (!std::filesystem::is_regular_file(design)) throw Error(ErrorKind::io, design.string(), "there is no such file");
+  require_regular_file(design);
   const std::filesystem::path library = std::filesystem::absolute(design).parent_path() / "fieldfab.scad";
   if (!std::filesystem::exists(library) && read_file(design).find("fieldfab.scad") != std::string::npos)
     write_file(library, library_text());
@@ -276,7 +290,14 @@ CacheReport refresh_cache(const std::filesystem::path& design, Progress& progres
 }
 
 void export_design(const std::filesystem::path& design, const std::filesystem::path& output, Progress& progress) {
-  run_openscad(design, output, progress);
+  PendingFile file(output);
+  try {
+    run_openscad(design, file.temporary(), progress);
+  } catch (const Error& error) {
+    throw Error(error.kind(), "", with_name(error.what(), file.temporary(), output));
+  }
+  if (std::filesystem::is_empty(file.temporary())) throw Error(ErrorKind::io, output.string(), "OpenSCAD wrote nothing");
+  file.commit();
 }
 
 }  // namespace fieldfab::openscad

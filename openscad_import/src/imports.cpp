@@ -128,7 +128,7 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
 }
 
 Polyhedron import_mesh(const std::filesystem::path& file, Progress& progress) {
-  if (!std::filesystem::is_regular_file(file)) throw Error(ErrorKind::io, file.string(), "there is no such file");
+  require_regular_file(file);
   const std::string extension = lower_extension(file);
   if (is_mesh_extension(extension)) return to_polyhedron(load_mesh(file, progress).mesh);
   if (extension != ".amf" && extension != ".nef3")
@@ -146,7 +146,7 @@ Polyhedron import_mesh(const std::filesystem::path& file, Progress& progress) {
 }
 
 Polyhedron surface(const std::filesystem::path& file, bool centre, bool invert) {
-  if (!std::filesystem::is_regular_file(file)) throw Error(ErrorKind::io, file.string(), "there is no such file");
+  require_regular_file(file);
   const auto rows = lower_extension(file) == ".png" ? heights_of_picture(file, invert) : heights_of_text(file);
   if (rows.size() < 2 || rows.front().size() < 2) return {};
   const std::size_t lines = rows.size(), columns = rows.front().size();

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fieldfab/core/progress.h"
+#include "fieldfab/core/temporary.h"
 
 namespace fieldfab::openscad {
 
@@ -13,13 +15,10 @@ namespace fieldfab::openscad {
 class TemporaryFolder {
  public:
   TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::filesystem::path& path() const { return folder_->path(); }
 
  private:
-  std::filesystem::path path_;
+  std::optional<Temporary> folder_;
 };
 
 /// Runs the installed `openscad` to make `output` of `input`, and waits. Returns what it said. Throws bad_input with its message

@@ -9,6 +9,7 @@ Each process makes the blocks of some layers of the volume; put together they ar
 import argparse
 import os
 import pathlib
+import signal
 import sys
 import tempfile
 
@@ -92,4 +93,5 @@ def main(arguments=None):
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))  # so that the folder of parts goes
     sys.exit(main())

@@ -223,9 +223,19 @@ class View(QtWidgets.QWidget):
         elif event.key() == QtCore.Qt.Key_S and self.image is not None:
             name, _ = QtWidgets.QFileDialog.getSaveFileName(self, "Save the picture", "", "PNG (*.png)")
             if name:
-                self.image.save(name)
+                self.save(name)
         else:
             super().keyPressEvent(event)
+
+    def save(self, name):
+        """Writes the picture as PNG, whole or not at all."""
+        buffer = QtCore.QBuffer()
+        buffer.open(QtCore.QIODevice.WriteOnly)
+        self.image.save(buffer, "PNG")
+        try:
+            ff.write_file(name, bytes(buffer.data()))
+        except ff.Error as error:
+            self.set_error(str(error))
 
 
 class Window(QtWidgets.QMainWindow):

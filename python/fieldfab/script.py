@@ -4,8 +4,10 @@ The solid is the script's variable `solid` or, where there is none, the last sha
 standard error. The answer is "ok" and a .vm program, or "error", the line and a message.
 """
 
+import ctypes
 import os
 import runpy
+import signal
 import sys
 import traceback
 
@@ -46,7 +48,14 @@ def answer(path):
     return "ok\n" + solid.vm()
 
 
+def end_with_parent():
+    """Has this process killed when the one that started it ends, even if that is killed itself."""
+    PR_SET_PDEATHSIG = 1
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
 if __name__ == "__main__":
+    end_with_parent()
     with os.fdopen(os.dup(1), "w") as out:
         os.dup2(2, 1)
         sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[1])))

@@ -104,7 +104,4 @@ def _copy(obj, source, path):
         raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
     with open(source, "rb") as file:
         data = file.read()
-    with tempfile.NamedTemporaryFile(dir=os.path.dirname(os.path.abspath(path)), delete=False) as out:
-        out.write(data)
-    os.chmod(out.name, 0o644)
-    os.replace(out.name, path)
+    kernel.write_file(path, data)

@@ -144,8 +144,7 @@ class CheckPanel:
         path = QtWidgets.QFileDialog.getSaveFileName(self.form, tr("Save table"), f"{self.obj.Label}.csv", kinds)[0]
         if path:
             try:
-                with open(path, "w", encoding="utf-8", newline="") as file:
-                    file.write(self.text())
+                kernel.write_file(path, self.text())
             except OSError as error:
                 self._failed(error)
 

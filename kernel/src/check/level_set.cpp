@@ -13,7 +13,7 @@
 
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/file.h"
+#include "fieldfab/core/file_buffer.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
@@ -30,6 +30,11 @@ struct Cube {
   openvdb::Coord lower;
   int level;
   FieldPtr field;
+};
+
+/// Writes what openvdb::io::File does; that class opens files by name, and does not tell when a disk is full.
+struct Archive : openvdb::io::Archive {
+  using openvdb::io::Archive::write;
 };
 
 }  // namespace
@@ -167,15 +172,12 @@ void LevelSet::save(const std::filesystem::path& path) const {
   grid->transform().postTranslate({vdb_->origin.x(), vdb_->origin.y(), vdb_->origin.z()});
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
   grid->setName("surface");
-  PendingFile pending(path);
-  try {
-    openvdb::io::File file(pending.temporary().string());
-    file.write({grid});
-    file.close();
-  } catch (const std::exception& error) {
-    throw Error(ErrorKind::io, path.string(), std::string("cannot write: ") + error.what());
-  }
-  pending.commit();
+  PendingFile file(path);
+  FileBuffer buffer(file);
+  std::ostream stream(&buffer);
+  stream.exceptions(std::ios::badbit);
+  Archive().write(stream, openvdb::GridPtrVec{grid}, true);
+  file.commit();
 }
 
 void write_vdb(const Field& solid, const Box& bounds, double voxel, const std::filesystem::path& path, Progress& progress) {

@@ -10,22 +10,20 @@
 #include <cstring>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 
 namespace fieldfab {
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  require_regular_file(path);
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat status {};
   if (descriptor < 0 || ::fstat(descriptor, &status) != 0) {
     const int why = errno;
     if (descriptor >= 0) ::close(descriptor);
     throw Error(ErrorKind::io, path.string(), fmt::format("cannot read: {}", std::strerror(why)));
   }
-  if (S_ISDIR(status.st_mode)) {
-    ::close(descriptor);
-    throw Error(ErrorKind::io, path.string(), "is a folder, not a file");
-  }
-  size_ = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+  size_ = static_cast<std::size_t>(status.st_size);
   if (size_ > 0) bytes_ = ::mmap(nullptr, size_, PROT_READ, MAP_SHARED, descriptor, 0);
   const int why = errno;
   ::close(descriptor);

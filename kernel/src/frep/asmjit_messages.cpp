@@ -1,18 +1,18 @@
 // Debian's libasmjit.a is made for programs: its messages reach for stderr in a way that a shared library cannot. These take
 // their place, so that the linker leaves that part of it out.
 #include <asmjit/core.h>
-#include <fmt/format.h>
 
+#include <cstdio>
 #include <cstdlib>
 
 ASMJIT_BEGIN_SUB_NAMESPACE(DebugUtils)
 
 const char* errorAsString(Error /*err*/) noexcept { return "asmjit could not make the code"; }
 
-void debugOutput(const char* str) noexcept { fmt::print(stderr, "{}", str); }
+void debugOutput(const char* str) noexcept { std::fputs(str, stderr); }
 
 void assertionFailed(const char* file, int line, const char* msg) noexcept {
-  fmt::print(stderr, "{}:{}: {}\n", file, line, msg);
+  std::fprintf(stderr, "%s:%d: %s\n", file, line, msg);
   std::abort();
 }
 

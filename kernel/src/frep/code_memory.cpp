@@ -1,9 +1,9 @@
 #include "code_memory.h"
 
-#include <fmt/format.h>
 #include <sys/mman.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <mutex>
 
@@ -13,8 +13,9 @@ namespace {
 void say_once(const char* refused) {
   static std::once_flag said;
   std::call_once(said, [&] {
-    fmt::print(stderr, "fieldfab: no executable memory ({}: {}); formulas are interpreted instead\n", refused,
-               std::strerror(errno));
+    // Not fmt::print(), which throws where stderr is closed or full.
+    std::fprintf(stderr, "fieldfab: no executable memory (%s: %s); formulas are interpreted instead\n", refused,
+                 std::strerror(errno));
   });
 }
 

@@ -110,6 +110,11 @@ Model load_model(const std::filesystem::path& path, Scripts scripts, Progress& p
       mesh = closed_by(lids, mesh);
       model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", path.filename().string(), lids.rims,
                                         lids.rims == 1 ? "rim is" : "rims are", lids.area));
+    } else if (!lids.triangles.empty()) {
+      model.notes.push_back(
+          fmt::format("{} is open, and lids cannot close it: what is inside is found by winding numbers, which "
+                      "takes long",
+                      path.filename().string()));
     }
     model.field = mesh_field(mesh, progress);
     model.bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);

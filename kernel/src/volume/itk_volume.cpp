@@ -280,15 +280,30 @@ VolumePtr open_meta(const Path& path) {
   if (data_file.empty()) refuse(path, "does not tell where its samples are (ElementDataFile)");
   const bool local = data_file == "LOCAL" || data_file == "Local" || data_file == "local";
   const double mm = mm_of(unit, path);
-  if (compressed || data_file.find('%') != std::string::npos || data_file == "LIST") return read_whole(*io, path, {mm, mm});
-  Units{mm, mm}.apply(lattice);
+  const bool several = data_file.find('%') != std::string::npos || data_file == "LIST";
   const Path data = local ? path : Path(data_file).is_absolute() ? Path(data_file) : path.parent_path() / data_file;
+  if (!several) require_regular_file(data);
+  if (compressed || several) return read_whole(*io, path, {mm, mm});
+  Units{mm, mm}.apply(lattice);
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
     header = std::max<long long>(
         0, static_cast<long long>(std::filesystem::file_size(data)) - static_cast<long long>(lattice.count() * size_of(type)));
   RawLayout layout{lattice, type, big_endian,
                    local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
   return open_samples(data, layout);
+}
+
+/// NrrdIO opens the file of the samples with the header's, where that is another one.
+void require_nrrd_samples(const Path& path) {
+  std::ifstream text(path, std::ios::binary);
+  for (std::string line; std::getline(text, line) && !line.empty() && line.size() < 4096;)
+    for (const std::string_view key : {"data file:", "datafile:"}) {
+      if (!line.starts_with(key)) continue;
+      line.erase(0, line.find_first_not_of(" \t", key.size()));
+      line.erase(line.find_last_not_of(" \t\r") + 1);
+      if (!line.empty() && line.find('%') == std::string::npos && !line.starts_with("LIST"))
+        require_regular_file(path.parent_path() / line);
+    }
 }
 
 /// Slices in files of their own, through GDCM.
@@ -328,10 +343,10 @@ bool is_dicom(const Path& path) {
 }
 
 VolumePtr open_with_itk(const Path& path) {
-  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
+    require_nrrd_samples(path);
     const auto io = opened<itk::NrrdImageIO>(path, "NRRD");
     return read_whole(*io, path, units_of_nrrd(path));
   }
@@ -417,6 +432,24 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
   return stack_of(std::move(slices), paths, lattice);
 }
 
+namespace {
+
+/// Whether a file that was just written holds these samples. MetaIO, NrrdIO and nifti_clib do not tell when a disk is full.
+bool holds(const Path& path, const std::vector<float>& densities) {
+  try {
+    const VolumePtr written = open_with_itk(path);
+    if (written->lattice().count() != densities.size()) return false;
+    std::vector<float> read(densities.size());
+    written->read(0, written->lattice().size[2], read.data());
+    return std::memcmp(read.data(), densities.data(), densities.size() * sizeof(float)) == 0;
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::too_large) throw;
+    return false;
+  }
+}
+
+}  // namespace
+
 void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   const std::vector<float> densities = read_all(volume, progress);
@@ -424,14 +457,17 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   itk::ImageIOBase::Pointer io;
   if (extension == ".nrrd") io = itk::NrrdImageIO::New().GetPointer();
   if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();
-  if (extension == ".nii" || extension == ".gz") io = itk::NiftiImageIO::New().GetPointer();
+  if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii"))
+    io = itk::NiftiImageIO::New().GetPointer();
   if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
-  // ITK tells formats by the whole extension.
-  const Path made = extension == ".gz" ? Path(file.temporary().string() + ".nii.gz") : file.temporary();
+  const std::size_t bytes = densities.size() * sizeof(float);
+  const bool compressed = extension != ".mha" && extension != ".nii";
+  if (!compressed) file.require_room(bytes);  // nifti_clib complains on stderr
   const Hushed hushed;
+  bool complete = false;
   try {
-    io->SetFileName(made.string());
+    io->SetFileName(file.temporary().string());
     io->SetNumberOfDimensions(3);
     io->SetNumberOfComponents(1);
     io->SetPixelType(itk::IOPixelEnum::SCALAR);
@@ -445,15 +481,14 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
       io->SetDirection(axis, std::vector<double>{lattice.axes(0, a), lattice.axes(1, a), lattice.axes(2, a)});
       all.SetSize(axis, static_cast<std::size_t>(lattice.size[axis]));
     }
-    io->SetUseCompression(extension != ".mha");
+    io->SetUseCompression(compressed);
     io->SetIORegion(all);
     io->Write(densities.data());
-    if (made != file.temporary()) std::filesystem::rename(made, file.temporary());
-  } catch (const itk::ExceptionObject& error) {
-    std::error_code ignored;
-    if (made != file.temporary()) std::filesystem::remove(made, ignored);
-    throw Error(ErrorKind::io, path.string(), "cannot write: " + said(error));
+    progress.check();
+    complete = holds(file.temporary(), densities);
+  } catch (const itk::ExceptionObject&) {  // its message names the file's temporary name and places in ITK
   }
+  if (!complete) file.refuse_partial(bytes);
   file.commit();
 }
 

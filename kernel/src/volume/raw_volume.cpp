@@ -184,9 +184,7 @@ std::optional<std::array<double, 3>> three_numbers(std::string_view text) {
 VolumePtr open_samples(const Path& path, const RawLayout& layout) {
   const auto& n = layout.lattice.size;
   const std::size_t expected = sample_count({n[0], n[1], n[2]}, path) * size_of(layout.type);
-  if (std::error_code none; !std::filesystem::exists(path, none))
-    throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
-  if (!std::filesystem::is_regular_file(path)) throw Error(ErrorKind::io, path.string(), "is no regular file");
+  require_regular_file(path);
   const std::uint64_t there = std::filesystem::file_size(path);
   if (layout.skip > there || there - layout.skip != expected)
     refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there, n[0], n[1],
@@ -247,8 +245,6 @@ VolumePtr open_raw(const Path& path, const VolumeFileOptions& options) {
 
   const NameHints hints = hints_in(path);
   const auto size = options.size ? options.size : hints.size;
-  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
-  if (std::filesystem::is_directory(path)) throw Error(ErrorKind::io, path.string(), "is a folder, not a file");
   if (!size) refuse(path, "does not tell its size: give --dims X,Y,Z, or a name such as scan_256x256x128_uint16.raw");
   RawLayout layout;
   layout.lattice.size = *size;

@@ -29,10 +29,7 @@ TiffFile open_tiff(const Path& path) {
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   TiffFile file(TIFFOpen(path.c_str(), "rm"), &TIFFClose);
-  if (!file) {
-    if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
-    refuse(path, "is no TIFF file, or a damaged one");
-  }
+  if (!file) refuse(path, "is no TIFF file, or a damaged one");
   return file;
 }
 

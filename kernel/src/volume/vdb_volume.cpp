@@ -12,7 +12,6 @@ namespace fieldfab {
 
 VolumePtr open_vdb(const Path& path) {
   openvdb::initialize();
-  if (!std::filesystem::exists(path)) throw Error(ErrorKind::io, path.string(), "cannot read: there is no such file");
   openvdb::FloatGrid::Ptr grid;
   try {
     // A stream that throws at its end: OpenVDB's own goes on after it, and takes memory for what is not there.

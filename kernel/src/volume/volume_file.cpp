@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "fieldfab/core/file.h"
 #include "readers.h"
 
 namespace fieldfab {
@@ -131,6 +132,7 @@ VolumePtr open_folder(const Path& folder, const VolumeFileOptions& options, Prog
 
 VolumePtr open_as_is(const Path& path, const VolumeFileOptions& options, Progress& progress) {
   if (std::filesystem::is_directory(path)) return open_folder(path, options, progress);
+  require_regular_file(path);
   const std::string extension = extension_of(path);
   if (is_one_of(extension, {".raw", ".vol"})) return open_raw(path, options);
   if (extension == ".vgi") return open_vgi(path, options);
