@@ -79,7 +79,7 @@ void HiddenParts::search(const Field& field, const HeightMap& heights, int left,
       const Box top = above(heights, left, low, right, high, static_cast<double>(most) + coarse_slack_);
       return top.valid() && !holds_nothing(here.field->restricted(top, Purpose::occupancy).range);
     };
-    if (plane.known || stands_out()) visit({left, low, here.field});
+    if (plane.known || stands_out()) visit({left, low, here.field, plane.known});
     return;
   }
   const int u = (left + right + 1) / 2, v = (low + high + 1) / 2;

@@ -12,6 +12,7 @@ namespace fieldfab::cam {
 struct SuspectSquare {
   int column, row;
   FieldPtr field;  ///< good over the square, within the bounds from its lowest sample on
+  bool slopes;     ///< whether it tells its slopes: then what stands there is found, however thin
 };
 
 /// Searches for what stands between the samples of a lattice, from the heights sampled up to the top of a box.

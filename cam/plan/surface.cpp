@@ -151,7 +151,10 @@ class SurfaceSampler {
       hidden_.search(field_, fine, 0, 0, fine.width - 1, fine.height - 1, [&](const SuspectSquare& square) {
         const Box box = hidden_.above(fine, square.column, square.row, square.column + 1, square.row + 1,
                                       top_of(fine, square.column, square.row) + slack());
-        if (box.valid()) raise(square.column, square.row, HiddenParts::highest(*square.field, box));
+        if (!box.valid()) return;
+        // The intervals alone of a Field that tells no slopes are too loose to keep the tool off.
+        const HiddenParts::Top top = HiddenParts::highest(*square.field, box);
+        if (square.slopes || top.sure) raise(square.column, square.row, top);
       });
     }
     fine = std::move(raised);

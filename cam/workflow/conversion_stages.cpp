@@ -23,15 +23,18 @@ Setting cell_setting() {
   return above_zero(number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
 }
 
-/// Squares are halved as long as they miss what is narrower.
+/// Squares are halved until they miss nothing. Where that is to no avail the outline of the cell asked for is taken, and a note
+/// tells what it lacks.
 Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double z, Context& context) {
   constexpr int halvings = 4;
   MissedParts missed;
   Loops loops = contours(*solid.field, bounds, {cell, z}, missed, context.progress);
-  for (int i = 0; i < halvings && missed.lost > 0; ++i) {
-    cell /= 2;
-    loops = contours(*solid.field, bounds, {cell, z}, missed, context.progress);
+  MissedParts left = missed;
+  for (int i = 1; i <= halvings && left.lost > 0; ++i) {
+    Loops finer = contours(*solid.field, bounds, {std::ldexp(cell, -i), z}, left, context.progress);
+    if (left.lost == 0) loops = std::move(finer);
   }
+  if (left.lost == 0) missed = left;
   if (missed.any())
     context.notes.push_back(
         fmt::format("the outline {} parts narrower than {:.2g} mm, for example at x {:.2f}, y {:.2f}: give a smaller cell",
