@@ -1,6 +1,6 @@
 """Calls that fail one after another, and losses of power at any moment: what was there stays, or what is new is whole.
 
-FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 12 where it is not
+FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where it is not
 set."""
 
 import os
@@ -12,7 +12,7 @@ import pytest
 from conftest import BUILD
 from files_writing_test import OLD, inputs
 
-KILLS = int(os.environ.get("FIELDFAB_KILLS", "12"))
+KILLS = int(os.environ.get("FIELDFAB_KILLS", "6"))
 COMMANDS = {
     "mesh": ("mesh ball.frep -o OUT --voxel 0.5", "made.stl"),
     "build": ("build ball.frep -o OUT --voxel 0.5", "made.asdf"),
