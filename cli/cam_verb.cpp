@@ -24,7 +24,7 @@ class CamVerb final : public Verb {
   }
 
   Outcome run(Progress& progress) override {
-    cam::Job job = cam::Job::read(job_, progress);
+    cam::Job job = cam::Job::read(job_, progress, openscad::all_formats());
     if (plan_) return {job.plan(), {{"plan", job.plan()}}, 0};
     if (output_.empty()) throw Error(ErrorKind::bad_input, "-o", "name the program to write, or ask for --plan");
     job.run(progress);

@@ -8,7 +8,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/model/script.h"
+#include "fieldfab/solid/script.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {

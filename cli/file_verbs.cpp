@@ -10,7 +10,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
@@ -47,10 +47,10 @@ class RenderVerb final : public Verb {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
     RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
-    const Model model = options_.load(progress);
+    const Solid solid = options_.open_solid(progress);
     const Box bounds =
-        settings.mode == RenderMode::bitmap ? plane_bounds(model, progress) : working_bounds(model, options_.region(), progress);
-    const Image image = render(*model.field, bounds, settings, progress);
+        settings.mode == RenderMode::bitmap ? plane_bounds(solid, progress) : working_bounds(solid, options_.region(), progress);
+    const Image image = render(*solid.field, bounds, settings, progress);
     write_png(image, options_.output);
     Outcome outcome;
     outcome.line = fmt::format("{}: {} x {} pixels, {}", options_.output, image.width, image.height, mode_);
@@ -64,9 +64,9 @@ class RenderVerb final : public Verb {
 
  private:
   /// A bitmap needs x and y only: it shows the plane z = z0, and z = 0 of a solid whose bounds are found.
-  Box plane_bounds(const Model& model, Progress& progress) const {
+  Box plane_bounds(const Solid& solid, Progress& progress) const {
     if (const auto wanted = options_.region()) return *wanted;
-    const SolidBounds found = solid_bounds(*model.field, progress);
+    const SolidBounds found = solid_bounds(*solid.field, progress);
     if (found.empty) throw Error(ErrorKind::bad_input, "bounds", "the solid is empty");
     if (!found.bounded[0] || !found.bounded[1])
       throw Error(ErrorKind::bad_input, "bounds", "the solid is unbounded along x or y; give bounds x0,y0,z0,x1,y1,z1");
@@ -96,36 +96,63 @@ class InfoVerb final : public Verb {
     if (extension == ".png") return image_info();
     if (extension == ".asdf") return asdf_info(*Asdf::load(file_));
     if (is_volume_path(file_)) return volume_info(progress);
-    const Model model = load_model(file_, Scripts::run, progress);
-    return model.kind == "design" ? design_info(model, progress) : frep_info(model, progress);
+    OpenSettings settings;
+    settings.scripts = Scripts::run;
+    settings.formats = &openscad::all_formats();
+    const Model model = open_model(file_, settings, progress);
+    print_notes(model.notes);
+    if (model.parts.size() > 1 || !model.parts.front().name.empty()) return parts_info(model, progress);
+    const Solid& solid = model.parts.front();
+    return solid.kind == "design" ? design_info(solid, model.notes, progress) : frep_info(solid, progress);
   }
 
  private:
-  Outcome frep_info(const Model& model, Progress& progress) const {
-    const std::size_t nodes = frep::node_count(*model.expression),
-                      simplified = frep::node_count(frep::simplify(*model.expression));
-    const SolidBounds found = solid_bounds(*model.field, progress);
-    Outcome outcome;
-    outcome.json = {{"file", file_}, {"kind", model.kind}, {"nodes", nodes}, {"simplified", simplified}};
-    std::string bounds;
-    if (found.empty) {
-      bounds = "empty";
-      outcome.json["bounds"] = nullptr;
-    } else {
-      auto ranges = nlohmann::ordered_json::array();
-      for (int axis = 0; axis < 3; ++axis) {
-        const char name = "xyz"[axis];
-        if (found.bounded[axis])
-          ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
-        else
-          ranges.push_back(nullptr);
-        bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
-                                      : fmt::format(" {} unbounded", name);
-      }
-      outcome.json["bounds"] = ranges;
+  Outcome parts_info(const Model& model, Progress& progress) const {
+    Outcome outcome{fmt::format("{}: {} parts", file_, model.parts.size()), {{"file", file_}, {"kind", "parts"}}, 0};
+    auto parts = nlohmann::ordered_json::array();
+    for (const Solid& solid : model.parts) {
+      Outcome part;
+      const SolidBounds found = solid_bounds(*solid.field, progress);
+      const std::string bounds = tell_bounds(found, part);
+      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + "," : "", bounds);
+      tell_measures(*solid.field, found, part, progress);
+      part.json["name"] = solid.name;
+      part.json["colour"] = solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr;
+      outcome.line += part.line;
+      parts.push_back(std::move(part.json));
     }
+    outcome.json["parts"] = std::move(parts);
+    return outcome;
+  }
+  /// The bounds as a line, and in the outcome's JSON.
+  static std::string tell_bounds(const SolidBounds& found, Outcome& outcome) {
+    if (found.empty) {
+      outcome.json["bounds"] = nullptr;
+      return "empty";
+    }
+    std::string bounds;
+    auto ranges = nlohmann::ordered_json::array();
+    for (int axis = 0; axis < 3; ++axis) {
+      const char name = "xyz"[axis];
+      if (found.bounded[axis])
+        ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
+      else
+        ranges.push_back(nullptr);
+      bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                                    : fmt::format(" {} unbounded", name);
+    }
+    outcome.json["bounds"] = ranges;
+    return bounds;
+  }
+  Outcome frep_info(const Solid& solid, Progress& progress) const {
+    const std::size_t nodes = frep::node_count(solid.expression),
+                      simplified = frep::node_count(frep::simplify(solid.expression));
+    const SolidBounds found = solid_bounds(*solid.field, progress);
+    Outcome outcome;
+    outcome.json = {{"file", file_}, {"kind", solid.kind}, {"nodes", nodes}, {"simplified", simplified}};
+    const std::string bounds = tell_bounds(found, outcome);
     outcome.line = fmt::format("{}: f-rep, {} nodes ({} simplified), {}", file_, nodes, simplified, bounds);
-    tell_measures(*model.field, found, outcome, progress);
+    tell_measures(*solid.field, found, outcome, progress);
     return outcome;
   }
   /// Volume and area, where the solid has a thickness and an end.
@@ -136,20 +163,20 @@ class InfoVerb final : public Verb {
     outcome.line += ", " + measures.text();
     outcome.json.update(json_of(measures));
   }
-  Outcome design_info(const Model& model, Progress& progress) const {
-    print_notes(model.notes);
-    const SolidBounds found = solid_bounds(*model.field, progress);
+  Outcome design_info(const Solid& solid, const std::vector<std::string>& notes, Progress& progress) const {
+    const SolidBounds found = solid_bounds(*solid.field, progress);
     const Vec3 &a = found.box.lower, &b = found.box.upper;
     const bool flat = !found.bounded[2];
+    const auto formula = std::dynamic_pointer_cast<const OpenedSolid>(solid.expression.source());
     Outcome outcome;
-    outcome.json = {{"file", file_}, {"kind", model.kind}, {"flat", flat}, {"formula", model.expression.has_value()}};
+    outcome.json = {{"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
-    outcome.json["notes"] = model.notes;
+    outcome.json["notes"] = notes;
     outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_, flat ? "flat" : "solid",
                                a.x(), b.x(), a.y(), b.y());
     if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
-    tell_measures(*model.field, found, outcome, progress);
+    tell_measures(*solid.field, found, outcome, progress);
     return outcome;
   }
   Outcome asdf_info(const Asdf& asdf) const {
@@ -268,47 +295,54 @@ class ConvertVerb final : public Verb {
       return outcome;
     }
     const bool to_text = is_one_of(to, {".math", ".vm", ".frep", ".dot"});
-    const Model model = to_text && is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.load(progress);
-    if (to == ".math" || to == ".vm" || to == ".frep" || to == ".dot") {
-      if (!model.expression || options_.thickness)
-        throw Error(ErrorKind::bad_input, options_.model, "only an f-rep text or an OpenSCAD design can be written as a text");
-      write_file(options_.output, to == ".math"  ? frep::print_math(*model.expression)
-                                  : to == ".vm"  ? frep::print_vm(*model.expression)
-                                  : to == ".dot" ? frep::print_dot(*model.expression)
-                                                 : frep::print_infix(*model.expression));
+    if (to_text) {
+      if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
+      write_file(options_.output, text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
       return outcome;
     }
-    if (to == ".vdb") {
-      const Box bounds = working_bounds(model, options_.region(), progress);
-      write_vdb(*model.field, bounds, options_.cell(bounds, model), options_.output, progress);
-      return outcome;
-    }
-    if (to != ".asdf" && !is_mesh_extension(to))
+    const Formats& formats = openscad::all_formats();
+    if (to != ".vdb" && to != ".asdf" && !is_mesh_extension(to))
       throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}'; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj "
-                              ".3mf, and .nrrd .mha .nii .nii.gz for volumes",
-                              to));
-    const Box bounds = working_bounds(model, options_.region(), progress);
-    const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);
-    if (to == ".asdf")
-      Asdf::build(*model.field, bounds, {cell, max_error, true}, progress)->save(options_.output);
+                  fmt::format("there is no writer for '{}'; known are {} .asdf .vdb {}, and .nrrd .mha .nii .nii.gz for volumes",
+                              to, formats.writable(FormatKind::formula), formats.writable(FormatKind::mesh)));
+    const Solid solid = options_.open_solid(progress);
+    if (to != ".asdf" && to != ".vdb") {
+      Resolution wanted = options_.wanted();
+      wanted.exact = false;
+      write_mesh(surface(solid, wanted, progress).mesh, options_.output, progress);
+      return outcome;
+    }
+    const Box bounds = working_bounds(solid, options_.region(), progress);
+    const double cell = options_.cell(bounds, solid);
+    if (to == ".vdb")
+      write_vdb(*solid.field, bounds, cell, options_.output, progress);
     else
-      write_mesh(contour(*model.field, bounds, {cell, max_error, true}, progress), options_.output, progress);
+      Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)->save(options_.output);
     return outcome;
   }
 
  private:
+  [[nodiscard]] std::string text_of(const Model& model, const std::string& form) const {
+    const std::filesystem::path folder = std::filesystem::absolute(options_.output).parent_path();
+    if (form == ".frep") return print_model(model, folder);
+    const frep::Expression expression = united(model).expression;
+    if (frep::has_opened(expression))
+      throw Error(ErrorKind::bad_input, options_.model,
+                  fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
+    return form == ".math" ? frep::print_math(expression)
+           : form == ".vm" ? frep::print_vm(expression)
+                           : frep::print_dot(expression);
+  }
+
   /// An OpenSCAD design as one expression. Throws bad_input where it has none.
   [[nodiscard]] Model design_as_formula(Progress& progress) const {
     const std::filesystem::path path = options_.model;
-    const openscad::Design design =
+    const auto design =
         openscad::make_design(openscad::read_tree(path, progress), path.parent_path(), {options_.smooth, true}, progress);
-    if (!design.formula) throw Error(ErrorKind::bad_input, options_.model, "the design is empty");
-    print_notes(design.notes);
+    if (!design->formula) throw Error(ErrorKind::bad_input, options_.model, "the design is empty");
+    print_notes(design->notes);
     Model model;
-    model.kind = "design";
-    model.field = design.field;
-    model.expression = frep::simplify(*design.formula);
+    model.parts.push_back(solid_of(frep::simplify(*design->formula)));
     return model;
   }
 

@@ -96,7 +96,6 @@ int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
     return done;
   }
   frep::set_default_evaluator(frep::evaluator_named(evaluator));
-  openscad::add_model_readers();
   const ThreadLimit limit(threads);
   line.show(show_progress || ::isatty(STDERR_FILENO) != 0);
   const auto chosen = std::find_if(verbs.begin(), verbs.end(), [](const auto& verb) { return verb->chosen(); });

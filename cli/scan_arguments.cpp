@@ -2,29 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 #include "fieldfab/core/error.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
 namespace {
-
-/// Numbers apart by commas, as many as `count`.
-template <class Number, std::size_t count>
-std::array<Number, count> numbers(const std::string& text, const char* option) {
-  std::array<Number, count> found{};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto [next, failure] = std::from_chars(at, end, found[i]);
-    const bool separated = next < end && (*next == ',' || *next == 'x');
-    if (failure != std::errc{} || (i + 1 < count ? !separated : next != end))
-      throw Error(ErrorKind::bad_input, option, fmt::format("expected {} numbers apart by commas, found '{:.60}'", count, text));
-    at = next + 1;
-  }
-  return found;
-}
 
 /// 2G, 512M, 100000K or bytes.
 std::size_t bytes(const std::string& text) {
@@ -67,27 +50,29 @@ void ScanArguments::declare(CLI::App& verb) {
   verb.add_option("--memory", memory, "memory that reading may take, such as 2G")->capture_default_str()->group(group);
 }
 
+std::vector<frep::OpenOption> ScanArguments::options() const {
+  std::vector<frep::OpenOption> given;
+  for (const auto& [name, text] : {std::pair("threshold", &threshold), {"dims", &size}, {"type", &type},
+                                   {"byte_order", &byte_order}, {"spacing", &spacing}, {"series", &series}, {"crop", &crop},
+                                   {"denoise", &denoise}}) {
+    if (text->empty()) continue;
+    double number = 0;  // a plain number stays one in texts
+    const auto [end, failure] = std::from_chars(text->data(), text->data() + text->size(), number);
+    if (failure == std::errc{} && end == text->data() + text->size() && std::isfinite(number))
+      given.push_back({name, number});
+    else
+      given.push_back({name, *text});
+  }
+  for (const auto& [name, flag] : {std::pair("below", below), {"keep_largest", keep_largest}, {"fill_holes", fill_holes}})
+    if (flag) given.push_back({name, 1.0});
+  if (skip) given.push_back({"skip", static_cast<double>(*skip)});
+  if (least_island) given.push_back({"min_island", *least_island});
+  if (least_hole) given.push_back({"min_hole", *least_hole});
+  return given;
+}
+
 ScanOptions ScanArguments::parsed() const {
-  ScanOptions options;
-  if (!size.empty()) options.file.size = numbers<int, 3>(size, "--dims");
-  if (!type.empty()) {
-    options.file.type = sample_type(type);
-    if (!options.file.type) throw Error(ErrorKind::bad_input, "--type", fmt::format("'{:.40}' is no type of sample", type));
-  }
-  if (!byte_order.empty()) options.file.big_endian = byte_order == "big";
-  options.file.skip = skip;
-  if (!spacing.empty()) {
-    const auto mm = numbers<double, 3>(spacing, "--spacing");
-    options.file.spacing = Vec3(mm[0], mm[1], mm[2]);
-  }
-  options.file.series = series;
-  if (!crop.empty()) options.crop = numbers<int, 6>(crop, "--crop");
-  options.clean.denoise = Denoising::parse(denoise);
-  options.clean.keep_largest = keep_largest;
-  options.clean.least_island = least_island;
-  options.clean.least_hole = fill_holes ? std::optional(std::numeric_limits<double>::infinity()) : least_hole;
-  options.threshold = ThresholdRule::parse(threshold);
-  options.below = below;
+  ScanOptions options = scan_options(this->options());
   options.memory = bytes(memory);
   return options;
 }

@@ -52,8 +52,13 @@ class SimulateVerb final : public Verb {
 
   Outcome run(Progress& progress) override {
     check_outputs();
-    cam::SimulationSetup setup = cam::read_simulation_setup(setup_, progress);
-    if (!target_.empty()) setup.target = load_model(target_, Scripts::run, progress).field;
+    cam::SimulationSetup setup = cam::read_simulation_setup(setup_, progress, openscad::all_formats());
+    if (!target_.empty()) {
+      OpenSettings settings;
+      settings.scripts = Scripts::run;
+      settings.formats = &openscad::all_formats();
+      setup.target = united(open_model(target_, settings, progress)).field;
+    }
     if (cell_) setup.sampling.cell = *cell_;
     if (gouge_) setup.gouge = *gouge_;
     if (colours_ == "deviation" && !setup.target)

@@ -6,7 +6,9 @@
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/mesh/mesh_parts.h"
+#include "fieldfab/solid/scan_solid.h"
 #include "json.h"
 #include "verbs.h"
 
@@ -44,11 +46,11 @@ class BuildVerb final : public Verb {
   Outcome run(Progress& progress) override {
     if (options_.takes_samples()) return import(progress);
     const Stopwatch clock;
-    const Model model = options_.load(progress);
-    const Box bounds = working_bounds(model, options_.region(), progress);
+    const Solid solid = options_.open_solid(progress);
+    const Box bounds = working_bounds(solid, options_.region(), progress);
     const auto asdf =
-        Asdf::build(*model.field, bounds, {options_.cell(bounds, model), options_.max_error.value_or(-1), true}, progress);
-    const Certainty certainty = certainty_of_cells(*model.field, bounds, asdf->voxel(), progress);
+        Asdf::build(*solid.field, bounds, {options_.cell(bounds, solid), options_.max_error.value_or(-1), true}, progress);
+    const Certainty certainty = certainty_of_cells(*solid.field, bounds, asdf->voxel(), progress);
     asdf->save(options_.output, file_, progress);
     const AsdfStatistics counts = asdf->statistics();
     const auto& n = asdf->lattice();
@@ -103,48 +105,87 @@ class MeshVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("mesh", "make a watertight triangle mesh of a solid");
-    options_.declare(*verb_, "the mesh to write: .stl .ply .off .obj .3mf");
+    options_.declare(*verb_, "the mesh to write: " + openscad::all_formats().writable(FormatKind::mesh));
     verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
-    if (const std::string extension = extension_of(options_.output); !is_mesh_extension(extension))
+    const Formats& formats = openscad::all_formats();
+    const Format* const format = formats.find(options_.output);
+    if (format == nullptr || format->kind != FormatKind::mesh || !format->writes)
       throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
+                  fmt::format("cannot write a mesh as '{}'; known are {}", extension_of(options_.output),
+                              formats.writable(FormatKind::mesh)));
     const Stopwatch clock;
-    const Model model = options_.load(progress);
-    std::optional<TriangleMesh> faces;
-    if (model.faces && !options_.region()) faces = model.faces(options_.thickness, progress);
-    const Box bounds = faces ? faces->bounds() : working_bounds(model, options_.region(), progress);
-    const double cell = options_.cell(bounds, model);
-    ContourMesh mesh;
-    if (faces)
-      static_cast<TriangleMesh&>(mesh) = std::move(*faces);
-    else
-      mesh = contour(*model.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress);
-    const Certainty& certainty = mesh.certainty;
-    if (mesh.triangles.empty() && !options_.region())
-      throw Error(ErrorKind::bad_input, options_.model,
-                  certainty.certain() ? "the solid is empty, and no mesh was written"
-                                      : "no surface was found, and no mesh was written; " + certainty.text());
-    write_mesh(mesh, options_.output, progress);
+    Model model = options_.open(progress);
+    const bool apart = keeps_parts(options_.output);
+    if (model.parts.size() > 1 && !apart) model = {{united(model)}, {}};
     Outcome outcome;
-    outcome.line =
-        fmt::format("{}: {} triangles, {} vertices, volume {:.6g} mm3, {}, {:.2f} s", options_.output, mesh.triangles.size(),
-                    mesh.vertices.size(), mesh.volume(), faces ? "exact faces" : certainty.text(), clock.seconds());
-    outcome.json = {{"output", options_.output},
-                    {"triangles", mesh.triangles.size()},
-                    {"vertices", mesh.vertices.size()},
-                    {"volume", mesh.volume()},
-                    {"area", mesh.area()},
-                    {"voxel", cell},
-                    {"exact", faces.has_value()},
-                    {"bounds", json_of(bounds)},
-                    {"seconds", clock.seconds()}};
-    tell_certainty(certainty, certain_, outcome);
+    const std::vector<MeshPart> parts = surfaces_of(model, outcome, progress);
+    if (parts.size() == 1 && parts.front().name.empty() && !parts.front().colour)
+      write_mesh(parts.front().mesh, options_.output, progress);
+    else
+      write_mesh_parts(parts, options_.output, progress);
+    outcome.line = fmt::format("{}: {}{}, {:.2f} s", options_.output,
+                               parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", outcome.line, clock.seconds());
+    outcome.json["seconds"] = clock.seconds();
     return outcome;
   }
 
  private:
+  /// Whether a format holds parts apart; the others get one mesh of all, so that it is valid where parts touch or overlap.
+  static bool keeps_parts(const std::string& path) {
+    const std::string extension = extension_of(path);
+    return extension == ".3mf" || extension == ".obj" || extension == ".glb";
+  }
+
+  /// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
+  std::vector<MeshPart> surfaces_of(const Model& model, Outcome& outcome, Progress& progress) const {
+    const Resolution wanted = options_.wanted();
+    std::vector<MeshPart> parts;
+    std::size_t triangles = 0, vertices = 0;
+    double volume = 0, area = 0;
+    bool exact = true;
+    Certainty certainty;
+    Box bounds;
+    double voxel = 0;
+    auto described = nlohmann::ordered_json::array();
+    for (const Solid& solid : model.parts) {
+      Surface made = surface(solid, wanted, progress);
+      const TriangleMesh& mesh = made.mesh;
+      const std::string place = model.parts.size() > 1 ? fmt::format("{}: part '{}'", options_.model, solid.name) : options_.model;
+      if (mesh.triangles.empty() && !wanted.region) {
+        const std::string found = made.mesh.certainty.certain() ? "the solid is empty" : "no surface was found";
+        const std::string more = made.mesh.certainty.certain() ? "" : "; " + made.mesh.certainty.text();
+        if (model.parts.size() == 1)
+          throw Error(ErrorKind::bad_input, place, found + ", and no mesh was written" + more);
+        print_notes({place + ": " + found + more});
+        continue;
+      }
+      described.push_back({{"name", solid.name},
+                           {"colour", solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr},
+                           {"triangles", mesh.triangles.size()},
+                           {"volume", mesh.volume()},
+                           {"area", mesh.area()},
+                           {"bounds", json_of(mesh.bounds())},
+                           {"certain", made.mesh.certainty.certain()}});
+      triangles += mesh.triangles.size(), vertices += mesh.vertices.size();
+      volume += mesh.volume(), area += mesh.area();
+      exact = exact && made.exact;
+      bounds = parts.empty() ? made.region : hull(bounds, made.region);
+      voxel = parts.empty() ? made.voxel : std::min(voxel, made.voxel);
+      certainty.add(made.mesh.certainty);
+      parts.push_back({std::move(made.mesh), solid.name, solid.colour});
+    }
+    if (parts.empty()) throw Error(ErrorKind::bad_input, options_.model, "all parts are empty, and no mesh was written");
+    outcome.line = fmt::format("{} triangles, {} vertices, volume {:.6g} mm3, {}", triangles, vertices, volume,
+                               exact ? "exact faces" : certainty.text());
+    outcome.json = {{"output", options_.output}, {"triangles", triangles}, {"vertices", vertices}, {"volume", volume},
+                    {"area", area},              {"voxel", voxel},         {"exact", exact},       {"bounds", json_of(bounds)}};
+    if (model.parts.size() > 1) outcome.json["parts"] = described;
+    tell_certainty(certainty, certain_, outcome);
+    return parts;
+  }
+
   ModelOptions options_;
   bool certain_ = false;
 };
@@ -159,13 +200,41 @@ class CheckVerb final : public Verb {
   }
   Outcome run(Progress& progress) override {
     const Stopwatch clock;
-    Model model = options_.load(progress);
-    const std::optional<double> plate = options_.make_plate_if_flat(model, progress);
-    const Box bounds = working_bounds(model, options_.region(), progress, EmptySolid::allowed);
-    const double cell = options_.cell(bounds, model);
-    const CheckReport report = check(*model.field, bounds, {cell, options_.max_error.value_or(-1), seed_}, progress);
+    Model model = options_.open(progress);
     Outcome outcome;
-    outcome.json = {{"model", options_.model}, {"passed", report.passed()}, {"voxel", cell}, {"bounds", json_of(bounds)}};
+    bool passed = true;
+    auto described = nlohmann::ordered_json::array();
+    for (Solid& solid : model.parts) {
+      const Outcome of_part = check_solid(solid, progress);
+      passed = passed && of_part.code == 0;
+      if (model.parts.size() > 1) outcome.line += fmt::format("part '{}'\n", solid.name);
+      outcome.line += of_part.line;
+      described.push_back(of_part.json);
+      described.back()["name"] = solid.name;
+    }
+    if (model.parts.size() == 1) {
+      outcome.json = {{"model", options_.model}};
+      described.front().erase("name");
+      outcome.json.update(described.front());
+    } else {
+      outcome.json = {{"model", options_.model}, {"passed", passed}, {"parts", described}};
+      tell_overlaps(model, outcome, progress);
+    }
+    outcome.json["seconds"] = clock.seconds();
+    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, passed ? "all bounds hold" : "A BOUND IS BROKEN",
+                                clock.seconds());
+    outcome.code = passed ? 0 : 1;
+    return outcome;
+  }
+
+ private:
+  Outcome check_solid(Solid& solid, Progress& progress) {
+    const std::optional<double> plate = options_.make_plate_if_flat(solid, progress);
+    const Box bounds = working_bounds(solid, options_.region(), progress, EmptySolid::allowed);
+    const double cell = options_.cell(bounds, solid);
+    const CheckReport report = check(*solid.field, bounds, {cell, options_.max_error.value_or(-1), seed_}, progress);
+    Outcome outcome;
+    outcome.json = {{"passed", report.passed()}, {"voxel", cell}, {"bounds", json_of(bounds)}};
     if (plate) {
       outcome.json["plate"] = *plate;
       outcome.line += fmt::format("flat: checked as a plate {:.4g} mm thick, in cells of {:.4g} mm\n", *plate, cell);
@@ -182,14 +251,29 @@ class CheckVerb final : public Verb {
     outcome.line += fmt::format("the mesh is {}\n", report.certainty.text());
     outcome.json["measures"] = json_of(report.measures);
     outcome.line += fmt::format("the solid has {}\n", report.measures.text());
-    outcome.json["seconds"] = clock.seconds();
-    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, report.passed() ? "all bounds hold" : "A BOUND IS BROKEN",
-                                clock.seconds());
     outcome.code = report.passed() ? 0 : 1;
     return outcome;
   }
 
- private:
+  /// Tells which parts overlap, and by how much at least: by volumes that are proved.
+  void tell_overlaps(const Model& model, Outcome& outcome, Progress& progress) const {
+    auto overlaps = nlohmann::ordered_json::array();
+    std::vector<Box> bounds;
+    for (const Solid& solid : model.parts)
+      bounds.push_back(working_bounds(solid, options_.region(), progress, EmptySolid::allowed));
+    for (std::size_t i = 0; i < model.parts.size(); ++i)
+      for (std::size_t j = i + 1; j < model.parts.size(); ++j) {
+        const Box common{bounds[i].lower.cwiseMax(bounds[j].lower), bounds[i].upper.cwiseMin(bounds[j].upper)};
+        if (!(common.size().minCoeff() > 0)) continue;
+        const Measures shared = measure(*intersect(model.parts[i].field, model.parts[j].field), common, {}, progress);
+        if (!(shared.volume.lower > 0)) continue;
+        const std::string &a = model.parts[i].name, &b = model.parts[j].name;
+        outcome.line += fmt::format("parts '{}' and '{}' overlap by at least {:.4g} mm3\n", a, b, shared.volume.lower);
+        overlaps.push_back({{"parts", {a, b}}, {"volume", {shared.volume.lower, shared.volume.upper}}});
+      }
+    outcome.json["overlaps"] = overlaps;
+  }
+
   ModelOptions options_;
   std::uint32_t seed_ = 1;
 };

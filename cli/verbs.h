@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "fieldfab/core/progress.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/openscad/design.h"
+#include "fieldfab/solid/open.h"
+#include "fieldfab/solid/surface.h"
 
 namespace fieldfab::cli {
 
@@ -30,13 +32,15 @@ struct ScanArguments {
   bool below = false, keep_largest = false, fill_holes = false;
 
   void declare(CLI::App& verb);
-  /// Throws bad_input for text that means nothing.
+  /// What was given, by the names that open() has.
+  [[nodiscard]] std::vector<frep::OpenOption> options() const;
+  /// The same for a volume that is read here. Throws bad_input for text that means nothing.
   [[nodiscard]] ScanOptions parsed() const;
 };
 
 /// Options that every verb on a MODEL takes.
 struct ModelOptions {
-  std::string model, output;
+  std::string model, output, part;
   std::optional<double> resolution, voxel, max_error, thickness;
   std::string bounds;
   int level = 0;
@@ -47,13 +51,17 @@ struct ModelOptions {
   void declare(CLI::App& verb, const std::string& output_help);
   /// The region asked for. Throws bad_input for text that is not six numbers.
   [[nodiscard]] std::optional<Box> region() const;
-  /// Loads the model, or runs it where it is a script; a flat one is given --thickness.
-  [[nodiscard]] Model load(Progress& progress) const;
-  /// Makes a plate of a model that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
-  /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the model was left alone.
-  std::optional<double> make_plate_if_flat(Model& loaded, Progress& progress);
-  /// The smallest cell, mm: as asked for, or as the file has it, or 1/128 of the longest side.
-  [[nodiscard]] double cell(const Box& bounds, const Model& loaded) const;
+  /// Opens the model, or runs it where it is a script; keeps the part wanted; flat ones are given --thickness.
+  [[nodiscard]] Model open(Progress& progress) const;
+  /// The same as one solid.
+  [[nodiscard]] Solid open_solid(Progress& progress) const { return united(open(progress)); }
+  /// Makes a plate of a solid that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
+  /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the solid was left alone.
+  std::optional<double> make_plate_if_flat(Solid& solid, Progress& progress);
+  /// As asked for. Throws bad_input for what is not positive.
+  [[nodiscard]] Resolution wanted() const;
+  /// The smallest cell, mm: as asked for, or the solid's default.
+  [[nodiscard]] double cell(const Box& bounds, const Solid& solid) const;
   /// Whether the model is a volume to be taken sample by sample: no other lattice was asked for.
   [[nodiscard]] bool takes_samples() const;
   /// Throws bad_input unless `output` is given.

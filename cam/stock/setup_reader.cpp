@@ -13,7 +13,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 #include "workflow/toml_table.h"
 #include "workflow/tool_table.h"
 
@@ -34,10 +34,11 @@ bool stops(const Machine& machine, const std::string& text) {
 
 class SetupReader {
  public:
-  SetupReader(const std::filesystem::path& path, FieldPtr part, Progress& progress)
+  SetupReader(const std::filesystem::path& path, FieldPtr part, Progress& progress, const Formats& formats)
       : path_(path),
         part_(std::move(part)),
         progress_(progress),
+        formats_(formats),
         text_(read_file(path, 16 << 20)),
         table_(TomlTable::parse(text_, path.string())) {}
 
@@ -79,7 +80,7 @@ class SetupReader {
   static double default_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
 
   void read_job() {
-    const Job job = Job::parse(text_, path_, part_, progress_);
+    const Job job = Job::parse(text_, path_, part_, progress_, formats_);
     setup_.machine = job.machine();
     setup_.stock_box = job.stock();
     setup_.zero = zero_of(job);
@@ -182,8 +183,11 @@ class SetupReader {
   /// A model with its bounds, or those that the table gives.
   std::pair<FieldPtr, Box> read_model(const TomlTable& table) {
     const std::string name = *table.text("model");
-    const Model model = load_model(beside(name), Scripts::refused, progress_);
-    FieldPtr field = model.field;
+    OpenSettings settings;
+    settings.formats = &formats_;
+    const Model model = open_model(beside(name), settings, progress_);
+    const auto part = table.text("part");
+    FieldPtr field = part ? part_of(model, *part, table.place("part")).field : united(model).field;
     if (const auto move = table.list("move")) field = translate(field, vector(table, "move", *move));
     Box box;
     if (const auto given = table.list("bounds")) {
@@ -304,6 +308,7 @@ class SetupReader {
   std::filesystem::path path_;
   FieldPtr part_;  ///< of a job; null where it names its model
   Progress& progress_;
+  const Formats& formats_;
   std::string text_;
   TomlTable table_;
   SimulationSetup setup_;
@@ -311,12 +316,13 @@ class SetupReader {
 
 }  // namespace
 
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress) {
-  return SetupReader(path, nullptr, progress).read();
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress, const Formats& formats) {
+  return SetupReader(path, nullptr, progress, formats).read();
 }
 
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress) {
-  return SetupReader(path, std::move(part), progress).read();
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress,
+                                      const Formats& formats) {
+  return SetupReader(path, std::move(part), progress, formats).read();
 }
 
 }  // namespace fieldfab::cam

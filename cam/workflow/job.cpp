@@ -8,7 +8,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/render/render.h"
 

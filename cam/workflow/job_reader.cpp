@@ -11,7 +11,7 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 #include "sheet.h"
 #include "stages.h"
 #include "toml_table.h"
@@ -31,8 +31,8 @@ Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from,
 
 class JobReader {
  public:
-  JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress)
-      : path_(path), progress_(progress), table_(TomlTable::parse(toml, path.string())), given_(std::move(part)) {}
+  JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress, const Formats& formats)
+      : path_(path), progress_(progress), formats_(formats), table_(TomlTable::parse(toml, path.string())), given_(std::move(part)) {}
 
   Job read() {
     table_.only({"name", "machine", "material", "input", "stock", "tool", "operation", "setting"});
@@ -102,7 +102,7 @@ class JobReader {
     const auto input = table_.table("input");
     if (!input) throw refuse(table_, "", "a job needs an [input] with a model or an image");
     input->only(
-        {"model", "models", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
+        {"model", "models", "part", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
     if (const auto image = input->text("image")) {
       if (input->has("model")) throw refuse(*input, "image", "an input is a model or an image, not both");
       job_.input_ = read_png(beside(*image));
@@ -112,16 +112,23 @@ class JobReader {
   }
 
   Solid read_model(const TomlTable& input, const std::string& name) {
-    ScanOptions scan;
+    OpenSettings settings;
+    settings.formats = &formats_;
     if (const auto threshold = input.value("threshold")) {
       const double* const number = std::get_if<double>(&*threshold);
-      scan.threshold =
-          number != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *number} : ThresholdRule::parse(*input.text("threshold"));
+      settings.options = {number != nullptr ? frep::OpenOption{"threshold", *number}
+                                            : frep::OpenOption{"threshold", *input.text("threshold")}};
     }
     Solid solid;
     const double scale = input.number("scale").value_or(1);
     if (!(scale > 0)) throw refuse(input, "scale", "scale must be above 0");
-    solid.field = given_ && name.empty() ? given_ : load_model(beside(name), Scripts::refused, progress_, scan).field;
+    if (given_ && name.empty()) {
+      solid.field = given_;
+    } else {
+      const Model model = open_model(beside(name), settings, progress_);
+      const auto part = input.text("part");
+      solid.field = part ? part_of(model, *part, input.place("part")).field : united(model).field;
+    }
     if (scale != 1) solid.field = fieldfab::scale(solid.field, Vec3::Constant(scale));
     if (const auto turns = input.list("rotate")) {
       const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
@@ -392,6 +399,7 @@ class JobReader {
 
   std::filesystem::path path_;
   Progress& progress_;
+  const Formats& formats_;
   TomlTable table_;
   FieldPtr given_;  // the part, where it comes from no file
   std::vector<Tool> tools_;
@@ -411,12 +419,13 @@ class JobReader {
   Job job_;
 };
 
-Job Job::read(const std::filesystem::path& path, Progress& progress) {
-  return JobReader(read_file(path, 16 << 20), path, nullptr, progress).read();
+Job Job::read(const std::filesystem::path& path, Progress& progress, const Formats& formats) {
+  return JobReader(read_file(path, 16 << 20), path, nullptr, progress, formats).read();
 }
 
-Job Job::parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress) {
-  return JobReader(toml, path, std::move(part), progress).read();
+Job Job::parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress,
+               const Formats& formats) {
+  return JobReader(toml, path, std::move(part), progress, formats).read();
 }
 
 }  // namespace fieldfab::cam

@@ -14,7 +14,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/model/model.h"

@@ -11,8 +11,9 @@
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/contour/contour.h"
+#include "fieldfab/solid/open.h"
+#include "fieldfab/solid/surface.h"
 #include "fieldfab/openscad/design.h"
 #include "programs.h"
 
@@ -115,13 +116,12 @@ class Cache {
       ++report_.kept;
       return;
     }
-    Model model;
-    model.field = solid_of(request, node, model);
-    const Box bounds = working_bounds(model, wanted_bounds(request), progress_);
+    const fieldfab::Solid solid = solid_of(request, node);
+    const Box bounds = working_bounds(solid, wanted_bounds(request), progress_);
     double voxel = bounds.size().maxCoeff() / cells_a_side;
     if (const double* wanted = request.values[2].number()) voxel = *wanted;
     if (!(voxel > 0) || !std::isfinite(voxel)) fail(request, "voxel must be above 0 mm");
-    const TriangleMesh made = contour(*model.field, bounds, {voxel, -1, true}, progress_);
+    const TriangleMesh made = contour(*solid.field, bounds, {voxel, -1, true}, progress_);
     if (made.triangles.empty()) fail(request, "there is no solid");
     std::filesystem::create_directories(folder_);
     // The note of an older mesh must not be there with this one, even if the power fails between the two.
@@ -190,15 +190,14 @@ class Cache {
     return Box{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
   }
 
-  FieldPtr solid_of(const Request& request, const Node& node, Model& model) {
-    if (request.kind == "frep") return frep::make_field(frep::simplify(frep::parse_infix(decoded(request.values[0]), "frep")));
+  fieldfab::Solid solid_of(const Request& request, const Node& node) {
+    OpenSettings settings;
+    settings.formats = &all_formats();
+    if (request.kind == "frep")
+      return united(parse_model(decoded(request.values[0]), "frep", design_.parent_path(), settings, progress_));
     if (request.kind == "file") {
-      ScanOptions scan;
-      if (const double* threshold = request.values[1].number()) scan.threshold = {ThresholdRule::Kind::value, *threshold};
-      const std::filesystem::path path = source(request);
-      Model loaded = load_model(path, Scripts::refused, progress_, scan);
-      model.bounds = loaded.bounds;
-      return loaded.field;
+      if (const double* threshold = request.values[1].number()) settings.options = {{"threshold", *threshold}};
+      return united(open_model(source(request), settings, progress_));
     }
     const double* size = request.values[1].number();
     if (size == nullptr || !std::isfinite(*size)) fail(request, "its size must be a number of mm");
@@ -207,13 +206,13 @@ class Cache {
       Tree child;
       child.file = tree_.file;
       child = subtree(index);
-      const Design design = make_design(child, design_.parent_path(), {}, progress_);
-      report_.notes.insert(report_.notes.end(), design.notes.begin(), design.notes.end());
-      if (design.flat) fail(request, "takes solids, not flat shapes");
-      if (design.field != nullptr) solids.push_back(design.field);
+      const auto design = make_design(child, design_.parent_path(), {}, progress_);
+      report_.notes.insert(report_.notes.end(), design->notes.begin(), design->notes.end());
+      if (design->flat) fail(request, "takes solids, not flat shapes");
+      if (design->field != nullptr) solids.push_back(design->field);
     }
     if (solids.empty()) fail(request, "has no children");
-    return joined(request, solids, *size);
+    return fieldfab::solid_of(joined(request, solids, *size), "design");
   }
 
   /// What a module was given: OpenSCAD puts groups around what it hands on.

@@ -7,7 +7,8 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/solid/open.h"
 #include "programs.h"
 
 namespace fieldfab::openscad {
@@ -20,29 +21,6 @@ std::string lower_extension(const std::filesystem::path& path) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
-
-/// A Field that knows a box which holds it.
-class Boxed final : public Field {
- public:
-  Boxed(FieldPtr field, const Box& box) : field_(std::move(field)), box_(box) {}
-  void values(const Points& points, float* out) const noexcept override { field_->values(points, out); }
-  void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
-    field_->gradients(points, out, slopes);
-  }
-  [[nodiscard]] Interval interval(const Box& box) const noexcept override { return field_->interval(box); }
-  void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    field_->slopes(box, directions, out);
-  }
-  void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
-    field_->restrict_all(boxes, purpose, out);
-  }
-  [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
-  [[nodiscard]] std::size_t cost() const noexcept override { return field_->cost(); }
-
- private:
-  FieldPtr field_;
-  Box box_;
-};
 
 /// Cells that see what is thin, but not so many on its surface that it takes long.
 double voxel_for(double longest, double thinnest, double area) {
@@ -68,10 +46,14 @@ std::vector<int> dimensions_of(const Tree& tree) {
   return dimensions;
 }
 
-Design make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options, Progress& progress) {
+std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options,
+                                         Progress& progress) {
   Evaluator evaluator(tree, folder, options, progress);
   progress.report(0, "building the solid");
-  Design design;
+  auto made = std::make_shared<OpenedSolid>();
+  OpenedSolid& design = *made;
+  design.kind = "design";
+  std::optional<Box> bounds;
   const NodeIndex start = evaluator.start();
   // What single precision loses at the farthest corner, some times over.
   constexpr double loss = 1e-6;
@@ -108,7 +90,7 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
     if (box.size().minCoeff() > 0) {
       const double growth = loss * std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
       solid = solid_of(*part, {growth, growth, options.formulas_only, &progress});
-      design.bounds = box.grown(2 * growth);
+      bounds = box.grown(2 * growth);
       if (!options.smooth)
         design.faces = [part](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
           if (thickness) return std::nullopt;  // a slice of it
@@ -118,28 +100,26 @@ Design make_design(const Tree& tree, const std::filesystem::path& folder, const 
     }
   }
   design.notes = evaluator.notes();
-  if (solid.empty()) return design;
+  if (solid.empty()) return made;
   design.formula = solid.formula;
   design.field = solid.as_field();
-  if (design.bounds) design.field = std::make_shared<Boxed>(design.field, *design.bounds);
-  return design;
+  if (bounds) design.field = with_known_bounds(design.field, *bounds);
+  return made;
 }
 
-void add_model_readers() {
-  add_model_reader(
-      {{".scad", ".csg"}, [](const std::filesystem::path& path, Roundness roundness, Progress& progress) {
-         const Tree tree = read_tree(path, progress);
-         const Design design = make_design(tree, path.parent_path(), {roundness == Roundness::smooth, false}, progress);
-         if (design.field == nullptr) throw Error(ErrorKind::bad_input, path.string(), "the design is empty");
-         Model model;
-         model.kind = "design";
-         model.field = design.field;
-         model.expression = design.formula;
-         model.voxel = design.voxel;
-         model.faces = design.faces;
-         model.notes = design.notes;
-         return model;
-       }});
+const Formats& all_formats() {
+  static const Formats formats = kernel_formats().with(
+      {{{".scad", ".csg"},
+        FormatKind::design,
+        false,
+        "an OpenSCAD design; .scad needs OpenSCAD installed",
+        [](const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
+          const bool smooth = option_number(settings.options, "smooth", 0) != 0;
+          const auto design = make_design(read_tree(path, progress), path.parent_path(), {smooth, false}, progress);
+          if (design->field == nullptr) throw Error(ErrorKind::bad_input, path.string(), "the design is empty");
+          return model_of_file(design, path, settings);
+        }}});
+  return formats;
 }
 
 }  // namespace fieldfab::openscad

@@ -10,7 +10,7 @@
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 
 namespace {

@@ -15,7 +15,7 @@
 #include <random>
 
 #include "fieldfab/check/check.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/model/model.h"
 
 namespace {

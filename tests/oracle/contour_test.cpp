@@ -13,7 +13,7 @@
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 
 namespace fieldfab {
 namespace {

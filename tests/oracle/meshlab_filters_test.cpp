@@ -12,7 +12,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "filter.h"
 
 namespace fieldfab::meshlab {

@@ -9,7 +9,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 #include "fieldfab/volume/distances.h"
 #include "random_expression.h"

@@ -9,7 +9,7 @@
 #include "fieldfab/frep/opcode.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/volume/volume_field.h"
 #include "random_expression.h"

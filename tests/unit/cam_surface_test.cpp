@@ -10,7 +10,7 @@
 #include "fieldfab/cam/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab::cam {

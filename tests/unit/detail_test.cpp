@@ -1,5 +1,5 @@
 // Meshes that are finer where the eye is near.
-#include "fieldfab/mesh/detail.h"
+#include "fieldfab/contour/detail.h"
 
 #include <gtest/gtest.h>
 

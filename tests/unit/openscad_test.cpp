@@ -6,7 +6,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/openscad/design.h"
 
 namespace fieldfab::openscad {

@@ -13,7 +13,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/field/surface_distance.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/model/model.h"
 #include "fieldfab/volume/distances.h"
 

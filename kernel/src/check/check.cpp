@@ -12,7 +12,7 @@
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "level_set.h"
 #include "mesh_oracle.h"
 

@@ -35,6 +35,19 @@ std::string Certainty::text() const {
                             std::max(0.01, 1e-6 * wanted_triangles));
 }
 
+void Certainty::add(const Certainty& other) {
+  count += other.count;
+  largest = std::max(largest, other.largest);
+  thickness = std::max(thickness, other.thickness);
+  places.insert(places.end(), other.places.begin(), other.places.end());
+  if (places.size() > most_places) places.resize(most_places);
+  doubt = std::max(doubt, other.doubt);
+  finest = std::max(finest, other.finest);
+  wanted_voxel = wanted_voxel > 0 && other.wanted_voxel > 0 ? std::min(wanted_voxel, other.wanted_voxel)
+                                                            : std::max(wanted_voxel, other.wanted_voxel);
+  wanted_triangles += other.wanted_triangles;
+}
+
 void Certainty::gather(std::span<const UncertainCell> cells) {
   if (cells.empty()) {
     doubt = Doubt::none;

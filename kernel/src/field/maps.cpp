@@ -250,6 +250,10 @@ class Mapped final : public Field {
                                                    std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
     }
   }
+  [[nodiscard]] bool smooth() const noexcept override {
+    return a_->smooth() ||
+           std::any_of(coordinate_.begin(), coordinate_.end(), [](const FieldPtr& field) { return field->smooth(); });
+  }
   [[nodiscard]] std::size_t cost() const noexcept override {
     return a_->cost() + coordinate_[0]->cost() + coordinate_[1]->cost() + coordinate_[2]->cost();
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "chunk.h"
+#include "forwarding.h"
 #include "fieldfab/core/error.h"
 #include "interval_sums.h"
 
@@ -324,6 +325,15 @@ class BoxField final : public Field {
   Eigen::Vector3f lower_, upper_;
 };
 
+class Bounded final : public Forwarding {
+ public:
+  Bounded(FieldPtr field, const Box& bounds) : Forwarding(std::move(field)), bounds_(bounds) {}
+  [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
+
+ private:
+  Box bounds_;
+};
+
 }  // namespace
 
 FieldPtr unite(FieldPtr a, FieldPtr b) { return combined(std::move(a), std::move(b), Union{}); }
@@ -351,6 +361,8 @@ FieldPtr morph(FieldPtr a, FieldPtr b, double weight) {
 FieldPtr scaled_values(FieldPtr a, double factor) {
   return std::make_shared<Linear>(std::move(a), finite(factor, "scale"), 0.0F);
 }
+
+FieldPtr with_known_bounds(FieldPtr a, const Box& bounds) { return std::make_shared<Bounded>(std::move(a), bounds); }
 
 FieldPtr box_field(const Box& box) {
   if (!box.valid()) throw Error(ErrorKind::bad_input, "box", "the bounds must be finite and in order");

@@ -1,5 +1,6 @@
 #include "fieldfab/frep/expression.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <bit>
@@ -14,6 +15,12 @@
 
 namespace fieldfab::frep {
 
+/// What an `opened` node has beyond two arguments.
+struct Opened {
+  const Node* c;
+  SourcePtr source;
+};
+
 struct Node {
   Opcode op;
   double constant;
@@ -21,6 +28,10 @@ struct Node {
   const Node* b;
   std::size_t hash;
   mutable std::atomic<std::uint32_t> references{1};
+  std::unique_ptr<const Opened> opened;
+
+  [[nodiscard]] const Node* c() const { return opened == nullptr ? nullptr : opened->c; }
+  [[nodiscard]] const Source* source() const { return opened == nullptr ? nullptr : opened->source.get(); }
 };
 
 namespace {
@@ -35,10 +46,16 @@ struct Key {
   double constant;
   const Node* a;
   const Node* b;
+  const Node* c = nullptr;
+  SourcePtr source = nullptr;
   [[nodiscard]] std::size_t hash() const {
     std::size_t seed = mix(static_cast<std::size_t>(op), std::bit_cast<std::uint64_t>(constant));
     seed = mix(seed, reinterpret_cast<std::uintptr_t>(a));
     seed = mix(seed, reinterpret_cast<std::uintptr_t>(b));
+    if (source != nullptr) {
+      seed = mix(seed, reinterpret_cast<std::uintptr_t>(c));
+      seed = mix(seed, reinterpret_cast<std::uintptr_t>(source.get()));
+    }
     return seed ^ (seed >> 32);
   }
 };
@@ -54,7 +71,8 @@ struct EqualNode {
   bool operator()(const Node* one, const Node* other) const { return one == other; }
   bool operator()(const std::pair<Key, std::size_t>& key, const Node* node) const { return (*this)(node, key); }
   bool operator()(const Node* node, const std::pair<Key, std::size_t>& key) const {
-    return node->op == key.first.op && node->constant == key.first.constant && node->a == key.first.a && node->b == key.first.b;
+    return node->op == key.first.op && node->constant == key.first.constant && node->a == key.first.a && node->b == key.first.b &&
+           node->c() == key.first.c && node->source() == key.first.source.get();
   }
 };
 
@@ -70,9 +88,10 @@ class UniqueNodes {
       (*found)->references.fetch_add(1, std::memory_order_relaxed);
       return *found;
     }
-    const Node* node = new Node{key.op, key.constant, key.a, key.b, hash};
-    if (key.a != nullptr) key.a->references.fetch_add(1, std::memory_order_relaxed);
-    if (key.b != nullptr) key.b->references.fetch_add(1, std::memory_order_relaxed);
+    auto opened = key.source == nullptr ? nullptr : std::make_unique<const Opened>(Opened{key.c, key.source});
+    const Node* node = new Node{key.op, key.constant, key.a, key.b, hash, 1, std::move(opened)};
+    for (const Node* argument : {key.a, key.b, key.c})
+      if (argument != nullptr) argument->references.fetch_add(1, std::memory_order_relaxed);
     shard.nodes.insert(node);
     return node;
   }
@@ -86,6 +105,7 @@ class UniqueNodes {
       if (next == nullptr || !drop(next)) continue;
       falling.push_back(next->a);
       falling.push_back(next->b);
+      falling.push_back(next->c());
       delete next;
     }
   }
@@ -156,11 +176,18 @@ Expression Expression::make(Opcode op, const Expression& a, const Expression& b)
   return Expression(unique_nodes().find_or_make({op, 0, a.node_, b.node_}));
 }
 
+Expression Expression::opened(const SourcePtr& source, const Expression& x, const Expression& y, const Expression& z) {
+  if (source == nullptr || source->field == nullptr) throw Error(ErrorKind::internal, "Expression::opened", "there is no Field");
+  return Expression(unique_nodes().find_or_make({Opcode::opened, 0, x.node_, y.node_, z.node_, source}));
+}
+
+SourcePtr Expression::source() const { return node_->opened == nullptr ? nullptr : node_->opened->source; }
+
 Opcode Expression::opcode() const noexcept { return node_->op; }
 double Expression::constant() const noexcept { return node_->constant; }
 
 Expression Expression::argument(int index) const {
-  const Node* node = index == 0 ? node_->a : node_->b;
+  const Node* node = index == 0 ? node_->a : index == 1 ? node_->b : node_->c();
   node->references.fetch_add(1, std::memory_order_relaxed);
   return Expression(node);
 }
@@ -177,34 +204,49 @@ Flat flatten(const Expression& root) {
     }
     const bool wait_a = node->a != nullptr && !place.contains(node->a);
     const bool wait_b = node->b != nullptr && !place.contains(node->b);
+    const bool wait_c = node->c() != nullptr && !place.contains(node->c());
+    if (wait_c) stack.push_back(node->c());
     if (wait_b) stack.push_back(node->b);
     if (wait_a) stack.push_back(node->a);  // pushed last, so arguments come in the order they are written
-    if (wait_a || wait_b) continue;
+    if (wait_a || wait_b || wait_c) continue;
     stack.pop_back();
     const auto at = [&](const Node* argument) { return argument == nullptr ? 0U : place.at(argument); };
     place.emplace(node, static_cast<std::uint32_t>(flat.order.size()));
-    flat.order.push_back({node->op, node->constant, at(node->a), at(node->b)});
+    flat.order.push_back({node->op, node->constant, at(node->a), at(node->b), at(node->c()), node->source()});
   }
   return flat;
 }
 
+bool has_opened(const Expression& root) {
+  const Flat flat = flatten(root);
+  return std::any_of(flat.order.begin(), flat.order.end(), [](const auto& entry) { return entry.op == Opcode::opened; });
+}
+
 std::size_t node_count(const Expression& root) { return flatten(root).order.size(); }
+
+Expression made_again(const Flat::Entry& entry, std::span<const Expression> made) {
+  switch (entry.op) {
+    case Opcode::constant: return entry.constant;
+    case Opcode::x: return Expression::x();
+    case Opcode::y: return Expression::y();
+    case Opcode::z: return Expression::z();
+    case Opcode::opened:
+      return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
+    default: break;
+  }
+  return info(entry.op).arity == 1 ? Expression::make(entry.op, made[entry.a])
+                                   : Expression::make(entry.op, made[entry.a], made[entry.b]);
+}
 
 Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z) {
   const Flat flat = flatten(root);
   std::vector<Expression> made;
   made.reserve(flat.order.size());
-  for (const Flat::Entry& entry : flat.order) {
-    switch (info(entry.op).arity) {
-      case 1: made.push_back(Expression::make(entry.op, made[entry.a])); break;
-      case 2: made.push_back(Expression::make(entry.op, made[entry.a], made[entry.b])); break;
-      default:
-        if (entry.op == Opcode::constant)
-          made.emplace_back(entry.constant);
-        else
-          made.push_back(entry.op == Opcode::x ? x : entry.op == Opcode::y ? y : z);
-    }
-  }
+  for (const Flat::Entry& entry : flat.order)
+    made.push_back(entry.op == Opcode::x   ? x
+                   : entry.op == Opcode::y ? y
+                   : entry.op == Opcode::z ? z
+                                           : made_again(entry, made));
   return made.back();
 }
 

@@ -27,6 +27,7 @@ Form form_of(const Flat::Entry& entry, const std::vector<Form>& forms) {
     case Opcode::z: return {Gradient::UnitZ(), 0, true};
     default: break;
   }
+  if (entry.op == Opcode::opened) return {};
   const Form &a = forms[entry.a], &b = forms[entry.b];
   const auto scaled = [](const Form& form, double by) { return Form{form.slope * by, form.shift * by, std::isfinite(by)}; };
   if (!a.holds) return {};
@@ -122,6 +123,35 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
     }
   }
   return FramedExpression{fresh.back(), axes};
+}
+
+std::optional<Eigen::Affine3d> affine_map(const Expression& x, const Expression& y, const Expression& z) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  int row = 0;
+  for (const Expression* coordinate : {&x, &y, &z}) {
+    const Flat flat = flatten(*coordinate);
+    std::vector<Form> forms(flat.order.size());
+    for (std::size_t i = 0; i < forms.size(); ++i) forms[i] = form_of(flat.order[i], forms);
+    if (!forms.back().holds || !is_finite(forms.back())) return std::nullopt;
+    map.linear().row(row) = forms.back().slope;
+    map.translation()[row++] = forms.back().shift;
+  }
+  const double volume = map.linear().determinant();
+  if (!std::isfinite(volume) || std::abs(volume) < 1e-12) return std::nullopt;
+  return map;
+}
+
+std::vector<PlacedLeaf> leaves_of(const Expression& root) {
+  std::vector<PlacedLeaf> leaves;
+  const Flat flat = flatten(root);
+  std::vector<Expression> made;
+  made.reserve(flat.order.size());
+  for (const Flat::Entry& entry : flat.order) {
+    made.push_back(made_again(entry, made));
+    if (entry.op == Opcode::opened)
+      leaves.push_back({entry.source->shared_from_this(), affine_map(made[entry.a], made[entry.b], made[entry.c])});
+  }
+  return leaves;
 }
 
 }  // namespace fieldfab::frep

@@ -7,6 +7,7 @@
 #include "compiled_tape.h"
 #include "fieldfab/core/error.h"
 #include "frame.h"
+#include "mixed_field.h"
 #include "prune.h"
 #include "ranges.h"
 #include "scratch.h"
@@ -100,7 +101,7 @@ class FrepField final : public Field {
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
 
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    ranges_over(box);
+    static_cast<void>(ranges_over(box));
     for (std::size_t first = 0; first < directions.size(); first += slope_lanes)
       evaluate_slopes(tape_, kept_ranges(), directions.subspan(first, std::min(slope_lanes, directions.size() - first)),
                       out.subspan(first));
@@ -245,7 +246,10 @@ void set_default_evaluator(Evaluator evaluator) {
 FieldPtr make_field(const Expression& expression, Evaluator evaluator) {
   if (evaluator == Evaluator::automatic) evaluator = default_evaluator;
   require(evaluator);
-  return std::make_shared<FrepField>(make_tape(expression), engine(evaluator), expression);
+  const auto make_pure = [&](const Expression& pure) -> FieldPtr {
+    return std::make_shared<FrepField>(make_tape(pure), engine(evaluator), pure);
+  };
+  return has_opened(expression) ? make_mixed_field(expression, make_pure) : make_pure(expression);
 }
 
 std::size_t active_nodes(const Field& field) {

@@ -1,10 +1,13 @@
 // Infix .frep text: docs/frep-language.md is its manual. Precedence is resolved with stacks, so nesting costs memory only.
+#include <array>
 #include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/library.h"
+#include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
 #include "text_source.h"
 
@@ -66,41 +69,43 @@ std::vector<Token> tokens_of(const TextSource& source) {
   return tokens;
 }
 
-/// How many letters two names differ by.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, above + 1, diagonal + (a[i] != b[j])});
-      diagonal = above;
-    }
-  }
-  return row.back();
-}
+/// What a name stands for.
+struct Named : Value {
+  bool part = false;  ///< what part(...) gives
+};
 
-using Names = std::unordered_map<std::string_view, Expression>;
+using Names = std::unordered_map<std::string_view, Named>;
 
 class InfixParser {
  public:
-  InfixParser(std::string_view text, std::string_view name) : source_(text, name), tokens_(tokens_of(source_)) {}
+  InfixParser(std::string_view text, std::string_view name, const Opener& opener)
+      : source_(text, name), tokens_(tokens_of(source_)), opener_(opener) {}
 
-  Expression parse() {
-    std::optional<Expression> result;
+  std::vector<TextPart> parse() {
+    std::optional<Named> result;
+    std::optional<std::size_t> loose;  // where the last statement that gives its value no name begins
     for (std::size_t at = 0; tokens_[at].kind != TokenKind::end;) {
       if (tokens_[at].kind == TokenKind::end_of_statement) {
         ++at;
         continue;
       }
-      if (!define_function(at)) result = statement(at);
+      if (loose)
+        source_.fail(*loose, "this value is not used: give it a name, or make it a part with part(...); without parts the last "
+                             "statement is the solid");
+      const std::size_t first = at;
+      if (!define_function(at)) {
+        result = statement(at);
+        if (!result->part && !tokens_[first + 1].is('=')) loose = tokens_[first].at;
+      }
       if (tokens_[at].kind != TokenKind::end && tokens_[at].kind != TokenKind::end_of_statement)
         unexpected(at, "the end of the statement");
     }
+    if (!parts_.empty()) {
+      if (loose) source_.fail(*loose, "the text has parts, and this is none: make it one with part(...), or give it a name");
+      return std::move(parts_);
+    }
     if (!result) source_.fail(source_.text().size(), "the text has no result: its last statement is the solid");
-    return *result;
+    return {{result->expression, {}, {}}};
   }
 
  private:
@@ -137,22 +142,24 @@ class InfixParser {
       source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
     // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
     Names trial;
-    for (const std::string_view parameter : parameters) trial.emplace(parameter, Expression::x());
+    for (const std::string_view parameter : parameters) trial.emplace(parameter, Named{{Expression::x()}});
     at = after + 1;
     callable_ = made.order;
+    trial_ = true;
     expression(at, &trial);
+    trial_ = false;
     callable_ = ~std::size_t{0};
     return true;
   }
 
-  Expression statement(std::size_t& at) {
+  Named statement(std::size_t& at) {
     const bool binding = tokens_[at].kind == TokenKind::name && tokens_[at + 1].is('=');
     if (!binding) return expression(at, nullptr);
     const Token& name = tokens_[at];
     if (constant(name.text))
       source_.fail(name.at, fmt::format("'{}' has a meaning already and cannot be given another", name.text));
     at += 2;
-    Expression value = expression(at, nullptr);
+    Named value = expression(at, nullptr);
     names_.insert_or_assign(name.text, value);
     return value;
   }
@@ -177,7 +184,7 @@ class InfixParser {
   struct Argument {
     std::string_view name;  // empty where positional
     std::size_t token;
-    Expression value;
+    Named value;
     std::optional<std::string_view> words;
   };
   struct Call {
@@ -202,19 +209,19 @@ class InfixParser {
   static constexpr std::uint8_t unary_precedence = 5;
 
   /// The expression that begins at token `at`; moves past it. `locals` are a function's parameters.
-  Expression expression(std::size_t& at, const Names* locals) {
-    std::vector<Expression> values;
+  Named expression(std::size_t& at, const Names* locals) {
+    std::vector<Named> values;
     std::vector<Waiting> waiting;
     std::vector<Call> calls;
     const auto reduce = [&] {
       const Waiting top = waiting.back();
       waiting.pop_back();
       if (top.kind == Waiting::unary) {
-        values.back() = Expression::make(Opcode::negate, values.back());
+        values.back() = {{Expression::make(Opcode::negate, values.back().expression), values.back().solid}};
       } else {
-        const Expression b = std::move(values.back());
+        const Named b = std::move(values.back());
         values.pop_back();
-        values.back() = Expression::make(binary(top.sign), values.back(), b);
+        values.back() = joined(values.back(), b, top);
       }
       if (++operations_ > most_operations) source_.fail(tokens_[at].at, fmt::format("more than {} operations", most_operations));
     };
@@ -248,12 +255,12 @@ class InfixParser {
       const Token& token = tokens_[at];
       if (operand) {
         if (token.kind == TokenKind::number) {
-          values.emplace_back(token.number);
+          values.push_back({{token.number}});
           ++at;
           operand = false;
         } else if (token.kind == TokenKind::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
                    (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
-          values.emplace_back(0.0);  // in place of the words
+          values.push_back({{0.0}});  // in place of the words
           ++at;
           operand = false;
         } else if (token.kind == TokenKind::name && tokens_[at + 1].is('(')) {
@@ -273,7 +280,7 @@ class InfixParser {
         } else if (token.is('(')) {
           waiting.push_back({Waiting::parenthesis, 0, '(', at++});
         } else if (token.is('-') && tokens_[at + 1].kind == TokenKind::number && !tokens_[at + 2].is('^')) {
-          values.emplace_back(-tokens_[at + 1].number);
+          values.push_back({{-tokens_[at + 1].number}});
           at += 2;
           operand = false;
         } else if (token.is('-') || token.is('!')) {
@@ -326,23 +333,19 @@ class InfixParser {
     return line == std::string_view::npos ? at + 1 : at - line;
   }
 
-  static Opcode binary(char sign) {
-    switch (sign) {
-      case '+': return Opcode::add;
-      case '-': return Opcode::subtract;
-      case '*': return Opcode::multiply;
-      case '/': return Opcode::divide;
-      case '^': return Opcode::power;
-      case '|': return Opcode::minimum;
-      default: return Opcode::maximum;
+  [[nodiscard]] Named joined(const Named& a, const Named& b, const Waiting& by) const {
+    try {
+      return {frep::joined(by.sign, a, b)};
+    } catch (const Error& error) {
+      source_.fail(tokens_[by.token].at, error.what());
     }
   }
 
-  Expression variable(std::size_t at, const Names* locals) const {
+  Named variable(std::size_t at, const Names* locals) const {
     const std::string_view name = tokens_[at].text;
     if (locals != nullptr)
       if (const auto found = locals->find(name); found != locals->end()) return found->second;
-    if (const auto value = constant(name)) return *value;
+    if (const auto value = constant(name)) return {{*value}};
     if (const auto found = names_.find(name); found != names_.end()) return found->second;
     if (find_function(name) != nullptr || functions_.contains(name))
       source_.fail(tokens_[at].at, fmt::format("'{}' is a function: write {}(...)", name, name));
@@ -351,16 +354,7 @@ class InfixParser {
     source_.fail(tokens_[at].at, fmt::format("unknown name '{:.40}'{}", name, suggestion(name, known)));
   }
 
-  static std::string suggestion(std::string_view name, const std::vector<std::string_view>& known) {
-    std::string_view best;
-    std::size_t least = 3;
-    if (name.size() < 60)
-      for (const std::string_view other : known)
-        if (const std::size_t d = distance(name, other); d < least && d < other.size()) least = d, best = other;
-    return best.empty() ? "" : fmt::format("; did you mean '{}'?", best);
-  }
-
-  Expression apply_call(const Call& call, const Names* /*locals*/) {
+  Named apply_call(const Call& call, const Names* /*locals*/) {
     const std::string_view name = tokens_[call.token].text;
     if (const auto user = functions_.find(name); user != functions_.end() && user->second.order < callable_) {
       const std::vector<std::string_view>& parameters = user->second.parameters;
@@ -378,14 +372,16 @@ class InfixParser {
       ++depth_;
       const std::size_t outer = std::exchange(callable_, user->second.order);
       std::size_t body = user->second.first;
-      Expression value = expression(body, &bound);
+      Named value = expression(body, &bound);
       callable_ = outer;
       --depth_;
       return value;
     }
+    if (name == "open") return opened(call);
+    if (name == "part") return made_part(call);
     const LibraryFunction* function = find_function(name);
     if (function == nullptr) {
-      std::vector<std::string_view> known;
+      std::vector<std::string_view> known{"open", "part"};
       for (const LibraryFunction& other : library()) known.push_back(other.name);
       for (const auto& [other, value] : functions_) known.push_back(other);
       source_.fail(tokens_[call.token].at, fmt::format("unknown function '{:.40}'{}", name, suggestion(name, known)));
@@ -393,25 +389,93 @@ class InfixParser {
     std::vector<std::string_view> parameters;
     parameters.reserve(function->parameters.size());
     for (const Parameter& parameter : function->parameters) parameters.push_back(parameter.name);
-    Given given = arranged(call, parameters, function->any_number);
+    const Given given = arranged(call, parameters, function->any_number);
+    std::vector<std::optional<Value>> values(given.values.size());
     for (std::size_t i = 0; i < given.values.size(); ++i) {
       const Parameter& parameter = function->parameters[std::min(i, function->parameters.size() - 1)];
-      if (given.values[i] && parameter.quantity == Quantity::angle) given.values[i] = *given.values[i] * (std::numbers::pi / 180);
-      if (given.values[i] && (parameter.quantity == Quantity::text) != (given.words == i))
+      if (!given.values[i]) continue;
+      values[i] = *given.values[i];
+      if (parameter.quantity == Quantity::angle) values[i]->expression = values[i]->expression * (std::numbers::pi / 180);
+      if ((parameter.quantity == Quantity::text) != (given.words == i))
         source_.fail(tokens_[call.token].at,
                      fmt::format("'{}' of '{}' {}", parameter.name, name,
                                  given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
     }
     try {
-      return frep::call(*function, given.values, given.text);
+      return {frep::call(*function, values, given.text)};
     } catch (const Error& error) {
       source_.fail(tokens_[call.token].at, error.what());
     }
   }
 
+  /// open("scan.nrrd", threshold = 300): a file's solid.
+  Named opened(const Call& call) const {
+    const std::size_t at = tokens_[call.token].at;
+    std::string path;
+    std::vector<OpenOption> options;
+    for (std::size_t i = 0; i < call.arguments.size(); ++i) {
+      const Argument& argument = call.arguments[i];
+      if (i == 0 && argument.words && argument.name.empty()) {
+        path = *argument.words;
+        continue;
+      }
+      if (i == 0 || argument.name.empty()) source_.fail(tokens_[argument.token].at, "expected open(\"FILE\", NAME = VALUE, ...)");
+      const Expression value = simplify(argument.value.expression);
+      if (!argument.words && value.opcode() != Opcode::constant)
+        source_.fail(tokens_[argument.token].at, fmt::format("'{}' of 'open' must be a plain number or words", argument.name));
+      if (argument.words)
+        options.push_back({std::string(argument.name), std::string(*argument.words)});
+      else
+        options.push_back({std::string(argument.name), value.constant()});
+    }
+    if (path.empty()) source_.fail(at, "'open' lacks the name of a file in quotes");
+    if (trial_) return {{Expression::x(), true}};
+    if (!opener_) source_.fail(at, "files cannot be opened from this text");
+    try {
+      return {{opener_(path, options), true}};
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
+      throw Error(error.kind(), source_.place(at), error.what());
+    }
+  }
+
+  /// part(SHAPE, "NAME", "COLOUR"): one of the solids that the text makes.
+  Named made_part(const Call& call) {
+    static constexpr std::array<std::string_view, 3> parameters{"shape", "name", "colour"};
+    std::array<const Argument*, 3> given{};
+    std::size_t next = 0;
+    for (const Argument& argument : call.arguments) {
+      std::size_t place = argument.name.empty() ? next++ : 0;
+      if (!argument.name.empty()) {
+        const std::string_view name = argument.name == "color" ? "colour" : argument.name;
+        while (place < parameters.size() && parameters[place] != name) ++place;
+      }
+      if (place >= parameters.size() || given[place] != nullptr || argument.words.has_value() != (place > 0))
+        source_.fail(tokens_[argument.token].at, "expected part(SHAPE, \"NAME\", \"COLOUR\")");
+      given[place] = &argument;
+    }
+    const std::size_t at = tokens_[call.token].at;
+    if (given[0] == nullptr || given[1] == nullptr || given[1]->words->empty())
+      source_.fail(at, "'part' lacks its shape or its name: part(SHAPE, \"NAME\", \"COLOUR\")");
+    TextPart part{given[0]->value.expression, std::string(*given[1]->words), {}};
+    if (given[2] != nullptr) {
+      try {
+        part.colour = colour_named(*given[2]->words);
+      } catch (const Error& error) {
+        source_.fail(tokens_[given[2]->token].at, error.what());
+      }
+    }
+    const Named value{{part.shape, true}, true};
+    if (trial_) return value;
+    for (const TextPart& other : parts_)
+      if (other.name == part.name) source_.fail(at, fmt::format("two parts are called '{:.60}'", part.name));
+    parts_.push_back(std::move(part));
+    return value;
+  }
+
   /// Arguments in the order of the parameters; those that were left out are empty.
   struct Given {
-    std::vector<std::optional<Expression>> values;
+    std::vector<std::optional<Named>> values;
     std::size_t words = ~std::size_t{0};  ///< which of them are words
     std::string text;
   };
@@ -460,7 +524,10 @@ class InfixParser {
 
   TextSource source_;
   std::vector<Token> tokens_;
+  const Opener& opener_;
   Names names_;
+  std::vector<TextPart> parts_;
+  bool trial_ = false;  ///< nothing is opened, and no part is made
   std::unordered_map<std::string_view, UserFunction> functions_;
   std::size_t callable_ = ~std::size_t{0};  ///< user functions of lower order may be called
   std::size_t operations_ = 0;
@@ -469,19 +536,48 @@ class InfixParser {
 
 }  // namespace
 
-Expression parse_infix(std::string_view text, std::string_view name) { return InfixParser(text, name).parse(); }
+std::vector<TextPart> parse_parts(std::string_view text, std::string_view name, const Opener& opener) {
+  return InfixParser(text, name, opener).parse();
+}
 
-std::string print_infix(const Expression& expression) {
+Expression parse_infix(std::string_view text, std::string_view name, const Opener& opener) {
+  const std::vector<TextPart> parts = parse_parts(text, name, opener);
+  Expression all = parts.front().shape;
+  for (std::size_t i = 1; i < parts.size(); ++i) all = Expression::make(Opcode::minimum, all, parts[i].shape);
+  return all;
+}
+
+namespace {
+
+/// An expression as binding lines, and what the last of them is made from.
+struct Printed {
+  std::string bindings, result;
+};
+
+std::string text_of(const Source& source, const std::filesystem::path& folder) {
+  if (source.path.empty())
+    throw Error(ErrorKind::bad_input, "", "a solid that was made in memory has no text: save it as a file, and open that");
+  std::filesystem::path path = source.path;
+  if (!folder.empty())
+    if (const auto inner = path.lexically_relative(folder); !inner.empty() && *inner.begin() != "..") path = inner;
+  const std::string name = path.generic_string();
+  if (name.find_first_of("\"\n") != std::string::npos)
+    throw Error(ErrorKind::bad_input, name, "a name with quotes or line ends cannot stand in a text");
+  return fmt::format("open(\"{}\"{}{})", name, source.options.empty() ? "" : ", ", source.options);
+}
+
+Printed printed(const Expression& expression, const std::filesystem::path& folder) {
   const Flat flat = flatten(expression);
   const std::size_t count = flat.order.size();
   std::vector<std::uint32_t> uses(count), height(count);
   for (const Flat::Entry& entry : flat.order) {
     if (info(entry.op).arity >= 1) ++uses[entry.a];
-    if (info(entry.op).arity == 2) ++uses[entry.b];
+    if (info(entry.op).arity >= 2) ++uses[entry.b];
+    if (info(entry.op).arity == 3) ++uses[entry.c];
   }
   // What is used more than once, and what would nest too deep to read, gets a name of its own.
   constexpr std::uint32_t deepest = 12;
-  std::string out;
+  std::string bindings;
   std::vector<std::string> text(count);
   std::vector<bool> atom(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -502,6 +598,15 @@ std::string print_infix(const Expression& expression) {
         text[i] =
             entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")" : fmt::format("{}({})", op.infix, take(entry.a, true));
         break;
+      case 3: {
+        height[i] = std::max({height[entry.a], height[entry.b], height[entry.c]}) + 1;
+        atom[i] = true;
+        const std::string file = text_of(*entry.source, folder), x = take(entry.a, true), y = take(entry.b, true);
+        const std::string z = take(entry.c, true);
+        text[i] = x == "x" && y == "y" && z == "z" ? fmt::format("value({})", file)
+                                                   : fmt::format("value(map({}, {}, {}, {}))", file, x, y, z);
+        break;
+      }
       default:
         height[i] = std::max(height[entry.a], height[entry.b]) + 1;
         if (op.infix.size() == 1) {
@@ -515,13 +620,33 @@ std::string print_infix(const Expression& expression) {
     }
     if (op.arity > 0 && i + 1 < count && (uses[i] > 1 || height[i] >= deepest)) {
       const std::string bound = fmt::format("t{}", i);
-      out += bound + " = " + text[i] + "\n";
+      bindings += bound + " = " + text[i] + "\n";
       text[i] = bound;
       atom[i] = true;
       height[i] = 0;
     }
   }
-  return out + text.back() + "\n";
+  return {std::move(bindings), std::move(text.back())};
+}
+
+}  // namespace
+
+std::string print_infix(const Expression& expression, const std::filesystem::path& folder) {
+  const Printed all = printed(expression, folder);
+  return all.bindings + all.result + "\n";
+}
+
+std::string print_parts(std::span<const TextPart> parts, const std::filesystem::path& folder) {
+  std::string out;
+  for (const TextPart& part : parts) {
+    const Printed shape = printed(part.shape, folder);
+    std::string name = part.name.empty() && parts.size() > 1 ? fmt::format("part {}", &part - parts.data() + 1) : part.name;
+    for (char& c : name)
+      if (c == '"' || c == '\n') c = '\'';
+    const std::string colour = part.colour ? fmt::format(", \"{}\"", text_of(*part.colour)) : "";
+    out += shape.bindings + (name.empty() ? shape.result : fmt::format("part({}, \"{}\"{})", shape.result, name, colour)) + "\n";
+  }
+  return out;
 }
 
 }  // namespace fieldfab::frep

@@ -135,7 +135,8 @@ Interval apply(Opcode op, Interval a, Interval b) {
     case Opcode::constant:
     case Opcode::x:
     case Opcode::y:
-    case Opcode::z: return a;
+    case Opcode::z:
+    case Opcode::opened: return a;
     case Opcode::sine:
     case Opcode::cosine: return wave(op, a);
     case Opcode::tangent: return tangent(a);

@@ -36,6 +36,17 @@ void add_operations(Functions& all) {
       {"pow", "numbers", {given("a"), given("b")}, "", "", "", [](A a) { return Expression::make(Opcode::power, a[0], a[1]); }});
 }
 
+/// Solids as numbers, and numbers as solids: which of them `-` and `+` mean.
+void add_kinds(Functions& all) {
+  all.push_back({"value",
+                 "numbers",
+                 {given("shape")},
+                 "",
+                 "the value of a solid at each point, as a number to reckon with",
+                 "",
+                 [](A a) { return a[0]; }});
+}
+
 template <class Join>
 auto joined_by(const Join& join) {
   return [join](A a) {
@@ -281,6 +292,13 @@ void add_sets(Functions& all) {
   chain("union", group, "of two or more; also a | b", "union(box(6, 6, 3), cylinder(2, 6))", smallest);
   chain("intersection", group, "of two or more; also a & b", "intersection(box(6, 6, 6), sphere(3.8))", largest);
   chain("difference", group, "the first less the others", "difference(box(6, 6, 4), cylinder(2, 6))", subtract);
+  all.push_back({"solid",
+                 group,
+                 {given("formula")},
+                 "",
+                 "a formula as a solid: what is below 0",
+                 "solid(x^2 + y^2 + z^2 - 16) - cylinder(2, 10)",
+                 [](A a) { return a[0]; }});
   all.push_back({"offset",
                  group,
                  {given("shape"), given("distance")},
@@ -468,6 +486,7 @@ void add_circuits(Functions& all) {
 Functions make_library() {
   Functions all;
   add_operations(all);
+  add_kinds(all);
   add_solids(all);
   add_flat(all);
   add_lattices(all);
@@ -527,6 +546,45 @@ Expression call(const LibraryFunction& function, const std::vector<std::optional
     arguments.values.push_back(is_plain ? plain(value, function, parameter) : value);
   }
   return function.make(arguments);
+}
+
+namespace {
+
+Opcode operation(char sign) {
+  switch (sign) {
+    case '+': return Opcode::add;
+    case '-': return Opcode::subtract;
+    case '*': return Opcode::multiply;
+    case '/': return Opcode::divide;
+    case '^': return Opcode::power;
+    case '|': return Opcode::minimum;
+    default: return Opcode::maximum;
+  }
+}
+
+}  // namespace
+
+Value joined(char sign, const Value& a, const Value& b) {
+  const bool sets = sign == '|' || sign == '&';
+  if (a.solid && b.solid && sign == '-') return {shapes::subtract(a.expression, b.expression), true};
+  if (a.solid && b.solid && !sets)
+    throw Error(ErrorKind::bad_input, "",
+                fmt::format("'{0}' of two solids: write a | b for their union, or value(a) {0} value(b) for numbers", sign));
+  const bool solid = sets || (sign != '^' && (a.solid || b.solid));
+  return {Expression::make(operation(sign), a.expression, b.expression), solid};
+}
+
+Value call(const LibraryFunction& function, std::span<const std::optional<Value>> given, std::string_view text) {
+  std::vector<std::optional<Expression>> expressions;
+  bool all_solids = true;
+  for (const std::optional<Value>& value : given) {
+    expressions.push_back(value ? std::optional(value->expression) : std::nullopt);
+    all_solids = all_solids && (!value || value->solid);
+  }
+  bool solid = function.group != "numbers";
+  if (function.name == "min" || function.name == "max") solid = all_solids;
+  if (function.name == "map") solid = !given.empty() && given.front() && given.front()->solid;
+  return {call(function, expressions, text), solid};
 }
 
 }  // namespace fieldfab::frep

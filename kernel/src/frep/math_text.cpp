@@ -136,6 +136,7 @@ Expression parse_math(std::string_view text, std::string_view name) { return Mat
 
 std::string print_math(const Expression& expression) {
   // A shared part is written wherever it is used; so first find out whether that stays bearable.
+  require_no_opened(expression);
   const Flat flat = flatten(expression);
   constexpr double most_bytes = 64e6;
   std::vector<double> bytes(flat.order.size());

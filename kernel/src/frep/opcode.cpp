@@ -9,7 +9,7 @@
 namespace fieldfab::frep {
 namespace {
 
-constexpr std::array<OpcodeInfo, opcode_count> table{{
+constexpr std::array<OpcodeInfo, opcode_count + 1> table{{
     {0, 'f', "const", ""},      {0, 'X', "var-x", "x"},     {0, 'Y', "var-y", "y"}, {0, 'Z', "var-z", "z"},
     {1, 's', "sin", "sin"},     {1, 'c', "cos", "cos"},     {1, 't', "tan", "tan"}, {1, 'S', "asin", "asin"},
     {1, 'C', "acos", "acos"},   {1, 'T', "atan", "atan"},   {1, 'b', "abs", "abs"}, {1, 'q', "square", "square"},
@@ -17,6 +17,7 @@ constexpr std::array<OpcodeInfo, opcode_count> table{{
     {1, 'd', "floor", "floor"}, {1, 'u', "ceil", "ceil"},   {2, '+', "add", "+"},   {2, '-', "sub", "-"},
     {2, '*', "mul", "*"},       {2, '/', "div", "/"},       {2, 'i', "min", "min"}, {2, 'a', "max", "max"},
     {2, 'p', "pow", "^"},       {2, 'A', "atan2", "atan2"}, {2, '%', "mod", "mod"}, {2, 'k', "compare", "compare"},
+    {3, '\0', "", "open"},
 }};
 
 template <class Number>
@@ -26,7 +27,8 @@ Number evaluate(Opcode op, Number a, Number b) {
     case Opcode::constant:
     case Opcode::x:
     case Opcode::y:
-    case Opcode::z: return a;
+    case Opcode::z:
+    case Opcode::opened: return a;
     case Opcode::sine: return std::sin(a);
     case Opcode::cosine: return std::cos(a);
     case Opcode::tangent: return std::tan(a);

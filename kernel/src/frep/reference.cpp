@@ -27,8 +27,11 @@ float evaluate(const Expression& expression, float x, float y, float z) {
   const Flat flat = flatten(expression);
   std::vector<float> value(flat.order.size());
   for_each_node(flat, [&](const Flat::Entry& entry, std::size_t i) {
-    value[i] = info(entry.op).arity == 0 ? leaf(entry, static_cast<float>(entry.constant), x, y, z)
-                                         : apply(entry.op, value[entry.a], value[entry.b]);
+    if (entry.op == Opcode::opened)
+      value[i] = entry.source->field->value({value[entry.a], value[entry.b], value[entry.c]});
+    else
+      value[i] = info(entry.op).arity == 0 ? leaf(entry, static_cast<float>(entry.constant), x, y, z)
+                                           : apply(entry.op, value[entry.a], value[entry.b]);
   });
   return value.back();
 }

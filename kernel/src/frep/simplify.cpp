@@ -75,11 +75,7 @@ Expression simplify(const Expression& root) {
     switch (info(entry.op).arity) {
       case 1: made.push_back(simple(entry.op, made[entry.a])); break;
       case 2: made.push_back(simple(entry.op, made[entry.a], made[entry.b])); break;
-      default:
-        made.push_back(entry.op == Opcode::x   ? Expression::x()
-                       : entry.op == Opcode::y ? Expression::y()
-                       : entry.op == Opcode::z ? Expression::z()
-                                               : Expression(entry.constant));
+      default: made.push_back(made_again(entry, made));
     }
   }
   return made.back();

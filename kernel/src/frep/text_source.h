@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/frep/expression.h"
 
 namespace fieldfab::frep {
 
@@ -23,14 +24,19 @@ class TextSource {
 
   [[nodiscard]] std::string_view text() const { return text_; }
 
-  /// Throws bad_input at byte `at`, as NAME:LINE:COLUMN.
-  [[noreturn]] void fail(std::size_t at, const std::string& message) const {
+  /// Byte `at` as NAME:LINE:COLUMN.
+  [[nodiscard]] std::string place(std::size_t at) const {
     at = std::min(at, text_.size());
     const std::string_view before = text_.substr(0, at);
     const auto line = std::count(before.begin(), before.end(), '\n') + 1;
     const std::size_t start = before.rfind('\n');
     const std::size_t column = start == std::string_view::npos ? at + 1 : at - start;
-    throw Error(ErrorKind::bad_input, fmt::format("{}:{}:{}", name_, line, column), message);
+    return fmt::format("{}:{}:{}", name_, line, column);
+  }
+
+  /// Throws bad_input at byte `at`.
+  [[noreturn]] void fail(std::size_t at, const std::string& message) const {
+    throw Error(ErrorKind::bad_input, place(at), message);
   }
 
   /// The byte at `at` as a message shows it.
@@ -72,6 +78,12 @@ class TextSource {
   std::string_view text_;
   std::string_view name_;
 };
+
+/// Throws bad_input where a file was opened: only .frep text can name files.
+inline void require_no_opened(const Expression& expression) {
+  if (has_opened(expression))
+    throw Error(ErrorKind::bad_input, "", "a model that opens other files can be written as .frep text only");
+}
 
 /// The shortest text that reads back as the same number.
 inline std::string number_text(double value) { return fmt::format("{}", value); }

@@ -85,6 +85,7 @@ Expression parse_vm(std::string_view text, std::string_view name) {
 }
 
 std::string print_vm(const Expression& expression) {
+  require_no_opened(expression);
   const Flat flat = flatten(expression);
   fmt::memory_buffer out;
   for (std::size_t i = 0; i < flat.order.size(); ++i) {

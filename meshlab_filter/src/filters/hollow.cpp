@@ -13,7 +13,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/mesh/contour.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab::meshlab {

@@ -12,6 +12,7 @@
 #include "fieldfab/cam/program.h"
 #include "fieldfab/cam/stage.h"
 #include "fieldfab/core/progress.h"
+#include "fieldfab/solid/formats.h"
 
 namespace fieldfab::cam {
 
@@ -37,12 +38,13 @@ struct OperationReport {
 /// A job read and checked, and all of its results.
 class Job {
  public:
-  /// Reads a job file and what it names. Throws bad_input with FILE:LINE, io, cancelled.
-  static Job read(const std::filesystem::path& path, Progress& progress = Progress::none());
+  /// Reads a job file and what it names, models in any of the formats. Throws bad_input with FILE:LINE, io, cancelled.
+  static Job read(const std::filesystem::path& path, Progress& progress = Progress::none(),
+                  const Formats& formats = kernel_formats());
   /// The same of a file's text. `path` is what messages call it, and beside it are the files that it names. Where a part is
   /// given, [input] names no model; it may scale, turn and move the part.
   static Job parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part = nullptr,
-                   Progress& progress = Progress::none());
+                   Progress& progress = Progress::none(), const Formats& formats = kernel_formats());
 
   /// The chains of stages with all settings and where each comes from, for people.
   [[nodiscard]] std::string plan() const;

@@ -17,6 +17,7 @@
 #include "fieldfab/cam/tool.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
+#include "fieldfab/solid/formats.h"
 
 namespace fieldfab::cam {
 
@@ -69,10 +70,12 @@ struct SimulationSetup {
 
 /// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE,
 /// io.
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none());
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none(),
+                                      const Formats& formats = kernel_formats());
 /// The same for a job that names no model, since its part was given as a Field (Job::parse()): all is then told in that Field's
 /// coordinates, wherever the program's zero is.
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress = Progress::none());
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress = Progress::none(),
+                                      const Formats& formats = kernel_formats());
 
 /// From the part's coordinates to where the machine's table has turned it, while the axes stand there; nothing but tables turns
 /// it.

@@ -55,6 +55,8 @@ struct Certainty {
   [[nodiscard]] std::string text() const;
   /// Writes counts, sizes and places, cells of neighbouring voxels being one place; clears the doubt where there are none.
   void gather(std::span<const UncertainCell> cells);
+  /// Takes another's places, too: certain only where both are.
+  void add(const Certainty& other);
 };
 
 /// What cells of a regular lattice over `region` show of a solid, as in an Asdf, whose smallest cells are these: its sides are

@@ -42,6 +42,9 @@ FieldPtr map(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z);
 /// The same solid with its values multiplied: by a factor above 0.
 FieldPtr scaled_values(FieldPtr a, double factor);
 
+/// The same Field, which knows a box that holds the solid.
+FieldPtr with_known_bounds(FieldPtr a, const Box& bounds);
+
 /// The box as an exact distance field inside, the largest axis distance outside; a flat axis yields an empty solid.
 FieldPtr box_field(const Box& box);
 

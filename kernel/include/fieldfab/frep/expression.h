@@ -1,15 +1,30 @@
 /// Expressions: immutable graphs of operations in which equal parts are one part (hash-consing; Keeter 3.4, 3.5).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "fieldfab/field/field.h"
 #include "fieldfab/frep/opcode.h"
 
 namespace fieldfab::frep {
 
 struct Node;
+
+/// A solid that is no formula (a scan, a mesh, a design), made usable in formulas: its Field, and how a text names it.
+struct Source : std::enable_shared_from_this<Source> {
+  FieldPtr field;
+  std::filesystem::path path;  ///< absolute; empty for what was made in memory, which no text can name
+  std::string options;         ///< how it was opened, as open() of .frep text has it: "threshold = 300, smooth = 1"
+  virtual ~Source() = default;
+};
+using SourcePtr = std::shared_ptr<const Source>;
 
 /// A node of an expression graph, held by reference count. Two expressions of the same form are the same node, so == is one
 /// comparison and costs nothing. Safe to make, copy and drop from many threads. Any depth: nothing here recurses.
@@ -28,13 +43,17 @@ class Expression {
   /// op(a), op(a, b): exactly this node, deduplicated, with nothing folded or simplified.
   static Expression make(Opcode op, const Expression& a);
   static Expression make(Opcode op, const Expression& a, const Expression& b);
+  /// The value of an opened Field at (x, y, z).
+  static Expression opened(const SourcePtr& source, const Expression& x, const Expression& y, const Expression& z);
 
   [[nodiscard]] Opcode opcode() const noexcept;
   /// The value of a constant; 0 for any other node.
   [[nodiscard]] double constant() const noexcept;
-  /// The first or second argument (index 0 or 1, below arity()).
+  /// One of the arguments (index below arity()).
   [[nodiscard]] Expression argument(int index) const;
   [[nodiscard]] int arity() const noexcept { return info(opcode()).arity; }
+  /// The Field of an `opened` node, else null.
+  [[nodiscard]] SourcePtr source() const;
 
   /// Two names of one node.
   bool operator==(const Expression& other) const noexcept { return node_ == other.node_; }
@@ -52,10 +71,26 @@ struct Flat {
     Opcode op;
     double constant;     ///< where op is constant
     std::uint32_t a, b;  ///< indices of the arguments; 0 where there is none
+    std::uint32_t c = 0;
+    const Source* source = nullptr;  ///< where op is `opened`; lives as long as the expression
   };
   std::vector<Entry> order;
 };
 Flat flatten(const Expression& root);
+
+/// The node of an entry, over arguments that were made before it (by their places); x, y and z as they are.
+Expression made_again(const Flat::Entry& entry, std::span<const Expression> made);
+
+/// Whether an opened Field occurs in it.
+bool has_opened(const Expression& root);
+
+/// An opened Field in an expression, and where it is asked.
+struct PlacedLeaf {
+  SourcePtr source;
+  std::optional<Eigen::Affine3d> to_inner;  ///< from space to its coordinates; empty where that is no invertible affine map
+};
+/// All of them, in topological order.
+std::vector<PlacedLeaf> leaves_of(const Expression& root);
 
 /// Nodes of the graph, with x, y, z and constants where they occur.
 std::size_t node_count(const Expression& root);

@@ -55,6 +55,20 @@ const std::vector<LibraryFunction>& library();
 /// The function of that name, or null.
 const LibraryFunction* find_function(std::string_view name);
 
+/// A value of the design language: a number that may depend on x, y and z, or a solid, which is what shapes, sets and open()
+/// give. Numbers have arithmetic; `-` of two solids is their set difference. A number is a solid where one is needed.
+struct Value {
+  Expression expression;
+  bool solid = false;
+};
+
+/// `a SIGN b` for the signs + - * / ^ | &. Throws bad_input for arithmetic with two solids.
+Value joined(char sign, const Value& a, const Value& b);
+
+/// Calls a function with values: what it gives is a solid, but for functions of numbers; min, max and map keep what they are
+/// given. Throws as call() does.
+Value call(const LibraryFunction& function, std::span<const std::optional<Value>> given, std::string_view text = {});
+
 /// Calls a function with what is given, in the order of its parameters (angles in radians, 0 in place of words): fills in what is
 /// missing and checks what must be a plain number. Throws bad_input with what is wrong.
 Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given, std::string_view text = {});

@@ -39,12 +39,15 @@ enum class Opcode : std::uint8_t {
   arctangent2,
   modulo,
   compare,
+  // three coordinates: the value there of a Field that was opened; never part of a tape
+  opened,
 };
+/// Operations that tapes have: all but `opened`.
 inline constexpr int opcode_count = static_cast<int>(Opcode::compare) + 1;
 
 /// How an operation is written and how many arguments it takes.
 struct OpcodeInfo {
-  int arity;               ///< 0, 1 or 2
+  int arity;               ///< 0, 1 or 2; 3 for `opened`
   char math;               ///< its letter in a prefix math string ('f' for a constant)
   std::string_view vm;     ///< its word in a .vm file
   std::string_view infix;  ///< its function name, or operator sign, in .frep text

@@ -5,9 +5,16 @@
 /// For each form parse(print(e)) == e, node for node.
 #pragma once
 
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/frep/expression.h"
 
 namespace fieldfab::frep {
@@ -22,9 +29,34 @@ std::string print_math(const Expression& expression);
 Expression parse_vm(std::string_view text, std::string_view name = "vm program");
 std::string print_vm(const Expression& expression);
 
-/// Infix text a person writes; docs/frep-language.md is its manual.
-Expression parse_infix(std::string_view text, std::string_view name = "frep text");
-std::string print_infix(const Expression& expression);
+/// A named argument of open() in .frep text: `threshold = 300`, `denoise = "median"`.
+struct OpenOption {
+  std::string name;
+  std::variant<double, std::string> value;
+};
+/// Opens the file that open() names, and returns its solid over x, y and z. Throws as readers of files do, bad_input for an
+/// option that means nothing.
+using Opener = std::function<Expression(const std::string& path, std::span<const OpenOption> options)>;
+
+/// A solid that a text makes.
+struct TextPart {
+  Expression shape;
+  std::string name;  ///< empty where the text makes one solid and gives it no name
+  std::optional<Colour> colour;
+};
+
+/// Infix text a person writes; docs/frep-language.md is its manual. Gives the parts that the text names with part(...), or its last
+/// statement. Values are solids or numbers: `-` is the set difference of two solids, and arithmetic otherwise. Without an opener
+/// open() is refused. Throws bad_input as all parsers here do, and what the opener throws, with the place of the call.
+std::vector<TextPart> parse_parts(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
+/// The same as one expression: the union of its parts.
+Expression parse_infix(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
+
+/// Infix text; files that were opened are named relative to `folder` where they are in it. Throws bad_input for what was made in
+/// memory.
+std::string print_infix(const Expression& expression, const std::filesystem::path& folder = {});
+/// The text of several parts, or of one that may have no name: parse_parts() reads them back.
+std::string print_parts(std::span<const TextPart> parts, const std::filesystem::path& folder = {});
 
 /// The expression as a graph in Graphviz's language: `dot -Tsvg` draws it. Shared parts are drawn once. Write only.
 std::string print_dot(const Expression& expression);

@@ -1,0 +1,53 @@
+/// The one table of file formats: what the command, Python, FreeCAD, MeshLab and the docs know of them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "fieldfab/core/progress.h"
+
+namespace fieldfab {
+
+struct Model;
+struct OpenSettings;
+
+/// What a format holds.
+enum class FormatKind { formula, script, design, distances, mesh, volume };
+/// "formula", "script", "design", "distances", "mesh", "volume".
+std::string_view name_of(FormatKind kind);
+
+using ModelReader = std::function<Model(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress)>;
+
+struct Format {
+  std::vector<std::string> extensions;  ///< in lower case, with the dot
+  FormatKind kind;
+  bool writes;       ///< whether there is a writer
+  std::string help;  ///< one line
+  ModelReader read;  ///< null where it is only written
+};
+
+/// A table of formats, as a value: the kernel's own, or those with what libraries above it can read.
+class Formats {
+ public:
+  explicit Formats(std::vector<Format> rows) : rows_(std::move(rows)) {}
+
+  [[nodiscard]] const std::vector<Format>& rows() const { return rows_; }
+  /// The format of a file's name, or null: the longest extension that fits. A folder is a volume's.
+  [[nodiscard]] const Format* find(const std::filesystem::path& path) const;
+  /// The same table with more rows.
+  [[nodiscard]] Formats with(std::vector<Format> more) const;
+  /// ".math .vm .frep ..." of all formats that are read; for messages and help.
+  [[nodiscard]] std::string readable() const;
+  /// Extensions of all formats of a kind that are written.
+  [[nodiscard]] std::string writable(FormatKind kind) const;
+
+ private:
+  std::vector<Format> rows_;
+};
+
+/// What the kernel reads and writes by itself.
+const Formats& kernel_formats();
+
+}  // namespace fieldfab

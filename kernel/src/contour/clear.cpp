@@ -1,0 +1,158 @@
+#include "clear.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "octree.h"
+
+namespace fieldfab::contouring {
+namespace {
+
+/// Looks at a block, then at its parts where that is not enough.
+class BlockInspector {
+ public:
+  BlockInspector(const Lattice& lattice, const LatticePoint& block, const BlockSamples& samples)
+      : lattice_(lattice), block_(block), samples_(samples) {
+    open_.fill(true);
+  }
+
+  std::vector<UnclearCell> run(const Field& field) {
+    if (!field.affine()) {
+      std::vector<std::uint32_t> points(samples_.points.size());
+      for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+      inspect({0, 0, 0}, block_side, field, points);
+    } else {
+      known_ = true;
+    }
+    if (failures_ > rough)
+      for (UnclearCell& cell : unclear_) cell.field.reset(), cell.folded = false;
+    return std::move(unclear_);
+  }
+  [[nodiscard]] bool known() const { return known_; }
+
+ private:
+  using Corner = std::array<int, 3>;  // in cells from the block's
+  static constexpr int rough = 256;   // as many folded cells, half of the block, are no sheet: smaller ones would be folded, too
+
+  [[nodiscard]] LatticePoint point(const Corner& at) const {
+    const int step = lattice_.voxel_level();
+    return moved(block_, at[0] << step, at[1] << step, at[2] << step);
+  }
+  [[nodiscard]] Box cube(const Corner& at, int side) const {
+    int level = lattice_.voxel_level();
+    for (int s = side; s > 1; s /= 2) ++level;
+    return lattice_.cube(point(at), level).grown(sheet_overlap * lattice_.voxel());
+  }
+
+  void add(const Corner& at, FieldPtr field, bool folded) {
+    unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field), folded});
+  }
+
+  /// Whether a cell's corners show several patches, or a face that could be joined in two ways.
+  [[nodiscard]] bool is_ambiguous(const Corner& at) const {
+    const std::uint8_t corners = samples_.corners[Block::cell(at[0], at[1], at[2])];
+    return !is_uniform(corners) && !is_simple(corners);
+  }
+
+  [[nodiscard]] bool any_open(const Corner& at, int side) const {
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x)
+          if (open_[Block::cell(x, y, z)]) return true;
+    return false;
+  }
+
+  void inspect(const Corner& at, int side, const Field& field, std::span<const std::uint32_t> points) {
+    if (field.smooth() || failures_ > rough) return leave_open_cells(at, side);
+    const Box box = cube(at, side);
+    normals_.clear();
+    for (const std::uint32_t i : points) add_normal(samples_.points[i], normals_);
+    const SurfaceProof proof = prove_sheet(field, box, normals_, lattice_.voxel(), 0);
+    known_ = known_ || proof.known;
+    if (proof.one_sheet) return;
+    if (proof.known) close_far_cells(at, side, proof.change);
+    if (side == 1) {
+      if (!open_[Block::cell(at[0], at[1], at[2])]) return;
+      // Where it has been to no avail often, it is not worth much more.
+      constexpr int patience = 24;
+      const SurfaceProof closer = prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
+      ++(closer.one_sheet ? successes_ : failures_);
+      if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
+      return;
+    }
+    inspect_parts(at, side / 2, field, proof.known, points);
+  }
+
+  void inspect_parts(const Corner& at, int half, const Field& field, bool known, std::span<const std::uint32_t> points) {
+    std::array<Corner, 8> corner;
+    std::array<Box, 8> boxes;
+    std::size_t count = 0;
+    for (int part = 0; part < 8; ++part) {
+      const Corner here{at[0] + (part & 1) * half, at[1] + (part >> 1 & 1) * half, at[2] + (part >> 2) * half};
+      if (!any_open(here, half)) continue;
+      corner[count] = here;
+      boxes[count++] = cube(here, half);
+    }
+    std::array<Restriction, 8> parts;
+    field.restrict_all({boxes.data(), count}, Purpose::value, parts);
+    const bool simpler = std::any_of(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count),
+                                     [&](const Restriction& part) { return part.field.get() != &field; });
+    if (!simpler && !known) return leave_open_cells(at, 2 * half);
+    std::vector<std::uint32_t> inner;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (parts[i].range.decided()) continue;
+      inner.clear();
+      for (const std::uint32_t j : points)
+        if (boxes[i].contains(samples_.points[j].position.cast<double>())) inner.push_back(j);
+      inspect(corner[i], half, *parts[i].field, inner);
+    }
+  }
+
+  /// A Field that is the same in the parts of a cube (a mesh, a scan) is dear to ask, and tells little more of each: what is
+  /// still open there is not looked into.
+  void leave_open_cells(const Corner& at, int side) {
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x)
+          if (open_[Block::cell(x, y, z)]) add({x, y, z}, nullptr, false);
+  }
+
+  /// Cells whose corners are all on one side, farther from zero than the value can change on the way to any point of the cell.
+  void close_far_cells(const Corner& at, int side, double change) {
+    constexpr int row = block_side + 1;
+    for (int z = at[2]; z < at[2] + side; ++z)
+      for (int y = at[1]; y < at[1] + side; ++y)
+        for (int x = at[0]; x < at[0] + side; ++x) {
+          const std::size_t cell = Block::cell(x, y, z);
+          if (!open_[cell] || !is_uniform(samples_.corners[cell])) continue;
+          const float* value = samples_.values + x + row * (y + row * z);
+          float least = std::numeric_limits<float>::infinity();
+          for (const int corner : {0, 1, row, row + 1, row * row, row * row + 1, row * row + row, row * row + row + 1})
+            least = std::min(least, std::abs(value[corner]));
+          if (static_cast<double>(least) > change) open_[cell] = false;
+        }
+  }
+
+  const Lattice& lattice_;
+  const LatticePoint& block_;
+  const BlockSamples& samples_;
+  std::array<bool, block_side * block_side * block_side> open_;
+  std::vector<UnclearCell> unclear_;
+  std::vector<Eigen::Vector3f> normals_;
+  int failures_ = 0, successes_ = 0;  ///< of looking closer
+  bool known_ = false;
+};
+
+}  // namespace
+
+std::vector<UnclearCell> unclear_cells(const Field& field, const Lattice& lattice, const LatticePoint& block,
+                                       const BlockSamples& samples, bool& known) {
+  BlockInspector inspector(lattice, block, samples);
+  std::vector<UnclearCell> unclear = inspector.run(field);
+  known = known || inspector.known();
+  return unclear;
+}
+
+}  // namespace fieldfab::contouring

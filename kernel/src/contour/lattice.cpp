@@ -1,0 +1,56 @@
+#include "lattice.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::contouring {
+namespace {
+
+// Shapes are drawn on round numbers; planes that are not keep the surface from running along a lattice plane.
+const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
+
+constexpr int greatest_level = 20;     // of the root, in voxels
+constexpr double floats_across = 256;  // the least number of floats across a cell
+
+}  // namespace
+
+Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(voxel) {
+  if (!bounds.valid() || bounds.size().minCoeff() <= 0)
+    throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
+  if (!std::isfinite(voxel) || voxel <= 0) throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
+
+  origin_ = bounds.lower - voxel * (Vec3::Ones() + shift);
+  const double cells = bounds.size().maxCoeff() / voxel + 3;
+  int root = block_level;  // of voxels
+  while (root <= greatest_level && cells > std::ldexp(1.0, root)) ++root;
+  if (root > greatest_level)
+    throw Error(ErrorKind::too_large, "voxel",
+                fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", voxel, cells,
+                            1 << greatest_level));
+
+  const double farthest =
+      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root))).cwiseAbs().maxCoeff());
+  float_step_ = std::ldexp(farthest, -23);
+  if (voxel < floats_across * float_step_ || farthest > 1e30)
+    throw Error(ErrorKind::bad_input, "voxel",
+                fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", voxel, farthest));
+  voxel_level_ = 0;
+  while (voxel_level_ < depth && std::ldexp(voxel, -voxel_level_ - 1) >= floats_across * float_step_) ++voxel_level_;
+  finest_ = std::ldexp(voxel, -voxel_level_);
+  root_level_ = root + voxel_level_;
+}
+
+Box Lattice::cube(const LatticePoint& lower, int level) const {
+  Box box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lower[axis] = plane(axis, lower[static_cast<std::size_t>(axis)]);
+    box.upper[axis] = plane(axis, lower[static_cast<std::size_t>(axis)] + (1 << level));
+  }
+  return box;
+}
+
+}  // namespace fieldfab::contouring

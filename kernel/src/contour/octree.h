@@ -1,0 +1,144 @@
+/// The octree of a contour: blocks of 8x8x8 cells near the surface, sampled densely; cells that are not clear are halved; cells
+/// whose surface one vertex reproduces are merged bottom-up into larger leaf cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lattice.h"
+#include "vertex.h"
+#include "fieldfab/core/progress.h"
+#include "fieldfab/field/field.h"
+#include "fieldfab/contour/contour.h"
+
+namespace fieldfab::contouring {
+
+/// A cube crossed by the surface: a cell, or one merged from cells whose surface it reproduces.
+struct Leaf {
+  LatticePoint lower;
+  std::int32_t level = 0;
+  std::uint8_t corners = 0;  ///< bit i: corner i is inside; bits of i are x (1), y (2), z (4)
+  bool merged = false;
+  Vec3 vertex;  ///< the best place for the cell's vertex; only where merged
+};
+
+/// A sign change between neighbouring lattice points.
+struct Crossing {
+  std::uint8_t axis;
+  std::array<std::uint8_t, 3> lower;  ///< the edge's lower end, in cells from the lower corner of its block or division
+  bool lower_inside;
+  SurfacePoint point;
+};
+
+/// A cell that was halved along x, y and z: its 3x3x3 lattice points and eight cells.
+struct Division {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  LatticePoint lower;
+  std::int32_t level = 0;                ///< of the eight cells
+  std::uint32_t inside = 0;              ///< a bit for each lattice point, x fastest
+  std::vector<Crossing> crossings = {};  ///< on all edges
+  std::array<std::uint32_t, 8> parts{none, none, none, none,
+                                     none, none, none, none};  ///< where a cell was halved again: which division
+  std::array<std::uint32_t, 8> leafs{none, none, none, none,
+                                     none, none, none, none};  ///< where a cell is a leaf: which of the block's
+
+  [[nodiscard]] std::uint8_t corners(unsigned child) const;
+};
+
+/// 8x8x8 cells of a voxel with some of the surface in them.
+struct Block {
+  static constexpr std::uint16_t no_leaf = std::numeric_limits<std::uint16_t>::max();
+
+  LatticePoint lower;
+  std::vector<Crossing> crossings;     ///< on edges whose lower end is below 8 on every axis, so that each edge has one block
+  std::vector<Leaf> leafs;             ///< those of whole cells and more first
+  std::vector<std::uint16_t> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf; empty where all is leaf 0
+  std::vector<Division> divisions;
+  std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty where no cell is halved
+  std::uint32_t first_leaf = 0;            ///< index of leafs[0] among all leafs
+
+  [[nodiscard]] std::uint16_t leaf_at(std::size_t cell) const { return leaf_of.empty() ? std::uint16_t{0} : leaf_of[cell]; }
+  [[nodiscard]] std::uint32_t division_at(std::size_t cell) const {
+    return division_of.empty() ? Division::none : division_of[cell];
+  }
+  static std::size_t cell(int x, int y, int z) { return static_cast<std::size_t>(x + block_side * (y + block_side * z)); }
+};
+
+/// What lies at a cell of some level: the smallest cell that holds it, or it itself where that is divided, too.
+struct CellFound {
+  const Block* block = nullptr;         ///< null where there is no surface
+  std::uint32_t leaf = Division::none;  ///< among all leafs
+  int level = 0;
+  bool divided = false;
+};
+
+struct Patch;
+class BlockRefiner;
+
+/// The leaf cells of a contour, and where each cell lies among them.
+class Octree {
+ public:
+  /// Samples the solid. Throws cancelled, too_large.
+  Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress);
+  ~Octree();
+  /// Whether most cells are not clear, so that a lattice of half the voxel costs less than looking into them one by one. Nothing
+  /// else is known of such an octree.
+  [[nodiscard]] bool wants_half_voxel() const { return wants_half_voxel_; }
+  /// Whether cells were halved so often that too many of their neighbours had to be, too: in what is rough at any size that has
+  /// no end. Nothing else is known of such an octree.
+  [[nodiscard]] bool too_deep() const { return too_deep_; }
+
+  [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
+  [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
+  [[nodiscard]] const Certainty& certainty() const { return certainty_; }
+  /// The cells that are not certain.
+  [[nodiscard]] std::span<const UncertainCell> uncertain() const { return uncertain_; }
+  /// The eight blocks at and below `block` (bit set in the index: one block down that axis); null where no surface is.
+  [[nodiscard]] std::array<const Block*, 8> lower_neighbours(const Block& block) const;
+  /// Looks up the cell of that level (a voxel's at most) with that lower corner.
+  [[nodiscard]] CellFound find(const LatticePoint& lower, int level) const;
+
+ private:
+  struct Node;
+  void subdivide(const Field& solid, Progress& progress);
+  void settle(std::span<Node> siblings) const;
+  void sample_blocks(const ContourSettings& settings, Progress& progress);
+  [[nodiscard]] bool half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks,
+                                     const ContourSettings& settings) const;
+  void refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
+              std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  void merge_blocks(double max_error);
+  void number_leafs();
+  [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;
+  [[nodiscard]] std::uint64_t block_key(const LatticePoint& lower) const;
+  [[nodiscard]] int block_root() const { return lattice_.voxel_level() + block_level; }
+
+  const Lattice& lattice_;
+  std::vector<Node> nodes_;  ///< breadth first: children after their parents
+  std::vector<Block> blocks_;
+  std::vector<Leaf> leafs_;
+  std::vector<std::uint64_t> block_keys_;  ///< sorted; parallel to block_order_
+  std::vector<std::uint32_t> block_order_;
+  Certainty certainty_;
+  std::vector<UncertainCell> uncertain_;
+  bool wants_half_voxel_ = false, too_deep_ = false;
+};
+
+/// Where an 8-cell neighbourhood's signs make one surface patch: the corners of the eight merged, or nothing where merging would
+/// lose or join a part of the surface (Ju et al. 2002, section 5: conditions on edge, face and cell midpoints).
+bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& merged);
+
+/// Whether a cell with these corner signs holds exactly one patch with no ambiguous face.
+bool is_simple(std::uint8_t corners);
+inline bool is_uniform(std::uint8_t corners) { return corners == 0 || corners == 255; }
+
+/// Whether the signs at the 3x3 points of a halved face (bit u + 3 v) show what its corners alone would: a neighbour of the
+/// face's size then agrees with them.
+bool is_plain_face(unsigned inside);
+
+}  // namespace fieldfab::contouring

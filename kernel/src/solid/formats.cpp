@@ -1,0 +1,89 @@
+#include "fieldfab/solid/formats.h"
+
+#include <algorithm>
+
+#include "fieldfab/volume/volume_file.h"
+#include "readers.h"
+
+namespace fieldfab {
+
+std::string_view name_of(FormatKind kind) {
+  switch (kind) {
+    case FormatKind::formula: return "formula";
+    case FormatKind::script: return "script";
+    case FormatKind::design: return "design";
+    case FormatKind::distances: return "distances";
+    case FormatKind::mesh: return "mesh";
+    case FormatKind::volume: return "volume";
+  }
+  return "";
+}
+
+const Format* Formats::find(const std::filesystem::path& path) const {
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const Format* found = nullptr;
+  std::size_t longest = 0;
+  for (const Format& row : rows_)
+    for (const std::string& extension : row.extensions)
+      if (name.ends_with(extension) && extension.size() > longest) found = &row, longest = extension.size();
+  std::error_code ignored;
+  if (found == nullptr && std::filesystem::is_directory(path, ignored))
+    for (const Format& row : rows_)
+      if (row.kind == FormatKind::volume && row.read != nullptr) return &row;
+  return found;
+}
+
+Formats Formats::with(std::vector<Format> more) const {
+  std::vector<Format> rows = rows_;
+  std::move(more.begin(), more.end(), std::back_inserter(rows));
+  return Formats(std::move(rows));
+}
+
+namespace {
+
+template <class Wanted>
+std::string list_of(const std::vector<Format>& rows, const Wanted& wanted) {
+  std::string list;
+  for (const Format& row : rows)
+    if (wanted(row))
+      for (const std::string& extension : row.extensions) list += (list.empty() ? "" : " ") + extension;
+  return list;
+}
+
+}  // namespace
+
+std::string Formats::readable() const {
+  return list_of(rows_, [](const Format& row) { return row.read != nullptr; }) + ", folders of TIFF, PNG or DICOM slices";
+}
+
+std::string Formats::writable(FormatKind kind) const {
+  return list_of(rows_, [kind](const Format& row) { return row.writes && row.kind == kind; });
+}
+
+const Formats& kernel_formats() {
+  using Kind = FormatKind;
+  static const Formats formats({
+      {{".math"}, Kind::formula, true, "prefix math string, as kokopelli's", read_math},
+      {{".vm"}, Kind::formula, true, "one operation a line, as Fidget's", read_vm},
+      {{".frep"}, Kind::formula, true, "the design language: formulas, shapes, opened files, parts", read_frep},
+      {{".dot"}, Kind::formula, true, "the formula as a graph, for Graphviz", nullptr},
+      {{".py"}, Kind::script, false, "a Python script that makes solids", read_script},
+      {{".ko"}, Kind::script, false, "a script of kokopelli", read_script},
+      {{".asdf"}, Kind::distances, true, "adaptively sampled distance field", read_asdf},
+      {{".stl"}, Kind::mesh, true, "triangles", read_mesh_file},
+      {{".ply"}, Kind::mesh, true, "triangles; colours", read_mesh_file},
+      {{".off"}, Kind::mesh, true, "triangles", read_mesh_file},
+      {{".obj"}, Kind::mesh, true, "triangles; parts, and colours in an .mtl file", read_mesh_file},
+      {{".3mf"}, Kind::mesh, true, "triangles for printing; parts with names and colours", read_mesh_file},
+      {{".raw", ".vol", ".vgi"}, Kind::volume, false, "samples without a header; sizes from the name or a .vgi file", read_volume},
+      {{".tif", ".tiff"}, Kind::volume, false, "a stack of pictures", read_volume},
+      {{".mha", ".nrrd", ".nii", ".nii.gz"}, Kind::volume, true, "MetaImage, NRRD, NIfTI", read_volume},
+      {{".mhd", ".nhdr"}, Kind::volume, false, "MetaImage and NRRD with samples beside the header", read_volume},
+      {{".dcm", ".dicom", ".ima"}, Kind::volume, false, "DICOM", read_volume},
+      {{".vdb"}, Kind::volume, true, "OpenVDB level set or fog", read_volume},
+  });
+  return formats;
+}
+
+}  // namespace fieldfab

@@ -1,0 +1,51 @@
+#include "fieldfab/solid/surface.h"
+
+#include <fmt/format.h>
+
+#include "fieldfab/core/error.h"
+#include "fieldfab/field/bounds.h"
+
+namespace fieldfab {
+
+Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progress& progress, EmptySolid empty) {
+  if (wanted) {
+    if (!wanted->valid() || wanted->size().minCoeff() <= 0)
+      throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
+    return *wanted;
+  }
+  if (solid.bounds) return *solid.bounds;
+  const SolidBounds found = solid_bounds(*solid.field, progress);
+  if (found.empty && empty == EmptySolid::allowed) return {Vec3::Constant(-1), Vec3::Constant(1)};
+  if (found.empty)
+    throw Error(ErrorKind::bad_input, "bounds", "the solid is empty; give bounds to work on a region all the same");
+  std::string open;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!found.bounded[axis]) open += fmt::format("{}{}", open.empty() ? "" : ", ", "xyz"[axis]);
+  if (!open.empty())
+    throw Error(ErrorKind::bad_input, "bounds",
+                fmt::format("the solid is unbounded along {}; give bounds x0,y0,z0,x1,y1,z1{}", open,
+                            open == "z" ? ", or a thickness to make a plate of a flat model" : ""));
+  return found.box.grown(found.box.size().maxCoeff() / 64);
+}
+
+double default_voxel(const Solid& solid, const Box& region) {
+  constexpr double cells_a_side = 128;
+  return solid.voxel.value_or(region.size().maxCoeff() / cells_a_side);
+}
+
+Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress) {
+  Surface made;
+  if (resolution.exact && solid.faces != nullptr && !resolution.region)
+    if (auto faces = solid.faces(std::nullopt, progress)) {
+      static_cast<TriangleMesh&>(made.mesh) = std::move(*faces);
+      made.exact = true;
+    }
+  made.region = made.exact ? made.mesh.bounds() : working_bounds(solid, resolution.region, progress);
+  made.voxel = resolution.voxel.value_or(default_voxel(solid, made.region));
+  if (!made.exact)
+    made.mesh =
+        contour(*solid.field, made.region, {made.voxel, resolution.max_error.value_or(-1), resolution.features}, progress);
+  return made;
+}
+
+}  // namespace fieldfab
