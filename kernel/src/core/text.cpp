@@ -1,6 +1,9 @@
 #include "fieldfab/core/text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <vector>
 
 namespace fieldfab {
 namespace {
@@ -21,6 +24,22 @@ std::size_t length_of_character(std::string_view bytes) {
   return 0;
 }
 
+/// How many letters two names differ by.
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, above + 1, diagonal + (a[i] != b[j])});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 std::string printable(std::string_view bytes) {
@@ -32,6 +51,15 @@ std::string printable(std::string_view bytes) {
     bytes.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return line;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
+  std::string_view best;
+  std::size_t least = 3;
+  if (word.size() < 60)
+    for (const std::string_view name : known)
+      if (const std::size_t d = distance(word, name); d < least && d < name.size()) least = d, best = name;
+  return best.empty() ? "" : fmt::format("; did you mean '{}'?", best);
 }
 
 }  // namespace fieldfab

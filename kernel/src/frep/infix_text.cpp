@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/library.h"
 #include "fieldfab/frep/text.h"
 #include "text_source.h"
@@ -64,22 +65,6 @@ std::vector<Token> tokens_of(const TextSource& source) {
   }
   tokens.push_back({TokenKind::end, text.size(), {}});
   return tokens;
-}
-
-/// How many letters two names differ by.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t above = row[j + 1];
-      row[j + 1] = std::min({row[j] + 1, above + 1, diagonal + (a[i] != b[j])});
-      diagonal = above;
-    }
-  }
-  return row.back();
 }
 
 using Names = std::unordered_map<std::string_view, Expression>;
@@ -349,15 +334,6 @@ class InfixParser {
     std::vector<std::string_view> known{"x", "y", "z", "pi", "tau"};
     for (const auto& [other, value] : names_) known.push_back(other);
     source_.fail(tokens_[at].at, fmt::format("unknown name '{:.40}'{}", name, suggestion(name, known)));
-  }
-
-  static std::string suggestion(std::string_view name, const std::vector<std::string_view>& known) {
-    std::string_view best;
-    std::size_t least = 3;
-    if (name.size() < 60)
-      for (const std::string_view other : known)
-        if (const std::size_t d = distance(name, other); d < least && d < other.size()) least = d, best = other;
-    return best.empty() ? "" : fmt::format("; did you mean '{}'?", best);
   }
 
   Expression apply_call(const Call& call, const Names* /*locals*/) {

@@ -1,0 +1,27 @@
+/// Colours of parts, as people name them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace fieldfab {
+
+/// An opaque sRGB colour, 0 to 255 a channel.
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Colour&) const = default;
+};
+
+/// The colour of "#rgb" or "#rrggbb"; none for any other text.
+std::optional<Colour> colour_of_hex(std::string_view text);
+
+/// The colour of a CSS name (CSS Color 4, 148 names, upper and lower case alike), of "#rgb" or of "#rrggbb". Throws bad_input for
+/// any other text, with the nearest name where one is near.
+Colour colour_named(std::string_view text);
+
+/// "#rrggbb", in lower case.
+std::string text_of(Colour colour);
+
+}  // namespace fieldfab
