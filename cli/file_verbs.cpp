@@ -245,8 +245,8 @@ class ConvertVerb final : public Verb {
     verb_ =
         app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
     options_.declare(*verb_,
-                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf; a volume also as "
-                     ".nrrd .mha .nii .nii.gz");
+                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf .glb; a volume also "
+                     "as .nrrd .mha .nii .nii.gz");
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);
@@ -286,7 +286,7 @@ class ConvertVerb final : public Verb {
     if (to != ".asdf" && !is_mesh_extension(to))
       throw Error(ErrorKind::bad_input, options_.output,
                   fmt::format("there is no writer for '{}'; known are .math .vm .frep .dot .asdf .vdb .stl .ply .off .obj "
-                              ".3mf, and .nrrd .mha .nii .nii.gz for volumes",
+                              ".3mf .glb, and .nrrd .mha .nii .nii.gz for volumes",
                               to));
     const Box bounds = working_bounds(model, options_.region(), progress);
     const double cell = options_.cell(bounds, model), max_error = options_.max_error.value_or(-1);

@@ -103,13 +103,13 @@ class MeshVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("mesh", "make a watertight triangle mesh of a solid");
-    options_.declare(*verb_, "the mesh to write: .stl .ply .off .obj .3mf");
+    options_.declare(*verb_, "the mesh to write: .stl .ply .off .obj .3mf .glb");
     verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
     if (const std::string extension = extension_of(options_.output); !is_mesh_extension(extension))
       throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf", extension));
+                  fmt::format("cannot write a mesh as '{}'; known are .stl .ply .off .obj .3mf .glb", extension));
     const Stopwatch clock;
     const Model model = options_.load(progress);
     std::optional<TriangleMesh> faces;

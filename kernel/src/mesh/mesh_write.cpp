@@ -119,8 +119,9 @@ class LineWriter {
  public:
   LineWriter(const Counts& all, PendingFile& file, Progress& progress) : file_(file), written_(progress_of(all, progress)) {}
 
-  /// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that both are
-  /// exact. Fewer digits would be the same float, yet another double, and triangles that nearly touch would cross each other.
+  /// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that
+  /// both are exact. Fewer digits would be the same float, yet another double, and triangles that nearly touch would
+  /// cross each other.
   void vertices(const TriangleMesh& mesh, std::string_view begins) {
     for (const auto& p : mesh.vertices)
       line([&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, double{p[0]}, double{p[1]}, double{p[2]}); });
@@ -169,7 +170,8 @@ std::string material_name(const std::optional<Colour>& colour) {
   return colour ? "colour_" + text_of(*colour).substr(1) : "colourless";
 }
 
-/// The materials of .obj files: one for each colour. Channels are those of the sRGB colour over 255, as most readers take them.
+/// The materials of .obj files: one for each colour. Channels are those of the sRGB colour over 255, as most readers take
+/// them.
 void write_mtl(std::span<const PartView> parts, PendingFile& file) {
   file.write("# by Fieldfab\n");
   std::unordered_set<std::string> known;

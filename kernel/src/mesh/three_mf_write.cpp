@@ -54,7 +54,8 @@ std::string attribute(std::string_view text) {
   return value;
 }
 
-/// A .3mf file in the making: the colours, then objects one after the other, then the build, which places each of them once.
+/// A .3mf file in the making: the colours, then objects one after the other, then the build, which places each of them
+/// once.
 class ThreeMfWriter {
  public:
   ThreeMfWriter(std::span<const PartView> parts, PendingFile& file, Progress& progress)
@@ -119,8 +120,8 @@ class ThreeMfWriter {
 
   void add(std::string_view text) { zip_.add(deflated(text)); }
 
-  /// A line for each item. Stretches of lines are made and deflated in parallel, and always at the same places. Progress is
-  /// counted in objects, `from` on; the items take half of one.
+  /// A line for each item. Stretches of lines are made and deflated in parallel, and always at the same places. Progress
+  /// is counted in objects, `from` on; the items take half of one.
   template <class Items, class Format>
   void add_lines(const Items& items, double from, const Format& format) {
     constexpr std::size_t lines_a_stretch = 8192, stretches_at_once = 128;

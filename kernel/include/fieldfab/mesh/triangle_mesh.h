@@ -22,9 +22,9 @@ struct TriangleMesh {
   [[nodiscard]] Box bounds() const;
 };
 
-/// Writes .stl (binary), .ply (binary), .off, .obj, .3mf or .glb, chosen by the extension; text forms carry the exact floats.
-/// Throws bad_input for another extension, too_large for more than the form holds, io, cancelled. The file is written whole or not
-/// at all. For parts with names and colours there is write_mesh_parts().
+/// Writes .stl (binary), .ply (binary), .off, .obj, .3mf or .glb, by the extension; text forms carry the exact floats.
+/// Throws bad_input for another extension, too_large for more than the form holds, io, cancelled. The file is written
+/// whole or not at all. For parts with names and colours there is write_mesh_parts().
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, Progress& progress = Progress::none());
 
 /// Reads any of these forms but .glb (text or binary). Vertices at the same place are merged. Throws io, bad_input.
