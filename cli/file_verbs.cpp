@@ -272,8 +272,8 @@ class ConvertVerb final : public Verb {
     verb_ =
         app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
     options_.declare(*verb_,
-                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf; a volume also as "
-                     ".nrrd .mha .nii .nii.gz");
+                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf .glb; a volume also "
+                     "as .nrrd .mha .nii .nii.gz");
   }
   Outcome run(Progress& progress) override {
     const std::string from = extension_of(options_.model), to = extension_of(options_.output);

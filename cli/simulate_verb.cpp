@@ -29,7 +29,7 @@ class SimulateVerb final : public Verb {
         ->add_option("--setup", setup_,
                      "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md)")
         ->required();
-    verb_->add_option("-o,--output", output_, "the stock that is left: .stl, .ply, .off, .obj, .3mf or .asdf");
+    verb_->add_option("-o,--output", output_, "the stock that is left: .stl, .ply, .off, .obj, .3mf, .glb or .asdf");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
@@ -79,8 +79,9 @@ class SimulateVerb final : public Verb {
   /// What is to be written, before the work: a wrong name is told of at once.
   void check_outputs() const {
     if (!output_.empty() && extension_of(output_) != ".asdf" && !is_mesh_extension(extension_of(output_)))
-      throw Error(ErrorKind::bad_input, output_,
-                  fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .asdf", extension_of(output_)));
+      throw Error(
+          ErrorKind::bad_input, output_,
+          fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .glb .asdf", extension_of(output_)));
     for (const std::string& path : reports_)
       if (extension_of(path) != ".json" && extension_of(path) != ".html")
         throw Error(ErrorKind::bad_input, path, "a report is a .html or a .json file");

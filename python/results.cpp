@@ -75,7 +75,7 @@ void bind_results(py::module_& module) {
       .def_property_readonly("area", &TriangleMesh::area)
       .def(
           "save", [](const TriangleMesh& mesh, const std::filesystem::path& path) { write_mesh(mesh, path); },
-          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj or .3mf.")
+          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj .3mf or .glb.")
       .def_static("load", &read_mesh, py::arg("filename"))
       .def(
           "bms",

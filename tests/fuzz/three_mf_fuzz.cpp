@@ -1,7 +1,8 @@
-// Any bytes as a .3mf archive, or as the model part of one, as the first byte chooses: an Error, or triangles of vertices that
-// are there, which a file of ours has again.
+// Any bytes as a .3mf archive, or as the model part of one, as the first byte chooses: an Error, or triangles of vertices
+// that are there, which a file of ours has again, as one mesh and as parts.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -10,6 +11,7 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/mesh/load_mesh.h"
+#include "fieldfab/mesh/mesh_parts.h"
 #include "mesh/zip_archive.h"
 
 namespace {
@@ -43,6 +45,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   file.commit();
   try {
     const MeshFromFile read = load_mesh(path);
+    std::vector<std::string> notes;
+    const std::vector<MeshPart> parts = load_mesh_parts(path, Progress::none(), notes);
     for (const auto& triangle : read.mesh.triangles)
       for (const std::uint32_t vertex : triangle)
         if (vertex >= read.mesh.vertices.size() || !std::isfinite(read.mesh.vertices[vertex][0])) std::abort();
@@ -51,6 +55,14 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const MeshFromFile again = load_mesh(path);
     if (again.mesh.triangles != read.mesh.triangles || again.mesh.vertices != read.mesh.vertices || !again.notes.empty())
       std::abort();
+    write_mesh_parts(parts, path);
+    notes.clear();
+    const std::vector<MeshPart> parts_again = load_mesh_parts(path, Progress::none(), notes);
+    const auto same = [](const MeshPart& a, const MeshPart& b) {
+      return a.name == b.name && a.colour == b.colour && a.mesh.triangles == b.mesh.triangles &&
+             a.mesh.vertices == b.mesh.vertices;
+    };
+    if (!std::ranges::equal(parts, parts_again, same) || !notes.empty()) std::abort();
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::internal) std::abort();
   }

@@ -8,6 +8,7 @@
 #include <random>
 #include <thread>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/progress.h"
@@ -103,6 +104,45 @@ TEST(Memory, RefusesWhatIsNotThere) {
   EXPECT_GT(available_memory(), 1U << 20);
   EXPECT_THROW(require_memory(std::uintmax_t{1} << 60, "a test"), Error);
   EXPECT_NO_THROW(require_memory(1000, "a test"));
+}
+
+TEST(Colours, HaveNamesAndNumbers) {
+  EXPECT_EQ(colour_named("red"), (Colour{255, 0, 0}));
+  EXPECT_EQ(colour_named("RebeccaPurple"), (Colour{0x66, 0x33, 0x99}));
+  EXPECT_EQ(colour_named("aliceblue"), (Colour{0xf0, 0xf8, 0xff}));
+  EXPECT_EQ(colour_named("yellowgreen"), (Colour{0x9a, 0xcd, 0x32}));
+  EXPECT_EQ(colour_named("#1aF"), (Colour{0x11, 0xaa, 0xff}));
+  EXPECT_EQ(colour_named("#0180fe"), (Colour{1, 128, 254}));
+  EXPECT_EQ(text_of({1, 128, 254}), "#0180fe");
+  for (int i = 0; i < 256; ++i) {
+    const auto channel = static_cast<std::uint8_t>(i);
+    const Colour colour{channel, static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(7 * i)};
+    EXPECT_EQ(colour_of_hex(text_of(colour)), colour);
+  }
+  EXPECT_EQ(colour_of_hex("red"), std::nullopt);
+}
+
+TEST(Colours, ThatAreUnknownAreRefusedInOneLine) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"blurple", "unknown colour 'blurple'; a CSS name or #rrggbb; did you mean 'purple'?"},
+      {"Darkgrean", "unknown colour 'Darkgrean'; a CSS name or #rrggbb; did you mean 'darkgreen'?"},
+      {"", "unknown colour ''; a CSS name or #rrggbb"},
+      {"#", "unknown colour '#'; a CSS name or #rrggbb"},
+      {"#12345", "unknown colour '#12345'; a CSS name or #rrggbb"},
+      {"#-12345", "unknown colour '#-12345'; a CSS name or #rrggbb"},
+      {"#12345g", "unknown colour '#12345g'; a CSS name or #rrggbb"},
+      {"#00ff00ff", "unknown colour '#00ff00ff'; a CSS name or #rrggbb"},
+      {"123456", "unknown colour '123456'; a CSS name or #rrggbb"},
+      {"a\nlong\xff way", "unknown colour 'a long\uFFFD way'; a CSS name or #rrggbb"}};
+  for (const auto& [text, message] : cases) {
+    try {
+      colour_named(text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+      EXPECT_EQ(error.what(), message);
+    }
+  }
 }
 
 TEST(Text, IsOneLineOfValidCharacters) {

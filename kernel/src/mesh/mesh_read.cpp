@@ -1,9 +1,11 @@
 // Reading STL, PLY, OFF and OBJ. Our own, since OpenMesh's PLY reader never returns from a header that is cut off.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <unordered_map>
 
 #include "fieldfab/core/error.h"
@@ -249,8 +251,8 @@ class MeshReader {
   TriangleMesh soup_;
 };
 
-/// Equal vertices become one; triangles that come to nothing by that are left out.
-TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path, Progress& progress) {
+/// Equal vertices become one; triangles that come to nothing by that are left out, which may be all.
+TriangleMesh merged_or_empty(const TriangleMesh& soup, const std::filesystem::path& path, Progress& progress) {
   TriangleMesh mesh;
   std::unordered_map<Position, std::uint32_t, HashPosition> place;
   std::vector<std::uint32_t> renamed;
@@ -275,17 +277,33 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path,
     }
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
   }
-  if (mesh.triangles.empty()) throw Error(ErrorKind::bad_input, path.string(), "holds no triangles");
   return mesh;
+}
+
+[[noreturn]] void fail_empty(const std::filesystem::path& path) {
+  throw Error(ErrorKind::bad_input, path.string(), "holds no triangles");
+}
+
+TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path, Progress& progress) {
+  TriangleMesh mesh = merged_or_empty(soup, path, progress);
+  if (mesh.triangles.empty()) fail_empty(path);
+  return mesh;
+}
+
+/// The bytes of a mesh file of a form that is read, as `extension` tells.
+std::string read_mesh_file(const std::filesystem::path& path, const std::string& extension) {
+  if (extension == ".glb")
+    throw Error(ErrorKind::bad_input, path.string(), "is written, not read; meshes are read from .stl .ply .off .obj .3mf");
+  if (!is_mesh_extension(extension))
+    throw Error(ErrorKind::bad_input, path.string(), "is not a mesh file; known are .stl .ply .off .obj .3mf");
+  return read_file(path, std::uintmax_t{1} << 36);
 }
 
 }  // namespace
 
 MeshFromFile load_mesh(const std::filesystem::path& path, Progress& progress) {
   const std::string extension = lower_extension(path);
-  if (!is_mesh_extension(extension))
-    throw Error(ErrorKind::bad_input, path.string(), "is not a mesh file; known are .stl .ply .off .obj .3mf");
-  std::string bytes = read_file(path, std::uintmax_t{1} << 36);
+  std::string bytes = read_mesh_file(path, extension);
   MeshFromFile result;
   if (extension == ".3mf") {
     result = read_3mf(bytes, path, progress);
@@ -298,6 +316,24 @@ MeshFromFile load_mesh(const std::filesystem::path& path, Progress& progress) {
   }
   result.mesh = merged(result.mesh, path, progress);
   return result;
+}
+
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress, std::vector<std::string>& notes) {
+  if (lower_extension(path) != ".3mf") {
+    MeshFromFile file = load_mesh(path, progress);
+    std::ranges::move(file.notes, std::back_inserter(notes));
+    std::vector<MeshPart> parts(1);
+    parts[0].mesh = std::move(file.mesh);
+    return parts;
+  }
+  std::vector<MeshPart> parts = read_3mf_parts(read_mesh_file(path, ".3mf"), path, progress, notes);
+  for (MeshPart& part : parts) part.mesh = merged_or_empty(part.mesh, path, progress);
+  std::erase_if(parts, [](const MeshPart& part) { return part.mesh.triangles.empty(); });
+  if (parts.empty()) fail_empty(path);
+  PartNames names(' ');
+  for (MeshPart& part : parts)
+    if (!part.name.empty()) part.name = names.unique(std::move(part.name));
+  return parts;
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path) { return load_mesh(path).mesh; }

@@ -56,13 +56,18 @@ double number(std::string_view word) {
   return value;
 }
 
-std::uint32_t whole_number(std::string_view text) {
+std::optional<std::uint32_t> whole_number_or_none(std::string_view text) {
   const std::string_view word = trimmed(text);
   std::uint32_t value = 0;
   const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (failure != std::errc{} || end != word.data() + word.size() || value > 0x7fffffff)
-    fail(fmt::format("expected a whole number below 2^31, found '{:.40}'", printable(text)));
+  if (failure != std::errc{} || end != word.data() + word.size() || value > 0x7fffffff) return std::nullopt;
   return value;
+}
+
+std::uint32_t whole_number(std::string_view text) {
+  const auto value = whole_number_or_none(text);
+  if (!value) fail(fmt::format("expected a whole number below 2^31, found '{:.40}'", printable(text)));
+  return *value;
 }
 
 ThreeMfTransform transform_of(std::string_view text) {
@@ -107,9 +112,11 @@ class ModelReader final : public XmlHandler {
       case Element::vertex: add_vertex(attributes); break;
       case Element::triangle: add_triangle(attributes); break;
       case Element::component: object_->components.push_back(reference_of(attributes)); break;
-      case Element::item: model_.build.push_back(reference_of(attributes)); break;
+      case Element::item: add_item(attributes); break;
+      case Element::base_materials: begin_base_materials(attributes); break;
+      case Element::base: add_base(attributes); break;
       case Element::other:
-        if (parent != Element::other) leave_out(uri, name);
+        if (parent != Element::other) leave_out(uri);
         break;
       default: break;
     }
@@ -135,6 +142,8 @@ class ModelReader final : public XmlHandler {
     component,
     build,
     item,
+    base_materials,
+    base,
     other
   };
 
@@ -145,7 +154,7 @@ class ModelReader final : public XmlHandler {
       Element element;
     };
     // The most frequent first.
-    static constexpr std::array<Place, 12> places{{{Element::triangles, "triangle", Element::triangle},
+    static constexpr std::array<Place, 14> places{{{Element::triangles, "triangle", Element::triangle},
                                                    {Element::vertices, "vertex", Element::vertex},
                                                    {Element::components, "component", Element::component},
                                                    {Element::build, "item", Element::item},
@@ -156,19 +165,18 @@ class ModelReader final : public XmlHandler {
                                                    {Element::mesh, "triangles", Element::triangles},
                                                    {Element::none, "model", Element::model},
                                                    {Element::model, "resources", Element::resources},
-                                                   {Element::model, "build", Element::build}}};
+                                                   {Element::model, "build", Element::build},
+                                                   {Element::resources, "basematerials", Element::base_materials},
+                                                   {Element::base_materials, "base", Element::base}}};
     for (const Place& place : places)
       if (place.parent == parent && place.name == name) return place.element;
     return parent == Element::none ? Element::none : Element::other;
   }
 
-  void leave_out(std::string_view uri, std::string_view name) {
-    if (uri == core_) {
-      if (name == "basematerials") model_.left_out.insert("colours and materials");
-      return;  // metadata
-    }
+  void leave_out(std::string_view uri) {
+    if (uri == core_) return;  // metadata
     if (uri == materials)
-      model_.left_out.insert("colours and materials");
+      model_.has_colours = model_.has_other_colours = true;
     else if (uri == slices)
       model_.left_out.insert("slices");
     else if (uri.starts_with(beams.substr(0, beams.rfind('/'))))
@@ -190,7 +198,7 @@ class ModelReader final : public XmlHandler {
   }
 
   void begin_object(const XmlAttributes& attributes) {
-    if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects");
+    if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
     const std::uint32_t id = whole_number(needed(attributes, "id", "an object"));
     const auto [at, is_new] = model_.objects.try_emplace(id);
     if (!is_new) fail(fmt::format("has two objects with the id {}", id));
@@ -202,8 +210,46 @@ class ModelReader final : public XmlHandler {
                          printable(*type)));
       object_->printed = *type == "model";
     }
-    if (attributes.find("name")) model_.left_out.insert("names of objects");
-    if (attributes.find("pid")) model_.left_out.insert("colours and materials");
+    if (const auto name = attributes.find("name")) {
+      object_->name = name_of(*name);
+      model_.has_names = true;
+    }
+    if (const auto group = attributes.find("pid")) {
+      // What has a colour that cannot be found is still a solid.
+      const auto number = whole_number_or_none(*group);
+      const auto index = whole_number_or_none(attributes.find("pindex").value_or("0"));
+      if (number && index) object_->property = {*number, *index};
+      model_.has_colours = true;
+    }
+  }
+
+  void begin_base_materials(const XmlAttributes& attributes) {
+    if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
+    // A group without a number is one that no object has.
+    materials_ = &model_.base_materials[whole_number_or_none(attributes.find("id").value_or("")).value_or(0xffffffff)];
+    model_.has_colours = true;
+  }
+
+  void add_base(const XmlAttributes& attributes) {
+    require_room(*materials_);
+    constexpr std::size_t opaque = std::string_view("#rrggbb").size(), with_opacity = opaque + 2;
+    std::string_view text = trimmed(attributes.find("displaycolor").value_or(""));
+    if (text.size() == with_opacity) {
+      if (text.substr(opaque) != "FF" && text.substr(opaque) != "ff") model_.has_other_colours = true;
+      text = text.substr(0, opaque);
+    }
+    materials_->push_back(text.size() == opaque ? colour_of_hex(text) : std::nullopt);
+  }
+
+  std::string name_of(std::string_view text) {
+    if (text.size() > budget_.letters) throw Error(ErrorKind::too_large, "", "has more than 256 MiB of names");
+    budget_.letters -= text.size();
+    return printable(text);
+  }
+
+  void add_item(const XmlAttributes& attributes) {
+    const ThreeMfReference reference = reference_of(attributes);
+    model_.build.push_back({reference, name_of(attributes.find("partnumber").value_or(""))});
   }
 
   /// Vertices follow triangles in files that nobody should write: indices are looked at when both are there.
@@ -239,6 +285,7 @@ class ModelReader final : public XmlHandler {
     std::array<std::uint32_t, 3> corners;
     constexpr std::array names{"v1", "v2", "v3"};
     for (std::size_t i = 0; i < 3; ++i) corners[i] = whole_number(needed(attributes, names[i], "a triangle"));
+    if (attributes.find("pid") || attributes.find("p1")) model_.has_colours = model_.has_other_colours = true;
     object_->triangles.push_back(corners);
   }
 
@@ -263,6 +310,7 @@ class ModelReader final : public XmlHandler {
   std::unordered_map<std::string, std::uint32_t> path_numbers_;
   std::vector<Element> open_;
   ThreeMfObject* object_ = nullptr;
+  std::vector<std::optional<Colour>>* materials_ = nullptr;
 };
 
 /// Looks for the relationship of the package to its model.

@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/core/progress.h"
 #include "zip_archive.h"
@@ -25,8 +27,19 @@ struct ThreeMfReference {
   ThreeMfTransform transform = three_mf_identity;
 };
 
+struct ThreeMfItem : ThreeMfReference {
+  std::string part_number;
+};
+
+/// An entry of a group of base materials, or of another group of properties.
+struct ThreeMfProperty {
+  std::uint32_t group = 0, index = 0;
+};
+
 struct ThreeMfObject {
   bool printed = true;  ///< of type "model"
+  std::string name;
+  std::optional<ThreeMfProperty> property;  ///< of all its triangles
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of vertices that are there
   std::vector<ThreeMfReference> components;
@@ -35,15 +48,20 @@ struct ThreeMfObject {
 struct ThreeMfModel {
   double unit = 1;  ///< mm
   std::unordered_map<std::uint32_t, ThreeMfObject> objects;
-  std::vector<ThreeMfReference> build;
+  std::vector<ThreeMfItem> build;
   std::vector<std::string> paths;  ///< names of other parts that references name
-  std::set<std::string> left_out;  ///< in words, for people: "colours and materials"
+  std::unordered_map<std::uint32_t, std::vector<std::optional<Colour>>> base_materials;
+  std::set<std::string> left_out;  ///< in words, for people: "slices"
+  bool has_names = false;          ///< of objects
+  bool has_colours = false;        ///< or materials, of any kind
+  bool has_other_colours = false;  ///< than the base material of a whole object
 };
 
 /// What all parts of a file together may still have.
 struct ThreeMfBudget {
   std::uint64_t objects = std::uint64_t{1} << 20;
   std::uint64_t references = std::uint64_t{1} << 22;
+  std::uint64_t letters = std::uint64_t{1} << 28;  ///< bytes of names
 };
 
 /// Reads a model part (3MF core specification 1.3, chapters 3 and 4). Elements are those in the namespace of the root element;

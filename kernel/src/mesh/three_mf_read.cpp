@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cctype>
 #include <deque>
 #include <map>
+#include <unordered_set>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/text.h"
@@ -55,27 +57,102 @@ class Assembly {
       : zip_(zip), path_(path), progress_(progress) {}
 
   MeshFromFile read() {
+    const std::vector<std::uint32_t> roots = counted();
+    MeshFromFile result;
+    result.mesh.vertices.reserve(all_.vertices);
+    result.mesh.triangles.reserve(all_.triangles);
+    for (std::size_t i = 0; i < roots.size(); ++i) place(roots[i], affine(0, models_[0].build[i]), result.mesh);
+    std::set<std::string> left_out;
+    for (const ThreeMfModel& model : models_) {
+      if (model.has_names) left_out.insert("names of objects");
+      if (model.has_colours) left_out.insert("colours and materials");
+    }
+    add_notes(std::move(left_out), result.notes);
+    return result;
+  }
+
+  std::vector<MeshPart> read_parts(std::vector<std::string>& notes) {
+    const std::vector<std::uint32_t> roots = counted();
+    std::vector<MeshPart> parts;
+    std::map<std::uint32_t, Label> labels;
+    std::set<std::string> left_out;
+    const std::string other_colours = "colours and materials other than one opaque base material an object";
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      const Node& root = nodes_[roots[i]];
+      if (root.count.triangles == 0) continue;
+      const ThreeMfItem& item = models_[0].build[i];
+      const auto [at, is_new] = labels.try_emplace(roots[i]);
+      if (is_new) at->second = label_of(roots[i]);
+      const Label& label = at->second;
+      if (label.loses_names) left_out.insert("names of components");
+      if (label.loses_colours) left_out.insert(other_colours);
+      MeshPart& part = parts.emplace_back();
+      part.name = root.object->name.empty() ? item.part_number : root.object->name;
+      part.colour = label.colour;
+      part.mesh.vertices.reserve(root.count.vertices);
+      part.mesh.triangles.reserve(root.count.triangles);
+      place(roots[i], affine(0, item), part.mesh);
+    }
+    for (const ThreeMfModel& model : models_)
+      if (model.has_other_colours) left_out.insert(other_colours);
+    add_notes(std::move(left_out), notes);
+    return parts;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, path_.string(), how); }
+
+  /// What is known of an object and all below it.
+  struct Label {
+    std::optional<Colour> colour;
+    bool loses_names = false, loses_colours = false;  ///< what one name and one colour cannot say
+  };
+
+  /// The nodes of the build's items, all counted. Throws too_large for more than a mesh or memory holds.
+  std::vector<std::uint32_t> counted() {
     load(part_name(first_model_part(zip_, path_, progress_)));
     std::vector<std::uint32_t> roots;
     for (const ThreeMfReference& item : models_[0].build) {
       roots.push_back(node_of(0, item));
       count(roots.back());
     }
-    Count all;
-    for (const std::uint32_t root : roots) all.add(nodes_[root].count);
+    for (const std::uint32_t root : roots) all_.add(nodes_[root].count);
     if (roots.empty()) fail("places nothing: its build has no item");
-    if (all.triangles == 0 && unprinted_ > 0) fail("places no object of type 'model', and others are not solids");
-    require(all);
-    MeshFromFile result;
-    result.mesh.vertices.reserve(all.vertices);
-    result.mesh.triangles.reserve(all.triangles);
-    for (std::size_t i = 0; i < roots.size(); ++i) place(roots[i], affine(0, models_[0].build[i]), result.mesh, all);
-    add_notes(result.notes);
-    return result;
+    if (all_.triangles == 0 && unprinted_ > 0) fail("places no object of type 'model', and others are not solids");
+    require(all_);
+    return roots;
   }
 
- private:
-  [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, path_.string(), how); }
+  [[nodiscard]] std::optional<Colour> colour_of(const Node& node) const {
+    if (!node.object->property) return std::nullopt;
+    const auto& groups = models_[node.part].base_materials;
+    const auto group = groups.find(node.object->property->group);
+    if (group == groups.end() || node.object->property->index >= group->second.size()) return std::nullopt;
+    return group->second[node.object->property->index];
+  }
+
+  [[nodiscard]] Label label_of(std::uint32_t root) const {
+    std::unordered_set<std::uint32_t> seen{root};
+    std::vector<std::uint32_t> open{root};
+    std::vector<std::optional<Colour>> colours;  // different ones, of meshes
+    Label label;
+    while (!open.empty()) {
+      progress_.check();
+      const std::uint32_t here = open.back();
+      const Node& node = nodes_[here];
+      open.pop_back();
+      if (here != root && !node.object->name.empty()) label.loses_names = true;
+      if (node.object->printed && !node.object->triangles.empty())
+        if (const auto colour = colour_of(node); std::ranges::find(colours, colour) == colours.end() && colours.size() < 2)
+          colours.push_back(colour);
+      for (const std::uint32_t child : node.children)
+        if (nodes_[child].count.triangles > 0 && seen.insert(child).second) open.push_back(child);
+    }
+    label.colour = colour_of(nodes_[root]);
+    if (!label.colour && colours.size() == 1) label.colour = colours[0];
+    label.loses_colours = colours.size() > 1;
+    return label;
+  }
 
   std::uint32_t load(const std::string& name) {
     const auto [at, is_new] = parts_.try_emplace(lower(name), static_cast<std::uint32_t>(models_.size()));
@@ -154,7 +231,7 @@ class Assembly {
     return result;
   }
 
-  void place(std::uint32_t root, const Eigen::Affine3d& transform, TriangleMesh& mesh, const Count& all) const {
+  void place(std::uint32_t root, const Eigen::Affine3d& transform, TriangleMesh& mesh) {
     struct Level {
       std::uint32_t node;
       std::size_t next_child = 0;
@@ -169,7 +246,7 @@ class Assembly {
         continue;
       }
       progress_.check();
-      if (level.next_child == 0) place_mesh(node, level.transform, mesh, all);
+      if (level.next_child == 0) place_mesh(node, level.transform, mesh);
       if (level.next_child == node.children.size()) {
         levels.pop_back();
         continue;
@@ -179,7 +256,7 @@ class Assembly {
     }
   }
 
-  void place_mesh(const Node& node, const Eigen::Affine3d& transform, TriangleMesh& mesh, const Count& all) const {
+  void place_mesh(const Node& node, const Eigen::Affine3d& transform, TriangleMesh& mesh) {
     if (!node.object->printed) return;
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const double unit = models_[node.part].unit;
@@ -187,7 +264,7 @@ class Assembly {
     const auto look = [&](std::size_t i) {
       if (i % 16384 != 0) return;
       progress_.check();
-      progress_.report(0.5 * static_cast<double>(mesh.triangles.size()) / static_cast<double>(all.triangles), "reading the mesh");
+      progress_.report(0.5 * static_cast<double>(placed_) / static_cast<double>(all_.triangles), "reading the mesh");
     };
     for (std::size_t i = 0; i < node.object->vertices.size(); ++i) {
       look(i);
@@ -200,12 +277,12 @@ class Assembly {
       auto [a, b, c] = node.object->triangles[i];
       if (mirrors) std::swap(b, c);
       mesh.triangles.push_back({first + a, first + b, first + c});
+      ++placed_;
     }
   }
 
-  void add_notes(std::vector<std::string>& notes) const {
+  void add_notes(std::set<std::string> left_out, std::vector<std::string>& notes) const {
     const std::string name = path_.filename().string();
-    std::set<std::string> left_out;
     std::size_t objects = 0;
     for (const ThreeMfModel& model : models_) {
       left_out.insert(model.left_out.begin(), model.left_out.end());
@@ -231,6 +308,8 @@ class Assembly {
   std::vector<Node> nodes_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;  ///< of nodes, by part and id
   std::size_t unprinted_ = 0;
+  Count all_;                 ///< that the build places
+  std::uint64_t placed_ = 0;  ///< triangles, so far
 };
 
 }  // namespace
@@ -238,6 +317,12 @@ class Assembly {
 MeshFromFile read_3mf(std::string_view bytes, const std::filesystem::path& path, Progress& progress) {
   const ZipReader zip(bytes, path);
   return Assembly(zip, path, progress).read();
+}
+
+std::vector<MeshPart> read_3mf_parts(std::string_view bytes, const std::filesystem::path& path, Progress& progress,
+                                     std::vector<std::string>& notes) {
+  const ZipReader zip(bytes, path);
+  return Assembly(zip, path, progress).read_parts(notes);
 }
 
 }  // namespace fieldfab

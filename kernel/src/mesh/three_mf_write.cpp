@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "fieldfab/core/parallel.h"
+#include "fieldfab/core/text.h"
 #include "mesh_file.h"
 #include "zip_archive.h"
 
@@ -31,33 +33,78 @@ constexpr std::string_view model_begins =
 <resources>
 )";
 
-/// A .3mf file in the making: objects one after the other, then the build, which places each of them once.
+/// Text as an attribute's value: valid XML 1.0 whatever it was.
+std::string attribute(std::string_view text) {
+  std::string value;
+  for (const char c : printable(text)) {
+    if (c == '&')
+      value += "&amp;";
+    else if (c == '<')
+      value += "&lt;";
+    else if (c == '>')
+      value += "&gt;";
+    else if (c == '"')
+      value += "&quot;";
+    else
+      value += c;
+  }
+  // U+FFFE and U+FFFF are no characters in XML.
+  for (std::size_t at = 0; (at = value.find("\xEF\xBF", at)) != std::string::npos; at += 3)
+    if (const auto last = static_cast<unsigned char>(value[at + 2]); last >= 0xBE) value[at + 2] = static_cast<char>(0xBD);
+  return value;
+}
+
+/// A .3mf file in the making: the colours, then objects one after the other, then the build, which places each of them
+/// once.
 class ThreeMfWriter {
  public:
-  /// `most` is the sum of most_text_of() all its objects.
-  ThreeMfWriter(PendingFile& file, std::uint64_t most, Progress& progress) : zip_(file), progress_(progress) {
+  ThreeMfWriter(std::span<const PartView> parts, PendingFile& file, Progress& progress)
+      : parts_(parts), zip_(file), progress_(progress) {}
+
+  void write() {
+    std::uint64_t most = 4096;
+    for (const PartView& part : parts_) most += most_text_of(part);
     zip_.add_part("[Content_Types].xml", content_types);
     zip_.add_part("_rels/.rels", relationships);
-    zip_.begin("3D/3dmodel.model", most + 4096);
+    zip_.begin("3D/3dmodel.model", most);
     add(model_begins);
+    add_colours();
+    for (std::size_t i = 0; i < parts_.size(); ++i) add_object(i);
+    finish();
   }
 
-  static std::uint64_t most_text_of(const TriangleMesh& mesh) {
-    // A number has at most 24 digits and signs, an index 10.
-    constexpr std::uint64_t vertex = 24 + 3 * 24, triangle = 30 + 3 * 10, object = 1024;
-    return vertex * mesh.vertices.size() + triangle * mesh.triangles.size() + object;
+ private:
+  static std::uint64_t most_text_of(const PartView& part) {
+    // A number has at most 24 digits and signs, an index 10; a letter of a name becomes at most six.
+    constexpr std::uint64_t vertex = 24 + 3 * 24, triangle = 30 + 3 * 10, object = 1024, letter = 6;
+    return vertex * part.mesh.vertices.size() + triangle * part.mesh.triangles.size() + object + letter * part.name.size();
   }
 
-  void add_object(const TriangleMesh& mesh) {
-    ++objects_;
-    add(fmt::format("<object id=\"{}\" type=\"model\">\n<mesh>\n<vertices>\n", objects_));
+  [[nodiscard]] std::size_t colours_id() const { return parts_.size() + 1; }
+
+  /// Each colour once, before the objects that refer to it.
+  void add_colours() {
+    std::string text;
+    for (const PartView& part : parts_)
+      if (part.colour && places_.try_emplace(text_of(*part.colour), places_.size()).second)
+        text += fmt::format("<base name=\"{0}\" displaycolor=\"{0}\"/>\n", text_of(*part.colour));
+    if (!text.empty()) add(fmt::format("<basematerials id=\"{}\">\n{}</basematerials>\n", colours_id(), text));
+  }
+
+  void add_object(std::size_t number) {
+    const auto& [mesh, name, colour] = parts_[number];
+    std::string described = "type=\"model\"";
+    if (!name.empty()) described += fmt::format(" name=\"{}\"", attribute(name));
+    if (colour) described += fmt::format(" pid=\"{}\" pindex=\"{}\"", colours_id(), places_.at(text_of(*colour)));
+    add(fmt::format("<object id=\"{}\" {}>\n<mesh>\n<vertices>\n", number + 1, described));
+    const auto from = static_cast<double>(number);
     // The digits are those of the float as a double: see mesh_write.cpp.
-    add_lines(mesh.vertices, 0, [](const std::array<float, 3>& p, fmt::memory_buffer& text) {
+    add_lines(mesh.vertices, from, [](const std::array<float, 3>& p, fmt::memory_buffer& text) {
       fmt::format_to(std::back_inserter(text), FMT_COMPILE("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n"), double{p[0]}, double{p[1]},
                      double{p[2]});
     });
     add("</vertices>\n<triangles>\n");
-    add_lines(mesh.triangles, 0.5, [](const std::array<std::uint32_t, 3>& t, fmt::memory_buffer& text) {
+    add_lines(mesh.triangles, from + 0.5, [](const std::array<std::uint32_t, 3>& t, fmt::memory_buffer& text) {
       fmt::format_to(std::back_inserter(text), FMT_COMPILE("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"), t[0], t[1], t[2]);
     });
     add("</triangles>\n</mesh>\n</object>\n");
@@ -65,23 +112,24 @@ class ThreeMfWriter {
 
   void finish() {
     std::string build = "</resources>\n<build>\n";
-    for (int id = 1; id <= objects_; ++id) build += fmt::format("<item objectid=\"{}\"/>\n", id);
+    for (std::size_t id = 1; id <= parts_.size(); ++id) build += fmt::format("<item objectid=\"{}\"/>\n", id);
     add(build + "</build>\n</model>\n");
     zip_.end();
     zip_.finish();
   }
 
- private:
   void add(std::string_view text) { zip_.add(deflated(text)); }
 
-  /// A line for each item. Stretches of lines are made and deflated in parallel, and always at the same places.
+  /// A line for each item. Stretches of lines are made and deflated in parallel, and always at the same places. Progress
+  /// is counted in objects, `from` on; the items take half of one.
   template <class Items, class Format>
   void add_lines(const Items& items, double from, const Format& format) {
     constexpr std::size_t lines_a_stretch = 8192, stretches_at_once = 128;
     const std::size_t count = (items.size() + lines_a_stretch - 1) / lines_a_stretch;
     std::vector<Deflated> made;
     for (std::size_t first = 0; first < count; first += stretches_at_once) {
-      progress_.report(from + 0.5 * static_cast<double>(first) / static_cast<double>(count), "writing the mesh");
+      const double here = from + 0.5 * static_cast<double>(first) / static_cast<double>(count);
+      progress_.report(here / static_cast<double>(parts_.size()), "writing the mesh");
       made.resize(std::min(stretches_at_once, count - first));
       parallel_for(made.size(), [&](std::size_t i) {
         progress_.check();
@@ -94,17 +142,16 @@ class ThreeMfWriter {
     }
   }
 
+  std::span<const PartView> parts_;
   ZipWriter zip_;
   Progress& progress_;
-  int objects_ = 0;
+  std::map<std::string, std::size_t> places_;  ///< of colours
 };
 
 }  // namespace
 
-void write_3mf(const TriangleMesh& mesh, PendingFile& file, Progress& progress) {
-  ThreeMfWriter writer(file, ThreeMfWriter::most_text_of(mesh), progress);
-  writer.add_object(mesh);
-  writer.finish();
+void write_3mf(std::span<const PartView> parts, PendingFile& file, Progress& progress) {
+  ThreeMfWriter(parts, file, progress).write();
 }
 
 }  // namespace fieldfab

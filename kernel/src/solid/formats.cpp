@@ -76,6 +76,7 @@ const Formats& kernel_formats() {
       {{".off"}, Kind::mesh, true, "triangles", read_mesh_file},
       {{".obj"}, Kind::mesh, true, "triangles; parts, and colours in an .mtl file", read_mesh_file},
       {{".3mf"}, Kind::mesh, true, "triangles for printing; parts with names and colours", read_mesh_file},
+      {{".glb"}, Kind::mesh, true, "glTF binary, for viewers; parts with names and colours", nullptr},
       {{".raw", ".vol", ".vgi"}, Kind::volume, false, "samples without a header; sizes from the name or a .vgi file", read_volume},
       {{".tif", ".tiff"}, Kind::volume, false, "a stack of pictures", read_volume},
       {{".mha", ".nrrd", ".nii", ".nii.gz"}, Kind::volume, true, "MetaImage, NRRD, NIfTI", read_volume},

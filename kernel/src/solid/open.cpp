@@ -9,9 +9,9 @@
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
-#include "fieldfab/mesh/load_mesh.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
+#include "fieldfab/mesh/mesh_parts.h"
 #include "fieldfab/solid/scan_solid.h"
 #include "fieldfab/solid/script.h"
 #include "readers.h"
@@ -245,23 +245,33 @@ Model read_asdf(const std::filesystem::path& path, const OpenSettings& settings,
 }
 
 Model read_mesh_file(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
-  MeshFromFile file = load_mesh(path, progress);
-  TriangleMesh& mesh = file.mesh;
-  if (const Lids lids = lids_of(mesh); lids.are_good(mesh)) {
-    mesh = closed_by(lids, mesh);
-    file.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", path.filename().string(), lids.rims,
-                                     lids.rims == 1 ? "rim is" : "rims are", lids.area));
-  } else if (!lids.triangles.empty()) {
-    file.notes.push_back(fmt::format(
-        "{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long",
-        path.filename().string()));
+  Model model;
+  std::vector<MeshPart> parts = load_mesh_parts(path, progress, model.notes);
+  for (MeshPart& part : parts) {
+    TriangleMesh& mesh = part.mesh;
+    const std::string name = path.filename().string() + (part.name.empty() ? "" : ": " + part.name);
+    if (const Lids lids = lids_of(mesh); lids.are_good(mesh)) {
+      mesh = closed_by(lids, mesh);
+      model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", name, lids.rims,
+                                        lids.rims == 1 ? "rim is" : "rims are", lids.area));
+    } else if (!lids.triangles.empty()) {
+      model.notes.push_back(
+          fmt::format("{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long", name));
+    }
+    auto opened = std::make_shared<OpenedSolid>();
+    opened->kind = "mesh";
+    opened->field = mesh_field(mesh, progress);
+    opened->bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);
+    opened->path = resolved(path);
+    // One of several is named by its part.
+    std::vector<frep::OpenOption> options = settings.options;
+    if (parts.size() > 1) options.push_back({"part", part.name});
+    opened->options = text_of(options);
+    model.parts.push_back(solid_of(opened));
+    model.parts.back().name = part.name;
+    model.parts.back().colour = part.colour;
   }
-  auto opened = std::make_shared<OpenedSolid>();
-  opened->kind = "mesh";
-  opened->field = mesh_field(mesh, progress);
-  opened->bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);
-  opened->notes = std::move(file.notes);
-  return model_of_file(opened, path, settings);
+  return model;
 }
 
 Model read_volume(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {

@@ -17,8 +17,8 @@ struct Colour {
 /// The colour of "#rgb" or "#rrggbb"; none for any other text.
 std::optional<Colour> colour_of_hex(std::string_view text);
 
-/// The colour of a CSS name (CSS Color 4, 148 names, upper and lower case alike), of "#rgb" or of "#rrggbb". Throws bad_input for
-/// any other text, with the nearest name where one is near.
+/// The colour of a CSS name (CSS Color 4, 148 names, upper and lower case alike), of "#rgb" or of "#rrggbb". Throws
+/// bad_input for any other text, with the nearest name where one is near.
 Colour colour_named(std::string_view text);
 
 /// "#rrggbb", in lower case.

@@ -11,8 +11,8 @@ namespace fieldfab {
 /// anything.
 std::string printable(std::string_view bytes);
 
-/// "; did you mean 'NAME'?" with the known name that differs from a mistyped one by the fewest letters, two at most; empty where
-/// none is so near.
+/// "; did you mean 'NAME'?" with the known name that differs from a mistyped one by the fewest letters, two at most; empty
+/// where none is so near.
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace fieldfab

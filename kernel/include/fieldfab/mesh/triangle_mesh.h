@@ -22,14 +22,15 @@ struct TriangleMesh {
   [[nodiscard]] Box bounds() const;
 };
 
-/// Writes .stl (binary), .ply (binary), .off, .obj or .3mf, chosen by the extension; text forms carry the exact floats.
-/// Throws bad_input for another extension, io, cancelled. The file is written whole or not at all.
+/// Writes .stl (binary), .ply (binary), .off, .obj, .3mf or .glb, by the extension; text forms carry the exact floats.
+/// Throws bad_input for another extension, too_large for more than the form holds, io, cancelled. The file is written
+/// whole or not at all. For parts with names and colours there is write_mesh_parts().
 void write_mesh(const TriangleMesh& mesh, const std::filesystem::path& path, Progress& progress = Progress::none());
 
-/// Reads any of these forms (text or binary). Vertices at the same place are merged. Throws io, bad_input.
+/// Reads any of these forms but .glb (text or binary). Vertices at the same place are merged. Throws io, bad_input.
 TriangleMesh read_mesh(const std::filesystem::path& path);
 
-/// The extensions that write_mesh() and read_mesh() know, with the dot, in lower case.
+/// The extensions that write_mesh() knows, with the dot, in lower case; read_mesh() says of .glb that it is not read.
 bool is_mesh_extension(const std::string& extension);
 
 }  // namespace fieldfab
