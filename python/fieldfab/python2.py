@@ -325,6 +325,13 @@ def compiled(text, filename):
         return compile(ast.fix_missing_locations(tree), filename, "exec", dont_inherit=True)
 
 
+def loop_names(text):
+    """The variables of for loops in Python 2's text, which has no error."""
+    tree = ast.parse(rewritten(text)[0])
+    targets = [node.target for node in ast.walk(tree) if isinstance(node, ast.For)]
+    return {each.id for target in targets for each in ast.walk(target) if isinstance(each, ast.Name)}
+
+
 def read(path):
     """The text of a file, by its coding line, else UTF-8, else Latin 1."""
     with open(path, "rb") as file:
