@@ -32,11 +32,9 @@ class Cad:
 
     @shapes.setter
     def shapes(self, value):
-        if value is not None and not isinstance(value, (list, tuple)):
-            value = [value]
-        self._shapes = value and [_checked(each) for each in value]
-        if value is not None and self._shapes is not None:
-            self._shapes = list(self._shapes)
+        if value is not None:
+            value = [_checked(each) for each in (value if isinstance(value, (list, tuple)) else [value])]
+        self._shapes = value
 
     @property
     def shape(self):
@@ -225,7 +223,8 @@ def _in_place(modules):
 def _execute(code, names=None, local_names=None):
     """Python 2's exec statement: of a text, or of code that is compiled."""
     if isinstance(code, tuple):
-        code, names, local_names = (*code, names, local_names)[:3] if len(code) < 3 else code
+        code, names, local_names = code if len(code) == 3 else (*code, None, None) if len(code) == 2 else (*code, names, local_names)
+    names.setdefault("__builtins__", python2_names.builtins_of_python2(_execute))
     exec(python2.compiled(code, "<exec>") if isinstance(code, str) else code, names, local_names)
 
 
@@ -268,9 +267,9 @@ def _in_mm(shape, cad):
 
 
 def _within(shape, cad):
-    """The formula; of a shape without end that a script has given bounds, what lies inside them."""
+    """The formula; where a search finds no end of the shape, what lies inside the bounds that it has from its making, or from the script."""
     formula = Expression(shape)
-    limits = shape.bounds if shape.bounds_were_set else [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
+    limits = shape.known_bounds or [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
     sides = [None not in limits[i:i + 2] for i in (0, 2, 4)]
     if not sides[0] or not sides[1] or Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
         return formula

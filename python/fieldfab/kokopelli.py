@@ -107,7 +107,7 @@ def text(text, x, y, height=1, align="CC"):
     lines = text.split("\n")
     tall = 1 + _widths.LINE * (len(lines) - 1)
     base = {"T": -1.0, "C": tall / 2 - 1, "B": tall - 1}[align[1]]
-    letters, left, right = [], [], []
+    letters, left, right, low = [], [], [], []
     for line in lines:
         wide = _widths.width_of(line)
         at = {"L": 0.0, "C": -wide / 2, "R": -wide}[align[0]]
@@ -115,14 +115,14 @@ def text(text, x, y, height=1, align="CC"):
         for letter in line:
             if letter.strip() and _letter(letter) is not None:
                 letters.append(_s.move(_letter(letter), at, base))
+                low.append(base - _widths.DESCENTS.get(letter, 0.0))
             at += _widths.width_of(letter) + _widths.GAP
         base -= _widths.LINE
     if not letters:
         return None
     drawn = _s.union(*letters) if len(letters) > 1 else letters[0]
     top = {"T": 0.0, "C": tall / 2, "B": tall}[align[1]]
-    low = top - tall - (_widths.DESCENT if any(c in _widths.DESCENDING for c in lines[-1]) else 0.0)
-    shape = _shape(_s.scale_xyz(drawn, height, height), *(height * v for v in (min(left), max(right), low, top)))
+    shape = _shape(_s.scale_xyz(drawn, height, height), *(height * v for v in (min(left), max(right), min(low), top)))
     return move(shape, x, y)
 
 
@@ -384,8 +384,7 @@ def iterate_polar(part, x0, y0, n):
 
 @matching
 def blend(a, b, amount):
-    joint = MathTree(a, shape=True) + MathTree(b, shape=True)
-    return _kept(_s.blend(_plain(a), _plain(b), amount), joint, list)
+    return _kept(_s.blend(_plain(a), _plain(b), amount), MathTree.wrap(a) | MathTree.wrap(b), list)
 
 
 @matching

@@ -38,7 +38,6 @@ class MathTree(Expression):
         self.shape = bool(getattr(math, "shape", isinstance(math, Expression)) if shape is None else shape)
         self.color = color
         self._bounds = None  # not looked for yet
-        self.bounds_were_set = False
 
     @staticmethod
     def wrap(value):
@@ -52,7 +51,6 @@ class MathTree(Expression):
     def clone(self):
         copy = MathTree(self, self.shape, self._color)
         copy._bounds = self._bounds and list(self._bounds)
-        copy.bounds_were_set = self.bounds_were_set
         return copy
 
     @property
@@ -88,7 +86,6 @@ class MathTree(Expression):
         if len(value) != 6:
             raise ValueError(f"bounds are six numbers or None, not {len(value)}")
         self._bounds = [None if each is None else float(each) for each in value]
-        self.bounds_were_set = True
 
     @property
     def bounded(self):

@@ -72,7 +72,7 @@ def _formula_of(path, progress):
         said.seek(0)
         answer = said.read().decode(errors="replace")
     if answer.startswith("ok\n"):
-        return fieldfab.parse_vm(answer[3:]).math()
+        return fieldfab.parse(answer[3:]).math()
     _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("it ended without an answer"))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 
