@@ -267,14 +267,27 @@ def _in_mm(shape, cad):
 
 
 def _within(shape, cad):
-    """The formula; where a search finds no end of the shape, what lies inside the bounds that it has from its making, or from the script."""
+    """The formula; where the shape has no end that can be found, what lies inside the bounds that it has from its making, or from the
+    script."""
     formula = Expression(shape)
     limits = shape.known_bounds or [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
-    sides = [None not in limits[i:i + 2] for i in (0, 2, 4)]
-    if not sides[0] or not sides[1] or Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
+    if None in limits[:4] or _ends_at(formula, limits) or Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
         return formula
     box = kokopelli.rectangle(*limits[:4])
-    return s.intersection(formula, Expression(kokopelli.extrusion(box, *limits[4:]) if sides[2] else box))
+    return s.intersection(formula, Expression(box if None in limits else kokopelli.extrusion(box, *limits[4:])))
+
+
+def _ends_at(formula, limits):
+    """Whether intervals prove that a shape has no part outside of its bounds, to a thousand times its size; much faster than a search."""
+    field = Field(formula)
+    size = max(limits[1] - limits[0], limits[3] - limits[2])
+    for i, limit in enumerate(limits):
+        if limit is not None:
+            slab = [-1000.0 * size] * 3 + [1000.0 * size] * 3  # xmin, ymin, zmin, xmax, ymax, zmax
+            slab[i // 2 + (0 if i % 2 else 3)] = limit + (0.001 if i % 2 else -0.001) * size
+            if not field.interval(slab)[0] > 0:
+                return False
+    return True
 
 
 def _colour(rgb):

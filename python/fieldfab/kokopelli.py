@@ -15,6 +15,7 @@ import math as _math
 
 from . import shapes as _s
 from . import text_widths as _widths
+from ._core import Field as _Field
 from ._core import X, Y, Z
 from ._core import cos as _cos
 from ._core import sqrt as _sqrt
@@ -90,16 +91,23 @@ def slot(x, y, width, height, angle=0, chamfer=0.2):
     return move(rotate(upright, angle), x, y)
 
 
+def _ink(drawn, cells=32):
+    """From where to where a letter 1 high may have ink along x, or None: by intervals over cells."""
+    field, size = _Field(drawn), 1 / cells
+    found = [i for i in range(-cells // 4, cells * 5 // 4) if any(
+        field.interval((i * size, j * size, 0, (i + 1) * size, (j + 1) * size, 0))[0] <= 0 for j in range(-cells // 2, cells * 5 // 4))]
+    return (found[0] * size, (found[-1] + 1) * size) if found else None
+
+
 @_functools.lru_cache(maxsize=None)
 def _letter(letter):
     """A letter 1 high on the base line, as wide as kokopelli's; None where there is no ink."""
     drawn = _s.text(letter, h=1, weight=1 / 7)
-    ink = MathTree(drawn, shape=True)
-    wide = _widths.width_of(letter)
-    if ink.dx is None:
+    ink, wide = _ink(drawn), _widths.width_of(letter)
+    if ink is None:
         return None
-    size = min(1.0, wide / ink.dx)
-    return _s.move(_s.scale_xyz(_s.move(drawn, -(ink.xmin + ink.xmax) / 2), size), wide / 2)
+    size = min(1.0, wide / (ink[1] - ink[0]))
+    return _s.move(_s.scale_xyz(_s.move(drawn, -(ink[0] + ink[1]) / 2), size), wide / 2)
 
 
 def text(text, x, y, height=1, align="CC"):
