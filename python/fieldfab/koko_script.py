@@ -1,4 +1,4 @@
-"""Runs kokopelli's own scripts (.ko): Python 2, with `cad` for what they make and with the modules of `koko` (Keeter 4.3)."""
+"""Runs kokopelli's own scripts (.ko, Keeter 4.3): Python 2, with `cad` for what they make, and modules of `koko`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ AXES = "xyz"
 
 
 class Cad:
-    """What a script makes: `cad.shapes`, or `cad.shape`, or `cad.function`; mm_per_unit, render_mode; bounds, with a border."""
+    """The shapes of a script (`cad.shapes`, `cad.shape` or `cad.function`), mm_per_unit, render_mode, and bounds."""
 
     def __init__(self):
         self._shapes, self._render_mode, self._mm_per_unit = None, None, 25.4
@@ -109,7 +109,8 @@ for _i, _name in enumerate(AXES):
 def _checked(value):
     """A shape of cad.shapes. Raises TypeError for other things."""
     if not isinstance(value, (MathTree, Expression, str, int, float)):
-        raise TypeError(f"cad.shapes takes shapes, and this is {'None' if value is None else 'a ' + type(value).__name__}")
+        found = "None" if value is None else f"a {type(value).__name__}"
+        raise TypeError(f"cad.shapes takes shapes, and this is {found}")
     return MathTree.wrap(value)
 
 
@@ -187,10 +188,12 @@ def _modules():
                   operator=operator, text=kokopelli.text)
     contents = {
         "koko": {}, "koko.lib": {}, "koko.fab": {}, "koko.prims": {},
-        "koko.lib.shapes2d": flat, "koko.lib.shapes3d": flat, "koko.lib.shapes": flat, "koko.lib.text": shapes, "koko.lib.pcb": boards,
+        "koko.lib.shapes2d": flat, "koko.lib.shapes3d": flat, "koko.lib.shapes": flat, "koko.lib.text": shapes,
+        "koko.lib.pcb": boards,
         "koko.fab.tree": {"MathTree": MathTree, "matching": matching, **{name: shapes[name] for name in "XYZ"}},
         "koko.fab.fabvars": {"FabVars": Cad, "MathTree": MathTree, "color": kokopelli.color},
-        "koko.prims.points": {"Point": Point}, "koko.prims.lines": {"Line": Line}, "koko.prims.utils": {"Slider": Slider},
+        "koko.prims.points": {"Point": Point}, "koko.prims.lines": {"Line": Line},
+        "koko.prims.utils": {"Slider": Slider},
     }
     modules = {}
     for name, names in contents.items():
@@ -222,8 +225,8 @@ def _in_place(modules):
 
 def _execute(code, names=None, local_names=None):
     """Python 2's exec statement: of a text, or of code that is compiled."""
-    if isinstance(code, tuple):
-        code, names, local_names = code if len(code) == 3 else (*code, None, None) if len(code) == 2 else (*code, names, local_names)
+    if isinstance(code, tuple):  # exec(code, globals, locals)
+        code, names, local_names = (*code, None)[:3]
     names.setdefault("__builtins__", python2_names.builtins_of_python2(_execute))
     exec(python2.compiled(code, "<exec>") if isinstance(code, str) else code, names, local_names)
 
@@ -232,14 +235,16 @@ def _execute(code, names=None, local_names=None):
 
 
 def run(path):
-    """The variables of a script that has been run, without those of its loops, and its Cad. Raises what the script raises."""
+    """The variables of a script that has been run, without those of its loops, and its Cad. Raises what the script
+    raises."""
     text = python2.read(path).replace("\r\n", "\n")
     header = HEADER.match(text)
     modules = _modules()
     given = handles_of(header.group(1)) if header else {}
     if header:
         text = "\n" * header.group().count("\n") + text[header.end():]
-    names = {"__name__": "__main__", "__file__": path, "__builtins__": python2_names.builtins_of_python2(_execute), "cad": Cad(), **given}
+    names = {"__name__": "__main__", "__file__": path, "__builtins__": python2_names.builtins_of_python2(_execute),
+             "cad": Cad(), **given}
     with _in_place({**python2_names.modules(), **modules}):
         exec(python2.compiled(text, path), names)
     cad = names.get("cad")
@@ -258,7 +263,8 @@ def parts(path):
     if not cad.shapes:
         raise ValueError("cad.shapes is empty")
     shapes = [_checked(each) for each in cad.shapes]
-    return [(_in_mm(shape, cad), name, _colour(shape.color)) for shape, name in zip(shapes, _names(cad.shapes, variables))]
+    names = _names(cad.shapes, variables)
+    return [(_in_mm(shape, cad), name, _colour(shape.color)) for shape, name in zip(shapes, names)]
 
 
 def _in_mm(shape, cad):
@@ -267,18 +273,21 @@ def _in_mm(shape, cad):
 
 
 def _within(shape, cad):
-    """The formula; where the shape has no end that can be found, what lies inside the bounds that it has from its making, or from the
-    script."""
+    """The formula; where the shape has no end that can be found, what lies inside the bounds that it has from its
+    making, or from the script."""
     formula = Expression(shape)
     limits = shape.known_bounds or [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
-    if None in limits[:4] or _ends_at(formula, limits) or Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
+    if None in limits[:4] or _ends_at(formula, limits):
+        return formula
+    if Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
         return formula
     box = kokopelli.rectangle(*limits[:4])
     return s.intersection(formula, Expression(box if None in limits else kokopelli.extrusion(box, *limits[4:])))
 
 
 def _ends_at(formula, limits):
-    """Whether intervals prove that a shape has no part outside of its bounds, to a thousand times its size; much faster than a search."""
+    """Whether intervals prove that a shape has no part outside of its bounds, to a thousand times its size; much
+    faster than a search."""
     field = Field(formula)
     size = max(limits[1] - limits[0], limits[3] - limits[2])
     for i, limit in enumerate(limits):
@@ -295,8 +304,8 @@ def _colour(rgb):
 
 
 def _names(shapes, variables):
-    """A name for each shape: of the variable that it is, of the list that it is in, or of its place; each once. None for a shape that is
-    alone and has neither."""
+    """A name for each shape: of the variable that it is, of the list that it is in, or of its place; each once. None
+    for a shape that is alone and has neither."""
     known = {id(value): name for name, value in reversed(variables.items()) if isinstance(value, Expression)}
     for name, value in variables.items():
         if isinstance(value, (list, tuple)):

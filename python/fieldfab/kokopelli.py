@@ -24,11 +24,11 @@ from .math_tree import kept as _kept
 from .math_tree import placed as _placed
 from .math_tree import plain as _plain
 
-__all__ = """MathTree matching circle triangle right_triangle rectangle rounded_rectangle polygon tab slot text move translate add
-subtract color rotate reflect_x reflect_y reflect_z reflect_xy reflect_xz reflect_yz scale_x scale_y scale_z scale_xy scale_xyz
-taper_x_y taper_x_z taper_xy_z shear_x_y shear_x_z coscale_x_y coscale_x_z coscale_xy_z twist_xy_z attract repel bend_x array array_xy
-iterate2d iterate_polar extrusion cylinder sphere cube box cone pyramid torus loft loft_xy_z revolve_y revolve_x rotate_x rotate_y
-rotate_z blend morph shell offset clearance""".split()
+__all__ = """MathTree matching circle triangle right_triangle rectangle rounded_rectangle polygon tab slot text move
+translate add subtract color rotate reflect_x reflect_y reflect_z reflect_xy reflect_xz reflect_yz scale_x scale_y
+scale_z scale_xy scale_xyz taper_x_y taper_x_z taper_xy_z shear_x_y shear_x_z coscale_x_y coscale_x_z coscale_xy_z
+twist_xy_z attract repel bend_x array array_xy iterate2d iterate_polar extrusion cylinder sphere cube box cone pyramid
+torus loft loft_xy_z revolve_y revolve_x rotate_x rotate_y rotate_z blend morph shell offset clearance""".split()
 
 
 def _shape(expression, *bounds):
@@ -95,7 +95,8 @@ def _ink(drawn, cells=32):
     """From where to where a letter 1 high may have ink along x, or None: by intervals over cells."""
     field, size = _Field(drawn), 1 / cells
     found = [i for i in range(-cells // 4, cells * 5 // 4) if any(
-        field.interval((i * size, j * size, 0, (i + 1) * size, (j + 1) * size, 0))[0] <= 0 for j in range(-cells // 2, cells * 5 // 4))]
+        field.interval((i * size, j * size, 0, (i + 1) * size, (j + 1) * size, 0))[0] <= 0
+        for j in range(-cells // 2, cells * 5 // 4))]
     return (found[0] * size, (found[-1] + 1) * size) if found else None
 
 
@@ -278,7 +279,8 @@ def reflect_yz(part):
 
 
 def _scaled(part, origin, sizes):
-    """The part scaled about a point; the sizes are numbers, or functions of a point and formulas of X, Y and Z alike."""
+    """The part scaled about a point; the sizes are numbers, or functions of a point and formulas of X, Y and Z
+    alike."""
     def sizes_at(x, y, z):
         return [size(x, y, z) if callable(size) else size for size in sizes]
 

@@ -59,7 +59,8 @@ class BoundPin:
 
 
 class Component:
-    """A component at (x, y), turned by `rot`; its class has the `pins`. component["GND"] is a pin by name, component[1] the first."""
+    """A component at (x, y), turned by `rot`; its class has the `pins`. component["GND"] is a pin by name,
+    component[1] the first."""
 
     pins: list = []
     prefix = ""
@@ -92,7 +93,8 @@ class Component:
 
 
 class Connection:
-    """A trace through pins and points; each piece goes half a width beyond its end, to make the corner, but for the last."""
+    """A trace through pins and points; each piece goes half a width beyond its end, to make the corner, but for the
+    last."""
 
     def __init__(self, width, *points):
         self.width = width
@@ -216,7 +218,8 @@ Header_4 = _part("Header_4", "Header of 2 x 2 pins.", "J", _pins(
     _header, (-0.107, 0.05), (-0.107, -0.05), (0.107, -0.05), (0.107, 0.05)))
 Header_ISP = _part("Header_ISP", "Header for in-system programming.", "J", _row(
     _header, -0.107, 0.1, 0, -0.1, "GND MOSI V") + _row(_header, 0.107, -0.1, 0, 0.1, "MISO SCK RST"))
-Header_FTDI = _part("Header_FTDI", "Header of an FTDI cable.", "J", _row(_header, 0, 0.25, 0, -0.1, "GND CTS VCC TX RX RTS"))
+Header_FTDI = _part("Header_FTDI", "Header of an FTDI cable.", "J", _row(
+    _header, 0, 0.25, 0, -0.1, "GND CTS VCC TX RX RTS"))
 NMOS_SOT23 = _part("NMOS_SOT23", "NMOS transistor in a SOT-23 case.", "Q", _pins(
     _sot23, (0.045, -0.0375, "G"), (0.045, 0.0375, "S"), (-0.045, 0, "D")))
 PMOS_SOT23 = _part("PMOS_SOT23", "PMOS transistor in a SOT-23 case.", "Q", _pins(
@@ -224,11 +227,13 @@ PMOS_SOT23 = _part("PMOS_SOT23", "PMOS transistor in a SOT-23 case.", "Q", _pins
 Regulator_SOT23 = _part("Regulator_SOT23", "Voltage regulator in a SOT-23 case.", "U", _pins(
     _sot23, (-0.045, -0.0375, "Out"), (-0.045, 0.0375, "In"), (0.045, 0, "GND")))
 XTAL_NX5032GA = _part("XTAL_NX5032GA", "Clock crystal.", "X", _pins(_pad(0.039, 0.047), (-0.079, 0), (0.079, 0)))
-ATtiny45_SOIC = _part("ATtiny45_SOIC", "Microcontroller.", "U", _row(_soic, -0.14, 0.075, 0, -0.05, "RST PB3 PB4 GND") + _row(
+ATtiny45_SOIC = _part("ATtiny45_SOIC", "Microcontroller.", "U", _row(
+    _soic, -0.14, 0.075, 0, -0.05, "RST PB3 PB4 GND") + _row(
     _soic, 0.14, -0.075, 0, 0.05, "PB0 PB1 PB2 VCC"))
 ATtiny44_SOIC = _part("ATtiny44_SOIC", "Microcontroller; the pad of pin 1 is round.", "U", _row(
     _soic + k.circle(-0.041, 0, 0.015), -0.12, 0.15, 0, -0.05, "VCC") + _row(
-    _soic, -0.12, 0.1, 0, -0.05, "PB0 PB1 PB3 PB2 PA7 PA6") + _row(_soic, 0.12, -0.15, 0, 0.05, "PA5 PA4 PA3 PA2 PA1 PA0 GND"))
+    _soic, -0.12, 0.1, 0, -0.05, "PB0 PB1 PB3 PB2 PA7 PA6") + _row(
+    _soic, 0.12, -0.15, 0, 0.05, "PA5 PA4 PA3 PA2 PA1 PA0 GND"))
 ATmega88_TQFP = _part("ATmega88_TQFP", "Microcontroller.", "U", _row(
     _tqfp_h, -0.18, 0.1085, 0, -0.031, "PD3 PD4 GND VCC GND VCC PB6 PB7") + _row(
     _tqfp_v, -0.1085, -0.18, 0.031, 0, "PD5 PD6 PD7 PB0 PB1 PB2 PB3 PB4") + _row(

@@ -11,9 +11,10 @@ from . import _core
 from . import shapes as s
 from ._core import Expression, Field
 
-COLOURS = {"red": (255, 0, 0), "blue": (0, 0, 255), "green": (0, 255, 0), "white": (255, 255, 255), "grey": (128, 128, 128),
-           "black": (0, 0, 0), "yellow": (255, 255, 0), "cyan": (0, 255, 255), "magenta": (255, 0, 255), "teal": (0, 255, 255),
-           "pink": (255, 0, 255), "brown": (145, 82, 45), "tan": (125, 90, 60), "navy": (0, 0, 128)}
+COLOURS = {"red": (255, 0, 0), "blue": (0, 0, 255), "green": (0, 255, 0), "white": (255, 255, 255),
+           "grey": (128, 128, 128), "black": (0, 0, 0), "yellow": (255, 255, 0), "cyan": (0, 255, 255),
+           "magenta": (255, 0, 255), "teal": (0, 255, 255), "pink": (255, 0, 255),
+           "brown": (145, 82, 45), "tan": (125, 90, 60), "navy": (0, 0, 128)}
 UNKNOWN = [None] * 6
 
 
@@ -30,8 +31,9 @@ class _Text(str):
 
 
 class MathTree(Expression):
-    """A formula. On a shape (`shape` is true) + is union, & intersection, - difference, ~ the complement; on other formulas they are
-    arithmetic, as * and / are on both. `math` is a number, a formula of fieldfab (a shape, unless told otherwise) or a math string."""
+    """A formula. On a shape (`shape` is true) + is union, & intersection, - difference, ~ the complement; on other
+    formulas they are arithmetic, as * and / are on both. `math` is a number, a formula of fieldfab (a shape, unless
+    told otherwise) or a math string."""
 
     def __init__(self, math=0.0, shape=None, color=None):
         super().__init__(_core.parse_math(math) if isinstance(math, str) else math)
@@ -67,15 +69,16 @@ class MathTree(Expression):
     def color(self, rgb):
         """A name of COLOURS, three numbers from 0 to 255, or None."""
         if rgb is not None and not (isinstance(rgb, str) and rgb in COLOURS or _is_rgb(rgb)):
-            raise ValueError(f"no colour: {rgb!r}; known are red, green and blue from 0 to 255, and the names {', '.join(COLOURS)}")
+            known = ", ".join(COLOURS)
+            raise ValueError(f"no colour: {rgb!r}; known are red, green and blue from 0 to 255, and the names {known}")
         self._color = COLOURS[rgb] if isinstance(rgb, str) else rgb and tuple(rgb)
 
     # Bounds
 
     @property
     def bounds(self):
-        """xmin, xmax, ymin, ymax, zmin, zmax; None where there is no bound. Sets keep those of kokopelli (a difference those of its
-        left side); of other shapes they are searched for, and may be a little wide."""
+        """xmin, xmax, ymin, ymax, zmin, zmax; None where there is no bound. Sets keep those of kokopelli (a difference
+        those of its left side); of other shapes they are searched for, and may be a little wide."""
         if self._bounds is None:
             self._bounds = _searched(self)
         return list(self._bounds)
@@ -101,7 +104,8 @@ class MathTree(Expression):
     def map(self, X=None, Y=None, Z=None, **lower):
         """The same formula of other coordinates (formulas, numbers, math strings)."""
         others = {name: each for name, each in (("x", X), ("y", Y), ("z", Z)) if each is not None} | lower
-        return MathTree(plain(self).map(**{name: plain(each) for name, each in others.items()}), self.shape, self._color)
+        return MathTree(plain(self).map(**{name: plain(each) for name, each in others.items()}), self.shape,
+                        self._color)
 
     def map_bounds(self, X=None, Y=None, Z=None):
         """The bounds after a map, from its inverse."""
@@ -211,7 +215,9 @@ for _i, _axis in enumerate("xyz"):
 
 
 def _is_rgb(value):
-    return isinstance(value, (tuple, list)) and len(value) == 3 and all(isinstance(each, (int, float)) and 0 <= each <= 255 for each in value)
+    if not isinstance(value, (tuple, list)) or len(value) != 3:
+        return False
+    return all(isinstance(each, (int, float)) and 0 <= each <= 255 for each in value)
 
 
 def _formula(expression):
@@ -221,7 +227,7 @@ def _formula(expression):
 def _of_shapes(a, b, operator):
     b = MathTree.wrap(b)
     if not (a.shape or b.shape):
-        raise NotImplementedError(f"'{operator}' is of shapes, and these are formulas; set .shape of one of them to True")
+        raise NotImplementedError(f"'{operator}' is of shapes, and these are formulas; set one's .shape to True")
     return a, b
 
 
@@ -281,7 +287,8 @@ def kept(expression, part, bounds=None):
 
 
 def placed(expression, part, forward):
-    """A shape made of `part` by a map of space; `forward` maps a point of the part, and is linear in each coordinate."""
+    """A shape made of `part` by a map of space; `forward` maps a point of the part, and is linear in each
+    coordinate."""
     def corners(bounds):
         axes = [bounds[i:i + 2] if None not in bounds[i:i + 2] else [math.nan] for i in (0, 2, 4)]
         found = []

@@ -2,8 +2,9 @@
 
     exec(compiled(text, "design.ko"), {"__builtins__": builtins_of_python2()})
 
-Tokens are rewritten where Python 3 refuses the grammar (print, exec, `except E, e`, backquotes, 0777, tuples as parameters), the tree
-where it accepts the text with another meaning (division, dict.keys(), str.decode). Rewriting keeps every line on its number.
+Tokens are rewritten where Python 3 refuses the grammar (print, exec, `except E, e`, backquotes, 0777, tuples as
+parameters), the tree where it accepts the text with another meaning (division, dict.keys(), str.decode). Rewriting
+keeps every line on its number.
 Not covered: names of list comprehensions stay inside them, unlike types have no order, str holds characters, not bytes.
 """
 
@@ -16,7 +17,8 @@ import warnings
 from . import python2_names as names
 
 TOKEN = re.compile(r"""
-    (?P<string>(?i:[ub]?r?)(?:'''(?:[^\\]|\\.)*?'''|\"\"\"(?:[^\\]|\\.)*?\"\"\"|'(?:[^\\\n']|\\.)*'|"(?:[^\\\n"]|\\.)*"))
+    (?P<string>(?i:[ub]?r?)(?:'''(?:[^\\]|\\.)*?'''|\"\"\"(?:[^\\]|\\.)*?\"\"\"
+                           |'(?:[^\\\n']|\\.)*'|"(?:[^\\\n"]|\\.)*"))
   | (?P<comment>\#[^\n]*)
   | (?P<join>\\\n)
   | (?P<newline>\n)
@@ -28,7 +30,7 @@ TOKEN = re.compile(r"""
 
 OPENING, CLOSING = {"(", "[", "{"}, {")", "]", "}"}
 BLANK = {"space", "comment", "join", "newline"}
-COMPOUND = {"if", "elif", "else", "while", "for", "try", "except", "finally", "with", "def", "class"}  # their ':' begins a statement
+COMPOUND = {"if", "elif", "else", "while", "for", "try", "except", "finally", "with", "def", "class"}  # ':' ends them
 NEW_KEYWORDS = {"async", "await", "nonlocal"}
 TAB = 8  # columns, whatever an editor shows
 PARAMETER = "_tuple_parameter_"
@@ -50,7 +52,8 @@ def _tokens(text):
 
 
 def _string(text):
-    """A string literal without the prefixes b and u; a plain one has no escapes of Unicode, so \\u is two characters."""
+    """A string literal without the prefixes b and u; a plain one has no escapes of Unicode, so \\u is two
+    characters."""
     quote = min(at for at in (text.find("'"), text.find('"')) if at >= 0)
     prefix, body = text[:quote].lower(), text[quote:]
     if "u" not in prefix and "r" not in prefix:
@@ -84,7 +87,8 @@ class _Statement:
         return found
 
     def call(self, head, first, last):
-        """Makes a call of the tokens from `first` to `last`: what stands before them is replaced by `head` and a parenthesis."""
+        """Makes a call of the tokens from `first` to `last`: what stands before them is replaced by `head` and a
+        parenthesis."""
         self.tokens[self.words[0]].text = head + "("
         for i in range(self.words[0] + 1, first):
             if self.tokens[i].kind not in BLANK:
@@ -267,7 +271,8 @@ class _Tree(ast.NodeTransformer):
         if isinstance(target, ast.Name):
             return _at(node, ast.Assign([target], _call(names.DIVIDE, _name(target.id), node.value)))
         if isinstance(target, ast.Attribute):
-            return _at(node, ast.Expr(_call(names.DIVIDE_ATTRIBUTE, target.value, ast.Constant(target.attr), node.value)))
+            return _at(node, ast.Expr(_call(names.DIVIDE_ATTRIBUTE, target.value, ast.Constant(target.attr),
+                                            node.value)))
         return _at(node, ast.Expr(_call(names.DIVIDE_ITEM, target.value, target.slice, node.value)))
 
     def visit_Attribute(self, node):
@@ -288,7 +293,8 @@ class _Tree(ast.NodeTransformer):
         """next, __nonzero__ and __div__ have other names now."""
         self.generic_visit(node)
         made = {each.name for each in node.body if isinstance(each, ast.FunctionDef)}
-        node.body += [ast.Assign([ast.Name(new, ast.Store())], _name(old)) for old, new in names.METHODS.items() if old in made]
+        node.body += [ast.Assign([ast.Name(new, ast.Store())], _name(old)) for old, new in names.METHODS.items()
+                      if old in made]
         return node
 
     def visit_FunctionDef(self, node):

@@ -102,33 +102,36 @@ class Random(random.Random):
 
 # Attributes with another meaning: of dictionaries, lists, texts, functions, iterators, and of modules.
 
-DICTIONARY = {"has_key": lambda d: d.__contains__, "iterkeys": lambda d: lambda: iter(d.keys()), "itervalues": lambda d: lambda: iter(d.values()),
-              "iteritems": lambda d: lambda: iter(d.items()), "keys": lambda d: lambda: list(d.keys()),
-              "values": lambda d: lambda: list(d.values()), "items": lambda d: lambda: list(d.items())}
+DICTIONARY = {
+    "has_key": lambda d: d.__contains__, "keys": lambda d: lambda: list(d.keys()),
+    "values": lambda d: lambda: list(d.values()), "items": lambda d: lambda: list(d.items()),
+    "iterkeys": lambda d: lambda: iter(d.keys()), "itervalues": lambda d: lambda: iter(d.values()),
+    "iteritems": lambda d: lambda: iter(d.items())}
 LIST = {"sort": lambda items: lambda cmp=None, key=None, reverse=False: items.sort(key=_key(cmp, key), reverse=reverse)}
 TEXT = {"decode": lambda text: lambda *_: text}
-FUNCTION = {"func_name": "__name__", "func_code": "__code__", "func_defaults": "__defaults__", "func_globals": "__globals__",
-            "func_doc": "__doc__", "im_func": "__func__", "im_self": "__self__"}
+FUNCTION = {"func_name": "__name__", "func_code": "__code__", "func_defaults": "__defaults__",
+            "func_globals": "__globals__", "func_doc": "__doc__", "im_func": "__func__", "im_self": "__self__"}
 
 
 def _of_text(name):
     return lambda text, *arguments: getattr(text, name)(*arguments)
 
 
-STRING = {name: _of_text(name) for name in ("capitalize", "center", "count", "expandtabs", "find", "index", "ljust", "lower", "lstrip",
-                                            "replace", "rfind", "rindex", "rjust", "rstrip", "split", "strip", "swapcase", "upper", "zfill")}
-STRING.update({"letters": string.ascii_letters, "lowercase": string.ascii_lowercase, "uppercase": string.ascii_uppercase,
-               "join": lambda words, between=" ": between.join(words), "joinfields": lambda words, between=" ": between.join(words),
-               "atoi": lambda text, base=10: int(text, base), "atof": float, "atol": lambda text, base=10: int(text, base)})
+STRING = {name: _of_text(name) for name in """capitalize center count expandtabs find index ljust lower lstrip replace
+          rfind rindex rjust rstrip split strip swapcase upper zfill""".split()}
+STRING.update({
+    "letters": string.ascii_letters, "lowercase": string.ascii_lowercase, "uppercase": string.ascii_uppercase,
+    "join": lambda words, between=" ": between.join(words),
+    "atoi": lambda text, base=10: int(text, base), "atol": lambda text, base=10: int(text, base), "atof": float})
 MODULES = {
     "string": STRING,
-    "itertools": {"imap": builtins.map, "ifilter": builtins.filter, "izip": builtins.zip, "izip_longest": itertools.zip_longest,
-                  "ifilterfalse": itertools.filterfalse},
+    "itertools": {"imap": builtins.map, "ifilter": builtins.filter, "izip": builtins.zip,
+                  "izip_longest": itertools.zip_longest, "ifilterfalse": itertools.filterfalse},
     "operator": {"div": divide, "isCallable": callable, "sequenceIncludes": operator.contains, "isSequenceType":
                  lambda value: isinstance(value, collections.abc.Sequence)},
     "sys": {"maxint": sys.maxsize},
 }
-ATTRIBUTES = set(DICTIONARY) | set(LIST) | set(TEXT) | set(FUNCTION) | {"next"} | {name for each in MODULES.values() for name in each}
+ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, FUNCTION, *MODULES.values())
 
 
 def attribute(value, name):
@@ -147,13 +150,15 @@ def attribute(value, name):
 
 def modules():
     """Modules by the names that they had, and the random numbers that they gave."""
-    made = {old: importlib.import_module(new) for old, new in (("Queue", "queue"), ("cPickle", "pickle"), ("__builtin__", "builtins"))}
+    renamed = {"Queue": "queue", "cPickle": "pickle", "__builtin__": "builtins"}
+    made = {old: importlib.import_module(new) for old, new in renamed.items()}
     made["StringIO"] = made["cStringIO"] = io
     numbers_ = Random()
     for name in ("random", "string", "itertools", "operator"):  # copies, for `from string import letters`, too
         made[name] = types.ModuleType(name)
         vars(made[name]).update({**MODULES.get(name, {}), **vars(importlib.import_module(name))})
-    vars(made["random"]).update({name: getattr(numbers_, name) for name in dir(numbers_) if not name.startswith("_")}, Random=Random)
+    public = [name for name in dir(numbers_) if not name.startswith("_")]
+    vars(made["random"]).update({name: getattr(numbers_, name) for name in public}, Random=Random)
     return made
 
 
@@ -169,12 +174,13 @@ def builtins_of_python2(execute):
             execute(file.read(), *where)
 
     known.update({
-        "map": map_, "filter": filter_, "zip": lambda *lists: list(builtins.zip(*lists)), "range": lambda *limits: list(builtins.range(*limits)),
-        "xrange": builtins.range, "reduce": reduce, "sorted": sorted_, "cmp": cmp, "round": round_, "long": int, "unicode": str,
-        "basestring": str, "unichr": chr, "apply": lambda function, arguments=(), named={}: function(*arguments, **named),
-        "intern": sys.intern, "file": open, "execfile": execfile, "raw_input": _refused("raw_input"), "input": _refused("input"),
+        "map": map_, "filter": filter_, "zip": lambda *lists: list(builtins.zip(*lists)),
+        "range": lambda *limits: list(builtins.range(*limits)), "xrange": builtins.range, "reduce": reduce,
+        "sorted": sorted_, "cmp": cmp, "round": round_, "long": int, "unicode": str, "basestring": str, "unichr": chr,
+        "apply": lambda function, arguments=(), named={}: function(*arguments, **named), "intern": sys.intern,
+        "file": open, "execfile": execfile, "raw_input": _refused("raw_input"), "input": _refused("input"),
         "reload": importlib.reload, "StandardError": Exception,
-        PRINT: print_, EXEC: execute, ERROR: error_, DIVIDE: divide, DIVIDE_ATTRIBUTE: divide_attribute, DIVIDE_ITEM: divide_item,
-        ATTRIBUTE: attribute,
+        PRINT: print_, EXEC: execute, ERROR: error_, ATTRIBUTE: attribute,
+        DIVIDE: divide, DIVIDE_ATTRIBUTE: divide_attribute, DIVIDE_ITEM: divide_item,
     })
     return known

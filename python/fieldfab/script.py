@@ -1,7 +1,7 @@
-"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL` with the answer on standard output.
+"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL`, the answer on standard output.
 
-MODEL is a Python script (.py) or one of kokopelli's (.ko). What the script prints goes to standard error. The answer is "ok" and .frep
-text, in which `part(...)` gives a solid its name and colour, or "error", the line and a message.
+MODEL is a Python script (.py) or one of kokopelli's (.ko). What the script prints goes to standard error. The answer
+is "ok" and .frep text, in which `part(...)` gives a solid its name and colour, or "error", the line and a message.
 """
 
 import ctypes
@@ -43,7 +43,8 @@ class NoSolid(Exception):
 
 def _shapes_of(names):
     """The first name of each shape, by its identity; what a module has made does not count."""
-    imported = {id(value) for module in list(sys.modules.values()) if isinstance(module, types.ModuleType) and module.__name__ != "__main__"
+    imported = {id(value) for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)
+                and module.__name__ != "__main__"
                 for value in list(vars(module).values()) if isinstance(value, Expression)}
     shapes = {}
     for name, value in names.items():
@@ -113,7 +114,8 @@ def answer(path):
         return "error 0 interrupted"
     except BaseException as error:  # whatever it raises, the answer is one line
         line = where(error, path)
-        plain = isinstance(error, NoSolid) or type(error).__module__ == "fieldfab._core" or line == 0 and isinstance(error, ValueError)
+        ours = isinstance(error, NoSolid) or type(error).__module__ == "fieldfab._core"
+        plain = ours or (line == 0 and isinstance(error, ValueError))
         message = error.msg if isinstance(error, SyntaxError) else str(error)
         return f"error {line} {'' if plain else type(error).__name__ + ': '}{' '.join(str(message).split())}"
 
@@ -126,7 +128,7 @@ def end_with_parent():
 
 if __name__ == "__main__":
     end_with_parent()
-    with os.fdopen(os.dup(1), "w") as out:
+    with os.fdopen(os.dup(1), "w", encoding="utf-8", errors="backslashreplace") as out:
         os.dup2(2, 1)
         sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[1])))
         sys.argv = sys.argv[1:]

