@@ -46,5 +46,23 @@ def _translate():
     FreeCADGui.updateLocale()
 
 
+def _fill_registry():
+    """Numpy and Coin, which views and panels need, take too long for FreeCAD's start: they are loaded once an object asks for its view or its panel."""
+    from fieldfab_workbench import registry
+
+    def views():
+        from fieldfab_workbench.views.kinds import VIEWS
+
+        return VIEWS
+
+    def panels():
+        from fieldfab_workbench.panels.kinds import PANELS
+
+        return PANELS
+
+    registry.fill(views, panels)
+
+
 _translate()
+_fill_registry()
 FreeCADGui.addWorkbench(FieldfabWorkbench())
