@@ -47,7 +47,7 @@ def _translate():
 
 
 def _fill_registry():
-    """Numpy and Coin, which views and panels need, take too long for FreeCAD's start: they are loaded once an object asks for its view or its panel."""
+    """Views and panels need numpy and Coin, too slow to load at FreeCAD's start: they load once an object asks."""
     from fieldfab_workbench import registry
 
     def views():

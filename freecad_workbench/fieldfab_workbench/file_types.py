@@ -1,8 +1,9 @@
-"""The types of files that come in and go out. FreeCAD is told of them at its start, before any module that reads or writes them is loaded."""
+"""The types of files that come in and go out. FreeCAD is told of them at its start, before their readers are loaded."""
 
 import FreeCAD
 
-VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom", "ima", "vdb")
+VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom",
+           "ima", "vdb")
 SLICES = ("tif", "tiff", "png")
 TEXTS = ("frep", "math", "vm")
 DESIGNS = ("scad", "csg")

@@ -10,10 +10,9 @@ import FreeCAD
 
 from . import kernel, openscad_files, work
 from .file_types import DESIGNS, MESHES, SLICES, TEXTS, VOLUMES
-from .objects import solid
 from .objects.frep_solid import FrepSolid
 from .objects.scan import Scan
-from .objects.solid import is_solid, source_of
+from .objects.solid import create, is_solid, source_of
 from .openscad import OpenScadSource, faces_together
 from .words import tr
 
@@ -52,7 +51,7 @@ def add(document, kind, label, **values):
     began = not document.HasPendingTransaction
     if began:
         document.openTransaction(tr("Import {label}").format(label=label))
-    obj = solid.create(kind, document)
+    obj = create(kind, document)
     obj.Label = label
     for name, value in values.items():
         setattr(obj, name, value)

@@ -16,5 +16,6 @@ def register():
             if command is not None:
                 command.name = command_name
                 FreeCADGui.addCommand(command_name, command)
-        menus.append((module.TITLE, [n if c is not None else "Separator" for n, c in module.COMMANDS.items()], module in TOOLBARS))
+        names = [n if c is not None else "Separator" for n, c in module.COMMANDS.items()]
+        menus.append((module.TITLE, names, module in TOOLBARS))
     return menus

@@ -51,7 +51,8 @@ class CamOperation(WithSettings):
 
 
 def add(setup, kind, tool=None):
-    """Adds an operation at the end of a set-up; with the first tool where none is named."""
+    """Adds an operation at the end of a set-up; with the first tool where none is named. Returns the object; nothing is
+    computed."""
     operation = create_object(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
     operation.Type = kind
     setup.Operations = [*setup.Operations, operation]

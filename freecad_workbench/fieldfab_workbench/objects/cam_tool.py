@@ -82,7 +82,8 @@ def take(obj, told):
 
 
 def add(setup, told=None):
-    """Adds a cutter to a set-up, described as in job files; its number is the next free one where it has none or that is taken."""
+    """Adds a cutter to a set-up, described as in job files. Its number is the next free one where it has none or that
+    is taken. Returns the object; nothing is computed."""
     tool, told = create_object(CamTool, setup.Document, "Tool"), dict(told or {})
     taken = {other.Number for other in setup.Tools}
     if told.get("number", 0) in taken or "number" not in told:

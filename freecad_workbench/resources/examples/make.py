@@ -84,7 +84,8 @@ def machining(document):
     setup.Machine, setup.Margin, setup.Top = "five_axis_ac", 1, 1
     holder = {"holder_diameter": 40, "holder_length": 50}
     mill = cam_tool.add(setup, {"name": "8 mm end mill", "diameter": 8, "flute": 24, "length": 45, **holder})
-    ball = cam_tool.add(setup, {"name": "6 mm ball", "shape": "ball", "diameter": 6, "flute": 12, "length": 35, **holder})
+    ball = cam_tool.add(setup, {"name": "6 mm ball", "shape": "ball", "diameter": 6, "flute": 12, "length": 35,
+                                **holder})
     for kind, tool, settings in (("rough", mill, {"stepdown": 6, "bottom": 0}),
                                  ("finish", ball, {"lean": True, "pattern": "spiral", "scallop": 0.4, "bottom": 0})):
         operation = cam_operation.add(setup, kind, tool)
