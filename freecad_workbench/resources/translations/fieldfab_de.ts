@@ -2299,6 +2299,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>OpenSCAD-Text</translation>
     </message>
     <message>
+        <source>Machine program</source>
+        <translation>Maschinenprogramm</translation>
+    </message>
+    <message>
         <source>Scan</source>
         <translation>Scan</translation>
     </message>

@@ -10,7 +10,8 @@ import FreeCADGui
 from window import live, press, shot, wait  # noqa: F401
 
 from fieldfab_workbench import commands, objects, preferences, registry
-from fieldfab_workbench.objects import cam_setup, cam_tool, combine, document_object, part_shape, solid
+from fieldfab_workbench.objects import cam_setup, cam_tool, combine, document_object, machine_program
+from fieldfab_workbench.objects import part_shape, solid
 from fieldfab_workbench.panels.cam_setup_panel import SetupPanel
 from fieldfab_workbench.panels.kinds import PANELS
 from fieldfab_workbench.panels.property_panel import PropertyPanel
@@ -50,7 +51,8 @@ def test_views_and_panels_are_of_classes_that_exist():
 
 
 def test_objects_find_their_view_and_panel_by_their_kind():
-    """By their own class, else by the one that it derives from. A tool has its set-up's panel, else its properties."""
+    """By their own class, else by the one that it derives from. A tool or a program has its set-up's panel, else its
+    properties."""
     document = FreeCAD.newDocument()
     try:
         tool = cam_tool.add(cam_setup.create(document))
@@ -60,7 +62,10 @@ def test_objects_find_their_view_and_panel_by_their_kind():
         assert type(tool.ViewObject.Proxy) is cam_view.ToolView and tool.ViewObject.DisplayMode == "Ways"
         assert type(union.ViewObject.Proxy) is solid_view.SolidView
         assert type(shape.ViewObject.Proxy) is part_shape_view.PartShapeView
-        expected = [(tool, SetupPanel, tool.InList[0]), (alone, PropertyPanel, alone), (union, PropertyPanel, union)]
+        program = machine_program.create(tool.InList[0])
+        expected = [(tool, SetupPanel, tool.InList[0]), (program, SetupPanel, tool.InList[0]), (union, PropertyPanel, union)]
+        program_alone = document_object.create_object(machine_program.MachineProgram, document, "Program")
+        expected += [(alone, PropertyPanel, alone), (program_alone, PropertyPanel, program_alone)]
         for obj, kind, edited in expected:
             panel = registry.panel_for(obj)
             assert type(panel) is kind and panel.obj == edited
