@@ -1,7 +1,7 @@
 """FreeCAD runs this at every start, with or without a window: it learns of the files that can come and go, and of our test."""
 
 import FreeCAD
-from fieldfab_workbench import files
+from fieldfab_workbench import file_types
 
-files.register()
+file_types.register()
 FreeCAD.__unit_test__ += ["TestFieldfab"]

@@ -46,5 +46,23 @@ def _translate():
     FreeCADGui.updateLocale()
 
 
+def _fill_registry():
+    """Views and panels need numpy and Coin, too slow to load at FreeCAD's start: they load once an object asks."""
+    from fieldfab_workbench import registry
+
+    def views():
+        from fieldfab_workbench.views.kinds import VIEWS
+
+        return VIEWS
+
+    def panels():
+        from fieldfab_workbench.panels.kinds import PANELS
+
+        return PANELS
+
+    registry.fill(views, panels)
+
+
 _translate()
+_fill_registry()
 FreeCADGui.addWorkbench(FieldfabWorkbench())

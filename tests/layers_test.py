@@ -1,10 +1,16 @@
 """Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- model <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
 
 openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
-models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings its reader by add_model_reader()."""
+models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings its reader by add_model_reader().
 
+The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
+nor the Python module has an import cycle, imports inside functions included."""
+
+import ast
+import graphlib
 import pathlib
 import re
+import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
@@ -21,6 +27,12 @@ BELOW["cli"] = BELOW["python"] = BELOW["meshlab_filter"] = set(BELOW)
 # FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
 HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "zip.h", "expat.h")
 HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask for it by name
+
+# The workbench's layers, the lowest first. A folder of the package is a layer; of the modules beside the folders, FILES
+# are the layer files and all others base.
+LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
+FILES = ("files", "openscad_files", "path_jobs")
+PACKAGE = "fieldfab_workbench"
 
 
 def room_of(path):
@@ -75,3 +87,117 @@ def test_planted_violations_are_caught():
     assert not violations(path("meshlab_filter/src/meshlab_2020/a.cpp"), "#include <QString>")
     assert not violations(path("kernel/src/check/a.cpp"), "#include <CGAL/Kernel.h>")
     assert not violations(path("cli/a.cpp"), '#include "fieldfab/render/render.h"')
+
+
+def layer_of(module):
+    """The layer of a module of the workbench; what FreeCAD or a person starts is the highest."""
+    first, *rest = module.split(".")
+    if first != PACKAGE:
+        return "start"
+    room = rest[0] if rest else "base"
+    return "files" if room in FILES else room if room in LAYERS else "base"
+
+
+def python_sources(folder):
+    """{name of a module: its text} of all Python files below a folder."""
+    paths = {file.relative_to(folder).with_suffix("").parts: file for file in folder.rglob("*.py")}
+    return {".".join(name[:-1] if name[-1] == "__init__" else name): file.read_text() for name, file in paths.items()}
+
+
+def python_imports(module, sources):
+    """[(line, other module, whether the import is inside a function)] of those among `sources`."""
+    tree, found = ast.parse(sources[module]), []
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    deferred = {node for function in functions for node in ast.walk(function)}
+    is_package = any(other.startswith(f"{module}.") for other in sources)
+    package = module.split(".") if is_package else module.split(".")[:-1]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names = [(alias.name, alias.name) for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            start = package[: len(package) - node.level + 1] if node.level else []
+            start = ".".join([*start, *([node.module] if node.module else [])])
+            names = [(f"{start}.{alias.name}", start) for alias in node.names]
+        else:
+            continue
+        others = {name if name in sources else of for name, of in names} & sources.keys() - {module}
+        found += [(node.lineno, other, node in deferred) for other in sorted(others)]
+    return found
+
+
+def python_cycle(sources):
+    """The modules of an import cycle, the first one again at its end; empty where there is none."""
+    graph = {module: {other for _, other, _ in python_imports(module, sources)} for module in sources}
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as error:
+        return error.args[1]
+    return []
+
+
+def python_violations(sources):
+    """Imports of the workbench that go upwards, and those inside functions without a comment that says why."""
+    found = []
+    for module, text in sources.items():
+        layer, lines = layer_of(module), text.splitlines()
+        for line, other, deferred in python_imports(module, sources):
+            if LAYERS.index(layer_of(other)) > LAYERS.index(layer):
+                found.append(f"{module}:{line}: {layer} must not import {layer_of(other)} ({other})")
+            if deferred and layer != "start" and "#" not in lines[line - 1]:
+                found.append(f"{module}:{line}: {other} is imported inside a function, and no comment says why")
+    return found
+
+
+def test_the_workbench_imports_downwards():
+    sources = python_sources(ROOT / "freecad_workbench")
+    assert {layer_of(module) for module in sources} == set(LAYERS)
+    assert sum(bool(python_imports(module, sources)) for module in sources) > 60
+    assert python_violations(sources) == []
+    assert python_cycle(sources) == []
+    assert python_imports(f"{PACKAGE}.registry", sources) == []
+
+
+def test_the_python_module_has_no_import_cycle():
+    sources = python_sources(ROOT / "python")
+    assert python_imports("fieldfab.edit", sources)
+    assert python_cycle(sources) == []
+
+
+def test_saved_documents_find_their_classes():
+    """Proxies and view providers are restored by the names of their modules and classes."""
+    sources, named = python_sources(ROOT / "freecad_workbench"), set()
+    for path in (ROOT / "freecad_workbench" / "resources" / "examples").glob("*.FCStd"):
+        with zipfile.ZipFile(path) as document:
+            for name in ("Document.xml", "GuiDocument.xml"):
+                named |= set(re.findall(rb'module="(\S+)" class="(\S+)"', document.read(name)))
+    assert len(named) > 8
+    assert [each for each in named if f"class {each[1].decode()}(" not in sources[each[0].decode()]] == []
+
+
+def planted(**texts):
+    """Sources of a small workbench. `texts`: by module, views_a for views/a.py; the other modules are empty."""
+    names = ("a", "objects.a", "views.a", "panels.a", "files")
+    sources = {PACKAGE: "", **{f"{PACKAGE}.{name}": "" for name in (*names, "objects", "views", "panels")}}
+    return {**sources, **{f"{PACKAGE}.{name.replace('_', '.')}": text for name, text in texts.items()}}
+
+
+def test_planted_violations_of_the_workbench_are_caught():
+    upwards = {
+        "a": "from .objects.a import b",
+        "objects_a": "from .. import files",
+        "files": "from .views import a",
+        "views_a": "from ..panels import a",
+    }
+    for name, text in upwards.items():
+        assert len(python_violations(planted(**{name: text}))) == 1, text
+        assert len(python_violations(planted(**{name: f"def f():\n    {text}  # a reason"}))) == 1, text
+    downwards = f"import {PACKAGE}.views.a\nfrom {PACKAGE} import a, files\nfrom ..objects.a import b"
+    assert python_violations(planted(panels_a=downwards)) == []
+    assert len(python_violations(planted(views_a="def f():\n    from .. import a"))) == 1
+    assert python_violations(planted(views_a="def f():\n    from .. import a  # it needs numpy")) == []
+
+
+def test_planted_cycles_are_caught():
+    assert python_cycle(planted(objects_a="from ..a import b")) == []
+    assert python_cycle(planted(objects_a="from ..a import b", a="def f():\n    from .objects import a"))
+    assert python_cycle(planted(objects="from . import a", objects_a="from . import b"))

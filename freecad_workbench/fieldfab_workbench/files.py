@@ -8,31 +8,13 @@ import pathlib
 
 import FreeCAD
 
-from . import kernel, work
+from . import kernel, openscad_files, work
+from .file_types import DESIGNS, MESHES, SLICES, TEXTS, VOLUMES
+from .objects.frep_solid import FrepSolid
+from .objects.scan import Scan
+from .objects.solid import create, is_solid, source_of
+from .openscad import OpenScadSource, faces_together
 from .words import tr
-
-VOLUMES = ("raw", "vol", "vgi", "tif", "tiff", "mha", "mhd", "nrrd", "nhdr", "nii", "nii.gz", "gz", "dcm", "dicom", "ima", "vdb")
-SLICES = ("tif", "tiff", "png")
-TEXTS = ("frep", "math", "vm")
-DESIGNS = ("scad", "csg")
-MESHES = ("stl", "ply", "off", "obj", "3mf")
-MODULE = "fieldfab_workbench.files"
-
-
-def register():
-    """Tells FreeCAD of the file types, at its start."""
-
-    def pattern(extensions):
-        return " ".join(f"*.{extension}" for extension in extensions)
-
-    FreeCAD.addImportType(f"CT volume ({pattern(VOLUMES)})", MODULE)
-    FreeCAD.addImportType(f"F-rep ({pattern(TEXTS)})", MODULE)
-    FreeCAD.addImportType("Distance field (*.asdf)", MODULE)
-    FreeCAD.addImportType(f"OpenSCAD design by Fieldfab ({pattern(DESIGNS)})", MODULE)
-    FreeCAD.addExportType("Distance field (*.asdf)", MODULE)
-    FreeCAD.addExportType("F-rep (*.frep *.math *.vm)", MODULE)
-    FreeCAD.addExportType("OpenVDB level set (*.vdb)", MODULE)
-    FreeCAD.addExportType(f"Mesh by Fieldfab ({pattern(MESHES)})", MODULE)
 
 
 def open(filename):  # noqa: A001: the name that FreeCAD calls
@@ -45,20 +27,14 @@ def insert(filename, docname):
     computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
     ending = _ending(filename)
     if ending in DESIGNS:
-        from . import openscad_files
-
         made = openscad_files.insert(filename, docname, name_of(filename))
         if FreeCAD.GuiUp:
             _show_all(made.Document)
         return made
     if ending in TEXTS:
-        from .objects.frep_solid import FrepSolid as Kind
-
-        values = {"Expression": _text_of(filename)}
+        kind, values = FrepSolid, {"Expression": _text_of(filename)}
     elif ending == "asdf" or ending in VOLUMES or ending in SLICES or os.path.isdir(filename):
-        from .objects.scan import Scan as Kind
-
-        values = {"File": whole_stack(os.path.abspath(filename))}
+        kind, values = Scan, {"File": whole_stack(os.path.abspath(filename))}
     else:
         raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=ending))
     name = name_of(values.get("File", filename))
@@ -67,17 +43,15 @@ def insert(filename, docname):
     else:
         document = FreeCAD.newDocument(docname or name)
         document.Label = docname or name
-    return add(document, Kind, name, **values)
+    return add(document, kind, name, **values)
 
 
 def add(document, kind, label, **values):
     """A solid of a class, with values, in one undo step."""
-    from .objects import solid
-
     began = not document.HasPendingTransaction
     if began:
         document.openTransaction(tr("Import {label}").format(label=label))
-    obj = solid.create(kind, document)
+    obj = create(kind, document)
     obj.Label = label
     for name, value in values.items():
         setattr(obj, name, value)
@@ -112,9 +86,6 @@ def _show_all(document):
 
 def export(objects, filename):
     """Writes what the objects bound, united, where they are in the document. The file is written whole or not at all. Raises ValueError."""
-    from .objects.solid import source_of
-    from .openscad import faces_together
-
     ending = _ending(filename)
     objects = [obj for obj in objects if hasattr(obj, "Mesh") or hasattr(obj, "Shape")]
     if not objects:
@@ -159,9 +130,6 @@ def whole_stack(path):
 
 def _designs(objects):
     """[(source, placement)] where all are whole solids of OpenSCAD's, else nothing."""
-    from .objects.solid import is_solid
-    from .openscad import OpenScadSource
-
     if not all(is_solid(obj) and obj.AutoBounds for obj in objects):
         return []
     designs = [(obj.Proxy.source(obj), _placement(obj)) for obj in objects]
@@ -184,8 +152,6 @@ def _settings(objects):
 
 def _united_texts(objects, ending):
     """The objects' formulas as one text. Raises ValueError for what has none."""
-    from .objects.frep_solid import FrepSolid
-
     fieldfab = kernel.load()
     for obj in objects:
         if not isinstance(getattr(obj, "Proxy", None), FrepSolid):

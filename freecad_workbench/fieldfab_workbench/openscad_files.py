@@ -5,6 +5,7 @@ import os
 import FreeCAD
 
 from . import kernel, work
+from .objects import combine, modify, openscad_node, solid
 from .openscad_tree import MOST_PARTS, Design, Part, TooLarge
 from .words import tr
 
@@ -115,8 +116,6 @@ def _show(obj):
 
 def _create(document, part, made):
     """The objects of a part, those it is made of first; none of them is seen."""
-    from .objects import combine, modify, openscad_node, solid
-
     children = [_create(document, child, made) for child in part.children]
     kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify, "text": openscad_node.OpenScadText}[part.make]
     obj = solid.create(kind, document, part.label)

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 import FreeCAD
 
 from . import meshes, path_shim, tool_bits
-from .cam_job import toml_value
 from .objects import cam_setup, cam_tool, path_of_program
+from .objects.cam_job import toml_value
 from .words import tr
 
 SHAPE_FILES = {"flat": "endmill", "ball": "ballend", "bull": "bullnose", "v": "v-bit", "tapered": "ballend", "drill": "drill"}

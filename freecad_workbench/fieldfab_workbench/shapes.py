@@ -4,8 +4,8 @@ import os
 import re
 from dataclasses import dataclass, field
 
+from . import frep_language as language
 from . import kernel
-from .panels import frep_language as language
 from .words import marked
 
 WORKBENCH = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))

@@ -49,7 +49,7 @@ def run(function, title):
     cancel (Cancelled is raised then). The calling thread waits either way: nothing else can change the document meanwhile."""
     if not FreeCAD.GuiUp or threading.current_thread() is not threading.main_thread():
         return function(lambda fraction, message: True)
-    from .shim import QtCore, QtWidgets
+    from .shim import QtCore, QtWidgets  # without a window there need be no Qt
 
     task, began, dialog = Task(function), time.monotonic(), None
     task.start()

@@ -53,6 +53,12 @@ def header(name="header", columns=2, rows=3, pitch=2.54, pad=1.7, hole=1.0):
     return Part(name, s.footprint_header(columns, rows, pitch, pad), pads, s.footprint_header(columns, rows, pitch, hole))
 
 
+def placed_point(point, x, y, angle):
+    """A point of a part whose origin lies at (x, y), turned by an angle in radians."""
+    cos, sin = math.cos(angle), math.sin(angle)
+    return (x + cos * point[0] - sin * point[1], y + sin * point[0] + cos * point[1])
+
+
 class Placed:
     """A part on a board; part["1"] is where its pad 1 is."""
 
@@ -62,9 +68,7 @@ class Placed:
     def __getitem__(self, pad):
         if pad not in self.part.pads:
             raise KeyError(f"{self.part.name} has no pad '{pad}'; it has {', '.join(self.part.pads)}")
-        u, v = self.part.pads[pad]
-        c, d = math.cos(self.angle), math.sin(self.angle)
-        return (self.x + c * u - d * v, self.y + d * u + c * v)
+        return placed_point(self.part.pads[pad], self.x, self.y, self.angle)
 
     def placed(self, shape):
         return s.move(s.rotate_z(shape, self.angle), self.x, self.y)

@@ -1,7 +1,7 @@
-"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL.py` with the answer on standard output.
+"""Runs a model script for the `fieldfab` command: `python3 -m fieldfab.script MODEL`, the answer on standard output.
 
-The solid is the script's variable `solid` or, where there is none, the last shape it gave a name. What the script prints goes to
-standard error. The answer is "ok" and a .vm program, or "error", the line and a message.
+MODEL is a Python script (.py) or one of kokopelli's (.ko). What the script prints goes to standard error. The answer
+is "ok" and .frep text, in which `part(...)` gives a solid its name and colour, or "error", the line and a message.
 """
 
 import ctypes
@@ -10,16 +10,84 @@ import runpy
 import signal
 import sys
 import traceback
+import types
 
+from . import _core
 from ._core import Expression
 
+MOST_NAMES = 10
 
-def solid_of(names):
-    """The shape that a script made, or None."""
+
+def parts_of_python(path):
+    """The parts of a Python script: (formula, name, colour) each; None for no name and no colour.
+
+    They are those of part(...), else the variable `solid`, else the only shape that the script has a name for."""
+    names = runpy.run_path(path, run_name="__main__")
+    made = list(_core.parts_made()) if hasattr(_core, "parts_made") else []
+    if made:
+        return made
     if isinstance(names.get("solid"), Expression):
-        return names["solid"]
-    shapes = [value for name, value in names.items() if isinstance(value, Expression) and name not in ("X", "Y", "Z")]
-    return shapes[-1] if shapes else None
+        return [(names["solid"], None, None)]
+    shapes = _shapes_of(names)
+    if not shapes:
+        raise NoSolid("the script makes no shape: give one the name 'solid'")
+    if len(shapes) > 1:
+        raise NoSolid(f"the script makes several shapes, {_listed(list(shapes.values()))}, and none is called 'solid'; "
+                      "name the parts with part(...)")
+    return [(shape, None, None) for shape in _objects(names, shapes)]
+
+
+class NoSolid(Exception):
+    """A script that has run and made no solid, or no certain one."""
+
+
+def _shapes_of(names):
+    """The first name of each shape, by its identity; what a module has made does not count."""
+    imported = {id(value) for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)
+                and module.__name__ != "__main__"
+                for value in list(vars(module).values()) if isinstance(value, Expression)}
+    shapes = {}
+    for name, value in names.items():
+        if isinstance(value, Expression) and id(value) not in imported:
+            shapes.setdefault(id(value), name)
+    return shapes
+
+
+def _objects(names, shapes):
+    return [names[name] for name in shapes.values()]
+
+
+def _listed(names):
+    shown = names[:MOST_NAMES]
+    if len(names) > MOST_NAMES:
+        return ", ".join(shown) + f" and {len(names) - MOST_NAMES} more"
+    return ", ".join(shown[:-1]) + " and " + shown[-1]
+
+
+def text_of_parts(parts):
+    """The .frep text of parts: the lines of each formula, its last one in `part(...)` where it has a name or a colour.
+
+    Raises NoSolid if two parts have one name."""
+    names = [name for _, name, _ in parts if name is not None]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise NoSolid(f"two parts are called '{twice[0]}'")
+    several, lines = len(parts) > 1, []
+    for i, (expression, name, colour) in enumerate(parts):
+        *bindings, result = str(Expression(expression)).splitlines()
+        if name is None and (several or colour is not None):
+            name = _free(f"part {i + 1}", names)
+        if name is not None:
+            text = "".join(c if c.isprintable() and c not in '"\\' else "'" for c in str(name))
+            result = f'part({result}, "{text}"' + (f', "{colour}")' if colour is not None else ")")
+        lines += [*bindings, result]
+    return "".join(line + "\n" for line in lines)
+
+
+def _free(name, names):
+    while name in names:
+        name += "'"
+    return name
 
 
 def where(error, path):
@@ -32,7 +100,12 @@ def where(error, path):
 
 def answer(path):
     try:
-        solid = solid_of(runpy.run_path(path, run_name="__main__"))
+        if path.lower().endswith(".ko"):
+            from . import koko_script
+            parts = koko_script.parts(path)
+        else:
+            parts = parts_of_python(path)
+        return "ok\n" + text_of_parts(parts)
     except SystemExit as stop:
         return f"error 0 the script ended itself with {stop.code!r}"
     except MemoryError:
@@ -40,12 +113,11 @@ def answer(path):
     except KeyboardInterrupt:
         return "error 0 interrupted"
     except BaseException as error:  # whatever it raises, the answer is one line
-        kind = "" if type(error).__module__ == "fieldfab._core" else f"{type(error).__name__}: "
+        line = where(error, path)
+        ours = isinstance(error, NoSolid) or type(error).__module__ == "fieldfab._core"
+        plain = ours or (line == 0 and isinstance(error, ValueError))
         message = error.msg if isinstance(error, SyntaxError) else str(error)
-        return f"error {where(error, path)} {kind}{' '.join(str(message).split())}"
-    if solid is None:
-        return "error 0 the script makes no shape: give one the name 'solid'"
-    return "ok\n" + solid.vm()
+        return f"error {line} {'' if plain else type(error).__name__ + ': '}{' '.join(str(message).split())}"
 
 
 def end_with_parent():
@@ -56,7 +128,7 @@ def end_with_parent():
 
 if __name__ == "__main__":
     end_with_parent()
-    with os.fdopen(os.dup(1), "w") as out:
+    with os.fdopen(os.dup(1), "w", encoding="utf-8", errors="backslashreplace") as out:
         os.dup2(2, 1)
         sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[1])))
         sys.argv = sys.argv[1:]

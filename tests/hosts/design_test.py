@@ -35,7 +35,7 @@ SAME = {
     "move": (lambda: k.move(lump(), 1, 2, 3), lambda: at(lump(), X - 1, Y - 2, Z - 3)),
     "rotate": (lambda: k.rotate(lump(), 90, 1, 0), lambda: at(lump(), Y + 1, 1 - X, Z)),
     "rotate_x": (lambda: k.rotate_x(lump(), 90, 1, 0), lambda: at(lump(), X, Z + 1, 1 - Y)),
-    "rotate_y": (lambda: k.rotate_y(lump(), 90), lambda: at(lump(), -Z, Y, X)),
+    "rotate_y": (lambda: k.rotate_y(lump(), 90), lambda: at(lump(), Z, Y, -X)),
     "reflect_x": (lambda: k.reflect_x(lump(), 1), lambda: at(lump(), 2 - X, Y, Z)),
     "reflect_y": (lambda: k.reflect_y(lump(), 1), lambda: at(lump(), X, 2 - Y, Z)),
     "reflect_z": (lambda: k.reflect_z(lump(), 1), lambda: at(lump(), X, Y, 2 - Z)),
@@ -90,8 +90,8 @@ AREAS = {
     "right_triangle": (lambda: k.right_triangle(-1, -1, 3), 4.5),
     "rounded_rectangle": (lambda: k.rounded_rectangle(-2, 2, -1, 1, 0.5), 8 - (4 - math.pi) * 0.25),
     "polygon": (lambda: k.polygon((0, 0), (4, 0), (4, 4), (2, 1), (0, 4)), 10),
-    "tab": (lambda: k.tab(1, 0, 2, 3, 30), 6 - 0.4 * 0.4),
-    "slot": (lambda: k.slot(1, 0, 2, 3, -40), 6 + 0.4 * 0.4),
+    "tab": (lambda: k.tab(1, 0, 2, 3, 30), 6 - 0.6 * 0.6),
+    "slot": (lambda: k.slot(1, 0, 2, 3, -40), 6 + 0.6 * 0.6),
 }
 
 

@@ -19,6 +19,7 @@ from documents import DOCUMENTS, NAME_OF_VERB
 from freecad_host import screen  # noqa: F401: a fixture
 
 import fieldfab as ff
+from fieldfab import koko_script
 
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the windows
 SECONDS = 120  # for a command
@@ -270,7 +271,7 @@ def own_freecad(folder):
 
 # Blocks that are no commands.
 
-LANGUAGES = {"sh", "frep", "toml", "openscad", "xml"}
+LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
 UNTESTED = {"text": "a drawing or a table", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
 
 
@@ -286,6 +287,12 @@ def of_language(language):
 @of_language("frep")
 def test_formula(place):
     ff.parse(place.text)
+
+
+@of_language("ko")
+def test_kokopelli_script(place, tmp_path):
+    (tmp_path / "design.ko").write_text(place.text)
+    assert koko_script.parts(str(tmp_path / "design.ko"))
 
 
 @of_language("toml")

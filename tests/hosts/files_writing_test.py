@@ -516,15 +516,17 @@ def ends_soon(process, seconds=5):
 ENDLESS = "import time\nopen('started', 'w').close()\ntime.sleep(60)\n"
 
 
-@pytest.mark.parametrize("how", ["script", "openscad", "python", "workbench"])
+@pytest.mark.parametrize("how", ["script", "openscad", "python", "workbench", "kokopelli"])
 def test_what_is_started_ends_with_the_one_that_started_it(how, folder):
     """Even if that is killed: the command, FreeCAD, MeshLab and the edit window start scripts and OpenSCAD."""
     (folder / "endless.py").write_text(ENDLESS)
+    (folder / "endless.ko").write_text(ENDLESS)
     (folder / "endless.scad").write_text("function f(n) = n < 1 ? 1 : f(n - 1) + f(n - 1); echo(f(40)); cube(f(40));")
     words = {
         "script": [COMMAND, "info", "endless.py"],
         "openscad": [COMMAND, "info", "endless.scad"],
         "python": [sys.executable, "-c", "import fieldfab as ff; ff.run_model('endless.py')"],
+        "kokopelli": [sys.executable, "-c", "import subprocess, sys; subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.ko']).wait()"],
         "workbench": [sys.executable, "-c", "import subprocess, sys; subprocess.Popen([sys.executable, '-m', 'fieldfab.script', 'endless.py']).wait()"],
     }[how]
     if how == "openscad" and shutil.which("openscad") is None:

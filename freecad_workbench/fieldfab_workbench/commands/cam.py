@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import path_shim
-from ..objects import cam_setup
+from ..objects import cam_operation, cam_setup, cam_tool
 from ..shim import QtWidgets
 from ..words import tr
 from .command import Command
@@ -42,8 +42,8 @@ class NewSetup(Command):
         document, part = FreeCAD.ActiveDocument, selected()[0]
         document.openTransaction(self.title)
         setup = cam_setup.create(document, part)
-        cam_setup.add_tool(setup, {"diameter": 3, "name": "3 mm end mill"})
-        cam_setup.add_operation(setup, "rough")
+        cam_tool.add(setup, {"diameter": 3, "name": "3 mm end mill"})
+        cam_operation.add(setup, "rough")
         document.recompute([setup])
         FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour
         FreeCADGui.ActiveDocument.setEdit(setup.Name)
@@ -56,7 +56,7 @@ class AddOperation(Command):
     def Activated(self):
         setup = chosen_setup()
         setup.Document.openTransaction(self.title)
-        operation = cam_setup.add_operation(setup, "finish" if setup.Operations else "rough")
+        operation = cam_operation.add(setup, "finish" if setup.Operations else "rough")
         setup.Document.recompute([operation])
         FreeCADGui.ActiveDocument.setEdit(operation.Name)
 
@@ -66,12 +66,12 @@ class Plan(Command):
         return chosen_setup() is not None
 
     def Activated(self):
-        from ..objects import machine_program
+        from ..objects import machine_program  # it needs numpy
 
         setup = chosen_setup()
         document = setup.Document
         document.openTransaction(self.title)
-        program = next(iter(cam_setup.programs_of(setup)), None) or cam_setup.create_program(setup)
+        program = next(iter(cam_setup.programs_of(setup)), None) or machine_program.create(setup)
         program.touch()
         document.recompute([program])
         document.commitTransaction()
@@ -99,7 +99,7 @@ class WriteMachineFile(_OfProgram):
 
 def write(program, path):
     """Writes the machine's file; says in the status bar that it did, in a box that it could not."""
-    from ..objects import machine_program
+    from ..objects import machine_program  # it needs numpy
 
     window = FreeCADGui.getMainWindow()
     try:
@@ -112,7 +112,7 @@ def write(program, path):
 
 class SetupSheet(_OfProgram):
     def Activated(self):
-        from ..objects import machine_program
+        from ..objects import machine_program  # it needs numpy
 
         path = os.path.join(tempfile.mkdtemp(prefix="fieldfab_"), "setup.html")
         machine_program.write_setup_sheet(chosen_program(), path)
@@ -121,7 +121,7 @@ class SetupSheet(_OfProgram):
 
 class ToPath(_OfProgram):
     def Activated(self):
-        from .. import path_jobs
+        from .. import path_jobs  # it needs numpy
 
         program = chosen_program()
         document = program.Document

@@ -2,7 +2,7 @@
 
 import FreeCADGui
 
-from ..views.solid_view import icon
+from ..icons import icon
 from ..words import tr
 
 

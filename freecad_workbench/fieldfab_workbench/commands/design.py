@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import frep_solid, solid
+from ..panels.gallery import Gallery
 from ..words import tr
 from .command import Command
 
@@ -12,8 +13,6 @@ class ShapeGallery(Command):
     """Opens the gallery; the shape chosen there becomes a solid whose numbers are properties, with its task panel open: one undo step."""
 
     def Activated(self):
-        from ..panels.gallery import Gallery
-
         self.gallery = Gallery(FreeCADGui.getMainWindow(), whole=True)
         self.gallery.inserted.connect(make)
         self.gallery.show()

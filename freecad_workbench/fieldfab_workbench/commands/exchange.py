@@ -59,7 +59,7 @@ class CrossCheck(Command):
         return len(_chosen_solids()) == 1
 
     def Activated(self):
-        from ..panels.check_panel import CheckPanel
+        from ..panels.check_panel import CheckPanel  # it needs numpy
 
         FreeCADGui.Control.showDialog(CheckPanel(_chosen_solids()[0]))
 
@@ -71,7 +71,7 @@ class ShowUncertainPlaces(Command):
         return any(uncertain_places(obj) for obj in _chosen_solids())
 
     def Activated(self):
-        from ..views.uncertain_places import look_at_largest
+        from ..views.uncertain_places import look_at_largest  # it needs numpy and Coin
 
         chosen = [obj for obj in _chosen_solids() if uncertain_places(obj)]
         if all(obj.ViewObject.Proxy.shows_places() for obj in chosen):

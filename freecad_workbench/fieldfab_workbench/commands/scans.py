@@ -9,6 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .. import files, kernel, work
+from ..file_types import SLICES, VOLUMES
 from ..objects.frep_solid import FrepSolid
 from ..objects.scan import Scan
 from ..shim import QtWidgets
@@ -18,7 +19,7 @@ from .command import Command
 
 class ImportScan(Command):
     def Activated(self):
-        patterns = " ".join(f"*.{extension}" for extension in (*files.VOLUMES, *files.SLICES, "asdf"))
+        patterns = " ".join(f"*.{extension}" for extension in (*VOLUMES, *SLICES, "asdf"))
         path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), tr("Import scan: a volume, or any slice of a stack"), "",
                                                      tr("Volumes and slices ({patterns});;All files (*)").format(patterns=patterns))[0]
         if path:
@@ -72,7 +73,7 @@ def _formula_of(path, progress):
         said.seek(0)
         answer = said.read().decode(errors="replace")
     if answer.startswith("ok\n"):
-        return fieldfab.parse_vm(answer[3:]).math()
+        return fieldfab.parse(answer[3:]).math()
     _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("it ended without an answer"))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 

@@ -1,7 +1,8 @@
 """One operation of a CAM set-up."""
 
 from .. import workflow
-from .document_object import WithSettings
+from .cam_setup import setup_of
+from .document_object import WithSettings, create_object
 
 MADE_BY_TOOL = {"feed": "Feed", "plunge": "Plunge", "spindle": "Spindle"}
 
@@ -25,8 +26,6 @@ class CamOperation(WithSettings):
 
     def default(self, obj, setting):
         """The tool's, else the material's, else the workflow's, no faster than the machine."""
-        from .cam_setup import setup_of
-
         tool, setup = getattr(obj, "Tool", None), setup_of(obj)
         if tool is not None and setting.name in MADE_BY_TOOL:
             own = getattr(tool, MADE_BY_TOOL[setting.name])
@@ -49,3 +48,13 @@ class CamOperation(WithSettings):
     def execute(self, obj):
         self.settle(obj)  # its tool may say other speeds now
         self.check(obj)
+
+
+def add(setup, kind, tool=None):
+    """Adds an operation at the end of a set-up; with the first tool where none is named. Returns the object; nothing is
+    computed."""
+    operation = create_object(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
+    operation.Type = kind
+    setup.Operations = [*setup.Operations, operation]
+    operation.Tool = tool or next(iter(setup.Tools), None)
+    return operation

@@ -4,7 +4,7 @@ import FreeCAD
 
 from .. import workflow
 from ..words import marked, tr
-from .document_object import WithSettings
+from .document_object import WithSettings, create_object
 
 NO_MATERIAL = marked("any")
 ZEROS = marked(("model", "corner", "centre"))
@@ -116,49 +116,11 @@ def stock_box(setup):
     return FreeCAD.Vector(box.XMin - margin, box.YMin - margin, bottom), upper
 
 
-# Making them. Each returns the new object; nothing is computed.
-
-
-def _create(kind, document, label):
-    obj = document.addObject("App::FeaturePython", kind.NAME)
-    kind(obj)
-    obj.Label = label
-    if FreeCAD.GuiUp:
-        from ..views.cam_view import attach
-
-        attach(obj)
-    return obj
-
-
 def create(document, part=None, label="CAM set-up"):
-    setup = _create(CamSetup, document, label)
+    """Adds a set-up to the document; nothing is computed yet."""
+    setup = create_object(CamSetup, document, label)
     setup.Part = part
     return setup
-
-
-def add_tool(setup, told=None):
-    """Adds a cutter, described as in job files; its number is the next free one where it has none or that is taken."""
-    from . import cam_tool
-
-    tool, told = _create(cam_tool.CamTool, setup.Document, "Tool"), dict(told or {})
-    taken = {other.Number for other in setup.Tools}
-    if told.get("number", 0) in taken or "number" not in told:
-        told["number"] = max(taken, default=0) + 1
-    told.setdefault("name", f"{told.get('diameter', 3):g} mm {told.get('shape', 'flat')}")
-    cam_tool.take(tool, told)
-    setup.Tools = [*setup.Tools, tool]
-    return tool
-
-
-def add_operation(setup, kind, tool=None):
-    """Adds an operation at the end; with the first tool where none is named."""
-    from .cam_operation import CamOperation
-
-    operation = _create(CamOperation, setup.Document, kind[:1].upper() + kind[1:].replace("_", " "))
-    operation.Type = kind
-    setup.Operations = [*setup.Operations, operation]
-    operation.Tool = tool or next(iter(setup.Tools), None)
-    return operation
 
 
 def remove(setup, child):
@@ -166,12 +128,3 @@ def remove(setup, child):
     setup.Tools = [tool for tool in setup.Tools if tool != child]
     setup.Operations = [operation for operation in setup.Operations if operation != child]
     setup.Document.removeObject(child.Name)
-
-
-def create_program(setup):
-    """Adds the machine program of a set-up; not yet planned."""
-    from .machine_program import MachineProgram
-
-    program = _create(MachineProgram, setup.Document, f"Program of {setup.Label}")
-    program.Setup = setup
-    return program

@@ -1,7 +1,7 @@
 """A cutter of a CAM set-up. Lengths are mm, angles degrees."""
 
 from ..words import described, marked, tr
-from .document_object import DocumentObject
+from .document_object import DocumentObject, create_object
 
 # What each shape needs besides a diameter.
 SHAPES = marked({
@@ -79,3 +79,16 @@ def take(obj, told):
             obj.Label = value
         else:
             setattr(obj, name.capitalize(), value)
+
+
+def add(setup, told=None):
+    """Adds a cutter to a set-up, described as in job files. Its number is the next free one where it has none or that
+    is taken. Returns the object; nothing is computed."""
+    tool, told = create_object(CamTool, setup.Document, "Tool"), dict(told or {})
+    taken = {other.Number for other in setup.Tools}
+    if told.get("number", 0) in taken or "number" not in told:
+        told["number"] = max(taken, default=0) + 1
+    told.setdefault("name", f"{told.get('diameter', 3):g} mm {told.get('shape', 'flat')}")
+    take(tool, told)
+    setup.Tools = [*setup.Tools, tool]
+    return tool

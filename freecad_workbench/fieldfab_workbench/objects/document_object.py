@@ -1,5 +1,7 @@
 """What all proxies have in common, and those whose properties are settings of the kernel's workflow."""
 
+from .. import registry
+
 
 class DocumentObject:
     """A proxy that keeps nothing of its own in the document."""
@@ -151,3 +153,12 @@ class WithSettings(DocumentObject):
             setting.write(obj, setting.read(obj))
         self._settling = False
         obj.purgeTouched()
+
+
+def create_object(kind, document, label):
+    """Adds an object without a shape, of a class, to the document; nothing is computed yet."""
+    obj = document.addObject("App::FeaturePython", kind.NAME)
+    kind(obj)
+    obj.Label = label
+    registry.add_view(obj)
+    return obj

@@ -7,9 +7,10 @@ import tempfile
 import FreeCAD
 import numpy as np
 
-from .. import cam_job, kernel, work
+from .. import kernel, work
 from ..words import tr
-from .document_object import DocumentObject
+from . import cam_job
+from .document_object import DocumentObject, create_object
 
 
 class MachineProgram(DocumentObject):
@@ -105,3 +106,10 @@ def _copy(obj, source, path):
     with open(source, "rb") as file:
         data = file.read()
     kernel.write_file(path, data)
+
+
+def create(setup):
+    """Adds the machine program of a set-up to the document; not yet planned."""
+    program = create_object(MachineProgram, setup.Document, f"Program of {setup.Label}")
+    program.Setup = setup
+    return program

@@ -5,7 +5,7 @@ import hashlib
 import FreeCAD
 import Part
 
-from .. import meshes
+from .. import meshes, registry
 from ..words import tr
 from .document_object import DocumentObject
 
@@ -98,8 +98,5 @@ def create(document, source):
     obj = document.addObject("Part::FeaturePython", PartShape.NAME)
     PartShape(obj)
     obj.Label, obj.Source = f"{source.Label} shape", source
-    if FreeCAD.GuiUp:
-        from ..views.part_shape_view import PartShapeView
-
-        PartShapeView(obj.ViewObject)
+    registry.add_view(obj)
     return obj

@@ -11,10 +11,10 @@ from collections import OrderedDict
 import FreeCAD
 
 from .. import kernel, meshes, work
+from ..geometry import source_of_geometry
 from ..words import marked, tr
 from . import programs, set_ups
 from .solid import Solid, source_of
-from .solid_from_object import source_of_geometry
 
 THREE_AXES = marked("three axes")
 # Worst first.

@@ -4,7 +4,8 @@ import hashlib
 
 import FreeCAD
 
-from .. import certainty, kernel, meshes, preferences, work
+from .. import certainty, kernel, meshes, preferences, registry, work
+from ..geometry import source_of_geometry
 from ..openscad import matrix_of
 from ..words import tr
 from .document_object import DocumentObject
@@ -125,12 +126,7 @@ def is_solid(obj):
 def source_of(obj, placed=True):
     """The Source of any object that bounds a solid: ours, a mesh, a Part shape or body. Placed: where it is in the document; else in
     its own coordinates. Raises ValueError for others."""
-    if is_solid(obj):
-        source = obj.Proxy.source(obj)
-    else:
-        from .solid_from_object import source_of_geometry
-
-        source = source_of_geometry(obj)
+    source = obj.Proxy.source(obj) if is_solid(obj) else source_of_geometry(obj)
     if not placed:
         return source
     return source.moved(obj.getGlobalPlacement() if hasattr(obj, "getGlobalPlacement") else obj.Placement)
@@ -147,8 +143,5 @@ def create(kind, document, name=None):
     """Adds a solid of a class to the document; not yet computed."""
     obj = document.addObject("Mesh::FeaturePython", name or kind.NAME)
     kind(obj)
-    if FreeCAD.GuiUp:
-        from ..views.solid_view import SolidView
-
-        SolidView(obj.ViewObject)
+    registry.add_view(obj)
     return obj

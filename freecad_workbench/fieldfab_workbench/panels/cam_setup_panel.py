@@ -1,7 +1,7 @@
 """The task panel of a CAM set-up: a stack of panels, one a stage, from the part to the machine (Keeter, Fig. 6-2), and the plan."""
 
-from .. import cam_job, kernel, work, workflow
-from ..objects import cam_setup, machine_program
+from .. import kernel, work, workflow
+from ..objects import cam_job, cam_operation, cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
 from ..words import PROPERTY, property_label, tr
 from .collapsible import Box
@@ -222,7 +222,7 @@ class SetupPanel(EditPanel):
             self.chosen_place.addWidget(self.operation_form)
 
     def add_operation(self, kind):
-        cam_setup.add_operation(self.obj, kind)
+        cam_operation.add(self.obj, kind)
         self._list_operations(len(self.obj.Operations) - 1)
         self._refresh()
 
@@ -299,7 +299,7 @@ class SetupPanel(EditPanel):
         except (ValueError, kernel.load().Error) as error:
             self._complain(error)
         else:
-            program = self.program() or cam_setup.create_program(self.obj)
+            program = self.program() or machine_program.create(self.obj)
             machine_program.take(program, plan)
         self._tell()
 

@@ -9,12 +9,12 @@ import numpy as np
 from .. import kernel, meshes
 from ..certainty import is_uncertain, with_doubt
 from ..deviations import colours, deviations, nice_reach
+from ..icons import icon
 from ..newest import Newest
 from ..objects.solid import source_of
 from ..shim import QtCore, QtGui, QtWidgets, flags
 from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
-from ..views.solid_view import icon
 from ..words import marked, tr
 from .edit_panel import COLOURS
 

@@ -1,9 +1,9 @@
 """The editor of .frep text: colours, completion, what functions mean, line numbers, and the first mistake in its place."""
 
+from .. import frep_language as language
 from .. import kernel
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
-from . import frep_language as language
 
 COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d", "defined": "#a0341f"}
 MISTAKE = QtGui.QColor("#c62828")

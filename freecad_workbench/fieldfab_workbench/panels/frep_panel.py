@@ -7,6 +7,7 @@ from ..views.preview import Preview
 from ..words import tr
 from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
+from .gallery import Gallery
 from .parameter_rows import ParameterRow
 
 
@@ -35,8 +36,6 @@ class FrepPanel(EditPanel):
         return gallery
 
     def _open_gallery(self):
-        from .gallery import Gallery
-
         self.gallery = Gallery(self.form)
         self.gallery.inserted.connect(self.text.insert)
         self.gallery.show()

@@ -5,10 +5,10 @@ import time
 
 import numpy as np
 
-from ..player import Player
 from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ScaleLegend
 from ..views.part_view import PartView
+from ..views.player import Player
 from ..views.stock_scene import StockScene
 from ..words import tr
 from .event_list import EventList

@@ -6,6 +6,7 @@ import os
 import FreeCADGui
 
 from .. import scans
+from ..files import whole_stack
 from ..newest import Newest
 from ..shim import QtWidgets
 from ..views.coin_mesh import MeshBytes
@@ -43,8 +44,6 @@ class ScanPanel(ScanForm):
     def choose(self, path):
         """Takes another file or folder; "" takes none."""
         if path:
-            from ..files import whole_stack
-
             self.path.setText(whole_stack(path))
             self._changed_file()
 

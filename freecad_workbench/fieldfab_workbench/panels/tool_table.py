@@ -135,7 +135,7 @@ class ToolTable(QtWidgets.QWidget):
         return box
 
     def add(self):
-        cam_setup.add_tool(self.setup, {"diameter": 3})
+        cam_tool.add(self.setup, {"diameter": 3})
         self.fill(len(self.setup.Tools) - 1)
         self.changed()
 
@@ -158,7 +158,7 @@ class ToolTable(QtWidgets.QWidget):
                 tools, notes = tool_bits.read(path)
                 problems += notes
                 for tool in tools:
-                    cam_setup.add_tool(self.setup, tool)
+                    cam_tool.add(self.setup, tool)
             except (ValueError, OSError) as error:
                 problems.append(str(error))
         self.fill(len(self.setup.Tools) - 1)

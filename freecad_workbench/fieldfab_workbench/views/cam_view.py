@@ -3,33 +3,9 @@
 from pivy import coin
 
 from ..objects import cam_setup
-from .solid_view import ObjectView
+from .document_view import DocumentView
 
 STOCK_COLOUR = (0.55, 0.45, 0.30)
-
-
-class DocumentView(ObjectView):
-    """View provider of an object without a shape."""
-
-    def attach(self, view):
-        super().attach(view)
-        view.addDisplayMode(self.scene(), "Ways")
-
-    def scene(self):
-        """What is seen, a Coin node."""
-        return coin.SoSeparator()
-
-    def getDisplayModes(self, view):
-        return ["Ways"]
-
-    def getDefaultDisplayMode(self):
-        return "Ways"
-
-    def setDisplayMode(self, mode):
-        return mode
-
-    def claimChildren(self):
-        return []
 
 
 class SetupView(DocumentView):
@@ -79,11 +55,3 @@ class OperationView(DocumentView):
     def updateData(self, obj, name):
         if name == "Active":
             obj.ViewObject.signalChangeIcon()
-
-
-def attach(obj):
-    """Gives a new object its view."""
-    from .program_view import ProgramView
-
-    {"CamSetup": SetupView, "CamTool": ToolView, "CamOperation": OperationView, "MachineProgram": ProgramView}[obj.Proxy.NAME](obj.ViewObject)
-    obj.ViewObject.DisplayMode = "Ways"

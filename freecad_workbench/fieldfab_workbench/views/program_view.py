@@ -4,7 +4,7 @@ from pivy import coin
 
 from .. import ways
 from ..objects import machine_program
-from .cam_view import DocumentView
+from .document_view import DocumentView
 
 COLOURS = ((0.10, 0.42, 0.85), (0.10, 0.62, 0.35), (0.80, 0.40, 0.05), (0.55, 0.25, 0.70), (0.05, 0.60, 0.65), (0.75, 0.20, 0.45))
 RAPID_COLOUR = (0.85, 0.15, 0.12)

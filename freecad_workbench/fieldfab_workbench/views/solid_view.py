@@ -1,21 +1,14 @@
 """How a solid looks in FreeCAD: its icon, its colour, its place in the tree, its task panel."""
 
-import os
-
 import FreeCAD
 import FreeCADGui
 
-from .. import preferences
+from .. import preferences, registry
 from ..certainty import uncertain_places
+from ..icons import icon
 from ..shim import QtCore
 from ..words import tr
-
-ICONS = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__)))), "icons")
-
-
-def icon(name):
-    """The file of an icon: "Linear array" is LinearArray.svg."""
-    return os.path.join(ICONS, "".join(word[:1].upper() + word[1:] for word in name.split()) + ".svg")
+from .uncertain_places import UncertainPlaces
 
 
 class ObjectView:
@@ -31,9 +24,7 @@ class ObjectView:
         return icon(self.Object.Proxy.icon_name(self.Object))
 
     def setEdit(self, view, mode=0):
-        from ..panels import panel_for
-
-        FreeCADGui.Control.showDialog(panel_for(view.Object))
+        FreeCADGui.Control.showDialog(registry.panel_for(view.Object))
         return True
 
     def unsetEdit(self, view, mode=0):
@@ -77,8 +68,6 @@ class SolidView(ObjectView):
 
     def show_places(self, obj):
         """Shows them as they are now; where there are none, nothing."""
-        from .uncertain_places import UncertainPlaces
-
         self.hide_places()
         if uncertain_places(obj) and obj.ViewObject.Visibility:
             self._places = UncertainPlaces(obj)

@@ -75,7 +75,7 @@ def lattice(document):
 
 def machining(document):
     """A set-up with a planned program: cleared in three axes, finished by a ball that leans along the surface."""
-    from fieldfab_workbench.objects import cam_setup
+    from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, machine_program
     from fieldfab_workbench.objects.frep_solid import FrepSolid
 
     with open(os.path.join(DESIGNS, "cam", "knob.frep"), encoding="utf-8") as file:
@@ -83,15 +83,16 @@ def machining(document):
     setup = cam_setup.create(document, knob)
     setup.Machine, setup.Margin, setup.Top = "five_axis_ac", 1, 1
     holder = {"holder_diameter": 40, "holder_length": 50}
-    mill = cam_setup.add_tool(setup, {"name": "8 mm end mill", "diameter": 8, "flute": 24, "length": 45, **holder})
-    ball = cam_setup.add_tool(setup, {"name": "6 mm ball", "shape": "ball", "diameter": 6, "flute": 12, "length": 35, **holder})
+    mill = cam_tool.add(setup, {"name": "8 mm end mill", "diameter": 8, "flute": 24, "length": 45, **holder})
+    ball = cam_tool.add(setup, {"name": "6 mm ball", "shape": "ball", "diameter": 6, "flute": 12, "length": 35,
+                                **holder})
     for kind, tool, settings in (("rough", mill, {"stepdown": 6, "bottom": 0}),
                                  ("finish", ball, {"lean": True, "pattern": "spiral", "scallop": 0.4, "bottom": 0})):
-        operation = cam_setup.add_operation(setup, kind, tool)
+        operation = cam_operation.add(setup, kind, tool)
         for setting in operation.Proxy.settings(operation):
             if setting.name in settings:
                 operation.Proxy.give(operation, setting, settings[setting.name])
-    program = cam_setup.create_program(setup)
+    program = machine_program.create(setup)
     document.recompute()
     assert program.isValid() and program.MadeFrom, program.getStatusString()
     with open(program.SetupSheet, encoding="utf-8") as file:

@@ -1387,22 +1387,6 @@
 <context>
     <name>Fieldfab</name>
     <message>
-        <source>{label}: choose a Part</source>
-        <translation>{label}: Part wählen</translation>
-    </message>
-    <message>
-        <source>{label}: its tool is not one of the set-up's</source>
-        <translation>{label}: Das Werkzeug gehört nicht zu dieser Aufspannung</translation>
-    </message>
-    <message>
-        <source>{label}: choose a tool</source>
-        <translation>{label}: Werkzeug wählen</translation>
-    </message>
-    <message>
-        <source>{label}: choose a StockObject</source>
-        <translation>{label}: StockObject wählen</translation>
-    </message>
-    <message>
         <source>The mesh is {certainty}</source>
         <translation>Das Netz ist {certainty}</translation>
     </message>
@@ -1489,6 +1473,58 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label} has no formula: export it as .asdf or as a mesh</source>
         <translation>{label} hat keine Formel: als .asdf oder als Netz exportieren</translation>
+    </message>
+    <message>
+        <source>the first coordinate, mm</source>
+        <translation>die erste Koordinate, mm</translation>
+    </message>
+    <message>
+        <source>the second coordinate, mm</source>
+        <translation>die zweite Koordinate, mm</translation>
+    </message>
+    <message>
+        <source>the third coordinate, mm</source>
+        <translation>die dritte Koordinate, mm</translation>
+    </message>
+    <message>
+        <source>angles in degrees</source>
+        <translation>Winkel in Grad</translation>
+    </message>
+    <message>
+        <source>exact distance</source>
+        <translation>genauer Abstand</translation>
+    </message>
+    <message>
+        <source>never more than the distance</source>
+        <translation>nie mehr als der Abstand</translation>
+    </message>
+    <message>
+        <source>{label} is empty</source>
+        <translation>{label} ist leer</translation>
+    </message>
+    <message>
+        <source>{label} has no solid: faces and wires bound nothing</source>
+        <translation>{label} hat keinen Körper: Flächen und Drähte begrenzen nichts</translation>
+    </message>
+    <message>
+        <source>{label} has neither a mesh nor a shape</source>
+        <translation>{label} hat weder Netz noch Form</translation>
+    </message>
+    <message>
+        <source>{label}: choose a Part</source>
+        <translation>{label}: Part wählen</translation>
+    </message>
+    <message>
+        <source>{label}: its tool is not one of the set-up's</source>
+        <translation>{label}: Das Werkzeug gehört nicht zu dieser Aufspannung</translation>
+    </message>
+    <message>
+        <source>{label}: choose a tool</source>
+        <translation>{label}: Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>{label}: choose a StockObject</source>
+        <translation>{label}: StockObject wählen</translation>
     </message>
     <message>
         <source>any</source>
@@ -1811,18 +1847,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: {other} konnte nicht berechnet werden</translation>
     </message>
     <message>
-        <source>{label} is empty</source>
-        <translation>{label} ist leer</translation>
-    </message>
-    <message>
-        <source>{label} has no solid: faces and wires bound nothing</source>
-        <translation>{label} hat keinen Körper: Flächen und Drähte begrenzen nichts</translation>
-    </message>
-    <message>
-        <source>{label} has neither a mesh nor a shape</source>
-        <translation>{label} hat weder Netz noch Form</translation>
-    </message>
-    <message>
         <source>{label}: choose a mesh, a Part object or a body as its Source</source>
         <translation>{label}: ein Netz, ein Part-Objekt oder einen Body als Quelle wählen</translation>
     </message>
@@ -2051,30 +2075,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Zeile {line}: {words}</translation>
     </message>
     <message>
-        <source>the first coordinate, mm</source>
-        <translation>die erste Koordinate, mm</translation>
-    </message>
-    <message>
-        <source>the second coordinate, mm</source>
-        <translation>die zweite Koordinate, mm</translation>
-    </message>
-    <message>
-        <source>the third coordinate, mm</source>
-        <translation>die dritte Koordinate, mm</translation>
-    </message>
-    <message>
-        <source>angles in degrees</source>
-        <translation>Winkel in Grad</translation>
-    </message>
-    <message>
-        <source>exact distance</source>
-        <translation>genauer Abstand</translation>
-    </message>
-    <message>
-        <source>never more than the distance</source>
-        <translation>nie mehr als der Abstand</translation>
-    </message>
-    <message>
         <source>F-rep solid</source>
         <translation>F-Rep-Körper</translation>
     </message>
@@ -2297,6 +2297,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>OpenSCAD text</source>
         <translation>OpenSCAD-Text</translation>
+    </message>
+    <message>
+        <source>Machine program</source>
+        <translation>Maschinenprogramm</translation>
     </message>
     <message>
         <source>Scan</source>

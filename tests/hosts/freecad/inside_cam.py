@@ -7,8 +7,8 @@ import FreeCAD
 import numpy as np
 import pytest
 
-from fieldfab_workbench import cam_job, kernel, tool_bits, ways, work, workflow
-from fieldfab_workbench.objects import cam_setup, cam_tool, frep_solid, machine_program
+from fieldfab_workbench import kernel, tool_bits, ways, work, workflow
+from fieldfab_workbench.objects import cam_job, cam_operation, cam_setup, cam_tool, frep_solid, machine_program
 from fieldfab_workbench.objects import solid as solids
 
 BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
@@ -34,9 +34,9 @@ def part(document, text=DOME, voxel=0.8, at=(0, 0, 0)):
 def set_up(document, solid=None, operations=("rough",), machine="linuxcnc"):
     setup = cam_setup.create(document, solid or part(document))
     setup.Machine = machine
-    cam_setup.add_tool(setup, {"diameter": 4, "length": 40, "name": "4 mm end mill"})
+    cam_tool.add(setup, {"diameter": 4, "length": 40, "name": "4 mm end mill"})
     for kind in operations:
-        operation = cam_setup.add_operation(setup, kind)
+        operation = cam_operation.add(setup, kind)
         cell = next(s for s in workflow.settings_of(kind) if s.name == "cell")
         operation.Proxy.give(operation, cell, 0.4)
     document.recompute()
@@ -44,7 +44,7 @@ def set_up(document, solid=None, operations=("rough",), machine="linuxcnc"):
 
 
 def planned(setup):
-    program = next(iter(cam_setup.programs_of(setup)), None) or cam_setup.create_program(setup)
+    program = next(iter(cam_setup.programs_of(setup)), None) or machine_program.create(setup)
     setup.Document.recompute()
     return program
 
@@ -82,7 +82,7 @@ def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_p
 @pytest.mark.parametrize("kind", workflow.operation_names())
 def test_operations_have_the_properties_of_their_stages(document, kind):
     setup = cam_setup.create(document)
-    operation = cam_setup.add_operation(setup, kind)
+    operation = cam_operation.add(setup, kind)
     told = {s.name: s for s in workflow.settings_of(kind)}
     assert {"feed", "clearance", "plane", "cell"} <= set(told)
     for s in told.values():
@@ -96,7 +96,7 @@ def test_operations_have_the_properties_of_their_stages(document, kind):
 
 
 def test_only_what_matters_is_shown(document):
-    operation = cam_setup.add_operation(cam_setup.create(document), "finish")
+    operation = cam_operation.add(cam_setup.create(document), "finish")
 
     def shown(name):
         return "Hidden" not in operation.getEditorMode(name)
@@ -132,7 +132,7 @@ def test_what_is_changed_is_given_and_the_rest_follows(document):
 
 
 def test_another_type_of_operation_is_undone_whole(document):
-    operation = cam_setup.add_operation(cam_setup.create(document), "finish")
+    operation = cam_operation.add(cam_setup.create(document), "finish")
     give(operation, "stepover", 0.3)
     operation.Lean, operation.Feed = True, "700 mm/min"
     before = operation.Proxy.given(operation)
@@ -231,7 +231,7 @@ def test_stock_and_zero_are_where_the_document_has_them(document):
 
 def test_every_machine_can_be_chosen(document):
     setup = cam_setup.create(document, part(document))
-    operation = cam_setup.add_operation(setup, "profile")
+    operation = cam_operation.add(setup, "profile")
     operation.Cell = 0.5
     for identifier in workflow.machines():
         setup.Machine = identifier
@@ -263,7 +263,7 @@ def test_tool_bits_of_freecad(document):
     assert any("probe" in note for note in notes)
     setup = cam_setup.create(document)
     for tool in found:
-        made = cam_setup.add_tool(setup, tool)
+        made = cam_tool.add(setup, tool)
         told = cam_tool.described(made)
         assert {name: told[name] for name in tool if name in told} == {name: value for name, value in tool.items() if name in told}
     assert [t.Number for t in setup.Tools] == [t["number"] for t in found]

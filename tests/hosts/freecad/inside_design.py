@@ -9,9 +9,9 @@ import sys
 import numpy as np
 import pytest
 
+from fieldfab_workbench import frep_language as language
 from fieldfab_workbench import kernel, openscad, shapes, work
 from fieldfab_workbench.objects import frep_solid
-from fieldfab_workbench.panels import frep_language as language
 from fieldfab_workbench.views import inventor, refinement
 
 WORKBENCH = pathlib.Path(shapes.__file__).resolve().parents[1]
@@ -186,9 +186,30 @@ def test_solids_without_bounds_are_told():
         seen.coarse(go_on)
 
 
+def loaded_by(code):
+    """The names of all modules loaded by some code, in a Python of its own that finds FreeCAD and the workbench."""
+    paths = [str(WORKBENCH), *(p for p in sys.path if "freecad" in p.lower())]
+    code = f"import sys; sys.path[:0] = {paths!r}\n{code}\nprint(chr(10).join(['loaded:', *sys.modules]))"
+    environment = {**os.environ, "QT_QPA_PLATFORM": "offscreen"}
+    said = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, timeout=60, env=environment)
+    assert "loaded:" in said.stdout, said.stdout + said.stderr
+    return said.stdout.split("loaded:")[1].split()
+
+
 def test_the_workbench_loads_without_what_takes_long():
     """Neither numpy nor the kernel is imported before something is made."""
-    code = ("import sys; sys.path[:0] = [%r, *%r]; import FreeCAD, FreeCADGui; FreeCADGui.addCommand = lambda *given: None; from fieldfab_workbench import commands; commands.register();"
-            "print(sorted({'numpy', 'fieldfab', 'pivy'} & set(sys.modules)))" % (str(WORKBENCH), [p for p in sys.path if "freecad" in p.lower()]))
-    said = subprocess.run(["/usr/bin/python3", "-c", code], capture_output=True, text=True, timeout=60, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})
-    assert said.stdout.strip().endswith("[]"), said.stdout + said.stderr
+    loaded = loaded_by("import FreeCAD, FreeCADGui; FreeCADGui.addCommand = lambda *given: None\n"
+                       "from fieldfab_workbench import commands; commands.register()")
+    assert "fieldfab_workbench.commands.cam" in loaded and not {"numpy", "fieldfab", "pivy"} & set(loaded)
+
+
+def test_objects_and_files_load_without_the_window():
+    """Neither Qt nor Coin, views or panels are imported for objects, nor for the files that come in and go out."""
+    package = WORKBENCH / "fieldfab_workbench"
+    names = [f"objects.{file.stem}" for file in sorted((package / "objects").glob("*.py")) if file.stem != "__init__"]
+    names = [f"fieldfab_workbench.{name}" for name in (*names, "file_types", "files", "openscad_files", "path_jobs")]
+    loaded = loaded_by("import FreeCAD\n" + "\n".join(f"import {name}" for name in names))
+    assert len(names) > 15 and set(names) <= set(loaded)
+    ours = [f"fieldfab_workbench.{name}" for name in ("shim", "views", "panels", "commands")]
+    window = ("PySide", "shiboken", "pivy", "FreeCADGui", *ours)
+    assert [name for name in loaded if name.startswith(window)] == []

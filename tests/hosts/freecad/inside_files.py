@@ -8,7 +8,7 @@ import FreeCAD
 import Mesh
 import pytest
 
-from fieldfab_workbench import files, kernel
+from fieldfab_workbench import file_types, files, kernel
 from fieldfab_workbench.objects import frep_solid, scan
 from fieldfab_workbench.objects import solid as solids
 
@@ -37,17 +37,17 @@ def importer(path):
     """The module that FreeCAD takes for a file."""
     for ending in (".".join(path.name.split(".")[1:]), path.suffix[1:]):
         for module in FreeCAD.getImportType(ending) or []:
-            if module == files.MODULE:
+            if module == file_types.MODULE:
                 return importlib.import_module(module)
     raise AssertionError(f"FreeCAD knows no importer of ours for {path}")
 
 
 def test_every_volume_is_a_file_type():
-    for ending in (*files.VOLUMES, *files.TEXTS, "asdf"):
-        assert files.MODULE in FreeCAD.getImportType(ending), ending
-    for ending in ("asdf", "vdb", "frep", "math", "vm", *files.MESHES):
-        assert files.MODULE in FreeCAD.getExportType(ending), ending
-    assert files.MODULE not in (FreeCAD.getImportType("py") or []), "scripts run by command only"
+    for ending in (*file_types.VOLUMES, *file_types.TEXTS, "asdf"):
+        assert file_types.MODULE in FreeCAD.getImportType(ending), ending
+    for ending in ("asdf", "vdb", "frep", "math", "vm", *file_types.MESHES):
+        assert file_types.MODULE in FreeCAD.getExportType(ending), ending
+    assert file_types.MODULE not in (FreeCAD.getImportType("py") or []), "scripts run by command only"
 
 
 def test_volumes_come_in(document, tmp_path):
@@ -86,7 +86,7 @@ def test_freecad_itself_takes_them(document, tmp_path):
     assert FreeCAD.ActiveDocument.Label == "ball" and made.isValid() and made.Volume.Value == pytest.approx(SPHERE, rel=0.02)
 
 
-@pytest.mark.parametrize("ending", files.MESHES)
+@pytest.mark.parametrize("ending", file_types.MESHES)
 def test_solids_go_out_as_meshes(document, tmp_path, ending):
     a, b = frep(document, "sphere(r = 5)"), frep(document, "sphere(r = 5)", at=(20, 0, 0))
     path = tmp_path / f"both.{ending}"

@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import pytest
 
-from fieldfab_workbench import files, kernel, openscad_tree
+from fieldfab_workbench import file_types, files, kernel, openscad_tree
 from fieldfab_workbench.objects import combine, frep_solid, modify, openscad_node
 from fieldfab_workbench.objects import solid as solids
 
@@ -60,14 +60,14 @@ def volume_of(text, folder="."):
 
 
 def test_freecad_offers_both_importers():
-    assert {files.MODULE, "importCSG"} <= set(FreeCAD.getImportType("csg"))
-    assert files.MODULE in FreeCAD.getImportType("scad"), "FreeCAD's own only once its preferences say where openscad is"
+    assert {file_types.MODULE, "importCSG"} <= set(FreeCAD.getImportType("csg"))
+    assert file_types.MODULE in FreeCAD.getImportType("scad"), "FreeCAD's own only once its preferences say where openscad is"
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_examples_are_openscads_own_solids(document, tmp_path, name):
     path = next(path for path in openscad_designs.designs() if path.stem == name)
-    root = importlib.import_module(files.MODULE).insert(str(path), document.Name)
+    root = importlib.import_module(file_types.MODULE).insert(str(path), document.Name)
     reference, _, flat = openscad_designs.theirs(path, tmp_path / "theirs.off")
     points, triangles = openscad_designs.read_off(reference)
     wanted = openscad_designs.volume(points, triangles) / (openscad_designs.THICKNESS if flat else 1)

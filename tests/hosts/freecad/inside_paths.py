@@ -10,7 +10,7 @@ import Path
 import pytest
 
 from fieldfab_workbench import kernel, path_jobs, path_shim
-from fieldfab_workbench.objects import cam_setup, frep_solid, machine_program, path_of_program
+from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, frep_solid, machine_program, path_of_program
 from fieldfab_workbench.objects import solid as solids
 
 
@@ -29,13 +29,13 @@ def programmed(document, text, operations, machine="linuxcnc", tool=None, at=(0,
     document.recompute()
     setup = cam_setup.create(document, solid)
     setup.Machine, setup.Zero = machine, zero
-    cam_setup.add_tool(setup, tool or {"diameter": 4, "length": 40, "flute": 20, "name": "4 mm end mill"})
+    cam_tool.add(setup, tool or {"diameter": 4, "length": 40, "flute": 20, "name": "4 mm end mill"})
     for kind in operations:
-        operation = cam_setup.add_operation(setup, kind)
+        operation = cam_operation.add(setup, kind)
         operation.Cell = 0.4
         for name, value in given.items():
             setattr(operation, name, value)
-    program = cam_setup.create_program(setup)
+    program = machine_program.create(setup)
     document.recompute()
     assert program.isValid(), program.getStatusString()
     return program
@@ -120,9 +120,9 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
 def test_a_part_of_freecads_is_the_jobs_own_model(document):
     box = document.addObject("Part::Box", "Box")
     setup = cam_setup.create(document, box)
-    cam_setup.add_tool(setup, {"shape": "ball", "diameter": 6, "length": 50})
-    cam_setup.add_operation(setup, "profile").Cell = 0.5
-    program = cam_setup.create_program(setup)
+    cam_tool.add(setup, {"shape": "ball", "diameter": 6, "length": 50})
+    cam_operation.add(setup, "profile").Cell = 0.5
+    program = machine_program.create(setup)
     document.recompute()
     job, paths = path_jobs.to_job(program)
     document.recompute()

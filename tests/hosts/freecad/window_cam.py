@@ -11,11 +11,11 @@ import window
 from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench.commands import cam as commands
+from fieldfab_workbench.icons import icon
 from fieldfab_workbench.objects import cam_setup, frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels.tool_table import ToolTable
 from fieldfab_workbench.shim import QtCore, QtWidgets
-from fieldfab_workbench.views.solid_view import icon
 
 Button = QtWidgets.QDialogButtonBox
 BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")

@@ -17,7 +17,7 @@ Button = QtWidgets.QDialogButtonBox
 
 def test_a_million_moves_are_drawn_at_once(document):
     setup = cam_setup.create(document, part(document))
-    program = cam_setup.create_program(setup)
+    program = machine_program.create(setup)
 
     class Plan:
         text, digest, extension, program, sheet, notes, zero = "", "made up", ".ngc", b"", b"", [], (0, 0, 0)
@@ -77,7 +77,7 @@ def test_what_belongs_to_a_set_up_goes_with_it(document):
     solid = part(document)
     setup = new_setup(solid)
     press(Button.Ok)
-    cam_setup.create_program(setup)
+    machine_program.create(setup)
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(setup)
     asked = []

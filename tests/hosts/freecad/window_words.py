@@ -7,7 +7,7 @@ from window import live, press, shot, wait
 
 from fieldfab_workbench import words
 from fieldfab_workbench.commands import solids
-from fieldfab_workbench.objects import cam_setup, combine
+from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, combine
 from fieldfab_workbench.objects import solid as solid_objects
 from fieldfab_workbench.shim import QtCore, QtGui
 
@@ -56,8 +56,8 @@ def test_panels_are_german_and_keep_what_documents_hold(german):
     press(Button.Cancel)
 
     setup = cam_setup.create(german, part)
-    cam_setup.add_tool(setup, {"diameter": 6, "shape": "ball", "name": "Kugel"})
-    cam_setup.add_operation(setup, "rough")
+    cam_tool.add(setup, {"diameter": 6, "shape": "ball", "name": "Kugel"})
+    cam_operation.add(setup, "rough")
     edit(setup)
     wait(lambda: seen(QtWidgets.QPushButton, "Planen"), what="the panel of a set-up")
     assert seen(QtWidgets.QToolButton, "Rohteil") and seen(QtWidgets.QToolButton, "Werkzeuge")

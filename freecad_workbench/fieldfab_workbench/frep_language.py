@@ -3,8 +3,8 @@
 import re
 from dataclasses import dataclass
 
-from .. import kernel
-from ..words import marked, tr
+from . import kernel
+from .words import marked, tr
 
 TOKEN = re.compile(r"""(?P<comment>\#.*|//.*)|(?P<string>"(?:\\.|[^"\\])*"?)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)""")
 CONSTANTS = {"x": marked("the first coordinate, mm"), "y": marked("the second coordinate, mm"), "z": marked("the third coordinate, mm"),

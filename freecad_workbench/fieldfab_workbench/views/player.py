@@ -4,9 +4,9 @@ import threading
 
 import numpy as np
 
-from . import kernel
-from .views.coin_fields import packed
-from .work import Task
+from .. import kernel
+from ..work import Task
+from .coin_fields import packed
 
 MOVING = 2  # blocks of so many cells are one while it moves
 

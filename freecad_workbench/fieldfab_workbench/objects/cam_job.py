@@ -8,11 +8,11 @@ import tempfile
 
 import numpy as np
 
-from . import kernel, workflow
-from .objects import cam_tool
-from .objects.cam_setup import NO_MATERIAL, box_of
-from .objects.solid import source_of
-from .words import tr
+from .. import kernel, workflow
+from ..words import tr
+from . import cam_tool
+from .cam_setup import NO_MATERIAL, box_of
+from .solid import source_of
 
 
 class JobError(ValueError):
