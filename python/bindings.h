@@ -10,13 +10,17 @@
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
+#include "fieldfab/frep/library.h"
+#include "fieldfab/solid/open.h"
+#include "fieldfab/solid/surface.h"
 
 namespace fieldfab::python {
 
 namespace py = pybind11;
 
-void bind_expressions(py::module_& module);
-void bind_fields(py::module_& module);
+void bind_solids(py::module_& module);
+void bind_language(py::module_& module);
+void bind_distances(py::module_& module);
 void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);
 void bind_openscad(py::module_& module);
@@ -46,10 +50,30 @@ std::optional<Box> bounds_of(const py::object& given);
 /// (x0, y0, z0, x1, y1, z1).
 py::object bounds_to_python(const Box& box);
 /// The region to work in, found where none is given (see working_bounds).
-Box region_of(const FieldPtr& field, const py::object& given, Progress& progress);
-/// The smallest cell from voxel= or resolution=, or 1/128 of the longest side.
-double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<double> resolution, const FieldPtr& field);
-/// An Expression or a Field, as a Field.
+Box region_of(const Solid& solid, const py::object& given, Progress& progress);
+/// The smallest cell from voxel= or resolution=, or the solid's default.
+double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<double> resolution, const Solid& solid);
+
+/// Python's Solid: a value of the design language, and what is made of it once it is asked for.
+class SolidValue {
+ public:
+  SolidValue(frep::Value value) : value(std::move(value)) {}  // NOLINT(google-explicit-constructor): values are solids
+  explicit SolidValue(Solid solid) : value{solid.expression, true}, made_(std::make_shared<const Solid>(std::move(solid))) {}
+  virtual ~SolidValue() = default;
+
+  /// With all that is known of it. Call with Python's lock held.
+  [[nodiscard]] const std::shared_ptr<const Solid>& solid() const;
+  [[nodiscard]] const Field& field() const { return *solid()->field; }
+
+  frep::Value value;
+
+ private:
+  mutable std::shared_ptr<const Solid> made_;
+};
+
+/// The Solid of a Python object: a Solid, or a number. Throws TypeError for any other.
+std::shared_ptr<const Solid> solid_of(const py::object& solid);
+/// Its Field.
 FieldPtr field_of(const py::object& solid);
 
 /// Runs work(progress) without Python's lock.

@@ -1,4 +1,5 @@
 #include "bindings.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/cam/contour.h"
 #include "fieldfab/cam/distance.h"
 #include "fieldfab/cam/job.h"
@@ -66,7 +67,7 @@ py::dict dict_of(const cam::Section& s) {
 void bind_job(py::module_& module) {
   py::class_<cam::Job>(module, "Job", "A part, a machine, tools and operations, as a job file says (docs/cam.md).")
       .def(py::init([](const std::filesystem::path& path, const py::object& progress) {
-             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::read(path, p)); });
+             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::read(path, p, openscad::all_formats())); });
            }),
            py::arg("filename"), py::arg("progress") = py::none())
       .def_static(
@@ -75,7 +76,7 @@ void bind_job(py::module_& module) {
              const py::object& progress) {
             const FieldPtr part = solid.is_none() ? nullptr : field_of(solid);
             return long_work(progress,
-                             [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::parse(text, filename, part, p)); });
+                             [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::parse(text, filename, part, p, openscad::all_formats())); });
           },
           py::arg("text"), py::arg("solid") = py::none(), py::arg("filename") = "job", py::arg("progress") = py::none(),
           "The job of a file's text, with its part where that is given; `filename` is what messages call it.")
@@ -147,9 +148,9 @@ void bind_cam(py::module_& parent) {
   module.def(
       "contours",
       [](const py::object& solid, const py::object& bounds, double cell, double z, double level, const py::object& progress) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         return lists_of(long_work(progress, [&](Progress& p) {
-          return cam::contours(*field, cam::Rectangle::of(region_of(field, bounds, p)), {cell, z, level}, p);
+          return cam::contours(*wanted->field, cam::Rectangle::of(region_of(*wanted, bounds, p)), {cell, z, level}, p);
         }));
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cell") = 0.1, py::arg("z") = 0.0, py::arg("level") = 0.0,

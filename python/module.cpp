@@ -5,7 +5,6 @@
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/core/text.h"
-#include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {
@@ -25,7 +24,6 @@ const char* name_of(ErrorKind kind) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Fieldfab's kernel; use it through the package fieldfab.";
-  openscad::add_model_readers();
   static py::exception<Error> error_type(module, "Error");
   error_type.doc() =
       "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";
@@ -57,8 +55,9 @@ PYBIND11_MODULE(_core, module) {
       },
       py::arg("filename"), py::arg("data"),
       "Writes bytes, or text as UTF-8, whole or not at all: beside the file, synced, then put in its place.");
-  bind_expressions(module);
-  bind_fields(module);
+  bind_solids(module);
+  bind_language(module);
+  bind_distances(module);
   bind_results(module);
   bind_volumes(module);
   bind_openscad(module);

@@ -1,14 +1,10 @@
 #include "bindings.h"
-#include "faced_field.h"
 #include "fieldfab/core/text.h"
-#include "fieldfab/field/operations.h"
-#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {
 
-using openscad::Design;
 using openscad::NodeIndex;
 using openscad::Tree;
 
@@ -48,27 +44,23 @@ SharedTree shared(Tree tree) {
   return {std::make_shared<const Tree>(std::move(tree)), std::move(dimensions)};
 }
 
-/// What a flat design bounds between z = 0 and this height.
-FieldPtr plate(const FieldPtr& flat, double height) {
-  const frep::Expression z = frep::Expression::z();
-  return intersect(flat, frep::make_field(max(-z, z - height)));
-}
+/// What OpenSCAD text makes.
+struct Design {
+  std::optional<Solid> solid;  ///< a plate of a flat one; nothing of an empty one
+  bool flat;
+  std::optional<double> voxel;
+  std::vector<std::string> notes;
+};
 
 Design design_of(const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness,
                  bool smooth, Progress& progress) {
-  Design design = openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
-  if (design.field == nullptr) return design;
-  if (design.flat)
-    design.field = with_faces(plate(design.field, thickness), design.faces, thickness);
-  else
-    design.field = with_faces(design.field, design.faces);
+  const std::shared_ptr<const OpenedSolid> made = openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
+  Design design{{}, made->flat, made->voxel, {}};
+  for (const std::string& note : made->notes) design.notes.push_back(printable(note));
+  if (made->field == nullptr) return design;
+  design.solid = fieldfab::solid_of(made);
+  if (made->flat) design.solid = plate_of(*design.solid, thickness);
   return design;
-}
-
-std::vector<std::string> notes_of(const Design& design) {
-  std::vector<std::string> notes;
-  for (const std::string& note : design.notes) notes.push_back(printable(note));
-  return notes;
 }
 
 }  // namespace
@@ -109,11 +101,12 @@ void bind_openscad(py::module_& module) {
           py::arg("index"));
   py::class_<Design>(module, "OpenScadDesign", "What OpenSCAD text makes.")
       .def_property_readonly(
-          "field", [](const Design& design) { return std::const_pointer_cast<Field>(design.field); },
-          "The solid as a Field, which has its own faces (see mesh()); None where the design is empty.")
+          "solid",
+          [](const Design& design) { return design.solid ? std::optional(SolidValue(*design.solid)) : std::nullopt; },
+          "The solid, which has its own faces (see mesh()); None where the design is empty.")
       .def_readonly("voxel", &Design::voxel, "Cells that do not miss its thinnest part, mm; None where nothing is known of it.")
       .def_readonly("flat", &Design::flat, "Whether the design is 2D; its solid is a plate then.")
-      .def_property_readonly("notes", notes_of, "What was left out or mended, one line each, with NAME:LINE.");
+      .def_readonly("notes", &Design::notes, "What was left out or mended, one line each, with NAME:LINE.");
   module.def(
       "read_openscad_tree",
       [](const std::filesystem::path& path, const py::object& progress) {

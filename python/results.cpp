@@ -4,7 +4,6 @@
 #include <cstring>
 
 #include "bindings.h"
-#include "faced_field.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
@@ -89,15 +88,16 @@ void bind_results(py::module_& module) {
           },
           "The bytes of FreeCAD's own mesh file.")
       .def(
-          "field",
+          "solid",
           [](const TriangleMesh& mesh, const py::object& progress, bool close_holes) {
-            return long_work(progress, [&](Progress& p) {
+            FieldPtr field = long_work(progress, [&](Progress& p) {
               const Lids lids = close_holes ? lids_of(mesh) : Lids();
-              return std::const_pointer_cast<Field>(mesh_field(lids.are_good(mesh) ? closed_by(lids, mesh) : mesh, p));
+              return mesh_field(lids.are_good(mesh) ? closed_by(lids, mesh) : mesh, p);
             });
+            return SolidValue(fieldfab::solid_of(std::move(field), "mesh"));
           },
           py::arg("progress") = py::none(), py::arg("close_holes") = false,
-          "The solid that it bounds, as a Field: distances; inside is where it winds around. With close_holes small holes get "
+          "The solid that it bounds: distances; inside is where it winds around. With close_holes small holes get "
           "lids, "
           "which are surface like all of it: as load() reads mesh files.");
   py::class_<Certainty>(module, "Certainty", "Whether a mesh is proved to show all of its solid, and where not.")
@@ -121,33 +121,33 @@ void bind_results(py::module_& module) {
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
          std::optional<double> max_error, bool features, const py::object& progress, bool exact, int depth) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         const bool whole = bounds.is_none();
         return long_work(progress, [&](Progress& p) {
-          if (auto faces = exact && whole ? faces_of(*field, p) : std::nullopt) {
-            if (!(cell_of(faces->bounds(), voxel, resolution, field) > 0))  // it does not matter, but is a mistake all the same
+          if (auto faces = exact && whole && wanted->faces != nullptr ? wanted->faces(std::nullopt, p) : std::nullopt) {
+            if (!(cell_of(faces->bounds(), voxel, resolution, *wanted) > 0))  // it does not matter, but is a mistake all the same
               throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
             return ContourMesh{*std::move(faces), {}};
           }
-          const Box region = region_of(field, bounds, p);
-          return contour(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1), features, depth}, p);
+          const Box region = region_of(*wanted, bounds, p);
+          return contour(*wanted->field, region, {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1), features, depth}, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
       py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(), py::arg("exact") = true,
       py::arg("depth") = ContourSettings().depth,
       "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD design has its "
-      "own faces (see Field.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
+      "own faces (see Solid.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
       "anything may be missing; cells are halved up to depth times to see that, and with 0 it is not looked for.");
 
   module.def(
       "certainty",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
          const py::object& progress) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         return long_work(progress, [&](Progress& p) {
-          const Box region = region_of(field, bounds, p);
-          return certainty_of_cells(*field, region, cell_of(region, voxel, resolution, field), p);
+          const Box region = region_of(*wanted, bounds, p);
+          return certainty_of_cells(*wanted->field, region, cell_of(region, voxel, resolution, *wanted), p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
@@ -164,12 +164,12 @@ void bind_results(py::module_& module) {
   module.def(
       "measure",
       [](const py::object& solid, const py::object& bounds, std::size_t boxes, const py::object& progress) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         return long_work(progress, [&](Progress& p) {
-          const Box region = region_of(field, bounds, p);
+          const Box region = region_of(*wanted, bounds, p);
           MeasureSettings settings;
           settings.most_boxes = boxes;
-          return measure(*field, bounds.is_none() ? region.grown(1e-3 * region.diagonal()) : region, settings, p);
+          return measure(*wanted->field, bounds.is_none() ? region.grown(1e-3 * region.diagonal()) : region, settings, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("boxes") = MeasureSettings().most_boxes,
@@ -181,9 +181,9 @@ void bind_results(py::module_& module) {
       "A solid in parts that are meshed when someone looks at them, finely where the eye is near; for display.")
       .def(
           py::init([](const py::object& solid, const py::object& bounds, int cells, int deepest, double angle, std::size_t most) {
-            const FieldPtr field = field_of(solid);
-            const Box region = long_work(py::none(), [&](Progress& p) { return region_of(field, bounds, p); });
-            return std::make_unique<DetailMesh>(field, region, DetailSettings{cells, deepest, angle, most});
+            const auto wanted = solid_of(solid);
+            const Box region = long_work(py::none(), [&](Progress& p) { return region_of(*wanted, bounds, p); });
+            return std::make_unique<DetailMesh>(wanted->field, region, DetailSettings{cells, deepest, angle, most});
           }),
           py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cells") = DetailSettings{}.cells,
           py::arg("deepest") = DetailSettings{}.deepest, py::arg("angle") = DetailSettings{}.angle,
@@ -231,7 +231,7 @@ void bind_results(py::module_& module) {
       "render",
       [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
          const py::object& progress, double perspective, int samples, std::optional<std::array<double, 4>> window) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         const RenderSettings settings{
             render_mode(mode),
             size,
@@ -241,13 +241,13 @@ void bind_results(py::module_& module) {
             samples,
             window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}}) : std::nullopt};
         return long_work(progress, [&](Progress& p) {
-          if (settings.mode != RenderMode::bitmap) return render(*field, region_of(field, bounds, p), settings, p);
+          if (settings.mode != RenderMode::bitmap) return render(*wanted->field, region_of(*wanted, bounds, p), settings, p);
           std::optional<Box> plane;
           {
             py::gil_scoped_acquire acquire;
             plane = bounds_of(bounds);
           }
-          return render(*field, plane ? *plane : region_of(field, bounds, p), settings, p);
+          return render(*wanted->field, plane ? *plane : region_of(*wanted, bounds, p), settings, p);
         });
       },
       py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
@@ -281,10 +281,10 @@ void bind_results(py::module_& module) {
       "check",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
          std::optional<double> max_error, const py::object& progress) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         return long_work(progress, [&](Progress& p) {
-          const Box region = region_of(field, bounds, p);
-          return check(*field, region, {cell_of(region, voxel, resolution, field), max_error.value_or(-1)}, p);
+          const Box region = region_of(*wanted, bounds, p);
+          return check(*wanted->field, region, {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1)}, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
@@ -294,10 +294,10 @@ void bind_results(py::module_& module) {
       "write_vdb",
       [](const py::object& solid, const std::filesystem::path& path, const py::object& bounds, std::optional<double> voxel,
          std::optional<double> resolution, const py::object& progress) {
-        const FieldPtr field = field_of(solid);
+        const auto wanted = solid_of(solid);
         long_work(progress, [&](Progress& p) {
-          const Box region = region_of(field, bounds, p);
-          write_vdb(*field, region, cell_of(region, voxel, resolution, field), path, p);
+          const Box region = region_of(*wanted, bounds, p);
+          write_vdb(*wanted->field, region, cell_of(region, voxel, resolution, *wanted), path, p);
           return 0;
         });
       },

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "bindings.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/cam/frames.h"
 #include "fieldfab/cam/playback.h"
 #include "fieldfab/cam/simulation.h"
@@ -124,7 +125,7 @@ void bind_simulation(py::module_& module) {
              const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
              const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
              return long_work(progress, [&](Progress& p) {
-               cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p);
+               cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p, openscad::all_formats());
                if (wanted) made.target = wanted;
                if (block) made.stock = block;
                if (cell) made.sampling.cell = *cell;

@@ -2,7 +2,7 @@
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/parallel.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/scan_solid.h"
 
 namespace fieldfab::python {
 namespace {
@@ -120,8 +120,8 @@ void bind_volumes(py::module_& module) {
           [](const std::shared_ptr<Volume>& v, const py::object& threshold, bool below, const std::string& denoise,
              bool keep_largest, std::optional<double> min_island, std::optional<double> min_hole, const py::object& progress) {
             const ScanOptions options = options_of(threshold, below, denoise, keep_largest, min_island, min_hole);
-            return std::const_pointer_cast<Field>(
-                long_work(progress, [&](Progress& p) { return model_of(take_scan(v, options, p), p).field; }));
+            return SolidValue(fieldfab::solid_of(std::shared_ptr<const OpenedSolid>(
+                long_work(progress, [&](Progress& p) { return opened_scan(take_scan(v, options, p), p); }))));
           },
           py::arg("threshold") = py::none(), py::arg("below") = false, py::arg("denoise") = "", py::arg("keep_largest") = false,
           py::arg("min_island") = py::none(), py::arg("min_hole") = py::none(), py::arg("progress") = py::none(),

@@ -21,7 +21,7 @@ def source_of_geometry(obj, deflection=None):
         raise ValueError(tr("{label} is empty").format(label=obj.Label))
     data = meshes.bms_of(mesh)
     key = ("mesh", hashlib.sha1(data).hexdigest())
-    return Source(key, lambda progress: meshes.from_bms(data).field(progress, close_holes=True))
+    return Source(key, lambda progress: meshes.from_bms(data).solid(progress, close_holes=True))
 
 
 def _mesh_of_shape(obj, deflection):

@@ -106,7 +106,7 @@ class OpenScadSource(Source):
             if error.kind == "cancelled":
                 raise
             raise fieldfab.Error(self._said(str(error))) from None
-        if design.field is None:
+        if design.solid is None:
             raise fieldfab.Error(tr("draws nothing"))
         return design
 
@@ -117,7 +117,7 @@ class OpenScadSource(Source):
         return f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines) else message
 
     def field(self, progress=None):
-        return self.design(progress).field
+        return self.design(progress).solid
 
     def solid(self, progress=None):
         """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""

@@ -7,7 +7,8 @@
 #include "cost.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
+#include "fieldfab/solid/surface.h"
 #include "filters/bounds_text.h"
 #include "solids.h"
 #include "volume_import.h"
@@ -52,14 +53,14 @@ Layer read_file_as_layer(const std::filesystem::path& file, const Values& values
   const std::string extension = extension_of(file);
   if (is_volume(extension)) return import_volume(file, values, log, progress);
   double voxel = values.not_negative("Voxel");
-  const Model model = load_model(file, Scripts::refused, progress);
+  const fieldfab::Solid solid = united(open_model(file, {}, progress));
   const Box bounds =
-      working_bounds(model, extension == "asdf" ? std::optional<Box>{} : bounds_of(values.text("Bounds")), progress);
-  if (voxel == 0) voxel = model.voxel ? *model.voxel : bounds.size().maxCoeff() / 128;
+      working_bounds(solid, extension == "asdf" ? std::optional<Box>{} : bounds_of(values.text("Bounds")), progress);
+  if (voxel == 0) voxel = default_voxel(solid, bounds);
   const Vec3 size = bounds.size();
   require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  Layer layer = layer_of(model.field, bounds, {voxel}, true, file.filename().string(), log, progress);
-  log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, voxel {:.3g} mm", file.filename().string(), model.kind,
+  Layer layer = layer_of(solid.field, bounds, {voxel}, true, file.filename().string(), log, progress);
+  log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, voxel {:.3g} mm", file.filename().string(), solid.kind,
                             layer.mesh.triangles.size(), layer.mesh.volume(), voxel));
   return layer;
 }

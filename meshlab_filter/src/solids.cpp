@@ -17,7 +17,8 @@
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
+#include "fieldfab/solid/surface.h"
 #include "fieldfab/volume/distances.h"
 #include "fieldfab/volume/volume_field.h"
 
@@ -214,15 +215,15 @@ Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& finenes
 }
 
 Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress) {
-  Model model;
+  fieldfab::Solid solid;
   std::error_code ignored;
   if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored))
-    model = load_model(text, Scripts::refused, progress);
+    solid = united(open_model(text, {}, progress));
   else if (text.find_first_not_of(" \t\n") == std::string::npos)
     throw Error(ErrorKind::bad_input, "formula", "is empty");
   else
-    model.field = frep::make_field(frep::simplify(frep::parse_infix(text, "formula"))), model.kind = "f-rep";
-  return {model.field, working_bounds(model, bounds, progress), model.kind != "volume" && model.kind != "asdf"};
+    solid = united(parse_model(text, "formula", std::filesystem::current_path(), {}, progress));
+  return {solid.field, working_bounds(solid, bounds, progress), !solid.field->sampled()};
 }
 
 }  // namespace fieldfab::meshlab

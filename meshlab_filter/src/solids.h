@@ -65,7 +65,7 @@ std::optional<Layer> layer_of(const ExactSolid& solid, std::string name);
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
                std::vector<std::string>& log, Progress& progress);
 
-/// A solid from a file of any kind that load_model() knows, or from an infix formula where the text is no file's name; its bounds
+/// A solid from a file of any kind that open_model() knows, or from an infix formula where the text is no file's name; its bounds
 /// as found, or `bounds` where it has none of its own.
 Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress);
 

@@ -6,7 +6,7 @@
 
 #include "cost.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/scan_solid.h"
 #include "solids.h"
 
 namespace fieldfab::meshlab {
@@ -59,12 +59,12 @@ Layer import_volume(const std::filesystem::path& file, const Values& values, std
   log.push_back(fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}", path.filename().string(),
                             lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
                             lattice.spacing.z(), scan.surface.threshold));
-  const Model model = model_of(scan, progress);
-  if (voxel == 0) voxel = *model.voxel;
-  const Box bounds = model.bounds->grown(voxel);
+  const auto solid = opened_scan(scan, progress);
+  if (voxel == 0) voxel = *solid->voxel;
+  const Box bounds = solid->bounds->grown(voxel);
   const Vec3 size = bounds.size();
   require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  Layer layer = layer_of(model.field, bounds, {voxel}, false, path.filename().string(), log, progress);
+  Layer layer = layer_of(solid->field, bounds, {voxel}, false, path.filename().string(), log, progress);
   log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", layer.mesh.triangles.size(),
                             layer.mesh.volume(), layer.mesh.area(), voxel));
   return layer;

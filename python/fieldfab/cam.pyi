@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ._core import Expression, Field
+from ._core import Solid
 
 Progress = Callable[[float, str], bool | None] | None
 Bounds = Sequence[float] | Sequence[Sequence[float]] | None
@@ -14,7 +14,7 @@ class Job:
     def __init__(self, filename: str | os.PathLike[str], progress: Progress = ...) -> None: ...
     @staticmethod
     def parse(
-        text: str, solid: Expression | Field | None = ..., filename: str | os.PathLike[str] = ..., progress: Progress = ...
+        text: str, solid: Solid | None = ..., filename: str | os.PathLike[str] = ..., progress: Progress = ...
     ) -> Job: ...
     def plan(self) -> str: ...
     def run(self, progress: Progress = ...) -> None: ...
@@ -37,7 +37,7 @@ class Job:
 
 def chain(kind: str, operation: str) -> list[str]: ...
 def contours(
-    solid: Expression | Field,
+    solid: Solid,
     bounds: Bounds = ...,
     cell: float = ...,
     z: float = ...,

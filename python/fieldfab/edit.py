@@ -74,7 +74,7 @@ class Model:
         bounds = self.field.bounds()
         self.flat = bounds is None
         if self.flat:  # unbounded along z, or for good
-            bounds = (self.field & ff.Field(abs(ff.Z) - 0.5)).bounds()
+            bounds = (self.field & ff.Solid(abs(ff.Z) - 0.5)).bounds()
         if bounds is None:
             raise ff.Error("there is nothing to show: the solid is empty, or unbounded along x or y")
         grown = max(bounds[3] - bounds[0], bounds[4] - bounds[1]) / 64

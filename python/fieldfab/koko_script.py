@@ -12,7 +12,7 @@ import types
 
 from . import kokopelli, kokopelli_pcb, python2, python2_names
 from . import shapes as s
-from ._core import Expression, Field
+from ._core import Solid
 from .math_tree import MathTree, matching
 
 AXES = "xyz"
@@ -108,7 +108,7 @@ for _i, _name in enumerate(AXES):
 
 def _checked(value):
     """A shape of cad.shapes. Raises TypeError for other things."""
-    if not isinstance(value, (MathTree, Expression, str, int, float)):
+    if not isinstance(value, (MathTree, Solid, str, int, float)):
         found = "None" if value is None else f"a {type(value).__name__}"
         raise TypeError(f"cad.shapes takes shapes, and this is {found}")
     return MathTree.wrap(value)
@@ -275,20 +275,20 @@ def _in_mm(shape, cad):
 def _within(shape, cad):
     """The formula; where the shape has no end that can be found, what lies inside the bounds that it has from its
     making, or from the script."""
-    formula = Expression(shape)
+    formula = Solid(shape)
     limits = shape.known_bounds or [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
     if None in limits[:4] or _ends_at(formula, limits):
         return formula
-    if Field(formula).bounds() or Field(s.extrude(formula, 1.0)).bounds():
+    if Solid(formula).bounds() or Solid(s.extrude(formula, 1.0)).bounds():
         return formula
     box = kokopelli.rectangle(*limits[:4])
-    return s.intersection(formula, Expression(box if None in limits else kokopelli.extrusion(box, *limits[4:])))
+    return s.intersection(formula, Solid(box if None in limits else kokopelli.extrusion(box, *limits[4:])))
 
 
 def _ends_at(formula, limits):
     """Whether intervals prove that a shape has no part outside of its bounds, to a thousand times its size; much
     faster than a search."""
-    field = Field(formula)
+    field = Solid(formula)
     size = max(limits[1] - limits[0], limits[3] - limits[2])
     for i, limit in enumerate(limits):
         if limit is not None:
@@ -306,7 +306,7 @@ def _colour(rgb):
 def _names(shapes, variables):
     """A name for each shape: of the variable that it is, of the list that it is in, or of its place; each once. None
     for a shape that is alone and has neither."""
-    known = {id(value): name for name, value in reversed(variables.items()) if isinstance(value, Expression)}
+    known = {id(value): name for name, value in reversed(variables.items()) if isinstance(value, Solid)}
     for name, value in variables.items():
         if isinstance(value, (list, tuple)):
             for i, each in enumerate(value):

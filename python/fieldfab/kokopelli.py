@@ -15,7 +15,7 @@ import math as _math
 
 from . import shapes as _s
 from . import text_widths as _widths
-from ._core import Field as _Field
+from ._core import Solid as _Solid
 from ._core import X, Y, Z
 from ._core import cos as _cos
 from ._core import sqrt as _sqrt
@@ -93,7 +93,7 @@ def slot(x, y, width, height, angle=0, chamfer=0.2):
 
 def _ink(drawn, cells=32):
     """From where to where a letter 1 high may have ink along x, or None: by intervals over cells."""
-    field, size = _Field(drawn), 1 / cells
+    field, size = _Solid(drawn), 1 / cells
     found = [i for i in range(-cells // 4, cells * 5 // 4) if any(
         field.interval((i * size, j * size, 0, (i + 1) * size, (j + 1) * size, 0))[0] <= 0
         for j in range(-cells // 2, cells * 5 // 4))]

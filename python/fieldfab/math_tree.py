@@ -9,7 +9,7 @@ import re
 
 from . import _core
 from . import shapes as s
-from ._core import Expression, Field
+from ._core import Solid
 
 COLOURS = {"red": (255, 0, 0), "blue": (0, 0, 255), "green": (0, 255, 0), "white": (255, 255, 255),
            "grey": (128, 128, 128), "black": (0, 0, 0), "yellow": (255, 255, 0), "cyan": (0, 255, 255),
@@ -20,7 +20,7 @@ UNKNOWN = [None] * 6
 
 def plain(value):
     """The formula: arithmetic on it is not set algebra."""
-    return Expression(MathTree.wrap(value))
+    return Solid(MathTree.wrap(value))
 
 
 class _Text(str):
@@ -30,14 +30,14 @@ class _Text(str):
         return str(self)
 
 
-class MathTree(Expression):
+class MathTree(Solid):
     """A formula. On a shape (`shape` is true) + is union, & intersection, - difference, ~ the complement; on other
     formulas they are arithmetic, as * and / are on both. `math` is a number, a formula of fieldfab (a shape, unless
     told otherwise) or a math string."""
 
     def __init__(self, math=0.0, shape=None, color=None):
         super().__init__(_core.parse_math(math) if isinstance(math, str) else math)
-        self.shape = bool(getattr(math, "shape", isinstance(math, Expression)) if shape is None else shape)
+        self.shape = bool(getattr(math, "shape", isinstance(math, Solid)) if shape is None else shape)
         self.color = color
         self._bounds = None  # not looked for yet
 
@@ -46,7 +46,7 @@ class MathTree(Expression):
         """A MathTree of a number, a formula or a math string; None stays None."""
         if value is None or isinstance(value, MathTree):
             return value
-        if not isinstance(value, (str, int, float, Expression)):
+        if not isinstance(value, (str, int, float, Solid)):
             raise TypeError(f"no shape and no number: {value!r}")
         return MathTree(value)
 
@@ -116,7 +116,7 @@ class MathTree(Expression):
             formula = plain(each) if each is not None else (_core.X, _core.Y, _core.Z)[i]
             used = [name in re.findall(r"[a-z]\w*", str(formula)) for name in "xyz"]
             missing = any(u and not k for u, k in zip(used, known))
-            found += [None, None] if missing else list(Field(formula).interval(box))
+            found += [None, None] if missing else list(Solid(formula).interval(box))
         return found
 
     # Sets, and arithmetic
@@ -300,7 +300,7 @@ def placed(expression, part, forward):
 
 def _searched(tree):
     for solid, axes in ((plain(tree), 3), (s.extrude(plain(tree), 1.0), 2)):
-        found = Field(solid).bounds()
+        found = Solid(solid).bounds()
         if found is not None:
             return [found[i + side] for i in range(axes) for side in (0, 3)] + UNKNOWN[2 * axes:]
     return list(UNKNOWN)

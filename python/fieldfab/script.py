@@ -13,7 +13,7 @@ import traceback
 import types
 
 from . import _core
-from ._core import Expression
+from ._core import Solid
 
 MOST_NAMES = 10
 
@@ -26,7 +26,7 @@ def parts_of_python(path):
     made = list(_core.parts_made()) if hasattr(_core, "parts_made") else []
     if made:
         return made
-    if isinstance(names.get("solid"), Expression):
+    if isinstance(names.get("solid"), Solid):
         return [(names["solid"], None, None)]
     shapes = _shapes_of(names)
     if not shapes:
@@ -45,10 +45,10 @@ def _shapes_of(names):
     """The first name of each shape, by its identity; what a module has made does not count."""
     imported = {id(value) for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)
                 and module.__name__ != "__main__"
-                for value in list(vars(module).values()) if isinstance(value, Expression)}
+                for value in list(vars(module).values()) if isinstance(value, Solid)}
     shapes = {}
     for name, value in names.items():
-        if isinstance(value, Expression) and id(value) not in imported:
+        if isinstance(value, Solid) and id(value) not in imported:
             shapes.setdefault(id(value), name)
     return shapes
 
@@ -74,7 +74,7 @@ def text_of_parts(parts):
         raise NoSolid(f"two parts are called '{twice[0]}'")
     several, lines = len(parts) > 1, []
     for i, (expression, name, colour) in enumerate(parts):
-        *bindings, result = str(Expression(expression)).splitlines()
+        *bindings, result = str(Solid(expression)).splitlines()
         if name is None and (several or colour is not None):
             name = _free(f"part {i + 1}", names)
         if name is not None:

@@ -5,13 +5,13 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from ._core import Expression, Field, Mesh
+from ._core import Mesh, Solid
 
 Progress = Callable[[float, str], bool | None] | None
 Bounds = Sequence[float] | Sequence[Sequence[float]]
 
 class Stock:
-    def __init__(self, bounds: Bounds, cell: float = ..., solid: Expression | Field | None = ..., progress: Progress = ...) -> None: ...
+    def __init__(self, bounds: Bounds, cell: float = ..., solid: Solid | None = ..., progress: Progress = ...) -> None: ...
     def copy(self) -> Stock: ...
     def cut(self, tool: dict[str, object], poses: np.ndarray, progress: Progress = ...) -> np.ndarray: ...
     def mesh(self) -> Mesh: ...
@@ -55,11 +55,11 @@ class Simulation:
         self,
         setup: str | os.PathLike[str],
         program: str | os.PathLike[str],
-        target: Expression | Field | None = ...,
+        target: Solid | None = ...,
         cell: float | None = ...,
         remember: bool = ...,
-        stock: Expression | Field | None = ...,
-        part: Expression | Field | None = ...,
+        stock: Solid | None = ...,
+        part: Solid | None = ...,
         progress: Progress = ...,
     ) -> None: ...
     def frames(

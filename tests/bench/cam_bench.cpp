@@ -16,14 +16,14 @@
 #include "fieldfab/frep/text.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 
 namespace {
 
 using namespace fieldfab;
 using namespace fieldfab::cam;
 
-FieldPtr circuit_board() { return scale(load_model(TEST_DATA "/frep/fab_ISP/fab_ISP_02.math").field, Vec3::Constant(25.4)); }
+FieldPtr circuit_board() { return scale(united(open_model(TEST_DATA "/frep/fab_ISP/fab_ISP_02.math")).field, Vec3::Constant(25.4)); }
 const Rectangle board{{0, 0}, {0.805 * 25.4, 1.68 * 25.4}};
 
 /// The board's bitmap at so many dots an inch.

@@ -16,7 +16,7 @@
 
 #include "fieldfab/check/check.h"
 #include "fieldfab/contour/contour.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/scan_solid.h"
 
 namespace {
 

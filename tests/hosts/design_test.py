@@ -110,7 +110,7 @@ def test_kokopelli_solids():
 def test_kokopelli_sets_and_text():
     a, b = k.circle(0, 0, 2), k.rectangle(0, 4, -1, 1)
     assert (a + b)(3, 0, 0) < 0 and (a - b)(1, 0, 0) > 0 and (a & b)(-1, 0, 0) > 0 and (~a)(0, 0, 0) > 0
-    low_x, low_y, _, high_x, high_y, _ = ff.Field(k.extrusion(k.text("HI", 2, 3, 1), 0, 1)).bounds()
+    low_x, low_y, _, high_x, high_y, _ = ff.Solid(k.extrusion(k.text("HI", 2, 3, 1), 0, 1)).bounds()
     assert (low_x + high_x) / 2 == pytest.approx(2, abs=0.15) and (low_y + high_y) / 2 == pytest.approx(3, abs=0.05)
     assert set(k.__all__) <= set(vars(k))
 

@@ -99,7 +99,7 @@ def test_mill_in_closed_form(mill, i):
     volume, bounds = list(mill_expected())[i]
     low, high = ff.measure(formula).volume
     assert low <= volume * INCH**3 <= high and high - low < 0.002 * low
-    assert np.allclose(np.array(ff.Field(formula).bounds()) / INCH, bounds, atol=0.03)
+    assert np.allclose(np.array(ff.Solid(formula).bounds()) / INCH, bounds, atol=0.03)
 
 
 def test_kit_is_flat_and_measures_what_it_should():
@@ -358,7 +358,7 @@ def test_text_takes_the_room_of_kokopellis():
         assert shape.bounds[:4] == pytest.approx([x, x + 1.7, y, y + 2])
     two = k.text("H\ny", 1, 2, align="LB")
     assert two.bounds[:4] == pytest.approx([1, 1.6, 2 - 0.375, 2 + 2.55])
-    found = ff.Field(k.extrusion(k.text("Wide", 0, 0, align="LB"), 0, 1)).bounds()
+    found = ff.Solid(k.extrusion(k.text("Wide", 0, 0, align="LB"), 0, 1)).bounds()
     assert (found[0], found[3]) == pytest.approx((0, 0.8 + 0.15 + 0.525 + 0.55 + 0.3), abs=0.03)
     assert k.text(" \n", 0, 0) is None
 

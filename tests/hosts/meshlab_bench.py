@@ -31,7 +31,7 @@ def on_surface(mesh, count=200_000, seed=1):
 
 def away(places, mesh):
     """Of the places the mean and the largest distance to the mesh's nearest triangle (CGAL)."""
-    distances = np.abs(mesh.field().values(places))
+    distances = np.abs(mesh.solid().values(places))
     return f"{distances.mean():.3g} / {distances.max():.3g}"
 
 

@@ -94,7 +94,7 @@ def test_offset_of_a_cube_is_rounded(tmp_path):
 def test_a_cube_out_by_1_and_in_by_1_is_a_cube_within_a_voxel(tmp_path):
     voxel = 0.5
     result, _, _ = result_of(tmp_path, cube(20), (OFFSET, {"Distance": 1, "Voxel": voxel}), (OFFSET, {"Distance": -1, "Voxel": voxel}))
-    box = fieldfab.Mesh(np.float32(cube(20)[0]), np.uint32(cube(20)[1])).field()
+    box = fieldfab.Mesh(np.float32(cube(20)[0]), np.uint32(cube(20)[1])).solid()
     away = np.abs(box.surface_distances(result.vertices))
     corners = [np.linalg.norm(result.vertices - corner, axis=1).min() for corner in cube(20)[0]]
     assert away.max() < voxel and max(corners) < voxel, (away.max(), corners)

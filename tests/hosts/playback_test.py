@@ -107,7 +107,7 @@ def test_cuts_tell_their_lines_and_tools(simulated):
 
 def test_stock_and_target_may_be_given(tmp_path, simulated):
     simulated()
-    half = ff.Field(ff.shapes.box(40, 30, 30)).translate(20, 0, -15)
+    half = ff.Solid(ff.shapes.box(40, 30, 30)).translate(20, 0, -15)
     simulation = ff.stock.Simulation(tmp_path / "set_up.toml", tmp_path / "part.ngc", stock=half, target=half, cell=0.5)
     assert simulation.mesh.vertices[:, 0].min() == pytest.approx(0, abs=0.01)
     scale = simulation.deviation_scale

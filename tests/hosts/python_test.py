@@ -23,11 +23,11 @@ def test_expressions():
         ff.parse("spheer(1)")
     assert raised.value.kind == "bad_input" and raised.value.place == "expression:1:1"
     with pytest.raises(ff.Error):
-        ff.Expression(math.nan)
+        ff.Solid(math.nan)
 
 
 def test_fields():
-    field = ff.Field(BALL)
+    field = ff.Solid(BALL)
     assert field.value(0, 0, 3) == 2
     values, gradients = field.gradients(np.array([[0, 0, 3], [0, 2, 0]], np.float32))
     assert np.allclose(values, [2, 1]) and np.allclose(gradients, [[0, 0, 1], [0, 1, 0]])
@@ -37,7 +37,7 @@ def test_fields():
     assert moved.value(0, 5, 0) == pytest.approx(-1, abs=1e-5)
     assert np.allclose(moved.bounds(), (-1, 4, -1, 1, 6, 1), atol=0.05)
     assert (field - field.scale(0.5, 0.5, 0.5)).value(0, 0, 0) > 0
-    assert ff.Field(ff.shapes.gyroid(1)).bounds() is None
+    assert ff.Solid(ff.shapes.gyroid(1)).bounds() is None
 
 
 def test_mesh_arrays_are_views():
@@ -170,7 +170,7 @@ def test_meshes_of_arrays_are_solids():
     cube = ff.mesh(ff.parse("max(abs(x) - 1, max(abs(y) - 2, abs(z) - 3))"), voxel=0.25)
     again = ff.Mesh(cube.vertices, cube.triangles)
     assert again.volume == cube.volume == pytest.approx(48, rel=1e-3)
-    field = again.field()
+    field = again.solid()
     assert field.value(0, 0, 0) == pytest.approx(-1, abs=1e-3) and field.value(3, 0, 0) == pytest.approx(2, abs=1e-3)
     for vertices, triangles in (([[0, 0]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 1]]), ([[0, 0, float("nan")]], [[0, 0, 0]]), ([[0, 0, 0]], [[0, 0, 7]])):
         with pytest.raises(ff.Error):
@@ -218,19 +218,19 @@ def test_an_openscad_design_is_a_tree(tmp_path):
     again = ff.read_openscad_tree(tmp_path / "again.csg")
     assert again[0].children == [1] and again[1].text() == nodes[0].text(), "modifiers and all"
     alone = ff.openscad_design(nodes[4].text())
-    assert ff.mesh(alone.field, voxel=0.5).volume == pytest.approx(2 * 3 * 3 * 40, rel=1e-3)
+    assert ff.mesh(alone.solid, voxel=0.5).volume == pytest.approx(2 * 3 * 3 * 40, rel=1e-3)
 
 
 def test_openscad_text_is_a_solid(tmp_path):
     design = ff.openscad_design("cube(size = [1, 2, 3]); square(size = [1, 1]);", name="part")
-    assert ff.mesh(design.field, voxel=design.voxel).volume == pytest.approx(6, rel=1e-3) and not design.flat
+    assert ff.mesh(design.solid, voxel=design.voxel).volume == pytest.approx(6, rel=1e-3) and not design.flat
     assert design.notes == ["part:1: square is 2D among 3D shapes, and left out as OpenSCAD does"]
     plate = ff.openscad_design("square(size = [4, 5]);", thickness=2)
-    assert plate.flat and plate.field.bounds()[5] == pytest.approx(2, abs=0.05) and ff.mesh(plate.field, voxel=0.1).volume == pytest.approx(40, rel=1e-3)
-    assert ff.openscad_design("group();").field is None
-    assert ff.openscad_design("sphere(r = 10, $fn = 6);", smooth=True).field.value(0, 0, 9.99) < 0 < ff.openscad_design("sphere(r = 10, $fn = 6);").field.value(0, 0, 9.99)
+    assert plate.flat and plate.solid.bounds()[5] == pytest.approx(2, abs=0.05) and ff.mesh(plate.solid, voxel=0.1).volume == pytest.approx(40, rel=1e-3)
+    assert ff.openscad_design("group();").solid is None
+    assert ff.openscad_design("sphere(r = 10, $fn = 6);", smooth=True).solid.value(0, 0, 9.99) < 0 < ff.openscad_design("sphere(r = 10, $fn = 6);").solid.value(0, 0, 9.99)
     ff.mesh(BALL, voxel=0.1).save(tmp_path / "ball.stl")
-    assert ff.openscad_design('import(file = "ball.stl");', tmp_path).field.value(0, 0, 0) < 0
+    assert ff.openscad_design('import(file = "ball.stl");', tmp_path).solid.value(0, 0, 0) < 0
     for text, said in (("cube(", "part:1:6"), ("teapot();", "part:1: 'teapot' is not known"), ('import(file = "gone.stl");', "gone.stl")):
         with pytest.raises(ff.Error, match=re.escape(said)):
             ff.openscad_design(text, name="part")
@@ -243,7 +243,7 @@ CORNER = "difference() { cube(size = [10, 10, 10]); multmatrix([[1, 0, 0, 5], [0
 
 
 def test_an_openscad_design_has_its_own_faces():
-    field = ff.openscad_design(CORNER).field
+    field = ff.openscad_design(CORNER).solid
     for mesh in (ff.mesh(field), field.faces(), ff.mesh(field, voxel=3), ff.mesh(field, resolution=0.1, max_error=1)):
         assert len(mesh.triangles) == 24 and len(mesh.vertices) == 14 and mesh.volume == 875 and ff.inspect(mesh).valid
         assert {*mesh.vertices.ravel()} == {0, 5, 10}
@@ -260,8 +260,8 @@ def test_an_openscad_design_has_its_own_faces():
 
 def test_what_is_made_of_a_design_has_no_faces():
     """They are its own: an offset, a union or a move of it is a Field like any other, and so is what is round."""
-    field = ff.openscad_design(CORNER).field
-    for other in (field | ff.Field(BALL), field.offset(1), field.translate(1, 0, 0), ff.Field(BALL), ff.openscad_design(CORNER, smooth=True).field):
+    field = ff.openscad_design(CORNER).solid
+    for other in (field | ff.Solid(BALL), field.offset(1), field.translate(1, 0, 0), ff.Solid(BALL), ff.openscad_design(CORNER, smooth=True).solid):
         assert other.faces() is None
     assert ff.mesh(field.translate(1, 0, 0), voxel=0.5).volume == pytest.approx(875, rel=1e-3)
     points = np.random.default_rng(1).uniform(-2, 12, (1000, 3)).astype(np.float32)
@@ -270,7 +270,7 @@ def test_what_is_made_of_a_design_has_no_faces():
 
 
 def test_a_flat_design_has_the_faces_of_its_plate():
-    plate = ff.openscad_design("square(size = [4, 5]);", thickness=2).field
+    plate = ff.openscad_design("square(size = [4, 5]);", thickness=2).solid
     assert len(plate.faces().triangles) == 12 and plate.faces().volume == 40
     assert plate.faces().vertices.min(axis=0).tolist() == [0, 0, 0] and plate.faces().vertices.max(axis=0).tolist() == [4, 5, 2]
 
@@ -284,11 +284,11 @@ def test_making_faces_can_be_cancelled():
 
 
 def test_certainty_and_measures():
-    plate = ff.Field(ff.shapes.box(100, 80, 0.3))
+    plate = ff.Solid(ff.shapes.box(100, 80, 0.3))
     told = ff.certainty(plate, voxel=1)
     assert not told.certain and told.count == 1 and told.thickness > 0.9
     assert ff.certainty(plate, voxel=0.1).certain
-    assert not ff.certainty(ff.mesh(plate).field(), voxel=1).certain
+    assert not ff.certainty(ff.mesh(plate).solid(), voxel=1).certain
     measures = ff.measure(plate)
     assert measures.volume[0] <= 2400 <= measures.volume[1] < 2405
     assert measures.area[0] <= 16108 <= measures.area[1]

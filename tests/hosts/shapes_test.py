@@ -289,20 +289,20 @@ def test_distances_are_what_the_docstring_says(name):
         return
     x, y, z = POINTS
     points = np.ascontiguousarray(POINTS.T, np.float32)
-    values, gradients = ff.Field(shape).gradients(points)
+    values, gradients = ff.Solid(shape).gradients(points)
     steep = np.linalg.norm(gradients, axis=1)
     assert np.percentile(steep, 99.5) < 1 + 1e-3
     if said != "exact":
         return
     outside = values > 0 if "outside" in LIBRARY[name]["meaning"] else np.ones(len(values), bool)
-    landed = np.abs(ff.Field(shape).values(points - (values[:, None] * gradients).astype(np.float32)))
+    landed = np.abs(ff.Solid(shape).values(points - (values[:, None] * gradients).astype(np.float32)))
     assert np.mean(landed[outside] < 2e-3) > 0.99
 
 
 def test_examples_have_something_to_see():
     for name, function in LIBRARY.items():
         if function["example"]:
-            bounds = ff.Field(ff.parse(function["example"])).bounds()
+            bounds = ff.Solid(ff.parse(function["example"])).bounds()
             assert bounds and max(b - a for a, b in zip(bounds[:3], bounds[3:])) < 40, name
 
 

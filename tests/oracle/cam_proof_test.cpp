@@ -8,7 +8,7 @@
 #include "../cam_tools.h"
 #include "fieldfab/cam/operations.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -25,7 +25,7 @@ struct Part {
 
 std::vector<Part> corpus() {
   const auto scaled = [](const std::string& file, double by) {
-    return scale(load_model(TEST_DATA + file).field, Vec3::Constant(by));
+    return scale(united(open_model(TEST_DATA + file)).field, Vec3::Constant(by));
   };
   return {
       {"cube", box_field({{-5, -5, 0}, {5, 5, 6}}), {{-9, -9, 0}, {9, 9, 7}}},
@@ -45,7 +45,7 @@ std::vector<Part> corpus() {
        {{-8, -8, 0}, {8, 8, 4}}},
       {"mtm_az_03", scaled("/frep/mtm_az/mtm_az_03.math", 3), {{-13, -12, -1}, {13, -7, 25}}},
       {"mtm_az_16", scaled("/frep/mtm_az/mtm_az_16.math", 6), {{-14, -16, -1}, {-9, 16, 14.5}}},
-      {"cthead", scale(load_model(TEST_DATA "/ct/cthead").field, Vec3::Constant(0.1)), {{4, 12, 8}, {18, 22, 19.8}}, 0.1},
+      {"cthead", scale(united(open_model(TEST_DATA "/ct/cthead")).field, Vec3::Constant(0.1)), {{4, 12, 8}, {18, 22, 19.8}}, 0.1},
   };
 }
 

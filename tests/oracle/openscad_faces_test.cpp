@@ -19,12 +19,12 @@
 namespace fieldfab::openscad {
 namespace {
 
-Design design(std::string_view text, bool smooth = false) {
-  return make_design(parse_csg(text, "t"), "/nowhere", {smooth, false});
+OpenedSolid design(std::string_view text, bool smooth = false) {
+  return *make_design(parse_csg(text, "t"), "/nowhere", {smooth, false});
 }
 
 std::optional<TriangleMesh> faces(std::string_view text, std::optional<double> thickness = {}) {
-  const Design made = design(text);
+  const OpenedSolid made = design(text);
   return made.faces ? made.faces(thickness, Progress::none()) : std::nullopt;
 }
 
@@ -158,7 +158,7 @@ TEST(CsgFaces, AreTheSolidThatTheFieldIs) {
   int had = 0;
   for (int i = 0; i < 150; ++i) {
     const std::string text = tree(random, 1 + static_cast<int>(random() % 3));
-    const Design made = design(text);
+    const OpenedSolid made = design(text);
     if (made.field == nullptr || !made.faces) continue;
     const auto surface = made.faces({}, Progress::none());
     if (!surface) continue;

@@ -15,7 +15,7 @@
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
 #include "fieldfab/contour/contour.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 #include "mesh/zip_archive.h"
 #include "thin_solid.h"
 
@@ -127,7 +127,7 @@ TEST_F(TextForms, OfTheGalleryAreValidReadEitherWay) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(TEST_DATA) / ".." / ".." / "examples")) {
     if (entry.path().extension() != ".frep") continue;
-    const Model model = load_model(entry.path());
+    const Solid model = united(open_model(entry.path()));
     FieldPtr solid = model.field;
     const SolidBounds found = solid_bounds(*solid);
     Box bounds = found.box.grown(0.5);

@@ -268,7 +268,7 @@ std::string random_design() {
 RC_GTEST_PROP(Slopes, OfDesignsHoldDifferences, ()) {
   openscad::DesignOptions options;
   options.smooth = draw(0, 2) == 0;
-  const openscad::Design design = openscad::make_design(openscad::parse_csg(random_design(), "t"), "/nowhere", options);
+  const OpenedSolid design = *openscad::make_design(openscad::parse_csg(random_design(), "t"), "/nowhere", options);
   if (!design.field) return;
   for (int i = 0; i < 10; ++i) {
     const Vec3 middle = place(-1.5, 1.5);

@@ -12,7 +12,7 @@
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/open.h"
 
 namespace fieldfab::cam {
 namespace {

@@ -12,8 +12,8 @@
 namespace fieldfab::openscad {
 namespace {
 
-Design design(std::string_view text, const DesignOptions& options = {}) {
-  return make_design(parse_csg(text, "t"), "/nowhere", options);
+OpenedSolid design(std::string_view text, const DesignOptions& options = {}) {
+  return *make_design(parse_csg(text, "t"), "/nowhere", options);
 }
 FieldPtr solid(std::string_view text, const DesignOptions& options = {}) { return design(text, options).field; }
 
@@ -29,8 +29,8 @@ std::string refusal(const std::string& text) {
 }
 
 double volume(std::string_view text, double voxel, const DesignOptions& options = {}) {
-  const Design made = design(text, options);
-  return contour(*made.field, made.bounds->grown(voxel), {voxel, -1, true}).volume();
+  const OpenedSolid made = design(text, options);
+  return contour(*made.field, made.field->known_bounds().grown(voxel), {voxel, -1, true}).volume();
 }
 
 TEST(CsgText, IsReadWithModifiersAndValues) {
@@ -114,12 +114,12 @@ TEST(CsgSolids, KeepWhatModifiersSay) {
 
 TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
   // Faces that meet lie on lattice planes here.
-  const Design two =
+  const OpenedSolid two =
       design("cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
   const TriangleMesh joined = contour(*two.field, {{-1, -1, -1}, {9, 5, 5}}, {0.5, -1, true});
   EXPECT_NEAR(joined.volume(), 128, 0.05);
   EXPECT_NEAR(joined.area(), 2 * (16 + 32 + 32), 0.05);
-  const Design open = design(
+  const OpenedSolid open = design(
       "difference() { cube(size = [4, 4, 4]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,0],[0,0,0,1]]) { cube(size = [2, 2, 4]); } "
       "}");
   const TriangleMesh tube = contour(*open.field, {{-1, -1, -1}, {5, 5, 5}}, {0.5, -1, true});

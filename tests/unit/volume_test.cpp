@@ -14,7 +14,7 @@
 #include "fieldfab/field/surface_distance.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/contour/contour.h"
-#include "fieldfab/model/model.h"
+#include "fieldfab/solid/scan_solid.h"
 #include "fieldfab/volume/distances.h"
 
 namespace fieldfab {

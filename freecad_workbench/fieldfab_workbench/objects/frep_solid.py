@@ -34,7 +34,7 @@ def with_values(text, values):
 
 def source_of_text(text):
     """Of .frep text or a prefix math string."""
-    return Source(("frep", text), lambda progress: kernel.load().Field(kernel.load().parse(text)))
+    return Source(("frep", text), lambda progress: kernel.load().Solid(kernel.load().parse(text)))
 
 
 def property_name(name):

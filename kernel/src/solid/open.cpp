@@ -89,22 +89,12 @@ class FileOpener {
   FileOpener(const std::filesystem::path& folder, const OpenSettings& settings, Progress& progress)
       : folder_(folder), settings_(settings), progress_(progress) {}
 
-  frep::Expression operator()(const std::string& name, std::span<const frep::OpenOption> given) const {
+  frep::Expression operator()(const std::string& name, std::span<const frep::OpenOption> options) const {
     const std::filesystem::path path = folder_ / name;
-    std::vector<frep::OpenOption> options(given.begin(), given.end());
     const std::string key = resolved(path).string() + "\n" + text_of(options);
     if (const auto known = settings_.files->known.find(key); known != settings_.files->known.end()) return known->second;
-    const std::optional<std::string> part = part_wanted(options);
-    const Format* const format = formats_of(settings_).find(path);
-    if (format != nullptr) check_options(options, *format, path.string());
-    OpenSettings inner = settings_;
-    inner.scripts = Scripts::refused;
-    inner.region.reset();
-    inner.options = std::move(options);
-    Model model = open_model(path, inner, progress_);
-    const frep::Expression expression = part ? part_of(model, *part, path.string()).expression : united(model).expression;
+    const frep::Expression expression = open_solid(path, options, settings_, progress_).expression;
     settings_.files->known.emplace(key, expression);
-    std::move(model.notes.begin(), model.notes.end(), std::back_inserter(settings_.files->notes));
     return expression;
   }
 
@@ -150,6 +140,19 @@ Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::files
   opened->path = resolved(path);
   opened->options = text_of(settings.options);
   return model_of(opened);
+}
+
+Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> given, const OpenSettings& settings,
+                 Progress& progress) {
+  OpenSettings inner = settings;
+  inner.options.assign(given.begin(), given.end());
+  const std::optional<std::string> part = part_wanted(inner.options);
+  if (const Format* const format = formats_of(settings).find(path)) check_options(inner.options, *format, path.string());
+  inner.scripts = Scripts::refused;
+  inner.region.reset();
+  Model model = open_model(path, inner, progress);
+  if (settings.files != nullptr) std::move(model.notes.begin(), model.notes.end(), std::back_inserter(settings.files->notes));
+  return part ? part_of(model, *part, path.string()) : united(model);
 }
 
 Model open_model(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {

@@ -55,7 +55,7 @@ def test_every_shape_has_a_picture_and_a_text():
     for shape in every:
         assert shape.picture and os.path.exists(shape.picture), shape.name
         made = fieldfab.parse(shape.solid(shape.values))
-        assert shape.group not in ("Solids", "Flat shapes") or fieldfab.Field(made).bounds(), f"{shape.name} makes no solid"
+        assert shape.group not in ("Solids", "Flat shapes") or fieldfab.Solid(made).bounds(), f"{shape.name} makes no solid"
         if not shape.text:
             fieldfab.parse(shape.before + shape.call(shape.values) + shape.after)
 
@@ -100,7 +100,7 @@ def area(corners):
 def test_coin_nodes_hold_the_mesh():
     fieldfab = kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("box(4, 4, 4)"), voxel=0.5)
-    _, slopes = fieldfab.Field(fieldfab.parse("box(4, 4, 4)")).gradients(mesh.vertices)
+    _, slopes = fieldfab.Solid(fieldfab.parse("box(4, 4, 4)")).gradients(mesh.vertices)
     vertices, normals, triangles = inventor.corner_normals(mesh.vertices, mesh.triangles, slopes)
     assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(6 * 16, rel=1e-5)
     # At sharp edges each side keeps its own normal.
@@ -111,7 +111,7 @@ def test_coin_nodes_hold_the_mesh():
 
 def test_flat_faces_are_drawn_with_creases():
     """A post of 24 sides: smooth around, sharp at its ends."""
-    mesh = kernel.load().openscad_design("cylinder($fn = 24, h = 10, r1 = 5, r2 = 5); multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3]); }").field.faces()
+    mesh = kernel.load().openscad_design("cylinder($fn = 24, h = 10, r1 = 5, r2 = 5); multmatrix([[1, 0, 0, 20], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3]); }").solid.faces()
     vertices, normals, triangles = inventor.creased(mesh.vertices, mesh.triangles)
     assert area(pieces({0: [inventor.written(vertices, normals, triangles)]})) == pytest.approx(mesh.area, rel=1e-5)
     level, post = np.abs(normals[:, 2]) > 0.5, vertices[:, 0] < 10

@@ -56,7 +56,7 @@ def named(document, label):
 def volume_of(text, folder="."):
     """By the kernel, of the whole text at once."""
     design = kernel.load().openscad_design(text, folder)
-    return kernel.load().mesh(design.field, voxel=design.voxel).volume
+    return kernel.load().mesh(design.solid, voxel=design.voxel).volume
 
 
 def test_freecad_offers_both_importers():

@@ -104,12 +104,12 @@ def test_deviations_are_those_that_were_planted():
     fieldfab = kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("box(20, 20, 20)"), voxel=1)
     ball = fieldfab.mesh(fieldfab.parse("sphere(r = 10)"), voxel=0.25)
-    grown = fieldfab.Field(fieldfab.parse("sphere(r = 10.3)"))
+    grown = fieldfab.Solid(fieldfab.parse("sphere(r = 10.3)"))
     off = deviations(grown, ball.vertices, ball.triangles)
     assert np.abs(off + 0.3).max() < 0.04 and nice_reach(off) == 0.5
-    off = deviations(fieldfab.Field(fieldfab.parse("box(20, 20, 20)")), mesh.vertices, mesh.triangles)
+    off = deviations(fieldfab.Solid(fieldfab.parse("box(20, 20, 20)")), mesh.vertices, mesh.triangles)
     assert np.abs(off).max() < 1e-5
     # Values that are no distances: ten times too steep.
-    steep = fieldfab.Field(fieldfab.parse("10 * sphere(r = 10.3)"))
+    steep = fieldfab.Solid(fieldfab.parse("10 * sphere(r = 10.3)"))
     assert np.abs(deviations(steep, ball.vertices, ball.triangles) + 0.3).max() < 0.04
     assert (colours(np.array([-1, 1]))[0][2] > 0.7) and (colours(np.array([-1, 1]))[1][0] > 0.7)

@@ -48,6 +48,11 @@ double option_number(std::span<const frep::OpenOption> options, std::string_view
 /// cancelled.
 Model open_model(const std::filesystem::path& path, const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
+/// Opens a file as open() of .frep text does: as one solid, or the one that `part = "NAME"` asks for. Scripts are refused, and so
+/// is an option that the format does not have.
+Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> options, const OpenSettings& settings = {},
+                 Progress& progress = Progress::none());
+
 /// The model of .frep text. open() in it takes names relative to `folder`. Throws as frep::parse_parts() and open_model() do.
 Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
                   const OpenSettings& settings = {}, Progress& progress = Progress::none());
