@@ -136,7 +136,7 @@ ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, FUNCTION, *MODULES.values())
 
 def attribute(value, name):
     """An attribute as Python 2 has it."""
-    for kind, known in ((dict, DICTIONARY), (list, LIST), (str, TEXT)):
+    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT)):
         if isinstance(value, kind) and name in known:
             return known[name](value)
     if name == "next" and not hasattr(value, "next") and hasattr(value, "__next__"):

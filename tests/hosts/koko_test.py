@@ -165,6 +165,7 @@ STATEMENTS = {
     "  def __div__(self, o): return 'div'\nx = iter(C()).next(), bool(C()), C() / 2": (3, False, "div"),
     "nonlocal = 1; async = 2\nx = nonlocal + async": 3,
     "f = lambda: 1; x = f()": 1,
+    "import os\nx = os.environ.keys()[:0], os.environ.has_key('no such name')": ([], False),
     "# -*- coding: latin-1 -*-\nx = 1; print x; print; print 'a' 'b', ; print(1, 2), -1": 1,
 }
 
