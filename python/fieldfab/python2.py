@@ -5,7 +5,7 @@
 Tokens are rewritten where Python 3 refuses the grammar (print, exec, `except E, e`, backquotes, 0777, tuples as
 parameters), the tree where it accepts the text with another meaning (division, dict.keys(), str.decode). Rewriting
 keeps every line on its number.
-Not covered: names of list comprehensions stay inside them, unlike types have no order, str holds characters, not bytes.
+Not covered: names of list comprehensions stay inside them, and str holds characters, not bytes.
 """
 
 from __future__ import annotations
@@ -262,6 +262,14 @@ class _Tree(ast.NodeTransformer):
         if not self.divides or not isinstance(node.op, ast.Div):
             return node
         return _at(node, _call(names.DIVIDE, node.left, node.right))
+
+    def visit_Compare(self, node):
+        """Values of unlike types have an order; chains of comparisons are left alone."""
+        self.generic_visit(node)
+        operation = type(node.ops[0]).__name__
+        if len(node.ops) > 1 or operation not in names.ORDERS:
+            return node
+        return _at(node, _call(names.COMPARE, node.left, ast.Constant(operation), node.comparators[0]))
 
     def visit_AugAssign(self, node):
         self.generic_visit(node)

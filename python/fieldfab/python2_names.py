@@ -17,7 +17,8 @@ import sys
 import types
 
 PRINT, EXEC, ERROR, DIVIDE = "_print_", "_exec_", "_error_", "_divide_"
-DIVIDE_ATTRIBUTE, DIVIDE_ITEM, ATTRIBUTE = "_divide_attribute_", "_divide_item_", "_attribute_"
+DIVIDE_ATTRIBUTE, DIVIDE_ITEM, ATTRIBUTE, COMPARE = "_divide_attribute_", "_divide_item_", "_attribute_", "_compare_"
+ORDERS = {"Lt": operator.lt, "LtE": operator.le, "Gt": operator.gt, "GtE": operator.ge}
 METHODS = {"next": "__next__", "__nonzero__": "__bool__", "__div__": "__truediv__", "__rdiv__": "__rtruediv__",
            "__idiv__": "__itruediv__"}
 
@@ -48,8 +49,23 @@ def error_(kind, value=None, trace=None):
     return error.with_traceback(trace)
 
 
+def _rank(value):
+    """The place of a value among those of unlike types: None, numbers, the others by the names of their types."""
+    return (0, "") if value is None else (1, "") if isinstance(value, numbers.Number) else (2, type(value).__name__)
+
+
+def compare(a, operation, b):
+    try:
+        return ORDERS[operation](a, b)
+    except TypeError:
+        return ORDERS[operation](_rank(a), _rank(b))
+
+
 def cmp(a, b):
-    return (a > b) - (a < b)
+    return compare(a, "Gt", b) - compare(a, "Lt", b)
+
+
+_order = cmp
 
 
 def _key(cmp_function, key):
@@ -60,7 +76,11 @@ def _key(cmp_function, key):
 
 
 def sorted_(values, cmp=None, key=None, reverse=False):
-    return builtins.sorted(values, key=_key(cmp, key), reverse=reverse)
+    values = list(values)
+    try:
+        return builtins.sorted(values, key=_key(cmp, key), reverse=reverse)
+    except TypeError:
+        return builtins.sorted(values, key=_key(cmp or _order, key), reverse=reverse)
 
 
 def map_(function, *lists):
@@ -107,7 +127,7 @@ DICTIONARY = {
     "values": lambda d: lambda: list(d.values()), "items": lambda d: lambda: list(d.items()),
     "iterkeys": lambda d: lambda: iter(d.keys()), "itervalues": lambda d: lambda: iter(d.values()),
     "iteritems": lambda d: lambda: iter(d.items())}
-LIST = {"sort": lambda items: lambda cmp=None, key=None, reverse=False: items.sort(key=_key(cmp, key), reverse=reverse)}
+LIST = {"sort": lambda items: lambda *how, **named: items.__setitem__(slice(None), sorted_(items, *how, **named))}
 TEXT = {"decode": lambda text: lambda *_: text}
 FUNCTION = {"func_name": "__name__", "func_code": "__code__", "func_defaults": "__defaults__",
             "func_globals": "__globals__", "func_doc": "__doc__", "im_func": "__func__", "im_self": "__self__"}
@@ -136,7 +156,7 @@ ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, FUNCTION, *MODULES.values())
 
 def attribute(value, name):
     """An attribute as Python 2 has it."""
-    for kind, known in ((dict, DICTIONARY), (list, LIST), (str, TEXT)):
+    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT)):
         if isinstance(value, kind) and name in known:
             return known[name](value)
     if name == "next" and not hasattr(value, "next") and hasattr(value, "__next__"):
@@ -180,7 +200,7 @@ def builtins_of_python2(execute):
         "apply": lambda function, arguments=(), named={}: function(*arguments, **named), "intern": sys.intern,
         "file": open, "execfile": execfile, "raw_input": _refused("raw_input"), "input": _refused("input"),
         "reload": importlib.reload, "StandardError": Exception,
-        PRINT: print_, EXEC: execute, ERROR: error_, ATTRIBUTE: attribute,
+        PRINT: print_, EXEC: execute, ERROR: error_, ATTRIBUTE: attribute, COMPARE: compare,
         DIVIDE: divide, DIVIDE_ATTRIBUTE: divide_attribute, DIVIDE_ITEM: divide_item,
     })
     return known

@@ -138,6 +138,8 @@ PROGRAMS = {
     "(lambda (a, (b, c)), d=4: a + b * c - d)((1, (2, 3)))": 3,
     "[(lambda (i, p): i * p)(pair) for pair in enumerate([5, 6])]": [0, 6],
     "apply(max, [1, 2]), unichr(65), iter([7]).next()": (2, "A", 7),
+    "None < -5, 3 < 'a', 'a' >= [], 2 < 1, 1 < 2 < 3, None > 0": (True, True, True, False, True, False),
+    "sorted([3, None, 'b', 1]), cmp(None, 1), cmp(2, 1)": ([None, 1, 3, "b"], -1, 1),
     "'ab'.decode('utf-8'), 'a b'.split(), 'aa'.count('a')": ("ab", ["a", "b"], 2),
 }
 STATEMENTS = {
@@ -152,6 +154,7 @@ STATEMENTS = {
     "def f(a, (b, c), *d):\n    'words'\n    return a, b, c, d\nx = f(1, (2, 3), 4), f.func_name, f.__doc__":
         ((1, 2, 3, (4,)), "f", "words"),
     "x = [3, 1, 2]\nx.sort(lambda a, b: cmp(a, b))": [1, 2, 3],
+    "x = [3, None, 'a']\nx.sort(reverse=True)": ["a", 3, None],
     "exec 'x = 5 / 2'": 2,
     "d = {}\nexec 'y = 5 / 2' in d\nx = d['y']": 2,
     "exec('x = 1; x /= 2')": 0,
@@ -165,6 +168,7 @@ STATEMENTS = {
     "  def __div__(self, o): return 'div'\nx = iter(C()).next(), bool(C()), C() / 2": (3, False, "div"),
     "nonlocal = 1; async = 2\nx = nonlocal + async": 3,
     "f = lambda: 1; x = f()": 1,
+    "import os\nx = os.environ.keys()[:0], os.environ.has_key('no such name')": ([], False),
     "# -*- coding: latin-1 -*-\nx = 1; print x; print; print 'a' 'b', ; print(1, 2), -1": 1,
 }
 
