@@ -47,10 +47,13 @@ class RenderVerb final : public Verb {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
     RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
-    const Solid solid = options_.open_solid(progress);
+    const Model model = options_.open(progress);
+    const Solid solid = united(model);
+    std::vector<ColouredPart> parts;
+    for (const Solid& part : model.parts) parts.push_back({part.field, part.colour});
     const Box bounds =
         settings.mode == RenderMode::bitmap ? plane_bounds(solid, progress) : working_bounds(solid, options_.region(), progress);
-    const Image image = render(*solid.field, bounds, settings, progress);
+    const Image image = render(*solid.field, bounds, settings, progress, parts);
     write_png(image, options_.output);
     Outcome outcome;
     outcome.line = fmt::format("{}: {} x {} pixels, {}", options_.output, image.width, image.height, mode_);

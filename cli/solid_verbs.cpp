@@ -150,7 +150,7 @@ class MeshVerb final : public Verb {
     double voxel = 0;
     auto described = nlohmann::ordered_json::array();
     for (const Solid& solid : model.parts) {
-      Surface made = surface(solid, wanted, progress);
+      Surface made = surface(solid, wanted, progress, model.parts.size() > 1 ? EmptySolid::allowed : EmptySolid::refused);
       const TriangleMesh& mesh = made.mesh;
       const std::string place = model.parts.size() > 1 ? fmt::format("{}: part '{}'", options_.model, solid.name) : options_.model;
       if (mesh.triangles.empty() && !wanted.region) {

@@ -26,12 +26,12 @@ def signature(function, angle_unit):
 def stubs():
     kinds = {"expression": "Operand", "angle": "Operand", "number": "float", "whole": "int", "text": "str"}
     lines = ['"""Shapes, and what is done with them, as expressions. Lengths in mm, angles in radians. Made by ./dev docs."""', ""]
-    lines += ["from collections.abc import Iterable", "from typing import Any", "", "from ._core import Expression, Operand", ""]
+    lines += ["from collections.abc import Iterable", "from typing import Any", "", "from ._core import Operand, Solid", ""]
     for f in library():
         parts = [f"{p['name']}: {kinds[p['kind']]}" + ("" if p["default"] is None else " = ...") for p in f["parameters"]]
         if f["any_number"]:  # further ones, one by one or in lists
             parts = [f"*{f['parameters'][0]['name']}: Any"]
-        lines.append(f"def {f['name']}({', '.join(parts)}) -> Expression: ...")
+        lines.append(f"def {f['name']}({', '.join(parts)}) -> Solid: ...")
     return "\n".join(lines) + "\n"
 
 

@@ -57,7 +57,7 @@ double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<dou
 /// Python's Solid: a value of the design language, and what is made of it once it is asked for.
 class SolidValue {
  public:
-  SolidValue(frep::Value value) : value(std::move(value)) {}  // NOLINT(google-explicit-constructor): values are solids
+  SolidValue(frep::Value given) : value(std::move(given)) {}  // NOLINT(google-explicit-constructor): values are solids
   explicit SolidValue(Solid solid) : value{solid.expression, true}, made_(std::make_shared<const Solid>(std::move(solid))) {}
   virtual ~SolidValue() = default;
 

@@ -340,10 +340,10 @@ void bind_solids(py::module_& module) {
       .def(
           "distances",
           [](const SolidValue& a, double reach, double voxel, const py::object& bounds, const py::object& progress) {
-            const auto solid = a.solid();
+            const auto whole = a.solid();
             return in_memory(long_work(progress,
                                        [&](Progress& p) {
-                                         return distances(solid->field, region_of(*solid, bounds, p), {reach, voxel}, p);
+                                         return distances(whole->field, region_of(*whole, bounds, p), {reach, voxel}, p);
                                        }),
                              "asdf");
           },
@@ -354,9 +354,9 @@ void bind_solids(py::module_& module) {
       .def(
           "faces",
           [](const SolidValue& a, const py::object& progress) {
-            const auto solid = a.solid();
+            const auto whole = a.solid();
             return long_work(progress, [&](Progress& p) {
-              return solid->faces != nullptr ? solid->faces(std::nullopt, p) : std::optional<TriangleMesh>();
+              return whole->faces != nullptr ? whole->faces(std::nullopt, p) : std::optional<TriangleMesh>();
             });
           },
           py::arg("progress") = py::none(),

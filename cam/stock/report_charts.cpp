@@ -13,7 +13,6 @@ namespace {
 
 constexpr double width = 900, left = 64, right = 12;  // of a chart and of the room beside its bars, pixels
 
-std::string hex(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]); }
 
 std::string start(double height, const char* description) {
   return fmt::format("<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
@@ -73,7 +72,7 @@ std::string deviation_chart(const Simulation& simulation, const DeviationScale& 
     const double middle = scale.full * (2 * (static_cast<double>(i) - 0.5) / static_cast<double>(bins) - 1);
     const double tall = shares[i] > 0 ? std::max(0.0, 1 + std::log10(shares[i]) / decades) : 0;
     out += bar(left + wide * static_cast<double>(i) + 0.5, bottom - (bottom - top) * tall, wide - 1, bottom,
-               hex(scale.colour(middle)));
+               text_of(scale.colour(middle)));
   }
   out += rule(bottom, "#444");
   const double step = step_for(2 * scale.full, 8);
@@ -143,7 +142,7 @@ std::string colour_bar(const std::vector<Colour>& colours, int bar_width) {
   std::string out = fmt::format(
       "<svg class=\"bar\" width=\"{0}\" height=\"14\" viewBox=\"0 0 {0} 14\" shape-rendering=\"crispEdges\">", bar_width);
   const double wide = static_cast<double>(bar_width) / static_cast<double>(colours.size());
-  for (std::size_t i = 0; i < colours.size(); ++i) out += bar(wide * static_cast<double>(i), 0, wide, 14, hex(colours[i]));
+  for (std::size_t i = 0; i < colours.size(); ++i) out += bar(wide * static_cast<double>(i), 0, wide, 14, text_of(colours[i]));
   return out + "</svg>";
 }
 

@@ -1,9 +1,13 @@
 #include "fieldfab/render/render.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 
 #include "camera.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/parallel.h"
 #include "shade.h"
 #include "to_image.h"
 
@@ -16,6 +20,43 @@ Image bitmap(const Field& field, const PixelGrid& grid, Progress& progress) {
   return image;
 }
 
+/// Light as a screen's number stands for it (sRGB), 0 to 1.
+float linear(std::uint8_t number) {
+  const float share = static_cast<float>(number) / 255;
+  return share <= 0.04045F ? share / 12.92F : std::pow((share + 0.055F) / 1.055F, 2.4F);
+}
+
+/// The colour of each pixel that sees something: of the part with the least value there.
+std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, const Box& bounds, const RenderSettings& settings,
+                                          const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
+  std::vector<FieldPtr> fields;
+  std::vector<Eigen::Vector3f> colours;
+  for (const ColouredPart& part : parts) {
+    fields.push_back(look(*part.field, bounds, settings).field);
+    colours.push_back(part.colour ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
+                                  : plain_material);
+  }
+  std::vector<Eigen::Vector3f> materials(grid.count(), plain_material);
+  parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
+    progress.check();
+    std::vector<std::size_t> seen;
+    std::vector<float> x, y, z;
+    for (int column = 0; column < grid.width; ++column) {
+      const std::size_t i = grid.index(column, static_cast<int>(row));
+      if (!std::isfinite(heights[i])) continue;
+      seen.push_back(i);
+      x.push_back(grid.x(column)), y.push_back(grid.y(static_cast<int>(row))), z.push_back(heights[i]);
+    }
+    std::vector<float> least(seen.size(), std::numeric_limits<float>::infinity()), value(seen.size());
+    for (std::size_t part = 0; part < fields.size(); ++part) {
+      fields[part]->values({x.data(), y.data(), z.data(), x.size()}, value.data());
+      for (std::size_t i = 0; i < seen.size(); ++i)
+        if (value[i] < least[i]) least[i] = value[i], materials[seen[i]] = colours[part];
+    }
+  });
+  return materials;
+}
+
 }  // namespace
 
 RenderMode render_mode(std::string_view name) {
@@ -26,7 +67,8 @@ RenderMode render_mode(std::string_view name) {
   throw Error(ErrorKind::bad_input, "mode", "'" + std::string(name) + "' is none of bitmap, height, normals, shaded");
 }
 
-Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress) {
+Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress,
+             std::span<const ColouredPart> parts) {
   if (settings.mode == RenderMode::bitmap) {
     Box plane = bounds;
     if (settings.window)
@@ -45,7 +87,10 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   if (only_heights) return height_map(grid, heights);
   straighten(view, grid, heights, normals);
   if (settings.mode == RenderMode::normals) return normal_map(grid, heights, normals);
-  return picture(grid, shade(grid, heights, normals, {}, progress), samples);
+  std::vector<Eigen::Vector3f> materials;
+  if (std::any_of(parts.begin(), parts.end(), [](const ColouredPart& part) { return part.colour.has_value(); }))
+    materials = materials_of(parts, bounds, settings, grid, heights, progress);
+  return picture(grid, shade(grid, heights, normals, materials, progress), samples);
 }
 
 }  // namespace fieldfab

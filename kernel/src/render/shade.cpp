@@ -88,7 +88,7 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
                                    const std::vector<Eigen::Vector3f>& materials, Progress& progress) {
   const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(),
                         fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
-  const Eigen::Vector3f grey(0.80F, 0.83F, 0.88F), warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
+  const Eigen::Vector3f warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
   const std::vector<float> openness = find_openness(grid, heights, progress), light = find_light(grid, heights, key, progress);
   std::vector<Eigen::Vector3f> colours(grid.count());
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
@@ -102,7 +102,7 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
       const float open = openness[i], lit = light[i] * std::max(0.0F, n.dot(key));
       const float shine = light[i] * std::pow(std::max(0.0F, (2 * n.dot(key) * n - key).z()), 24.0F);
       const float edge = std::max(0.0F, 1 - n.z()), rim = edge * edge * edge * std::max(0.0F, n.y());
-      const Eigen::Vector3f& material = materials.empty() ? grey : materials[i];
+      const Eigen::Vector3f& material = materials.empty() ? plain_material : materials[i];
       colours[i] = material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
                                          0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
       colours[i] += Eigen::Vector3f::Constant(0.18F * shine * open);

@@ -33,14 +33,14 @@ double default_voxel(const Solid& solid, const Box& region) {
   return solid.voxel.value_or(region.size().maxCoeff() / cells_a_side);
 }
 
-Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress) {
+Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress, EmptySolid empty) {
   Surface made;
   if (resolution.exact && solid.faces != nullptr && !resolution.region)
     if (auto faces = solid.faces(std::nullopt, progress)) {
       static_cast<TriangleMesh&>(made.mesh) = std::move(*faces);
       made.exact = true;
     }
-  made.region = made.exact ? made.mesh.bounds() : working_bounds(solid, resolution.region, progress);
+  made.region = made.exact ? made.mesh.bounds() : working_bounds(solid, resolution.region, progress, empty);
   made.voxel = resolution.voxel.value_or(default_voxel(solid, made.region));
   if (!made.exact)
     made.mesh =

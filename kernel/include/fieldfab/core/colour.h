@@ -1,6 +1,7 @@
 /// Colours of parts, as people name them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,6 +13,9 @@ namespace fieldfab {
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
   bool operator==(const Colour&) const = default;
+  /// Red, green and blue by their places, 0 to 2.
+  constexpr std::uint8_t& operator[](std::size_t i) { return i == 0 ? red : i == 1 ? green : blue; }
+  constexpr std::uint8_t operator[](std::size_t i) const { return i == 0 ? red : i == 1 ? green : blue; }
 };
 
 /// The colour of "#rgb" or "#rrggbb"; none for any other text.

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/render/image.h"
@@ -28,9 +30,17 @@ struct RenderSettings {
   std::optional<Box> window = std::nullopt;
 };
 
+/// A part of what is shown, with a colour of its own.
+struct ColouredPart {
+  FieldPtr field;
+  std::optional<Colour> colour;  ///< grey where there is none
+};
+
 /// Renders the part of `field` inside `bounds`, seen from +z after the turn. A bitmap shows the plane z = bounds.lower.z, sampled
 /// at pixel centres: white inside. A height map has 16 bits: 0 is nothing, 1 .. 65535 run over zmin .. zmax. The same pixels for
-/// any number of threads. Throws bad_input, cancelled.
-Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress = Progress::none());
+/// any number of threads. Where `parts` are given, of which `field` is the union, each point of a shaded picture has the colour of
+/// the part that it lies on: of the least value there. Throws bad_input, cancelled.
+Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress = Progress::none(),
+             std::span<const ColouredPart> parts = {});
 
 }  // namespace fieldfab

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "fieldfab/core/geometry.h"
+#include "fieldfab/core/colour.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/render/image.h"
 #include "fieldfab/render/render.h"
 
 namespace fieldfab {
-
-/// Red, green and blue as screens take them (sRGB).
-using Colour = std::array<std::uint8_t, 3>;
 
 /// A view of somebody's triangles, as TriangleMesh has them.
 struct Triangles {

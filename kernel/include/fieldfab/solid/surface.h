@@ -36,6 +36,7 @@ Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progres
 double default_voxel(const Solid& solid, const Box& region);
 
 /// The closed surface of a solid. Throws bad_input, too_large, cancelled, as contour() and working_bounds() do.
-Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress = Progress::none());
+Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress = Progress::none(),
+                EmptySolid empty = EmptySolid::refused);
 
 }  // namespace fieldfab
