@@ -54,6 +54,8 @@ OUTPUTS = {
     "mesh.ply": "mesh ball.frep -o OUT --voxel 0.5",
     "mesh.off": "mesh ball.frep -o OUT --voxel 0.5",
     "mesh.obj": "mesh ball.frep -o OUT --voxel 0.5",
+    "mesh.3mf": "mesh ball.frep -o OUT --voxel 0.5",
+    "mesh.glb": "mesh ball.frep -o OUT --voxel 0.5",
     "solid.asdf": "build ball.frep -o OUT --voxel 0.5",
     "scan.asdf": "build scan_20x20x20_uint8.raw -o OUT",
     "levels.vdb": "convert ball.frep -o OUT --voxel 0.5",

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import subprocess
+import xml.etree.ElementTree
 import zipfile
 import zlib
 
@@ -14,7 +15,7 @@ import numpy as np
 import pyopenvdb
 import pytest
 
-from conftest import COMMAND, ROOT
+from conftest import BUILD, COMMAND, ROOT
 
 MESHES = ("stl", "ply", "off", "obj", "3mf")
 VOLUMES = ("nrrd", "mha", "nii", "nii.gz")
@@ -196,6 +197,120 @@ def test_what_is_left_out_is_told(folder, tmp_path):
         assert done.returncode == 0 and "note: a.3mf: left out: colours and materials\n" in done.stderr
 
 
+# Parts: names, colours and places, as assimp sees them. Our own reader's are in tests/unit/mesh_parts_test.cpp.
+
+TOMATO, GREY, AZURE = (255, 99, 71), (204, 204, 204), (1, 128, 255)
+NAMES = ("Fuß <unten> & 'so'", "middle", "top")
+
+
+@pytest.fixture(scope="module")
+def parts(tmp_path_factory):
+    """What write_parts.cpp writes: boxes of 30 by 20 by 10 mm, at z = 0, 15 and 30, the middle one without a colour."""
+    folder = tmp_path_factory.mktemp("parts of it")
+    run(BUILD / "bin" / "write_parts", *(folder / f"my parts.{form}" for form in ("glb", "obj", "ply", "3mf", "stl", "off")))
+    return folder
+
+
+def numbers(element):
+    return np.array(element.text.split(), float)
+
+
+class Seen:
+    """A scene as assimp reads it: names, colours, and places in the root's frame of what its nodes have."""
+
+    def __init__(self, path, folder):
+        run("assimp", "dump", path, folder / "dump.xml")
+        scene = xml.etree.ElementTree.parse(folder / "dump.xml").getroot().find("Scene")
+        self.materials = [material.find("MatPropertyList") for material in scene.iterfind("MaterialList/Material")]
+        self.meshes = list(scene.iterfind("MeshList/Mesh"))
+        self.parts = []
+        self._add(scene.find("Node"), np.eye(4))
+
+    def _add(self, node, above):
+        frame = above @ numbers(node.find("Matrix4")).reshape(4, 4)
+        for number in map(int, (node.findtext("MeshRefs") or "").split()):
+            mesh = self.meshes[number]
+            places = numbers(mesh.find("Positions")).reshape(-1, 3) @ frame[:3, :3].T + frame[:3, 3]
+            self.parts.append((node.get("name"), self._colour(mesh), places))
+        for child in node.iterfind("NodeList/Node"):
+            self._add(child, frame)
+
+    def _colour(self, mesh):
+        properties = {entry.get("key"): entry for entry in self.materials[int(mesh.get("material_index"))]}
+        return tuple(numbers(properties["$clr.diffuse"])[:3])
+
+
+def above_each_other(parts):
+    for i, (_, _, places) in enumerate(parts):
+        assert np.allclose([places.min(0), places.max(0)], [[0, 0, 15 * i], [30, 20, 15 * i + 10]], rtol=0, atol=1e-5)
+
+
+def test_parts_in_glb_are_nodes_in_metres_with_y_up(parts, tmp_path):
+    seen = Seen(parts / "my parts.glb", tmp_path).parts
+    assert tuple(name for name, _, _ in seen) == NAMES
+    tomato, white, azure = (np.array(colour) for _, colour, _ in seen)
+    for linear, colour in ((tomato, TOMATO), (azure, AZURE)):  # IEC 61966-2-1, from linear light
+        s_rgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        assert np.allclose(255 * s_rgb, colour, rtol=0, atol=0.05)
+    assert np.all(white == 1)
+    upright = [(name, colour, 1000 * places @ [[1, 0, 0], [0, 0, 1], [0, -1, 0]]) for name, colour, places in seen]
+    above_each_other(upright)
+
+
+def test_parts_in_obj_are_objects_with_materials(parts, tmp_path):
+    seen = Seen(parts / "my parts.obj", tmp_path).parts
+    assert tuple(name for name, _, _ in seen) == ("Fuß_<unten>_&_'so'", "middle", "top")
+    assert np.allclose([colour for _, colour, _ in seen], np.array([TOMATO, GREY, AZURE]) / 255, rtol=0, atol=1e-5)
+    above_each_other(seen)
+
+
+def test_parts_in_ply_are_coloured_vertices(parts, tmp_path):
+    seen = Seen(parts / "my parts.ply", tmp_path)
+    (_, _, places), = seen.parts
+    colours = numbers(seen.meshes[0].find("Colors")).reshape(-1, 4)
+    assert len(places) == len(colours) == 24
+    for i, colour in enumerate((TOMATO, GREY, AZURE)):
+        of_part = places[:, 2] // 15 == i
+        assert np.allclose(colours[of_part], np.array([*colour, 255]) / 255, rtol=0, atol=1e-5) and of_part.sum() == 8
+
+
+def test_parts_in_3mf_are_objects_with_colours(parts, tmp_path):
+    """assimp 5.2 reads materials, but no names."""
+    seen = Seen(parts / "my parts.3mf", tmp_path)
+    above_each_other(seen.parts)
+    assert np.allclose([seen.parts[i][1] for i in (0, 2)], np.array([TOMATO, AZURE]) / 255, rtol=0, atol=1e-5)
+    model = xml.etree.ElementTree.fromstring(model_part(parts / "my parts.3mf"))
+    core = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    assert tuple(each.get("name") for each in model.iter(f"{core}object")) == NAMES
+    assert [each.get("objectid") for each in model.iter(f"{core}item")] == ["1", "2", "3"]
+
+
+@pytest.mark.parametrize("extension", ["obj", "ply", "3mf", "stl", "off"])
+def test_parts_are_read_as_one_mesh(parts, extension):
+    seen = told(parts / f"my parts.{extension}")
+    assert (seen["triangles"], seen["volume"]) == (36, pytest.approx(18000))
+    assert seen["bounds"] == [[0, 30], [0, 20], [0, 40]]
+    named = ["my parts.3mf: left out: colours and materials, names of objects"]
+    assert seen["notes"] == (named if extension == "3mf" else [])
+
+
+def test_glb_is_a_mesh_of_its_own(folder, tmp_path):
+    """Any verb writes it; it is not read."""
+    summary("convert", folder / "part.3mf", "-o", tmp_path / "a.glb")
+    summary("mesh", folder / "part.frep", "-o", tmp_path / "b.GLB", "--voxel", 0.5)
+    for name in ("a.glb", "b.GLB"):
+        (_, _, places), = Seen(tmp_path / name, tmp_path).parts
+        assert len(places) == told(folder / "part.stl")["vertices"]
+        assert np.allclose(np.array([places.min(0), places.max(0)]).T[[0, 2, 1]] * [[1], [-1], [1]] * 1000,
+                           [BOUNDS[0], BOUNDS[1][::-1], BOUNDS[2]], rtol=0, atol=1e-5)
+    summary("convert", folder / "part.3mf", "-o", tmp_path / "again.glb")
+    assert (tmp_path / "a.glb").read_bytes() == (tmp_path / "again.glb").read_bytes()
+    for verb in (["info"], ["convert", "-o", tmp_path / "c.stl"], ["mesh", "-o", tmp_path / "c.stl"]):
+        done = subprocess.run([COMMAND, verb[0], tmp_path / "a.glb", *verb[1:]], capture_output=True, text=True)
+        assert done.returncode == 2
+        assert done.stderr.endswith("a.glb: is written, not read; meshes are read from .stl .ply .off .obj .3mf\n")
+
+
 # Volumes: a ball off the middle, samples at three different distances.
 
 SIZE, SPACING, ORIGIN, RADIUS = (24, 20, 18), (0.5, 0.75, 1.0), (1.0, 2.0, 3.0), 4.0
@@ -362,6 +477,7 @@ def rows(heading):
 def test_the_document_names_the_formats_that_go_both_ways():
     both = {**rows("Meshes"), **rows("Volumes and solids"), **rows("Formulas")}
     assert sorted(both) == sorted(ROUND_TRIPS)
+    assert sorted(rows("Parts")) == sorted([*MESHES, "glb"])
 
 
 def test_the_document_names_every_format_that_the_command_knows(tmp_path):

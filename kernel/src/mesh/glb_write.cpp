@@ -69,7 +69,7 @@ class Description {
   void add(const PartView& part) {
     Json node = Json::object();
     if (!part.name.empty()) node["name"] = printable(part.name);
-    if (!part.mesh.triangles.empty()) {  // a mesh has something
+    if (!part.mesh.triangles.empty()) {  // glTF has no empty meshes
       node["mesh"] = meshes_.size();
       const Box bounds = part.mesh.bounds();
       const std::size_t places = add_accessor(12 * part.mesh.vertices.size(), vertex_buffer,
