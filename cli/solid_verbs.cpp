@@ -1,13 +1,16 @@
 // build, mesh and check: what is made of a solid.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/mesh/mesh_parts.h"
+#include "fieldfab/mesh/ply.h"
 #include "fieldfab/solid/scan_solid.h"
 #include "json.h"
 #include "verbs.h"
@@ -117,11 +120,13 @@ class MeshVerb final : public Verb {
                               formats.writable(FormatKind::mesh)));
     const Stopwatch clock;
     Model model = options_.open(progress);
-    const bool apart = keeps_parts(options_.output);
-    if (model.parts.size() > 1 && !apart) model = {{united(model)}, {}};
+    const Model parts_of_model = model;
+    if (model.parts.size() > 1 && !keeps_parts(options_.output)) model = {{united(model)}, {}};
     Outcome outcome;
     const std::vector<MeshPart> parts = surfaces_of(model, outcome, progress);
-    if (parts.size() == 1 && parts.front().name.empty() && !parts.front().colour)
+    if (extension_of(options_.output) == ".ply" && parts_of_model.parts.size() > 1)
+      write_ply(parts.front().mesh, options_.output, {colours_of(parts.front().mesh, parts_of_model)}, progress);
+    else if (parts.size() == 1 && parts.front().name.empty() && !parts.front().colour)
       write_mesh(parts.front().mesh, options_.output, progress);
     else
       write_mesh_parts(parts, options_.output, progress);
@@ -136,6 +141,24 @@ class MeshVerb final : public Verb {
   static bool keeps_parts(const std::string& path) {
     const std::string extension = extension_of(path);
     return extension == ".3mf" || extension == ".obj" || extension == ".glb";
+  }
+
+  /// The colour of each vertex: of the part with the least value there. None where no part has one.
+  static std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model) {
+    std::vector<Colour> colours;
+    if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))
+      return colours;
+    constexpr Colour plain{204, 204, 204};
+    colours.assign(mesh.vertices.size(), plain);
+    std::vector<float> x, y, z;
+    for (const auto& v : mesh.vertices) x.push_back(v[0]), y.push_back(v[1]), z.push_back(v[2]);
+    std::vector<float> least(colours.size(), std::numeric_limits<float>::infinity()), value(colours.size());
+    for (const Solid& part : model.parts) {
+      part.field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
+      for (std::size_t i = 0; i < colours.size(); ++i)
+        if (value[i] < least[i]) least[i] = value[i], colours[i] = part.colour.value_or(plain);
+    }
+    return colours;
   }
 
   /// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.

@@ -124,7 +124,8 @@ void add_legend(Image& image, const DeviationScale& scale) {
   // As bright as the background ends.
   const Colour paper{image.pixels8[image.pixels8.size() - 3], image.pixels8[image.pixels8.size() - 2], image.pixels8.back()};
   const auto rows = static_cast<int>(std::lround(bottom + height + 2.4 * text));
-  for (int i = 0; i < rows * image.width; ++i) image.pixels8.insert(image.pixels8.end(), paper.begin(), paper.end());
+  for (int i = 0; i < rows * image.width; ++i)
+    for (std::size_t channel = 0; channel < 3; ++channel) image.pixels8.push_back(paper[channel]);
   image.height += rows;
   const int steps = static_cast<int>(width);
   for (int i = 0; i < steps; ++i) {

@@ -48,7 +48,7 @@ TEST(Meshes, KnowTheirVolumeAreaAndBounds) {
 
 TEST_F(MeshFiles, OfPlyHoldPropertiesOfVertices) {
   const TriangleMesh mesh = tetrahedron();
-  const std::vector<std::array<std::uint8_t, 3>> colours{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
+  const std::vector<Colour> colours{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
   const std::vector<float> off{0.5F, -0.25F, 0, 10};
   const std::vector<int> line{0, -7, 123456, 8};
   const auto path = folder / "properties.ply";
@@ -61,7 +61,7 @@ TEST_F(MeshFiles, OfPlyHoldPropertiesOfVertices) {
   EXPECT_NE(bytes.find("property uchar blue\nproperty float deviation\nproperty int line\nelement face"), std::string::npos);
   ASSERT_EQ(bytes.size(), first + 4 * stride + 4 * 13);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 12, colours[i].data(), 3), 0);
+    EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 12, &colours[i], 3), 0);
     EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 15, &off[i], 4), 0);
     EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 19, &line[i], 4), 0);
   }

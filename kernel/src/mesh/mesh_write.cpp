@@ -65,6 +65,11 @@ void write_ply_header(const Counts& all, PendingFile& file, bool coloured, const
       all.vertices, coloured ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "", described, all.triangles));
 }
 
+void write_colour(const Colour& colour, PendingFile& file) {
+  const std::uint8_t channels[3] = {colour.red, colour.green, colour.blue};
+  file.write(channels, sizeof channels);
+}
+
 /// `first`: how many vertices are before the mesh's.
 void write_ply_faces(const TriangleMesh& mesh, std::uint32_t first, PendingFile& file, WritingProgress& written) {
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -86,7 +91,7 @@ void write_ply(const TriangleMesh& mesh, PendingFile& file, const VertexProperti
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     written.step();
     file.write(mesh.vertices[i].data(), sizeof mesh.vertices[i]);
-    if (!properties.colours.empty()) file.write(properties.colours[i].data(), 3);
+    if (!properties.colours.empty()) write_colour(properties.colours[i], file);
     for (const auto& [name, values] : properties.floats) file.write(&values[i], sizeof(float));
     for (const auto& [name, values] : properties.integers) file.write(&values[i], sizeof(int));
   }
@@ -100,11 +105,10 @@ void write_ply(std::span<const PartView> parts, PendingFile& file, Progress& pro
   WritingProgress written = progress_of(all, progress);
   for (const PartView& part : parts) {
     const Colour colour = part.colour.value_or(colourless);
-    const std::uint8_t channels[3] = {colour.red, colour.green, colour.blue};
     for (const auto& p : part.mesh.vertices) {
       written.step();
       file.write(p.data(), sizeof p);
-      if (coloured) file.write(channels, sizeof channels);
+      if (coloured) write_colour(colour, file);
     }
   }
   std::uint32_t first = 0;

@@ -5,13 +5,14 @@
 #include <string>
 #include <utility>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab {
 
 /// What is known of each vertex; each property has one entry for each; without colours there are none.
 struct VertexProperties {
-  std::span<const std::array<std::uint8_t, 3>> colours;                     ///< red, green, blue
+  std::span<const Colour> colours;
   std::vector<std::pair<std::string, std::span<const float>>> floats = {};  ///< names without spaces, and values
   std::vector<std::pair<std::string, std::span<const int>>> integers = {};
 };
