@@ -1,7 +1,7 @@
-"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- model <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
+"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
 
 openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
-models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings its reader by add_model_reader().
+models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings a larger table of formats (openscad::all_formats()).
 
 The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
 nor the Python module has an import cycle, imports inside functions included."""
@@ -18,9 +18,10 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 SOURCES = {"frep", "volume", "mesh", "asdf"}
 BELOW = {"core": set(), "field": {"core"}}
 BELOW.update({part: {"core", "field"} for part in SOURCES})
-BELOW["model"] = {"core", "field"} | SOURCES
+BELOW["contour"] = {"core", "field", "mesh"}
+BELOW["solid"] = {"core", "field", "contour"} | SOURCES
 BELOW["render"] = {"core", "field"}
-BELOW["check"] = {"core", "field", "model"} | SOURCES
+BELOW["check"] = {"core", "field", "contour", "solid"} | SOURCES
 BELOW["cam"] = set(BELOW)
 BELOW["openscad"] = set(BELOW) - {"cam", "check"}
 BELOW["cli"] = BELOW["python"] = BELOW["meshlab_filter"] = set(BELOW)

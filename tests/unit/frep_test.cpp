@@ -87,6 +87,8 @@ TEST(VmPrograms, AreReadAndRefused) {
   EXPECT_EQ(refusal(parse_vm, std::string_view("\0\1\2", 3)), "t:1:1");
 }
 
+Expression parse_text(std::string_view text, std::string_view name) { return parse_infix(text, name); }
+
 float at(std::string_view text, float px, float py = 0, float pz = 0) { return evaluate(parse_infix(text), px, py, pz); }
 
 TEST(FrepText, HasTheUsualPrecedence) {
@@ -112,21 +114,69 @@ TEST(FrepText, HasNamesFunctionsAndDefaults) {
   EXPECT_EQ(at("map(x, y, x, z)", 1, 2), 2);
 }
 
+TEST(FrepText, TellsSolidsFromNumbers) {
+  EXPECT_EQ(at("sphere(3) - sphere(1)", 0), 1) << "the difference of sets";
+  EXPECT_EQ(at("value(sphere(3)) - value(sphere(1))", 0), -2) << "numbers are subtracted";
+  EXPECT_EQ(at("sphere(3) - 1", 0), -4);
+  EXPECT_EQ(at("solid(x) - solid(x - 1)", 0.5F), 0.5F);
+  EXPECT_EQ(at("x - (x - 1)", 0.5F), 1);
+  EXPECT_EQ(at("f(a) = a - sphere(1)\nf(sphere(3))", 0), 1) << "a parameter is what it is given";
+  EXPECT_EQ(at("min(sphere(3), sphere(2)) - sphere(1)", 0), 1);
+  EXPECT_EQ(at("(x | y) - solid(z)", 1, 2, 3), 1);
+  EXPECT_EQ(refusal(parse_text, "sphere(1) + box(1, 1, 1)"), "t:1:11");
+  EXPECT_EQ(refusal(parse_text, "sphere(1) * box(1, 1, 1)"), "t:1:11");
+}
+
+TEST(FrepText, MakesNamedParts) {
+  const auto parts = parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].name, "ball");
+  EXPECT_EQ(*parts[0].colour, (Colour{255, 99, 71}));
+  EXPECT_EQ(*parts[1].colour, (Colour{16, 32, 48}));
+  const auto again = parse_parts(print_parts(parts));
+  ASSERT_EQ(again.size(), 2U);
+  EXPECT_EQ(again[1].shape, parts[1].shape);
+  EXPECT_EQ(again[1].name, "other");
+  EXPECT_EQ(again[1].colour, parts[1].colour);
+  EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\")\npart(sphere(2), \"a\")"), "t:2:1");
+  EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\", \"blurple\")"), "t:1:22");
+  EXPECT_EQ(refusal(parse_text, "part(sphere(1))"), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\")\nsphere(2)"), "t:2:1") << "a shape that is no part would be lost";
+  EXPECT_EQ(refusal(parse_text, "sphere(1)\nsphere(2)"), "t:1:1") << "the first would be lost";
+  EXPECT_EQ(parse_parts("f(r) = part(sphere(r), \"one\")\nf(2)").size(), 1U) << "trying a function makes no part";
+}
+
+TEST(FrepText, OpensFilesOnlyWhereItMay) {
+  EXPECT_EQ(refusal(parse_text, "1 + open(\"a.stl\")"), "t:1:5");
+  std::vector<OpenOption> given;
+  const Opener opener = [&](const std::string& path, std::span<const OpenOption> options) {
+    EXPECT_EQ(path, "a.nrrd");
+    given.assign(options.begin(), options.end());
+    return Expression::x();
+  };
+  EXPECT_EQ(parse_infix("open(\"a.nrrd\", threshold = 3 * 100, denoise = \"median\")", "t", opener), Expression::x());
+  ASSERT_EQ(given.size(), 2U);
+  EXPECT_EQ(std::get<double>(given[0].value), 300);
+  EXPECT_EQ(std::get<std::string>(given[1].value), "median");
+  for (const char* text : {"open()", "open(3)", "open(\"a\", 3)", "open(\"a\", threshold = x)", "open(name = \"a\")"})
+    EXPECT_THROW(parse_infix(text, "t", opener), Error) << text;
+}
+
 TEST(FrepText, IsRefusedWithLineAndColumn) {
-  EXPECT_EQ(refusal(parse_infix, "sphere("), "t:1:8");
-  EXPECT_EQ(refusal(parse_infix, "a = 1\nb = a +\n"), "t:2:8");
-  EXPECT_EQ(refusal(parse_infix, "spheer(1)"), "t:1:1");
-  EXPECT_EQ(refusal(parse_infix, "x + q"), "t:1:5");
-  EXPECT_EQ(refusal(parse_infix, "sphere(1, 2)"), "t:1:11");
-  EXPECT_EQ(refusal(parse_infix, "sphere(q = 1)"), "t:1:8");
-  EXPECT_EQ(refusal(parse_infix, "sphere(1, r = 1)"), "t:1:11");
-  EXPECT_EQ(refusal(parse_infix, "move()"), "t:1:1");
-  EXPECT_EQ(refusal(parse_infix, "x = 3"), "t:1:1");
-  EXPECT_EQ(refusal(parse_infix, "f(a) = f(a)\nf(1)"), "t:1:8");
-  EXPECT_EQ(refusal(parse_infix, "x y"), "t:1:3");
-  EXPECT_EQ(refusal(parse_infix, "1e99"), "t:1:1");
-  EXPECT_EQ(refusal(parse_infix, "x @ y"), "t:1:3");
-  EXPECT_EQ(refusal(parse_infix, ""), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "sphere("), "t:1:8");
+  EXPECT_EQ(refusal(parse_text, "a = 1\nb = a +\n"), "t:2:8");
+  EXPECT_EQ(refusal(parse_text, "spheer(1)"), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "x + q"), "t:1:5");
+  EXPECT_EQ(refusal(parse_text, "sphere(1, 2)"), "t:1:11");
+  EXPECT_EQ(refusal(parse_text, "sphere(q = 1)"), "t:1:8");
+  EXPECT_EQ(refusal(parse_text, "sphere(1, r = 1)"), "t:1:11");
+  EXPECT_EQ(refusal(parse_text, "move()"), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "x = 3"), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "f(a) = f(a)\nf(1)"), "t:1:8");
+  EXPECT_EQ(refusal(parse_text, "x y"), "t:1:3");
+  EXPECT_EQ(refusal(parse_text, "1e99"), "t:1:1");
+  EXPECT_EQ(refusal(parse_text, "x @ y"), "t:1:3");
+  EXPECT_EQ(refusal(parse_text, ""), "t:1:1");
   try {
     parse_infix("spheer(1)");
     FAIL();

@@ -100,9 +100,6 @@ class MixedFieldMaker {
         if (const auto b = constant(entry.b); b && *b > 0) return {Kind::scaled, {entry.a}, *b};
         if (const auto a = constant(entry.a); a && *a > 0) return {Kind::scaled, {entry.b}, *a};
         break;
-      case Opcode::divide:
-        if (const auto b = constant(entry.b); b && *b > 0) return {Kind::scaled, {entry.a}, 1 / *b};
-        break;
       default: break;
     }
     return {Kind::formula, cut_below(node)};
