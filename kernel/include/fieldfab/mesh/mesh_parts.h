@@ -26,8 +26,7 @@ struct MeshPart {
 /// One part without name and colour makes the file that write_mesh() makes. Throws bad_input for no part or another
 /// extension, too_large for more than the form holds, io, cancelled. Each file is written whole or not at all, the .mtl
 /// file first.
-void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path,
-                      Progress& progress = Progress::none());
+void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path, Progress& progress = Progress::none());
 
 /// Reads a mesh file as parts. Of a .3mf file each item of the build is one, in mm, transforms carried out and components
 /// merged into it: its name is that of the item's object, or else the item's part number; its colour is the base material
@@ -35,7 +34,6 @@ void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::pa
 /// appended. Items without triangles are left out. Other files are one part without a name and a colour. Vertices at the
 /// same place within a part are merged. Adds to `notes` what of the file was left out, for people, one line each. Throws
 /// as load_mesh().
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress,
-                                      std::vector<std::string>& notes);
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress, std::vector<std::string>& notes);
 
 }  // namespace fieldfab
