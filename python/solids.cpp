@@ -136,11 +136,11 @@ std::string text_of(const SolidValue& solid, const std::filesystem::path& folder
 template <char sign>
 void define_operator(py::class_<SolidValue, std::shared_ptr<SolidValue>>& solid, const char* name, const char* reflected) {
   solid.def(
-      name, [](const SolidValue& a, const SolidValue& b) { return SolidValue(frep::joined(sign, a.value, b.value)); },
+      name, [](const SolidValue& a, const SolidValue& b) { return SolidValue(frep::joined(sign, a.value, b.value, frep::Making::folded)); },
       py::is_operator());
   if (reflected != nullptr)
     solid.def(
-        reflected, [](const SolidValue& a, double b) { return SolidValue(frep::joined(sign, Value{b}, a.value)); },
+        reflected, [](const SolidValue& a, double b) { return SolidValue(frep::joined(sign, Value{b}, a.value, frep::Making::folded)); },
         py::is_operator());
 }
 

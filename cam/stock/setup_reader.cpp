@@ -206,7 +206,7 @@ class SetupReader {
   void read_stock() {
     const auto stock = table_.table("stock");
     if (!stock) throw refuse(table_, "", "a set-up needs a [stock]");
-    stock->only({"lower", "upper", "cylinder", "model", "move", "bounds"});
+    stock->only({"lower", "upper", "cylinder", "model", "part", "move", "bounds"});
     if (const auto cylinder = stock->list("cylinder")) {
       if (cylinder->size() != 5) throw refuse(*stock, "cylinder", "cylinder is [x, y, radius, z from, z to]");
       const auto& c = *cylinder;
@@ -231,7 +231,7 @@ class SetupReader {
   void read_target() {
     const auto target = table_.table("target");
     if (!target) return;
-    target->only({"model", "move", "bounds", "gouge", "excess", "touch", "floor"});
+    target->only({"model", "part", "move", "bounds", "gouge", "excess", "touch", "floor"});
     if (target->has("model")) setup_.target = read_model(*target).first;
     const auto get = [&](const char* key, double& into) {
       if (const auto value = target->number(key)) into = *value;
@@ -242,7 +242,7 @@ class SetupReader {
   void read_fixture() {
     const auto fixture = table_.table("fixture");
     if (!fixture) return;
-    fixture->only({"model", "move", "bounds", "lower", "upper"});
+    fixture->only({"model", "part", "move", "bounds", "lower", "upper"});
     if (fixture->has("model")) {
       std::tie(setup_.fixture, setup_.fixture_box) = read_model(*fixture);
       return;

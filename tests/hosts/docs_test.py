@@ -286,7 +286,7 @@ def of_language(language):
 
 @of_language("frep")
 def test_formula(place):
-    ff.parse(place.text)
+    assert ff.parse_parts(place.text, ROOT / "examples" / "assembly")  # whose files README opens
 
 
 @of_language("ko")

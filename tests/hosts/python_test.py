@@ -258,10 +258,12 @@ def test_an_openscad_design_has_its_own_faces():
         ff.mesh(field, voxel=-1)
 
 
-def test_what_is_made_of_a_design_has_no_faces():
-    """They are its own: an offset, a union or a move of it is a Field like any other, and so is what is round."""
+def test_what_is_made_of_a_design_has_its_faces_where_they_stay_true():
+    """A moved or turned design keeps them; an offset or a union has none, and so has what is round."""
     field = ff.openscad_design(CORNER).solid
-    for other in (field | ff.Solid(BALL), field.offset(1), field.translate(1, 0, 0), ff.Solid(BALL), ff.openscad_design(CORNER, smooth=True).solid):
+    moved = field.translate(1, 0, 0).rotate((0, 0, 1), 0.5).faces()
+    assert moved.volume == pytest.approx(field.faces().volume, rel=1e-5) and len(moved.triangles) == len(field.faces().triangles)
+    for other in (field | ff.Solid(BALL), field.offset(1), ff.Solid(BALL), ff.openscad_design(CORNER, smooth=True).solid):
         assert other.faces() is None
     assert ff.mesh(field.translate(1, 0, 0), voxel=0.5).volume == pytest.approx(875, rel=1e-3)
     points = np.random.default_rng(1).uniform(-2, 12, (1000, 3)).astype(np.float32)
@@ -276,7 +278,7 @@ def test_a_flat_design_has_the_faces_of_its_plate():
 
 
 def test_making_faces_can_be_cancelled():
-    field = ff.openscad_design("".join(f"sphere(r = {10 + i}, $fn = 40);" for i in range(20))).field
+    field = ff.openscad_design("".join(f"sphere(r = {10 + i}, $fn = 40);" for i in range(20))).solid
     for make in (field.faces, lambda progress: ff.mesh(field, progress=progress)):
         with pytest.raises(ff.Error) as told:
             make(progress=lambda fraction, message: False)

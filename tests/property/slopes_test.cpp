@@ -41,7 +41,7 @@ class Twin {
     entries_.resize(flat_.order.size());
     double largest = 0;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const auto& [op, constant, first, second] = flat_.order[i];
+      const auto& [op, constant, first, second, third, source] = flat_.order[i];
       entries_[i] = made(op, constant, entries_[first], entries_[second], p);
       if (!same_branch(op, entries_[first], entries_[second], entries_[i])) return {NAN, 0};
       largest = std::max(largest, std::abs(entries_[i].value));

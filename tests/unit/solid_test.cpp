@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <fstream>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/temporary.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -21,6 +22,7 @@ namespace {
 class Solids : public testing::Test {
  protected:
   void SetUp() override {
+    std::filesystem::create_directories(folder_);
     write("ball.frep", "sphere(2)");
     write("lever.csg", "multmatrix([[1,0,0,1],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 2, 1]); }");
     const FieldPtr ball = frep::make_field(frep::shapes::sphere(2));
@@ -29,9 +31,11 @@ class Solids : public testing::Test {
     settings_.formats = &openscad::all_formats();
   }
 
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
-  [[nodiscard]] Model model(const std::string& text) const { return parse_model(text, "t", folder_.path(), settings_); }
+  [[nodiscard]] Model model(const std::string& text) const { return parse_model(text, "t", folder_, settings_); }
   [[nodiscard]] Solid solid(const std::string& text) const { return united(model(text)); }
   [[nodiscard]] std::string refusal(const std::string& text) const {
     try {
@@ -43,7 +47,7 @@ class Solids : public testing::Test {
     return "accepted";
   }
 
-  TemporaryFolder folder_;
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("fieldfab_solid_" + std::to_string(::getpid()));
   OpenSettings settings_;
 };
 
@@ -62,8 +66,8 @@ TEST_F(Solids, WrittenAsTextAreTheSameSolids) {
        {"rotate_z(open(\"ball.asdf\", level = 0), 30) | move(open(\"ball.stl\"), 1, 2, 3)", "open(\"lever.csg\", smooth = 1)",
         "blend(open(\"ball.stl\"), open(\"lever.csg\"), 0.5) - open(\"ball.frep\")"}) {
     const Solid one = solid(text);
-    const std::string written = print_model({{one}, {}}, folder_.path());
-    EXPECT_EQ(written.find(folder_.path().string()), std::string::npos) << "names are relative to the folder: " << written;
+    const std::string written = print_model({{one}, {}}, folder_);
+    EXPECT_EQ(written.find(folder_.string()), std::string::npos) << "names are relative to the folder: " << written;
     const Solid other = solid(written);
     for (int i = 0; i < 200; ++i) {
       const Vec3 p(i % 7 - 3.1, i % 11 - 5.2, i % 13 - 6.3);
@@ -106,7 +110,7 @@ TEST_F(Solids, AreRefusedWithThePlaceOfTheCall) {
   EXPECT_NE(refusal("open(\"a.frep\")").find("opens itself: a.frep opens b.frep opens a.frep"), std::string::npos);
   OpenSettings closed = settings_;
   closed.opens_others = false;
-  EXPECT_THROW((void)parse_model("open(\"ball.stl\")", "t", folder_.path(), closed), Error);
+  EXPECT_THROW((void)parse_model("open(\"ball.stl\")", "t", folder_, closed), Error);
 }
 
 TEST_F(Solids, OfOneModelAreParts) {

@@ -562,16 +562,30 @@ Opcode operation(char sign) {
   }
 }
 
+Expression folded(char sign, const Expression& a, const Expression& b) {
+  switch (sign) {
+    case '+': return a + b;
+    case '-': return a - b;
+    case '*': return a * b;
+    case '/': return a / b;
+    case '^': return pow(a, b);
+    case '|': return min(a, b);
+    default: return max(a, b);
+  }
+}
+
 }  // namespace
 
-Value joined(char sign, const Value& a, const Value& b) {
+Value joined(char sign, const Value& a, const Value& b, Making making) {
   const bool sets = sign == '|' || sign == '&';
   if (a.solid && b.solid && sign == '-') return {shapes::subtract(a.expression, b.expression), true};
   if (a.solid && b.solid && !sets)
     throw Error(ErrorKind::bad_input, "",
                 fmt::format("'{0}' of two solids: write a | b for their union, or value(a) {0} value(b) for numbers", sign));
   const bool solid = sets || (sign != '^' && (a.solid || b.solid));
-  return {Expression::make(operation(sign), a.expression, b.expression), solid};
+  return {making == Making::folded ? folded(sign, a.expression, b.expression)
+                                   : Expression::make(operation(sign), a.expression, b.expression),
+          solid};
 }
 
 Value call(const LibraryFunction& function, std::span<const std::optional<Value>> given, std::string_view text) {

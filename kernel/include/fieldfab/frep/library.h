@@ -62,8 +62,10 @@ struct Value {
   bool solid = false;
 };
 
-/// `a SIGN b` for the signs + - * / ^ | &. Throws bad_input for arithmetic with two solids.
-Value joined(char sign, const Value& a, const Value& b);
+/// `a SIGN b` for the signs + - * / ^ | &, exactly as it is written, or folded as the operators of expression.h do. Throws
+/// bad_input for arithmetic with two solids.
+enum class Making { as_written, folded };
+Value joined(char sign, const Value& a, const Value& b, Making making = Making::as_written);
 
 /// Calls a function with values: what it gives is a solid, but for functions of numbers; min, max and map keep what they are
 /// given. Throws as call() does.
