@@ -6,12 +6,14 @@
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/vdb.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/load_mesh.h"
+#include "fieldfab/mesh/mesh_parts.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
@@ -148,8 +150,7 @@ class InfoVerb final : public Verb {
     return bounds;
   }
   Outcome frep_info(const Solid& solid, Progress& progress) const {
-    const std::size_t nodes = frep::node_count(solid.expression),
-                      simplified = frep::node_count(frep::simplify(solid.expression));
+    const std::size_t nodes = frep::node_count(solid.expression), simplified = frep::node_count(frep::simplify(solid.expression));
     const SolidBounds found = solid_bounds(*solid.field, progress);
     Outcome outcome;
     outcome.json = {{"file", file_}, {"kind", solid.kind}, {"nodes", nodes}, {"simplified", simplified}};
@@ -172,7 +173,8 @@ class InfoVerb final : public Verb {
     const bool flat = !found.bounded[2];
     const auto formula = std::dynamic_pointer_cast<const OpenedSolid>(solid.expression.source());
     Outcome outcome;
-    outcome.json = {{"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
+    outcome.json = {
+        {"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
     outcome.json["notes"] = notes;
@@ -235,22 +237,52 @@ class InfoVerb final : public Verb {
         0};
   }
   Outcome mesh_info(Progress& progress) const {
-    const auto [mesh, notes] = load_mesh(file_, progress);
+    std::vector<std::string> notes;
+    const std::vector<MeshPart> parts = load_mesh_parts(file_, progress, notes);
     print_notes(notes);
-    const Box bounds = mesh.bounds();
+    const bool named = parts.size() > 1 || !parts.front().name.empty() || parts.front().colour;
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    std::string lines;
+    std::size_t triangles = 0, vertices = 0;
+    double volume = 0, area = 0;
+    Box bounds = parts.front().mesh.bounds();
+    for (const auto& [mesh, name, colour] : parts) {
+      const Box box = mesh.bounds();
+      triangles += mesh.triangles.size(), vertices += mesh.vertices.size(), volume += mesh.volume(), area += mesh.area();
+      bounds = {bounds.lower.cwiseMin(box.lower), bounds.upper.cwiseMax(box.upper)};
+      if (!named) continue;
+      lines += fmt::format("\n  {}:{}{}, {} triangles, volume {:.6g} mm3", name, colour ? " " + text_of(*colour) + "," : "",
+                           text_of(box), mesh.triangles.size(), mesh.volume());
+      list.push_back({{"name", name},
+                      {"colour", colour ? nlohmann::ordered_json(text_of(*colour)) : nullptr},
+                      {"bounds", ranges_of(box)},
+                      {"triangles", mesh.triangles.size()},
+                      {"volume", mesh.volume()}});
+    }
+    const std::string of_parts = parts.size() > 1 ? fmt::format(" of {} parts", parts.size()) : "";
+    Outcome outcome{fmt::format("{}: mesh{}, {} triangles, {} vertices, volume {:.6g} mm3{}", file_, of_parts, triangles,
+                                vertices, volume, lines),
+                    {{"file", file_},
+                     {"kind", "mesh"},
+                     {"triangles", triangles},
+                     {"vertices", vertices},
+                     {"volume", volume},
+                     {"area", area},
+                     {"bounds", ranges_of(bounds)},
+                     {"notes", notes}},
+                    0};
+    if (named) outcome.json["parts"] = std::move(list);
+    return outcome;
+  }
+  static std::string text_of(const Box& box) {
+    return fmt::format(" x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}", box.lower.x(), box.upper.x(), box.lower.y(),
+                       box.upper.y(), box.lower.z(), box.upper.z());
+  }
+  static std::string text_of(Colour colour) { return fieldfab::text_of(colour); }
+  static nlohmann::ordered_json ranges_of(const Box& box) {
     auto ranges = nlohmann::ordered_json::array();
-    for (int axis = 0; axis < 3; ++axis) ranges.push_back({bounds.lower[axis], bounds.upper[axis]});
-    return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(),
-                        mesh.vertices.size(), mesh.volume()),
-            {{"file", file_},
-             {"kind", "mesh"},
-             {"triangles", mesh.triangles.size()},
-             {"vertices", mesh.vertices.size()},
-             {"volume", mesh.volume()},
-             {"area", mesh.area()},
-             {"bounds", ranges},
-             {"notes", notes}},
-            0};
+    for (int axis = 0; axis < 3; ++axis) ranges.push_back({box.lower[axis], box.upper[axis]});
+    return ranges;
   }
   Outcome image_info() const {
     const Image image = read_png(file_);
@@ -283,9 +315,11 @@ class ConvertVerb final : public Verb {
     Outcome outcome{
         fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
     if (is_mesh_extension(from) && is_mesh_extension(to)) {  // as it is; `fieldfab mesh` makes it anew
-      const auto [mesh, notes] = load_mesh(options_.model, progress);
+      std::vector<std::string> notes;
+      std::vector<MeshPart> parts = load_mesh_parts(options_.model, progress, notes);
       print_notes(notes);
-      write_mesh(mesh, options_.output, progress);
+      if (!options_.part.empty()) parts = {part_of(std::move(parts), options_.part)};
+      write_mesh_parts(parts, options_.output, progress);
       return outcome;
     }
     if (is_one_of(to, {".nrrd", ".mha", ".nii", ".nii.gz"})) {
@@ -300,7 +334,8 @@ class ConvertVerb final : public Verb {
     const bool to_text = is_one_of(to, {".math", ".vm", ".frep", ".dot"});
     if (to_text) {
       if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
-      write_file(options_.output, text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
+      write_file(options_.output,
+                 text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
       return outcome;
     }
     const Formats& formats = openscad::all_formats();
@@ -308,13 +343,17 @@ class ConvertVerb final : public Verb {
       throw Error(ErrorKind::bad_input, options_.output,
                   fmt::format("there is no writer for '{}'; known are {} .asdf .vdb {}, and .nrrd .mha .nii .nii.gz for volumes",
                               to, formats.writable(FormatKind::formula), formats.writable(FormatKind::mesh)));
-    const Solid solid = options_.open_solid(progress);
     if (to != ".asdf" && to != ".vdb") {
+      Model model = options_.open(progress);
+      if (!keeps_parts(options_.output)) model = {{united(model)}};
       Resolution wanted = options_.wanted();
       wanted.exact = false;
-      write_mesh(surface(solid, wanted, progress).mesh, options_.output, progress);
+      std::vector<MeshPart> parts;
+      for (const Solid& part : model.parts) parts.push_back({surface(part, wanted, progress).mesh, part.name, part.colour});
+      write_mesh_parts(parts, options_.output, progress);
       return outcome;
     }
+    const Solid solid = options_.open_solid(progress);
     const Box bounds = working_bounds(solid, options_.region(), progress);
     const double cell = options_.cell(bounds, solid);
     if (to == ".vdb")
@@ -325,13 +364,22 @@ class ConvertVerb final : public Verb {
   }
 
  private:
+  static MeshPart part_of(std::vector<MeshPart> parts, const std::string& name) {
+    for (MeshPart& part : parts)
+      if (part.name == name) return std::move(part);
+    std::vector<std::string_view> names;
+    for (const MeshPart& part : parts) names.push_back(part.name);
+    throw Error(ErrorKind::bad_input, "--part", fmt::format("there is no part '{:.60}'{}", name, suggestion(name, names)));
+  }
+
   [[nodiscard]] std::string text_of(const Model& model, const std::string& form) const {
     const std::filesystem::path folder = std::filesystem::absolute(options_.output).parent_path();
     if (form == ".frep") return print_model(model, folder);
     const frep::Expression expression = united(model).expression;
     if (frep::has_opened(expression))
-      throw Error(ErrorKind::bad_input, options_.model,
-                  fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
+      throw Error(
+          ErrorKind::bad_input, options_.model,
+          fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
     return form == ".math" ? frep::print_math(expression)
            : form == ".vm" ? frep::print_vm(expression)
                            : frep::print_dot(expression);

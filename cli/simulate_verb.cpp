@@ -26,9 +26,13 @@ class SimulateVerb final : public Verb {
     verb_ = app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
     verb_->add_option("PROGRAM", program_, "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt")->required();
     verb_
-        ->add_option("--setup", setup_,
-                     "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md)")
+        ->add_option(
+            "--setup", setup_,
+            "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md); or a project of CAMotics "
+            "(.camotics)")
         ->required();
+    verb_->add_option("--dialect", dialect_,
+                      "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
     verb_->add_option("-o,--output", output_, "the stock that is left: .stl, .ply, .off, .obj, .3mf, .glb or .asdf");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
@@ -59,6 +63,7 @@ class SimulateVerb final : public Verb {
       settings.formats = &openscad::all_formats();
       setup.target = united(open_model(target_, settings, progress)).field;
     }
+    if (!dialect_.empty()) setup.machine.dialect = cam::dialect_named(dialect_, "--dialect");
     if (cell_) setup.sampling.cell = *cell_;
     if (gouge_) setup.gouge = *gouge_;
     if (colours_ == "deviation" && !setup.target)
@@ -143,7 +148,7 @@ class SimulateVerb final : public Verb {
     cam::write_stock_picture(simulation, picture_, view, progress);
   }
 
-  std::string program_, setup_, output_, target_, picture_, colours_, frames_;
+  std::string program_, setup_, dialect_, output_, target_, picture_, colours_, frames_;
   std::vector<std::string> reports_;
   cam::FrameSettings frame_settings_;
   std::optional<int> size_;

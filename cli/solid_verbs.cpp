@@ -121,6 +121,7 @@ class MeshVerb final : public Verb {
     const Stopwatch clock;
     Model model = options_.open(progress);
     const Model parts_of_model = model;
+    // One mesh of all elsewhere, so that it is valid where parts touch or overlap.
     if (model.parts.size() > 1 && !keeps_parts(options_.output)) model = {{united(model)}, {}};
     Outcome outcome;
     const std::vector<MeshPart> parts = surfaces_of(model, outcome, progress);
@@ -137,12 +138,6 @@ class MeshVerb final : public Verb {
   }
 
  private:
-  /// Whether a format holds parts apart; the others get one mesh of all, so that it is valid where parts touch or overlap.
-  static bool keeps_parts(const std::string& path) {
-    const std::string extension = extension_of(path);
-    return extension == ".3mf" || extension == ".obj" || extension == ".glb";
-  }
-
   /// The colour of each vertex: of the part with the least value there. None where no part has one.
   static std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model) {
     std::vector<Colour> colours;
@@ -175,12 +170,12 @@ class MeshVerb final : public Verb {
     for (const Solid& solid : model.parts) {
       Surface made = surface(solid, wanted, progress, model.parts.size() > 1 ? EmptySolid::allowed : EmptySolid::refused);
       const TriangleMesh& mesh = made.mesh;
-      const std::string place = model.parts.size() > 1 ? fmt::format("{}: part '{}'", options_.model, solid.name) : options_.model;
+      const std::string place =
+          model.parts.size() > 1 ? fmt::format("{}: part '{}'", options_.model, solid.name) : options_.model;
       if (mesh.triangles.empty() && !wanted.region) {
         const std::string found = made.mesh.certainty.certain() ? "the solid is empty" : "no surface was found";
         const std::string more = made.mesh.certainty.certain() ? "" : "; " + made.mesh.certainty.text();
-        if (model.parts.size() == 1)
-          throw Error(ErrorKind::bad_input, place, found + ", and no mesh was written" + more);
+        if (model.parts.size() == 1) throw Error(ErrorKind::bad_input, place, found + ", and no mesh was written" + more);
         print_notes({place + ": " + found + more});
         continue;
       }
@@ -202,8 +197,14 @@ class MeshVerb final : public Verb {
     if (parts.empty()) throw Error(ErrorKind::bad_input, options_.model, "all parts are empty, and no mesh was written");
     outcome.line = fmt::format("{} triangles, {} vertices, volume {:.6g} mm3, {}", triangles, vertices, volume,
                                exact ? "exact faces" : certainty.text());
-    outcome.json = {{"output", options_.output}, {"triangles", triangles}, {"vertices", vertices}, {"volume", volume},
-                    {"area", area},              {"voxel", voxel},         {"exact", exact},       {"bounds", json_of(bounds)}};
+    outcome.json = {{"output", options_.output},
+                    {"triangles", triangles},
+                    {"vertices", vertices},
+                    {"volume", volume},
+                    {"area", area},
+                    {"voxel", voxel},
+                    {"exact", exact},
+                    {"bounds", json_of(bounds)}};
     if (model.parts.size() > 1) outcome.json["parts"] = described;
     tell_certainty(certainty, certain_, outcome);
     return parts;
@@ -244,8 +245,8 @@ class CheckVerb final : public Verb {
       tell_overlaps(model, outcome, progress);
     }
     outcome.json["seconds"] = clock.seconds();
-    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, passed ? "all bounds hold" : "A BOUND IS BROKEN",
-                                clock.seconds());
+    outcome.line +=
+        fmt::format("{}: {} in {:.2f} s", options_.model, passed ? "all bounds hold" : "A BOUND IS BROKEN", clock.seconds());
     outcome.code = passed ? 0 : 1;
     return outcome;
   }

@@ -1,9 +1,10 @@
 #include "fieldfab/cam/stock.h"
+
+#include <array>
 #include <cstring>
 #include <numbers>
 
 #include "bindings.h"
-#include "fieldfab/openscad/design.h"
 #include "fieldfab/cam/frames.h"
 #include "fieldfab/cam/playback.h"
 #include "fieldfab/cam/simulation.h"
@@ -11,11 +12,15 @@
 #include "fieldfab/cam/stock_report.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
+#include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Red, green and blue, as Python has colours.
+std::array<std::uint8_t, 3> channels_of(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
 /// Poses as rows of x, y, z of the tip and, where there are six numbers, of the tool's axis.
 std::vector<cam::ToolPose> poses_of(const Rows& rows) {
@@ -187,8 +192,9 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly(
           "colours_of_tools",
           [](const cam::Simulation& s) {
-            std::map<int, Colour> colours{{0, cam::colour_of_tool(0)}};
-            for (const auto& [number, tool] : s.setup().tools) colours.try_emplace(number, cam::colour_of_tool(colours.size()));
+            std::map<int, std::array<std::uint8_t, 3>> colours{{0, channels_of(cam::colour_of_tool(0))}};
+            for (const auto& [number, tool] : s.setup().tools)
+              colours.try_emplace(number, channels_of(cam::colour_of_tool(colours.size())));
             return colours;
           },
           "Red, green and blue by tool number, as pictures have them; 0: the stock's first surface.")
@@ -202,7 +208,7 @@ void bind_simulation(py::module_& module) {
           "Tolerances, and from where on a colour is full, mm. None without a target.")
       .def(
           "colour_of_deviation",
-          [](const cam::Simulation& s, double deviation) { return cam::DeviationScale::of(s).colour(deviation); },
+          [](const cam::Simulation& s, double deviation) { return channels_of(cam::DeviationScale::of(s).colour(deviation)); },
           py::arg("deviation"), "Red, green and blue.")
       .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
       .def_property_readonly(

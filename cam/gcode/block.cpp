@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dialect.h"
 #include "refusal.h"
 
 namespace fieldfab::cam::gcode {
@@ -189,7 +190,7 @@ void Block::clear() {
   g.fill(none);
   m.fill(none);
   words = 0;
-  has_radius = has_angle = machine_coordinates = false;
+  has_radius = has_angle = machine_coordinates = passed_over = false;
   spindle = none;
 }
 
@@ -242,23 +243,9 @@ void BlockReader::read_word(Cursor& cursor, Block& block) {
   const char letter = cursor.peek();
   ++cursor.at;
   if (letter == 'g') {
-    const int code = read_g_code(read_value(cursor, parameters_));
-    if (code == 530) {
-      if (std::exchange(block.machine_coordinates, true)) refuse("two G53 in one block");
-      return;
-    }
-    const int group = g_group(code);
-    if (group == Block::none) refuse("{} is not known here", g_name(code));
-    int& place = block.g[static_cast<std::size_t>(group)];
-    if (place != Block::none) refuse("{} and {} exclude each other in one block", g_name(place), g_name(code));
-    place = code;
+    read_g(read_g_code(read_value(cursor, parameters_)), block);
   } else if (letter == 'm') {
-    const int code = read_whole(cursor, parameters_);
-    const int group = code < 0 ? Block::none : m_group(code);
-    if (group == Block::none) refuse("M{} is not known here", code);
-    int& place = block.m[static_cast<std::size_t>(group)];
-    if (place != Block::none) refuse("M{} and M{} exclude each other in one block", place, code);
-    place = code;
+    read_m(read_whole(cursor, parameters_), block);
   } else if (letter == 'n' || letter == 'o') {
     refuse("{} may only stand at a block's beginning", letter == 'n' ? 'N' : 'O');
   } else {
@@ -267,6 +254,52 @@ void BlockReader::read_word(Cursor& cursor, Block& block) {
     block.words |= 1U << bit;
     block.values[bit] = read_value(cursor, parameters_);
   }
+}
+
+void BlockReader::read_g(int code, Block& block) {
+  if (code == 530) {
+    if (std::exchange(block.machine_coordinates, true)) refuse("two G53 in one block");
+    return;
+  }
+  if (const auto what = passed_over_g(dialect_, code)) {
+    note_(fmt::format("{} ({}) is passed over", g_name(code), *what));
+    block.passed_over = true;
+    return;
+  }
+  const int group = g_group(code);
+  if (group == Block::none) refuse("{} is not known here", g_name(code));
+  int& place = block.g[static_cast<std::size_t>(group)];
+  if (place == Block::none) {
+    place = code;
+    return;
+  }
+  if (dialect_ == Dialect::linuxcnc || group == static_cast<int>(GGroup::action))
+    refuse("{} and {} exclude each other in one block", g_name(place), g_name(code));
+  constexpr int end_of_cycles = 800;
+  if (place != end_of_cycles && code != end_of_cycles && place != code)
+    note_(fmt::format("{} and {} in one block: the last one holds", g_name(place), g_name(code)));
+  if (code != end_of_cycles) place = code;
+}
+
+void BlockReader::read_m(int code, Block& block) {
+  int group = code < 0 ? Block::none : m_group(code);
+  // M70 to M73 save LinuxCNC's modes; other controls have switches of their own there.
+  if (group == static_cast<int>(MGroup::state) && dialect_ != Dialect::linuxcnc) group = Block::none;
+  if (group == static_cast<int>(MGroup::user) && dialect_ != Dialect::linuxcnc) group = Block::none;
+  if (group == Block::none && passes_over_m(dialect_, code)) {
+    note_(fmt::format("M{} has no meaning here: passed over", code));
+    block.passed_over = true;
+    return;
+  }
+  if (group == Block::none) refuse("M{} is not known here", code);
+  int& place = block.m[static_cast<std::size_t>(group)];
+  if (place != Block::none && place != code) {
+    if (dialect_ == Dialect::linuxcnc) refuse("M{} and M{} exclude each other in one block", place, code);
+    note_(fmt::format("M{} and M{} in one block: the last one holds", place, code));
+  } else if (place == code && dialect_ == Dialect::linuxcnc) {
+    refuse("M{} and M{} exclude each other in one block", place, code);
+  }
+  place = code;
 }
 
 void BlockReader::read_setting(Cursor& cursor) {

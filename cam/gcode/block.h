@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "expression.h"
+#include "fieldfab/cam/motion.h"
 
 namespace fieldfab::cam::gcode {
 
@@ -56,6 +58,7 @@ struct Block {
   double radius = 0, angle = 0;
   int spindle = none;                ///< $
   bool machine_coordinates = false;  ///< G53
+  bool passed_over = false;          ///< it has a code without a meaning here, whose words are not looked at
 
   void clear();
   [[nodiscard]] bool has(char letter) const { return (words >> static_cast<unsigned>(letter - 'a') & 1U) != 0; }
@@ -75,15 +78,21 @@ std::string g_name(int code);
 /// Reads blocks; settings of parameters (#1=2) take effect behind the whole block, as RS274/NGC wants it.
 class BlockReader {
  public:
-  explicit BlockReader(Parameters& parameters) : parameters_(parameters) {}
+  /// `note` takes what is passed over in all dialects but LinuxCNC's.
+  BlockReader(Parameters& parameters, Dialect dialect, std::function<void(std::string)> note)
+      : parameters_(parameters), dialect_(dialect), note_(std::move(note)) {}
   /// Refuses what is no block.
   void read(std::string_view text, Block& block);
 
  private:
   void read_word(Cursor& cursor, Block& block);
+  void read_g(int code, Block& block);
+  void read_m(int code, Block& block);
   void read_setting(Cursor& cursor);
 
   Parameters& parameters_;
+  Dialect dialect_;
+  std::function<void(std::string)> note_;
   std::vector<std::pair<std::variant<int, std::string>, double>> settings_;
 };
 

@@ -32,7 +32,9 @@ Interpreter::Interpreter(std::string_view text, const std::string& file, const R
       progress_(progress),
       parameters_(*this),
       flow_(text, file, options.folders, options.most_blocks, parameters_),
-      reader_(parameters_) {
+      reader_(parameters_, options.dialect, [this](std::string what) { notes_.add(flow_.line(), std::move(what)); }) {
+  modes_.inch = options.inch;
+  if (forgiving()) modes_.motion = plain_motion_;
   const auto store = [&](int first, const AxisValues& values) {
     for (int k = 0; k < 9; ++k) parameters_.stored(first + k) = in_degrees(values).at[static_cast<std::size_t>(k)];
   };
@@ -75,6 +77,7 @@ std::vector<ReadingNote> Interpreter::run() {
 bool Interpreter::step() {
   if (!flow_.next(line_)) return false;
   if (line_.deleted && options_.block_delete) return true;
+  if (forgiving() && !forgive_line()) return true;
   if (!line_.closed) refuse("'(' without its ')'");
   if (line_.text.empty()) {
     if (line_.comment.starts_with("py,")) refuse("Python in a program is not carried out");
@@ -92,8 +95,56 @@ bool Interpreter::step() {
     return true;
   }
   reader_.read(line_.text, block_);
+  if (forgiving()) forgive_block();
   execute();
   return true;
+}
+
+/// What other controls than LinuxCNC's make of a line before its words are read. False where nothing of it is left.
+bool Interpreter::forgive_line() {
+  std::string& text = line_.text;
+  if (!line_.closed) {
+    notes_.add(flow_.line(), "'(' without its ')': the rest of the line is a comment");
+    line_.closed = true;
+  }
+  if (text.starts_with('%')) text = "%";
+  if (text.starts_with(':')) text[0] = 'o';  // ISO code's O
+  if (options_.dialect == Dialect::grbl && !text.empty() && std::string_view("$!?~").find(text[0]) != std::string_view::npos) {
+    notes_.add(flow_.line(), fmt::format("'{}' is a command to the control: passed over", shown(text)));
+    return false;
+  }
+  Cursor cursor{text};
+  skip_line_number(cursor);
+  for (const std::string_view word : {"if[", "while[", "goto", "do", "end", "then"})
+    if (std::string_view(text).substr(cursor.at).starts_with(word)) refuse("macros (IF, WHILE, GOTO) are not carried out");
+  return true;
+}
+
+/// What they make of a block.
+void Interpreter::forgive_block() {
+  int& motion = block_.g[static_cast<std::size_t>(GGroup::motion)];
+  if (motion == 800) {  // it ends a cycle, and the straight moves or arcs from before it are in force again
+    modes_.motion = plain_motion_;
+    motion = Block::none;
+  } else if (motion == 0 || motion == 10 || motion == 20 || motion == 30) {
+    plain_motion_ = motion;
+  }
+  const int action = block_.code(GGroup::action);
+  if ((motion == 0 || motion == 10) && (action == 100 || action == 280 || action == 300 || action == 520 || action == 920)) {
+    modes_.motion = motion;  // G0 G28 Z0: the axis words are G28's
+    motion = Block::none;
+  }
+  if (options_.dialect != Dialect::fanuc || block_.code(GGroup::action) != 40) return;
+  for (const char letter : {'x', 'u'})  // seconds
+    if (!block_.has('p') && block_.has(letter)) {
+      block_.words ^= 1U << static_cast<unsigned>(letter - 'a') | 1U << static_cast<unsigned>('p' - 'a');
+      block_.values['p' - 'a'] = block_[letter];
+      return;
+    }
+  const std::size_t at = line_.text.find('p');
+  if (at == std::string::npos) return;
+  const std::size_t end = line_.text.find_first_not_of("0123456789", at + 1);
+  if (end == std::string::npos || line_.text[end] != '.') block_.values['p' - 'a'] /= 1000;
 }
 
 void Interpreter::execute() {
@@ -129,7 +180,7 @@ void Interpreter::execute() {
 }
 
 /// Words that nothing in the block uses, or that two things want.
-void Interpreter::check_words() const {
+void Interpreter::check_words() {
   const int action = block_.code(GGroup::action), motion_code = block_.code(GGroup::motion);
   const bool axes = block_.has_any("xyzabcuvw") || block_.has_radius || block_.has_angle;
   const bool action_axes = action == 100 || action == 280 || action == 300 || action == 520 || action == 920;
@@ -146,7 +197,9 @@ void Interpreter::check_words() const {
   const int compensation = block_.code(GGroup::compensation), length = block_.code(GGroup::length);
   const bool user = block_.code(MGroup::user) != Block::none;
   const auto need = [&](char letter, bool use) {
-    if (block_.has(letter) && !use) refuse("nothing in the block uses its {} word", static_cast<char>(letter - 32));
+    if (!block_.has(letter) || use || block_.passed_over) return;
+    if (!forgiving()) refuse("nothing in the block uses its {} word", static_cast<char>(letter - 32));
+    notes_.add(flow_.line(), fmt::format("{} in a block that has no use for it is passed over", static_cast<char>(letter - 32)));
   };
   need('d', compensation != Block::none || block_.code(GGroup::spindle_mode) == 960);
   need('e', used == 760 || (m_io >= 66 && m_io <= 68));

@@ -69,7 +69,9 @@ class Interpreter final : public PredefinedParameters {
   // interpreter.cpp: the blocks' loop and the order within a block
   bool step();
   void execute();
-  void check_words() const;
+  bool forgive_line();
+  void forgive_block();
+  void check_words();
   void set_feed_mode();
   void set_feed();
   void set_speed();
@@ -83,6 +85,7 @@ class Interpreter final : public PredefinedParameters {
   void dwell(double seconds);
   void end_program();
   [[nodiscard]] const ToolEntry& tool_entry(int tool) const;
+  [[nodiscard]] bool forgiving() const { return options_.dialect != Dialect::linuxcnc; }
   void control_mode();
   void user_m();
   void save_state(bool restore_on_return);
@@ -111,7 +114,7 @@ class Interpreter final : public PredefinedParameters {
   void straight(const AxisValues& to);
   void spindle_synchronous();
   void probe(const AxisValues& to);
-  void require_feed() const;
+  void require_feed();
   /// Makes a motion of what is in force and hands it on (program coordinates: mm, degrees).
   void move(Motion::Kind kind, const AxisValues& to, double length_along = -1);
   void move_arc(const AxisValues& to, const Vec2& centre, int turns);
@@ -166,6 +169,7 @@ class Interpreter final : public PredefinedParameters {
   AxisValues sent_;  // where the last motion that was handed on ended
   Compensation compensation_;
   CycleWords cycle_;
+  int plain_motion_ = 0;  ///< G0 to G3, as of before any cycle; for dialects whose G80 goes back to it
   int tool_ = 0, selected_tool_ = 0;
   ControlMode mode_ = ControlMode::machine;
   bool tip_by_length_ = false;                                 // G43.4 is in force

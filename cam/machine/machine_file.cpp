@@ -75,7 +75,8 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   const TomlTable table = TomlTable::parse(toml, file);
   table.only({"name",     "description",  "format",    "extension", "takes",       "unit",       "tick",
               "decimals", "arcs",         "feed_unit", "max_feed",  "max_spindle", "travel",     "negative",
-              "rapid",    "acceleration", "text",      "setting",   "material",    "kinematics", "default_operation"});
+              "rapid",    "acceleration", "text",      "setting",   "material",    "kinematics", "default_operation",
+              "dialect"});
   Machine m;
   m.file = file;
   m.id = std::filesystem::path(file).stem().string();
@@ -110,6 +111,7 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   m.negative = table.flag("negative").value_or(true);
   m.dynamics.rapid = table.number("rapid").value_or(m.dynamics.rapid);
   m.dynamics.acceleration = table.number("acceleration").value_or(m.dynamics.acceleration);
+  if (const auto dialect = table.text("dialect")) m.dialect = dialect_named(*dialect, table.place("dialect"));
   m.default_operation = table.text("default_operation").value_or("");
   if (const auto text = table.table("text")) {
     text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw",

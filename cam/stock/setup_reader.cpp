@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "camotics_setup.h"
 #include "fieldfab/cam/job.h"
 #include "fieldfab/cam/planes.h"
 #include "fieldfab/cam/simulation.h"
@@ -49,8 +50,9 @@ class SetupReader {
       read_job();
     } else {
       table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero",
-                   "start", "home", "second_home", "work", "limits", "stop"});
+                   "start", "home", "second_home", "work", "limits", "stop", "dialect"});
       read_machine();
+      if (const auto dialect = table_.text("dialect")) setup_.machine.dialect = dialect_named(*dialect, table_.place("dialect"));
       for (Tool& tool : read_tools(table_)) setup_.tools.emplace(tool.number, std::move(tool));
       read_stock();
       read_target();
@@ -317,6 +319,7 @@ class SetupReader {
 }  // namespace
 
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress, const Formats& formats) {
+  if (path.extension() == ".camotics") return read_camotics(path, progress);
   return SetupReader(path, nullptr, progress, formats).read();
 }
 

@@ -58,6 +58,8 @@ void Simulation::run(const std::filesystem::path& program, Progress& progress) {
   ReadingOptions options;
   options.work_offsets = setup_.work_offsets;
   options.start = setup_.start;
+  options.dialect = setup_.machine.dialect;
+  options.inch = setup_.inch;
   options.home = setup_.home;
   options.most_blocks = 10'000'000 + 10 * static_cast<std::uint64_t>(lines);
   for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3(0, 0, tool.length), tool.diameter};

@@ -27,6 +27,7 @@ SimulationRun::SimulationRun(Simulation& simulation, std::string program, int li
 
 void SimulationRun::operator()(const Motion& motion) {
   ++s_.report_.moves;
+  spindle_turns_ = spindle_turns_ || motion.spindle != 0;
   if (motion.tool != tool_number_ && motion.tool != 0 && !by_hand_) change_tool(motion.tool, motion.line);
   switch (motion.kind) {
     case Motion::Kind::rapid:
@@ -67,6 +68,17 @@ std::string SimulationRun::tool_list() const {
   return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "));
 }
 
+void SimulationRun::finish() {
+  flush();
+  if (spindle_turns_) return;
+  std::vector<SimulationEvent>& events = s_.report_.events;
+  const auto of_spindle = [](const SimulationEvent& event) { return event.kind == Kind::spindle_stopped; };
+  const auto first = std::find_if(events.begin(), events.end(), of_spindle);
+  if (first == events.end()) return;
+  s_.report_.notes.push_back({first->line, "the program never turns the spindle on: it is taken as switched on by hand"});
+  std::erase_if(events, of_spindle);
+}
+
 void SimulationRun::stop(const Motion& motion) {
   if (stops_ >= setup_.stops.size()) return;
   const StopAction& action = setup_.stops[stops_++];
@@ -80,11 +92,13 @@ void SimulationRun::stop(const Motion& motion) {
 
 /// Takes the tool that a program begins with that names none.
 void SimulationRun::need_tool(const Motion& motion) {
-  if (setup_.first_tool == 0 || !setup_.tools.contains(setup_.first_tool))
+  if (setup_.tools.empty())
     throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
-                fmt::format("no tool is in the spindle; the set-up has {}", tool_list()));
-  s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", setup_.first_tool)});
-  take(setup_.tools.at(setup_.first_tool));
+                "no tool is in the spindle; the set-up has none");
+  const auto first = setup_.tools.find(setup_.first_tool);
+  const Tool& tool = (first != setup_.tools.end() ? first : setup_.tools.begin())->second;
+  s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", tool.number)});
+  take(tool);
 }
 
 void SimulationRun::move(const Motion& motion) {

@@ -16,7 +16,8 @@ class SimulationRun {
   /// `lines` of the program, for progress.
   SimulationRun(Simulation& simulation, std::string program, int lines, Progress& progress);
   void operator()(const Motion& motion);
-  void finish() { flush(); }
+  /// Ends the program.
+  void finish();
 
  private:
   /// What is to be done with the result of a stroke.
@@ -61,7 +62,8 @@ class SimulationRun {
   Vec3 offset_ = Vec3::Zero();  ///< the length compensation that was in force there
   bool known_ = false;          ///< whether the way to the next place is known: not before the first motion
   Placement placement_;
-  bool by_hand_ = false;  ///< tools are changed at stops, whatever the program's numbers are
+  bool spindle_turns_ = false;  ///< at any place of the program
+  bool by_hand_ = false;        ///< tools are changed at stops, whatever the program's numbers are
   std::size_t stops_ = 0, record_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;

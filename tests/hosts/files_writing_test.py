@@ -248,7 +248,7 @@ def test_messages_of_what_cannot_be_written(folder):
     message = refused(run(["convert", "ball.frep", "-o", "ball.nrrd"], folder))
     assert "known are" not in message and "only a volume" in message
     assert "'.gz'" in refused(run(["convert", "scan_20x20x20_uint8.raw", "-o", "scan.gz"], folder))
-    assert "'.glb'" in refused(run(["mesh", "ball.frep", "-o", "ball.glb"], folder))
+    assert "'.gltf'" in refused(run(["mesh", "ball.frep", "-o", "ball.gltf"], folder))
     assert run(["mesh", "ball.frep", "-o", "BALL.STL", "--voxel", 1], folder).returncode == 0
 
 

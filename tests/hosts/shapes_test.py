@@ -135,6 +135,14 @@ def test_triangles_and_outlines_go_either_way_round():
             s.outline(bad)
 
 
+@covers("solid")
+def test_a_formula_as_a_solid():
+    """The same values; what is taken from it is taken from a set."""
+    ball = s.solid(ff.X * ff.X + ff.Y * ff.Y + ff.Z * ff.Z - 4)
+    same(ball, lambda x, y, z: x * x + y * y + z * z - 4)
+    same(ball - s.plane(1, 0, 0, 0), lambda x, y, z: np.maximum(x * x + y * y + z * z - 4, -x))
+
+
 @covers("plane")
 def test_planes():
     same(s.plane(1, 2, -2, 0.5), lambda x, y, z: (x + 2 * y - 2 * z) / 3 - 0.5)

@@ -165,6 +165,14 @@ TEST(Contour, CapsASolidAtTheBounds) {
   EXPECT_NEAR(full.volume(), 6, 1e-3);
 }
 
+TEST(Contour, WithoutFeaturesCutsEdgesOffByACellOnly) {
+  const Box bounds{Vec3::Constant(-10), Vec3::Constant(10)};
+  const TriangleMesh box = contour(*frep::make_field(s::box(19, 19, 19)), bounds, {.voxel = 0.5, .features = false});
+  expect_valid(box, "box");
+  EXPECT_GT(box.volume(), 19 * 19 * 19 - 12 * 19 * 0.5 * 0.5);
+  EXPECT_LT(box.triangles.size(), 20000U);  // its faces are merged still
+}
+
 TEST(Contour, RefusesNonsenseAndStopsWhenTold) {
   const FieldPtr ball = frep::make_field(s::sphere(1));
   const Box bounds{Vec3::Constant(-1), Vec3::Constant(1)};

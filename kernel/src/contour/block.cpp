@@ -305,7 +305,7 @@ class BlockSampler {
     for (const SurfacePoint& point : patch.points)
       if (point.normal.isZero(0)) return {};
     const Box cell = lattice_.cube(division.lower, division.level + 1);
-    if (!reproduces(patch.points, cell, settings_.max_error, patch.vertex)) return {};
+    if (!reproduces(patch.points, cell, settings_, patch.vertex)) return {};
     return patch;
   }
 
@@ -387,7 +387,7 @@ class BlockSampler {
     }
     if (level > 0) {
       const bool one = cube.simple && settings_.max_error > 0 && gather(x, y, z, side, points_) &&
-                       reproduces(points_, lattice_.cube(lower, voxel + level), settings_.max_error, vertex);
+                       reproduces(points_, lattice_.cube(lower, voxel + level), settings_, vertex);
       if (!one) {
         for (int child = 0; child < 8; ++child)
           descend(block, x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2, level - 1);
@@ -472,12 +472,37 @@ void thin(std::vector<SurfacePoint>& points, const Box& cell) {
   if (!kept.empty()) points = std::move(kept);
 }
 
-bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex) {
+/// How far points of a curve across a face of `cell` (flat along `axis`) are from the straight line between its ends, which are
+/// on the face's rim, mm.
+static double off_straight(const std::vector<SurfacePoint>& points, int axis, const Box& cell) {
+  std::vector<Vec3> ends;
+  for (const SurfacePoint& point : points) {
+    const Vec3 p = point.position.cast<double>();
+    for (const int along : {(axis + 1) % 3, (axis + 2) % 3})
+      if (p[along] == cell.lower[along] || p[along] == cell.upper[along]) {
+        ends.push_back(p);
+        break;
+      }
+  }
+  if (ends.size() != 2) return 0;
+  const Vec3 way = ends[1] - ends[0];
+  const double length = way.norm();
+  double farthest = 0;
+  for (const SurfacePoint& point : points) {
+    const Vec3 off = point.position.cast<double>() - ends[0];
+    farthest = std::max(farthest, length > 0 ? off.cross(way).norm() / length : off.norm());
+  }
+  return farthest;
+}
+
+bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings, Vec3& vertex) {
+  const double max_error = settings.max_error;
   if (is_flat(points, max_error, vertex)) return true;
   const PlacedVertex placed = place_vertex(points, cell);
   if (placed.error > max_error) return false;
   vertex = placed.position;
-  // The surface leaves through the faces along curves with at most one bend each: the points on a face must agree to that too.
+  // The surface leaves through the faces along curves with at most one bend each, or none where there are to be no features: the
+  // points on a face must agree to that too.
   std::vector<SurfacePoint> on_face;
   for (int axis = 0; axis < 3; ++axis)
     for (const double plane : {cell.lower[axis], cell.upper[axis]}) {
@@ -488,7 +513,9 @@ bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double
         on_face.push_back(point);
       }
       Vec3 unused;
-      if (!on_face.empty() && !is_flat(on_face, max_error, unused) && place_vertex(on_face, cell).error > max_error) return false;
+      if (on_face.empty() || is_flat(on_face, max_error, unused)) continue;
+      if (place_vertex(on_face, cell).error > max_error) return false;
+      if (!settings.features && off_straight(on_face, axis, cell) > max_error) return false;
     }
   return true;
 }

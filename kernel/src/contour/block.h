@@ -41,7 +41,8 @@ bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& ve
 /// Leaves of points in one plane only those that say where it leaves `cell`: two on each face.
 void thin(std::vector<SurfacePoint>& points, const Box& cell);
 
-/// Whether one vertex in `cell`, and one on each of its faces, reproduces all `points` to `max_error`; sets `vertex`.
-bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, double max_error, Vec3& vertex);
+/// Whether one vertex in `cell`, and with `features` one on each of its faces, reproduces all `points` to `max_error`; sets
+/// `vertex`.
+bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings, Vec3& vertex);
 
 }  // namespace fieldfab::contouring

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "fieldfab/field/surface_proof.h"
 #include "lattice.h"
 #include "vertex.h"
-#include "fieldfab/field/surface_proof.h"
 
 namespace fieldfab::contouring {
 

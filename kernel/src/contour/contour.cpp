@@ -8,10 +8,10 @@
 
 #include "cells.h"
 #include "curves.h"
+#include "fieldfab/field/operations.h"
 #include "needs.h"
 #include "octree.h"
 #include "sharpen.h"
-#include "fieldfab/field/operations.h"
 
 namespace fieldfab {
 

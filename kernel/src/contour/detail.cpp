@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
-#include "fieldfab/contour/contour.h"
 
 namespace fieldfab {
 

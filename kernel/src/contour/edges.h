@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "vertex.h"
 #include "fieldfab/field/field.h"
+#include "vertex.h"
 
 namespace fieldfab::contouring {
 

@@ -42,7 +42,7 @@ Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings
   subdivide(solid, progress);
   sample_blocks(settings, progress);
   if (wants_half_voxel_ || too_deep_) return;
-  merge_blocks(settings.max_error);
+  merge_blocks(settings);
   number_leafs();
 }
 
@@ -185,8 +185,8 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     const int level = lattice_.voxel_level();
     for (const UnclearCell& cell : cells)
       uncertain_.push_back({{cell.lower[0] >> level, cell.lower[1] >> level, cell.lower[2] >> level},
-                          lattice_.cube(cell.lower, cell.level),
-                          lattice_.side(cell.level)});
+                            lattice_.cube(cell.lower, cell.level),
+                            lattice_.side(cell.level)});
   };
   for (const std::size_t i : active) {
     add(refiners[i]->unclear());
@@ -236,7 +236,7 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
   }
 }
 
-void Octree::merge_blocks(double max_error) {
+void Octree::merge_blocks(const ContourSettings& settings) {
   // Children come after their parents, so that going backwards meets them first.
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
@@ -262,15 +262,15 @@ void Octree::merge_blocks(double max_error) {
     std::size_t count = 0;
     for (std::size_t child = 0; child < 8; ++child) count += nodes_[first + child].patch->points.size();
     merged.points.reserve(count);
-    if (max_error <= 0 || !merge_corners(corners, merged.corners)) continue;
+    if (settings.max_error <= 0 || !merge_corners(corners, merged.corners)) continue;
     for (std::size_t child = 0; child < 8; ++child) {
       const auto& points = nodes_[first + child].patch->points;
       merged.points.insert(merged.points.end(), points.begin(), points.end());
     }
     const Box cell = lattice_.cube(node.lower, node.level);
-    if (is_flat(merged.points, max_error, merged.vertex))
+    if (is_flat(merged.points, settings.max_error, merged.vertex))
       thin(merged.points, cell);
-    else if (!reproduces(merged.points, cell, max_error, merged.vertex))
+    else if (!reproduces(merged.points, cell, settings, merged.vertex))
       continue;
     for (std::size_t child = 0; child < 8; ++child) nodes_[first + child].patch->points = {};
     node.patch = std::move(merged);

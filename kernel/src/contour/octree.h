@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "lattice.h"
-#include "vertex.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/field/field.h"
-#include "fieldfab/contour/contour.h"
+#include "lattice.h"
+#include "vertex.h"
 
 namespace fieldfab::contouring {
 
@@ -112,7 +112,7 @@ class Octree {
                                      const ContourSettings& settings) const;
   void refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
               std::vector<std::unique_ptr<BlockRefiner>>& refiners);
-  void merge_blocks(double max_error);
+  void merge_blocks(const ContourSettings& settings);
   void number_leafs();
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;
   [[nodiscard]] std::uint64_t block_key(const LatticePoint& lower) const;

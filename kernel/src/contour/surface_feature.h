@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "vertex.h"
 #include "fieldfab/field/field.h"
+#include "vertex.h"
 
 namespace fieldfab::contouring {
 

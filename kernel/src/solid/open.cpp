@@ -20,8 +20,8 @@ namespace fieldfab {
 
 /// The files of one model.
 struct OpenFiles {
-  std::vector<std::filesystem::path> being_read;         ///< the outermost first
-  std::map<std::string, frep::Expression> known;         ///< by path and options
+  std::vector<std::filesystem::path> being_read;  ///< the outermost first
+  std::map<std::string, frep::Expression> known;  ///< by path and options
   std::vector<std::string> notes;
 };
 
@@ -77,9 +77,9 @@ void check_options(std::span<const frep::OpenOption> options, const Format& form
       throw Error(ErrorKind::bad_input, path,
                   fmt::format("'open' has no option '{:.40}'{}", option.name, suggestion(option.name, known)));
     if (info->kind != format.kind)
-      throw Error(ErrorKind::bad_input, path,
-                  fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind),
-                              name_of(format.kind)));
+      throw Error(
+          ErrorKind::bad_input, path,
+          fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind), name_of(format.kind)));
   }
 }
 
@@ -160,7 +160,9 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   const Format* const format = formats.find(path);
   if (format == nullptr || format->read == nullptr)
     throw Error(ErrorKind::bad_input, path.string(),
-                fmt::format("there is no reader for '{}' yet; known are {}", path.extension().string(), formats.readable()));
+                format != nullptr ? fmt::format("is written, not read; known are {}", formats.readable())
+                                  : fmt::format("there is no reader for '{}' yet; known are {}", path.extension().string(),
+                                                formats.readable()));
   if (format->kind == FormatKind::script && settings.scripts == Scripts::refused)
     throw Error(ErrorKind::bad_input, path.string(), "is a script; scripts are run by the fieldfab command only, by their names");
   OpenSettings inner = settings;
@@ -186,8 +188,8 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   return model;
 }
 
-Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                  const OpenSettings& settings, Progress& progress) {
+Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder, const OpenSettings& settings,
+                  Progress& progress) {
   OpenSettings inner = settings;
   const bool first = inner.files == nullptr;
   if (first) inner.files = std::make_shared<OpenFiles>();
@@ -258,8 +260,8 @@ Model read_mesh_file(const std::filesystem::path& path, const OpenSettings& sett
       model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", name, lids.rims,
                                         lids.rims == 1 ? "rim is" : "rims are", lids.area));
     } else if (!lids.triangles.empty()) {
-      model.notes.push_back(
-          fmt::format("{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long", name));
+      model.notes.push_back(fmt::format(
+          "{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long", name));
     }
     auto opened = std::make_shared<OpenedSolid>();
     opened->kind = "mesh";

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "fieldfab/cam/motion.h"
 #include "fieldfab/cam/program.h"
 #include "fieldfab/cam/setting.h"
 
@@ -49,6 +50,7 @@ struct Machine {
   bool negative = true;                   ///< whether its x and y may be below 0
   Dynamics dynamics;
   Kinematics kinematics;
+  Dialect dialect = Dialect::linuxcnc;                            ///< of its G-code
   std::map<std::string, std::string> text;                        ///< header, footer, rapid, line, ... : templates
   Settings settings;                                              ///< of its own: power, speed, ...
   std::map<std::string, std::map<std::string, Value>> materials;  ///< defaults by material

@@ -77,8 +77,23 @@ struct ToolEntry {
   double diameter = 0;         ///< for G41 and G42, mm
 };
 
+/// Whose control a G-code program was written for. LinuxCNC's is read strictly. In the others, what moves nothing and has no
+/// meaning here is a note.
+enum class Dialect : std::uint8_t {
+  linuxcnc,
+  fanuc,  ///< and Haas: G4 P counts in milliseconds where it has no decimal point
+  grbl,   ///< and its senders: lines that begin with $ are left out
+  mach3,
+};
+/// "linuxcnc", "fanuc", "grbl", "mach3".
+std::string_view name_of(Dialect dialect);
+/// Throws bad_input at `place`, with the nearest name.
+Dialect dialect_named(std::string_view name, const std::string& place);
+
 /// What the control knows before the program starts, and how long it may take.
 struct ReadingOptions {
+  Dialect dialect = Dialect::linuxcnc;
+  bool inch = false;                           ///< what it counts in before G20 and G21
   std::map<int, ToolEntry> tools;              ///< by number
   std::array<AxisValues, 9> work_offsets{};    ///< G54 to G59, G59.1 to G59.3, machine coordinates
   AxisValues start;                            ///< where the axes stand, machine coordinates
@@ -97,7 +112,9 @@ struct ReadingNote {
 
 /// Carries out a program and hands on each motion in order. Returns what was passed over, each message once. Memory does not grow
 /// with the program's length, but for its subroutines and parameters. The dialect is LinuxCNC 2.9's, whose interpreter is the
-/// oracle of its tests, with these additions and differences:
+/// oracle of its tests, with the additions and differences below. In the other dialects (docs/simulation.md, Dialects) of codes
+/// of one group in a block the last one holds, G80 takes no motion's place, G0 is in force at first, a feed needs no rate, and
+/// unknown codes that move nothing and words that nothing uses are passed over, each with a note.
 /// - M428, M429, M430 and G43.4 ... G49 set the ControlMode; G68 X Y R and G69 turn the program about a point of the plane, as
 /// Fanuc's
 ///   controls do (the machine stays where it is; words then count in the turned system).

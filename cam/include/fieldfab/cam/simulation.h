@@ -42,10 +42,11 @@ struct StopAction {
 /// Everything about a simulation but the program.
 struct SimulationSetup {
   std::string name;
-  std::string file;  ///< where it was read from, for messages
-  Machine machine;   ///< its kinematics, speeds and units of files
+  std::string file;   ///< where it was read from, for messages
+  Machine machine;    ///< its kinematics, speeds, units of files and dialect
+  bool inch = false;  ///< what programs count in before G20 and G21
   std::map<int, Tool> tools;
-  int first_tool = 0;  ///< what a program starts with that names no tool; 0: that is an error, unless there is only one
+  int first_tool = 0;  ///< what a program starts with that names no tool; 0: the lowest number
   Box stock_box;       ///< of the material, in the part's coordinates, mm
   FieldPtr stock;      ///< its shape; null: all of the box
   FieldPtr fixture;    ///< null: none
@@ -68,7 +69,8 @@ struct SimulationSetup {
   SimulationSetup();
 };
 
-/// Reads a set-up (docs/simulation.md), or the job (docs/cam.md) that a program was planned by. Throws bad_input with FILE:LINE,
+/// Reads a set-up (docs/simulation.md), the job (docs/cam.md) that a program was planned by, or a project of CAMotics
+/// (.camotics: its stock, tools, units and resolution). Throws bad_input with FILE:LINE,
 /// io.
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none(),
                                       const Formats& formats = kernel_formats());
