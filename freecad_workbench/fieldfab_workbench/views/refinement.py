@@ -4,6 +4,7 @@ import numpy as np
 
 from .. import kernel, work
 from ..certainty import doubt_of
+from ..sources import with_cell
 from . import inventor
 
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
@@ -19,7 +20,7 @@ class Refinement:
     which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
-        """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
+        """`settings`: of source.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
         first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
         before all else."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
@@ -174,7 +175,7 @@ class Refinement:
 
     def _wanted(self):
         """Edge of the smallest cell of the solid's own mesh, mm."""
-        return self.settings.get("voxel") or self._longest() / 128
+        return with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": tuple(self.region)})["voxel"]
 
     def _longest(self):
         return (self.region[3:] - self.region[:3]).max()
