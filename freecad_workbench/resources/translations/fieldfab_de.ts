@@ -2315,6 +2315,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Part-Form</translation>
     </message>
     <message>
+        <source>Part of a model</source>
+        <translation>Teil eines Modells</translation>
+    </message>
+    <message>
         <source>Path of program</source>
         <translation>Pfad des Programms</translation>
     </message>
