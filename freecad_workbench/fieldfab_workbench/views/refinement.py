@@ -25,6 +25,7 @@ class Refinement:
         before all else."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
+        self._cell = None, None  # a region, and the smallest cell in it
         self.extent = guess  # of the solid, as far as it is known
         self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
         self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
@@ -174,8 +175,11 @@ class Refinement:
         return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
-        """Edge of the smallest cell of the solid's own mesh, mm."""
-        return with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": tuple(self.region)})["voxel"]
+        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is worked out once a region."""
+        region = tuple(self.region)
+        if self._cell[0] != region:
+            self._cell = region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": region})["voxel"]
+        return self._cell[1]
 
     def _longest(self):
         return (self.region[3:] - self.region[:3]).max()

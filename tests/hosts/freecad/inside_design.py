@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import numpy as np
+import FreeCAD
 import pytest
 
 from fieldfab_workbench import frep_language as language
