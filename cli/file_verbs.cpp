@@ -345,7 +345,7 @@ class ConvertVerb final : public Verb {
                               to, formats.writable(FormatKind::formula), formats.writable(FormatKind::mesh)));
     if (to != ".asdf" && to != ".vdb") {
       Model model = options_.open(progress);
-      if (!keeps_parts(options_.output)) model = {{united(model)}};
+      if (!formats.find(options_.output)->parts) model = {{united(model)}, {}};
       Resolution wanted = options_.wanted();
       wanted.exact = false;
       std::vector<MeshPart> parts;

@@ -121,12 +121,12 @@ class MeshVerb final : public Verb {
     const Stopwatch clock;
     Model model = options_.open(progress);
     const Model parts_of_model = model;
-    // One mesh of all elsewhere, so that it is valid where parts touch or overlap.
-    if (model.parts.size() > 1 && !keeps_parts(options_.output)) model = {{united(model)}, {}};
+    // Other formats get one mesh of all, so that it is valid where parts touch or overlap.
+    if (model.parts.size() > 1 && !format->parts) model = {{united(model)}, {}};
     Outcome outcome;
     const std::vector<MeshPart> parts = surfaces_of(model, outcome, progress);
     if (extension_of(options_.output) == ".ply" && parts_of_model.parts.size() > 1)
-      write_ply(parts.front().mesh, options_.output, {colours_of(parts.front().mesh, parts_of_model)}, progress);
+      write_ply(parts.front().mesh, options_.output, {vertex_colours(parts.front().mesh, parts_of_model)}, progress);
     else if (parts.size() == 1 && parts.front().name.empty() && !parts.front().colour)
       write_mesh(parts.front().mesh, options_.output, progress);
     else
@@ -138,24 +138,6 @@ class MeshVerb final : public Verb {
   }
 
  private:
-  /// The colour of each vertex: of the part with the least value there. None where no part has one.
-  static std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model) {
-    std::vector<Colour> colours;
-    if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))
-      return colours;
-    constexpr Colour plain{204, 204, 204};
-    colours.assign(mesh.vertices.size(), plain);
-    std::vector<float> x, y, z;
-    for (const auto& v : mesh.vertices) x.push_back(v[0]), y.push_back(v[1]), z.push_back(v[2]);
-    std::vector<float> least(colours.size(), std::numeric_limits<float>::infinity()), value(colours.size());
-    for (const Solid& part : model.parts) {
-      part.field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
-      for (std::size_t i = 0; i < colours.size(); ++i)
-        if (value[i] < least[i]) least[i] = value[i], colours[i] = part.colour.value_or(plain);
-    }
-    return colours;
-  }
-
   /// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
   std::vector<MeshPart> surfaces_of(const Model& model, Outcome& outcome, Progress& progress) const {
     const Resolution wanted = options_.wanted();

@@ -76,6 +76,16 @@ std::shared_ptr<const Solid> solid_of(const py::object& solid);
 /// Its Field.
 FieldPtr field_of(const py::object& solid);
 
+/// The colour of a name, "#rrggbb", or three numbers from 0 to 255; none of None.
+std::optional<Colour> colour_of(const py::object& given);
+/// Parts as Python has them: (a Solid or a Mesh, name or None, colour or None) each.
+struct PythonPart {
+  py::object what;  ///< converted by the caller
+  std::string name;
+  std::optional<Colour> colour;
+};
+std::vector<PythonPart> parts_given(const py::iterable& parts);
+
 /// Runs work(progress) without Python's lock.
 template <class Work>
 auto long_work(const py::object& callable, Work&& work) {

@@ -145,19 +145,6 @@ SolidValue open_file(const std::filesystem::path& path, const py::kwargs& keywor
   return as_value(long_work(py::none(), [&](Progress& p) { return open_solid(path, options, settings, p); }));
 }
 
-/// The colour of a name, "#rrggbb", or three numbers from 0 to 255.
-std::optional<Colour> colour_of(const py::object& given) {
-  if (given.is_none()) return std::nullopt;
-  if (py::isinstance<py::str>(given)) return colour_named(given.cast<std::string>());
-  const auto numbers = given.cast<std::array<double, 3>>();
-  Colour colour;
-  for (const auto& [number, to] : {std::pair(numbers[0], &colour.red), {numbers[1], &colour.green}, {numbers[2], &colour.blue}}) {
-    if (!(number >= 0 && number <= 255)) throw py::value_error("the numbers of a colour are 0 to 255");
-    *to = static_cast<std::uint8_t>(number + 0.5);
-  }
-  return colour;
-}
-
 /// The parts that part() has made in this process.
 std::vector<frep::TextPart>& parts_made() {
   static auto* parts = new std::vector<frep::TextPart>;
@@ -212,7 +199,57 @@ void define_number(py::module_& module, const char* name, Function function) {
       name, [function](const SolidValue& value) { return SolidValue(Value{function(value.value.expression)}); }, py::arg("value"));
 }
 
+/// What a file holds, and what else its reader knows.
+struct OpenedModel {
+  Model model;
+  std::vector<std::filesystem::path> files;
+};
+
+OpenedModel open_all(const std::filesystem::path& path, Progress& progress) {
+  OpenedModel opened;
+  OpenSettings settings = settings_for(Scripts::refused, true);
+  settings.files_read = &opened.files;
+  opened.model = open_model(path, settings, progress);
+  return opened;
+}
+
+py::list describe_formats() {
+  py::list all;
+  for (const Format& format : openscad::all_formats().rows()) {
+    py::dict about;
+    about["extensions"] = format.extensions;
+    about["kind"] = std::string(name_of(format.kind));
+    about["reads"] = format.read != nullptr;
+    about["writes"] = format.writes;
+    about["parts"] = format.parts;
+    about["help"] = format.help;
+    all.append(about);
+  }
+  return all;
+}
+
 }  // namespace
+
+std::optional<Colour> colour_of(const py::object& given) {
+  if (given.is_none()) return std::nullopt;
+  if (py::isinstance<py::str>(given)) return colour_named(given.cast<std::string>());
+  const auto numbers = given.cast<std::array<double, 3>>();
+  Colour colour;
+  for (const auto& [number, to] : {std::pair(numbers[0], &colour.red), {numbers[1], &colour.green}, {numbers[2], &colour.blue}}) {
+    if (!(number >= 0 && number <= 255)) throw py::value_error("the numbers of a colour are 0 to 255");
+    *to = static_cast<std::uint8_t>(number + 0.5);
+  }
+  return colour;
+}
+
+std::vector<PythonPart> parts_given(const py::iterable& parts) {
+  std::vector<PythonPart> all;
+  for (const py::handle part : parts) {
+    auto [what, name, colour] = part.cast<std::tuple<py::object, std::optional<std::string>, py::object>>();
+    all.push_back({std::move(what), name.value_or(""), colour_of(colour)});
+  }
+  return all;
+}
 
 void bind_language(py::module_& module) {
   module.attr("X") = SolidValue(Value{Expression::x()});
@@ -253,6 +290,30 @@ void bind_language(py::module_& module) {
         return parts_of(long_work(progress, [&](Progress& p) { return open_model(path, settings_for(Scripts::refused, true), p); }));
       },
       py::arg("filename"), py::arg("progress") = py::none(), "The parts of a file: (solid, name, colour) each.");
+  py::class_<OpenedModel>(module, "Model", "What a file holds: one solid, or several parts.")
+      .def_property_readonly(
+          "parts", [](const OpenedModel& opened) { return parts_of(opened.model); }, "(solid, name, colour) each.")
+      .def_property_readonly(
+          "notes", [](const OpenedModel& opened) { return opened.model.notes; },
+          "What of the file was left out or mended, one line each.")
+      .def_readonly("files", &OpenedModel::files, "The files that were read: itself, and those that it opens.")
+      .def(
+          "part",
+          [](const OpenedModel& opened, const std::string& name) {
+            return as_value(part_of(opened.model, name, opened.files.front().string()));
+          },
+          py::arg("name"), "The part of that name; names that are near are told where there is none.")
+      .def(
+          "united", [](const OpenedModel& opened) { return as_value(united(opened.model)); }, "All parts as one solid.");
+  module.def(
+      "open_model",
+      [](const std::filesystem::path& path, const py::object& progress) {
+        return long_work(progress, [&](Progress& p) { return open_all(path, p); });
+      },
+      py::arg("filename"), py::arg("progress") = py::none(), "The model of a file of any kind; scripts are refused.");
+  module.def("formats", describe_formats,
+             "The table of file formats: a dict each with its extensions (\".stl\", ...), its kind (formula, script, design, "
+             "distances, mesh or volume), whether it is read and written and keeps parts apart, and a line of help.");
   module.def(
       "run_model",
       [](const std::filesystem::path& path, const py::object& progress) {

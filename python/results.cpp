@@ -12,6 +12,8 @@
 #include "fieldfab/contour/detail.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
+#include "fieldfab/mesh/mesh_parts.h"
+#include "fieldfab/mesh/ply.h"
 #include "fieldfab/render/render.h"
 
 namespace fieldfab::python {
@@ -73,8 +75,22 @@ void bind_results(py::module_& module) {
       .def_property_readonly("volume", &TriangleMesh::volume)
       .def_property_readonly("area", &TriangleMesh::area)
       .def(
-          "save", [](const TriangleMesh& mesh, const std::filesystem::path& path) { write_mesh(mesh, path); },
-          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .stl .ply .off .obj .3mf or .glb.")
+          "save",
+          [](const TriangleMesh& mesh, const std::filesystem::path& path, const std::optional<py::iterable>& parts) {
+            Model model;
+            for (const PythonPart& part : parts ? parts_given(*parts) : std::vector<PythonPart>()) {
+              model.parts.push_back(*solid_of(part.what));
+              model.parts.back().colour = part.colour;
+            }
+            const py::gil_scoped_release release;
+            if (model.parts.empty()) return write_mesh(mesh, path);
+            if (path.extension() != ".ply")
+              throw Error(ErrorKind::bad_input, path.string(), "only .ply files have colours of vertices");
+            write_ply(mesh, path, {vertex_colours(mesh, model)});
+          },
+          py::arg("filename"), py::arg("parts") = py::none(),
+          "Writes .stl .ply .off .obj .3mf or .glb. `parts`: of a .ply file, (solid, name, colour) each; a vertex has the colour "
+          "of the part whose surface it is on.")
       .def_static("load", &read_mesh, py::arg("filename"))
       .def(
           "bms",
@@ -117,6 +133,17 @@ void bind_results(py::module_& module) {
       .def("__str__", &Certainty::text);
   py::class_<ContourMesh, TriangleMesh>(module, "ContourMesh", "The mesh of a solid, and how certain it is.")
       .def_readonly("certainty", &ContourMesh::certainty);
+  module.def(
+      "save_parts",
+      [](const py::iterable& parts, const std::filesystem::path& path, const py::object& progress) {
+        std::vector<MeshPart> meshes;
+        for (const PythonPart& part : parts_given(parts))
+          meshes.push_back({part.what.cast<const TriangleMesh&>(), part.name, part.colour});
+        long_work(progress, [&](Progress& p) { return write_mesh_parts(meshes, path, p), 0; });
+      },
+      py::arg("parts"), py::arg("filename"), py::arg("progress") = py::none(),
+      "Writes meshes to one file: (mesh, name, colour) each; None for no name and no colour. .3mf, .glb and .obj keep all three, "
+      ".ply the colours, .stl and .off the triangles.");
   module.def(
       "mesh",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,

@@ -210,6 +210,7 @@ void PythonProgress::rethrow() {
 }
 
 void bind_solids(py::module_& module) {
+  module.attr("default_cells") = default_cells;  // along the longest side, where a solid has no resolution of its own
   py::class_<SolidValue, std::shared_ptr<SolidValue>> solid(
       module, "Solid",
       "A solid, as a function of a point that is negative inside, or a number that may depend on x, y and z. Shapes, files and "
@@ -314,6 +315,15 @@ void bind_solids(py::module_& module) {
             return bounds_to_python(found.box);
           },
           "The box of the solid, found by interval search; None where it is empty or unbounded.")
+      .def(
+          "default_voxel",
+          [](const SolidValue& a, const py::object& bounds, double cells) {
+            const auto whole = a.solid();
+            return long_work(py::none(), [&](Progress& p) { return default_voxel(*whole, region_of(*whole, bounds, p), cells); });
+          },
+          py::arg("bounds") = py::none(), py::arg("cells") = default_cells,
+          "The cell, mm, that mesh(), build() and others take where none is given: its own resolution, else so many along the "
+          "longest side of the bounds, which are found where not given.")
       .def(
           "offset", [](const SolidValue& a, double d) { return SolidValue(Value{a.value.expression - d, true}); },
           py::arg("distance"))

@@ -32,7 +32,7 @@ HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask
 # The workbench's layers, the lowest first. A folder of the package is a layer; of the modules beside the folders, FILES
 # are the layer files and all others base.
 LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
-FILES = ("files", "openscad_files", "path_jobs")
+FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
 PACKAGE = "fieldfab_workbench"
 
 

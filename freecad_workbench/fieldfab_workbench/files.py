@@ -3,17 +3,19 @@
 Models come in as parametric objects; what goes out is made anew from them, never cut down to the mesh on the screen. Scripts (.py) do not
 come in here: commands/scans.py runs them, once their user has said so."""
 
+import functools
 import os
-import pathlib
 
 import FreeCAD
 
-from . import kernel, openscad_files, work
-from .file_types import DESIGNS, MESHES, SLICES, TEXTS, VOLUMES
+from . import kernel, openscad_files, part_files, preferences, work
+from .file_types import SLICES, extensions, format_of
+from .objects.file_part import FilePart
 from .objects.frep_solid import FrepSolid
 from .objects.scan import Scan
 from .objects.solid import create, is_solid, source_of
 from .openscad import OpenScadSource, faces_together
+from .sources import with_cell
 from .words import tr
 
 
@@ -23,27 +25,24 @@ def open(filename):  # noqa: A001: the name that FreeCAD calls
 
 
 def insert(filename, docname):
-    """Adds the file's solid to a document, a new one where there is none of that name; in the window a scan's panel opens, and nothing is
-    computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
-    ending = _ending(filename)
-    if ending in DESIGNS:
-        made = openscad_files.insert(filename, docname, name_of(filename))
+    """Adds the file's solid to a document, a new one where there is none of that name, of several parts a group of them; in the window a scan's panel
+    opens, and nothing is computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
+    kind = "volume" if _ending(filename) in SLICES or os.path.isdir(filename) else (format_of(filename) or {"kind": ""})["kind"]
+    if kind in ("design", "formula", "mesh"):
+        made = (openscad_files if kind == "design" else part_files).insert(filename, docname, name_of(filename))
         if FreeCAD.GuiUp:
-            _show_all(made.Document)
+            show_all(made.Document)
         return made
-    if ending in TEXTS:
-        kind, values = FrepSolid, {"Expression": _text_of(filename)}
-    elif ending == "asdf" or ending in VOLUMES or ending in SLICES or os.path.isdir(filename):
-        kind, values = Scan, {"File": whole_stack(os.path.abspath(filename))}
-    else:
-        raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=ending))
-    name = name_of(values.get("File", filename))
+    if kind not in ("volume", "distances"):
+        raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=_ending(filename)))
+    path = whole_stack(os.path.abspath(filename))
+    name = name_of(path)
     if docname in FreeCAD.listDocuments():
         document = FreeCAD.getDocument(docname)
     else:
         document = FreeCAD.newDocument(docname or name)
         document.Label = docname or name
-    return add(document, kind, name, **values)
+    return add(document, Scan, name, File=path)
 
 
 def add(document, kind, label, **values):
@@ -61,7 +60,7 @@ def add(document, kind, label, **values):
     if began:
         document.commitTransaction()
     if FreeCAD.GuiUp:
-        _show_all(document)
+        show_all(document)
     return obj
 
 
@@ -75,7 +74,8 @@ def _edited(obj):
     return True
 
 
-def _show_all(document):
+def show_all(document):
+    """Brings all of a document into view."""
     import FreeCADGui
 
     view = FreeCADGui.getDocument(document.Name).activeView()
@@ -85,36 +85,64 @@ def _show_all(document):
 
 
 def export(objects, filename):
-    """Writes what the objects bound, united, where they are in the document. The file is written whole or not at all. Raises ValueError."""
-    ending = _ending(filename)
-    objects = [obj for obj in objects if hasattr(obj, "Mesh") or hasattr(obj, "Shape")]
+    """Writes what the objects bound, where they are in the document: each as a part with its name and colour where the format keeps parts, else all
+    united. The file is written whole or not at all. Raises ValueError."""
+    ending, format = _ending(filename), format_of(filename)
+    objects = list(dict.fromkeys(_bounding(objects)))
     if not objects:
         raise ValueError(tr("{filename}: nothing that was chosen bounds a solid").format(filename=filename))
-    if ending in TEXTS:
+    if ending in extensions("formula", reads=True, writes=True):
         return _write_text(filename, _united_texts(objects, ending))
-    fieldfab = kernel.load()
-    sources, settings, designs = [source_of(obj) for obj in objects], _settings(objects), _designs(objects)
-
-    def write(progress):
-        if designs and ending in MESHES and (faces := faces_together(designs, progress)) is not None:
-            return faces.save(filename)
-        field = sources[0].field(progress)
-        for source in sources[1:]:
-            field = field | source.field(progress)
-        if ending == "vdb":
-            settings.pop("max_error", None)
-            return fieldfab.write_vdb(field, filename, progress=progress, **settings)
-        made = fieldfab.build(field, progress=progress, **settings) if ending == "asdf" else fieldfab.mesh(field, progress=progress, exact=False, **settings)
-        return made.save(filename)
-
-    if ending not in ("asdf", "vdb", *MESHES):
+    if ending not in ("vdb", *extensions("distances", "mesh", writes=True)):
         raise ValueError(tr("{filename}: Fieldfab writes no .{ending} files").format(filename=filename, ending=ending))
+    fieldfab, write = kernel.load(), _writer_of_parts if format["kind"] == "mesh" and format["parts"] else _writer_of_all
     try:
-        work.run(write, tr("Writing {filename}").format(filename=os.path.basename(filename)))
+        work.run(write(objects, filename, ending), tr("Writing {filename}").format(filename=os.path.basename(filename)))
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
         raise ValueError(tr("{filename}: cancelled, not written").format(filename=filename)) from None
+
+
+def _bounding(objects):
+    """Those that bound a solid, and those in groups."""
+    for obj in objects:
+        if hasattr(obj, "Mesh") or hasattr(obj, "Shape"):
+            yield obj
+        elif hasattr(obj, "Group"):
+            yield from _bounding(obj.Group)
+
+
+def _writer_of_parts(objects, filename, ending):
+    """A function of a progress that writes each object's own mesh; it does not look at the document."""
+    wanted = [(source_of(obj), _settings_of(obj), obj.Label, _colour_of(obj)) for obj in objects]
+
+    def write(progress):
+        parts = [(source.mesh(progress, **settings), label, colour(progress)) for source, settings, label, colour in wanted]
+        kernel.load().save_parts(parts, filename, progress)
+
+    return write
+
+
+def _writer_of_all(objects, filename, ending):
+    """A function of a progress that writes all objects as one; it does not look at the document."""
+    fieldfab, sources, designs = kernel.load(), [source_of(obj) for obj in objects], _designs(objects)
+    asked, colours = [_settings_of(obj) for obj in objects], [_colour_of(obj) for obj in objects]
+
+    def write(progress):
+        fields = [source.field(progress) for source in sources]
+        faces = faces_together(designs, progress) if designs and ending not in ("asdf", "vdb") else None
+        united, settings = functools.reduce(lambda a, b: a | b, fields), _finest(fields, asked)
+        if ending == "vdb":
+            settings.pop("max_error", None)
+            return fieldfab.write_vdb(united, filename, progress=progress, **settings)
+        if ending == "asdf":
+            return fieldfab.build(united, progress=progress, **settings).save(filename)
+        mesh = fieldfab.mesh(united, progress=progress, exact=False, **settings) if faces is None else faces
+        coloured = [(field, None, colour(progress)) for field, colour in zip(fields, colours)] if ending == "ply" else None
+        mesh.save(filename, coloured)
+
+    return write
 
 
 def whole_stack(path):
@@ -136,18 +164,35 @@ def _designs(objects):
     return designs if all(isinstance(source, OpenScadSource) for source, _ in designs) else []
 
 
-def _settings(objects):
-    """The finest resolution that any of the objects asks for."""
-    asked = [obj.Proxy.mesh_settings(obj) for obj in objects if hasattr(getattr(obj, "Proxy", None), "mesh_settings")]
-    for obj in objects:
-        source = obj.Proxy.source(obj) if hasattr(getattr(obj, "Proxy", None), "source") else None
-        voxel = obj.VoxelSize.Value or source.voxel(None) if hasattr(source, "voxel") else None
-        if voxel:
-            asked.append({"voxel": voxel})
-    finest = {name: min(values) for name in ("voxel", "max_error") if (values := [s[name] for s in asked if name in s])}
-    if len(objects) == 1 and asked and "bounds" in asked[0] and objects[0].Placement.isIdentity():
-        finest["bounds"] = asked[0]["bounds"]
+def _settings_of(obj):
+    """How finely an object asks to be made where it is in the document: settings of sources.Source.mesh()."""
+    settings = obj.Proxy.mesh_settings(obj) if is_solid(obj) else {}
+    if not _placement(obj).isIdentity():
+        settings.pop("bounds", None)  # they are its own coordinates'
+    return settings
+
+
+def _finest(fields, asked):
+    """The finest of settings, for all fields united."""
+    if len(fields) == 1:
+        return with_cell(fields[0], **asked[0])
+    cells = [with_cell(field, **settings) for field, settings in zip(fields, asked)]
+    own = [field.voxel for field, settings in zip(fields, cells) if "voxel" not in settings and field.voxel]
+    finest = {name: min(values) for name in ("voxel", "max_error") if (values := [settings[name] for settings in cells if name in settings])}
+    if "voxel" in finest:
+        finest["voxel"] = min([finest["voxel"], *own])
     return finest
+
+
+def _colour_of(obj):
+    """A function of a progress that tells the colour of an object as three numbers from 0 to 255 or in words; None for that which all solids have. In the
+    window it is what is seen, else that of the file."""
+    if FreeCAD.GuiUp:
+        seen = obj.ViewObject.ShapeColor[:3]
+        own = None if is_solid(obj) and all(abs(a - b) < 1 / 512 for a, b in zip(seen, preferences.colour())) else [255 * part for part in seen]
+        return lambda progress: own
+    source = obj.Proxy.source(obj) if isinstance(getattr(obj, "Proxy", None), FilePart) else None
+    return lambda progress: source and source.colour(progress)
 
 
 def _united_texts(objects, ending):
@@ -178,18 +223,6 @@ def _moved(expression, placement):
     fieldfab, m = kernel.load(), placement.inverse().toMatrix()
     rows = ((m.A11, m.A12, m.A13, m.A14), (m.A21, m.A22, m.A23, m.A24), (m.A31, m.A32, m.A33, m.A34))
     return expression.map(*(a * fieldfab.X + b * fieldfab.Y + c * fieldfab.Z + d for a, b, c, d in rows))
-
-
-def _text_of(filename):
-    fieldfab = kernel.load()
-    try:
-        text = pathlib.Path(filename).read_text(encoding="utf-8")
-        if _ending(filename) == "vm":
-            return fieldfab.parse_vm(text).math()
-        fieldfab.parse(text)
-    except (OSError, UnicodeError, fieldfab.Error) as error:
-        raise ValueError(f"{filename}: {error}") from None
-    return text
 
 
 def _write_text(filename, text):

@@ -1,9 +1,14 @@
 """Finds the fieldfab Python module: an installed one, or the one built beside this workbench."""
 
+import glob
+import importlib.util
 import os
 import sys
 
 from . import preferences
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+BUILT = os.path.normpath(os.path.join(HERE, "..", "..", "build", "release", "python"))
 
 
 def load():
@@ -11,14 +16,22 @@ def load():
     try:
         import fieldfab
     except ImportError:
-        here = os.path.dirname(os.path.realpath(__file__))
-        built = os.path.normpath(os.path.join(here, "..", "..", "build", "release", "python"))
-        if not os.path.isdir(built):
-            raise ImportError(f"Fieldfab's kernel is not built: run ./dev build in {os.path.normpath(os.path.join(here, '..', '..'))}") from None
-        sys.path.append(built)
+        if not os.path.isdir(BUILT):
+            raise ImportError(f"Fieldfab's kernel is not built: run ./dev build in {os.path.normpath(os.path.join(HERE, '..', '..'))}") from None
+        sys.path.append(BUILT)
         import fieldfab
     _follow_preferences(fieldfab)
     return fieldfab
+
+
+def stamp():
+    """Path, size and time of the module's file, without loading it; "" where load() has to tell."""
+    found = importlib.util.find_spec("fieldfab")
+    folders = list(found.submodule_search_locations or []) if found else [os.path.join(BUILT, "fieldfab")]
+    for path in (path for folder in folders for path in sorted(glob.glob(os.path.join(glob.escape(folder), "_core*")))):
+        seen = os.stat(path)
+        return f"{path} {seen.st_size} {seen.st_mtime_ns}"
+    return ""
 
 
 def write_file(path, data):

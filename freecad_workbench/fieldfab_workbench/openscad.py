@@ -87,7 +87,7 @@ def stamp(path, label):
 
 
 class OpenScadSource(Source):
-    """The solid of a Text. Its mesh has cells that its thinnest part can be seen with, where none are given. Raises ValueError where a file is missing."""
+    """The solid of a Text. Raises ValueError where a file is missing."""
 
     def __init__(self, text, label):
         self.text, self.label = text, label
@@ -123,18 +123,9 @@ class OpenScadSource(Source):
         """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""
         return self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat else self.text
 
-    def voxel(self, progress=None):
-        """Of the smallest cell; None where nothing is known of it."""
-        return self.design(progress).voxel
-
     def notes(self):
         """What was left out or mended, one line each."""
         return [self._said(note) for note in self.design().notes]
-
-    def _meshed(self, progress, cells, settings):
-        if not cells and "voxel" not in settings and (voxel := self.voxel(progress)):
-            settings = {**settings, "voxel": voxel}
-        return super()._meshed(progress, cells, settings)
 
 
 def faces_together(parts, progress=None):

@@ -5,6 +5,7 @@ import os
 import FreeCAD
 
 from . import kernel, work
+from .importing import cancelled, one_step
 from .objects import combine, modify, openscad_node, solid
 from .openscad_tree import MOST_PARTS, Design, Part, TooLarge
 from .words import tr
@@ -22,27 +23,12 @@ def insert(filename, docname, name):
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
-        raise _cancelled(filename) from None
+        raise cancelled(filename) from None
     root, shown = _parts(tree, filename)
     if root is None:
         raise ValueError(tr("{filename}: the design is empty").format(filename=filename))
-    there = docname in FreeCAD.listDocuments()
-    document = FreeCAD.getDocument(docname) if there else FreeCAD.newDocument(docname or name)
-    try:
-        return _add(document, root, shown, name)
-    except work.Cancelled:
-        raise _cancelled(filename) from None
-    except ValueError as error:
-        raise ValueError(f"{filename}: {error}") from None
-    finally:
-        if not there and not document.Objects:
-            FreeCAD.closeDocument(document.Name)
-        elif not there:
-            document.Label = docname or name
-
-
-def _cancelled(filename):
-    return ValueError(tr("{filename}: cancelled; nothing was added").format(filename=filename))
+    with one_step(filename, docname, name) as (document, made):
+        return _add(document, root, shown, name, made)
 
 
 def _parts(tree, filename):
@@ -59,29 +45,16 @@ def _parts(tree, filename):
     return (root, shown) if tree[0].dimensions else (None, [])
 
 
-def _add(document, root, shown, name):
-    """All objects in one undo step, with the meshes of those that are seen. Raises ValueError and work.Cancelled; then none of them is there."""
-    began = not document.HasPendingTransaction
-    if began:
-        document.openTransaction(tr("Import {label}").format(label=name))
-    made = []
-    try:
-        top = _create(document, root, made)
-        for obj in made:
-            if obj.Label == name:  # labels differ, and the whole has the name of its file
-                obj.Label = f"{name} 1"
-        top.Label = name
-        _show(top)
-        for part in shown:
-            _add_shown(document, part, made)
-    except (ValueError, work.Cancelled):
-        _remove(document, made)
-        if began:
-            document.abortTransaction()
-        raise
-    document.recompute()
-    if began:
-        document.commitTransaction()
+def _add(document, root, shown, name, made):
+    """Puts all objects into `made`, with the meshes of those that are seen. Raises ValueError and work.Cancelled."""
+    top = _create(document, root, made)
+    for obj in made:
+        if obj.Label == name:  # labels differ, and the whole has the name of its file
+            obj.Label = f"{name} 1"
+    top.Label = name
+    _show(top)
+    for part in shown:
+        _add_shown(document, part, made)
     return top
 
 
@@ -94,16 +67,12 @@ def _add_shown(document, part, made):
         _show(obj)
         made += own
     except ValueError as error:
-        _remove(document, own)
+        for obj in reversed(own):
+            document.removeObject(obj.Name)
         FreeCAD.Console.PrintWarning(f"{error}\n")
     except work.Cancelled:
         made += own
         raise
-
-
-def _remove(document, objects):
-    for obj in reversed(objects):
-        document.removeObject(obj.Name)
 
 
 def _show(obj):

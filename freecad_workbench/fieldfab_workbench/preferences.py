@@ -4,7 +4,6 @@ import FreeCAD
 
 PATH = "User parameter:BaseApp/Preferences/Mod/Fieldfab"
 STANDARD_COLOUR = 0x6B9EDBFF
-STANDARD_CELLS = 128  # as the kernel has it
 
 
 def _group():
@@ -17,8 +16,9 @@ def threads():
 
 
 def cells():
-    """Smallest cells along a solid's longest side where its VoxelSize is 0."""
-    return min(4096, max(8, _group().GetInt("Cells", STANDARD_CELLS)))
+    """Smallest cells along a solid's longest side where its VoxelSize is 0; 0: as many as the kernel takes."""
+    wanted = _group().GetInt("Cells", 0)
+    return min(4096, max(8, wanted)) if wanted else 0
 
 
 def colour():

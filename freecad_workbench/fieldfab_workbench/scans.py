@@ -80,7 +80,7 @@ class Cut:
 
 
 class ScanSource(Source):
-    """The solid of a scan. Its mesh has the samples' distance as its smallest cell where none is given, and is not kept: the document has it."""
+    """The solid of a scan. Its mesh is not kept: the document has it."""
 
     def __init__(self, file, cut):
         self.file, self.cut, self.stamp = file, cut, file.stamp()
@@ -100,23 +100,15 @@ class ScanSource(Source):
         volume = self.file.open(progress)
         return self.cut.solid(volume, progress), volume
 
-    def voxel(self, progress):
-        return min(self.file.open(progress).spacing)
-
-    def mesh(self, progress=None, **settings):
-        settings.setdefault("voxel", self.voxel(progress))
-        return kernel.load().mesh(self.field(progress), progress=progress, **settings)
+    def mesh(self, progress=None, cells=None, **settings):
+        return self._meshed(progress, cells, settings)
 
 
 class AsdfSource(ScanSource):
     """The solid of an .asdf file: it is a distance field as it stands."""
 
     def _made(self, progress):
-        asdf = kernel.load().Asdf.load(self.file.path)
-        return asdf.placed(), asdf
-
-    def voxel(self, progress):
-        return kernel.load().Asdf.load(self.file.path).voxel
+        return kernel.load().open(self.file.path), None
 
 
 class Overview:

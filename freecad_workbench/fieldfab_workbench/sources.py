@@ -47,7 +47,7 @@ class Source:
 
     def mesh(self, progress=None, cells=None, **settings):
         """Its faces; where there are none, or bounds are given, a contour with these settings of fieldfab.mesh(), or so many `cells` along the longest
-        side of its bounds."""
+        side of its bounds where nothing tells their size."""
         faces = None if "bounds" in settings else self.faces(progress)
         if faces is not None:
             return faces
@@ -55,12 +55,8 @@ class Source:
         return kept(key, lambda: self._meshed(progress, cells, settings))
 
     def _meshed(self, progress, cells, settings):
-        field, bounds = self.field(progress), settings.get("bounds")
-        if cells and not bounds:
-            bounds = field.bounds()
-        if cells and bounds:
-            settings = {**settings, "voxel": max(bounds[i + 3] - bounds[i] for i in range(3)) / cells}
-        return kernel.load().mesh(field, progress=progress, exact=False, **settings)
+        field = self.field(progress)
+        return kernel.load().mesh(field, progress=progress, exact=False, **with_cell(field, cells=cells, **settings))
 
     def moved(self, placement):
         """The solid where a FreeCAD placement puts it."""
@@ -68,6 +64,13 @@ class Source:
             return self
         axis, angle, base = tuple(placement.Rotation.Axis), placement.Rotation.Angle, tuple(placement.Base)
         return Source(("moved", self.digest, axis, angle, base), lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
+
+
+def with_cell(field, cells=None, **settings):
+    """Settings of fieldfab.mesh() and the like, with the edge of the smallest cell where only a number of `cells` is asked for. Raises fieldfab.Error."""
+    if cells and "voxel" not in settings:
+        settings["voxel"] = field.default_voxel(settings.get("bounds"), cells)
+    return settings
 
 
 _store, _lock = OrderedDict(), threading.Lock()

@@ -100,7 +100,7 @@ def test_stubs_name_what_there_is():
         tree = ast.parse((package / stub).read_text())
         described = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         for name, thing in vars(module).items():
-            if name.startswith("_") or name in ("X", "Y", "Z", "shapes", "cam", "stock"):
+            if name.startswith("_") or name in ("X", "Y", "Z", "default_cells", "shapes", "cam", "stock"):
                 continue
             assert name in described, f"{stub} lacks {name}"
             signature = (thing.__doc__ or "").splitlines()[:1]
@@ -283,6 +283,52 @@ def test_making_faces_can_be_cancelled():
         with pytest.raises(ff.Error) as told:
             make(progress=lambda fraction, message: False)
         assert told.value.kind == "cancelled"
+
+
+def test_the_table_of_formats():
+    table = {extension: row for row in ff.formats() for extension in row["extensions"]}
+    assert set(table[".stl"]) == {"extensions", "kind", "reads", "writes", "parts", "help"} and len(ff.formats()) < len(table)
+    assert {row["kind"] for row in ff.formats()} == {"formula", "script", "design", "distances", "mesh", "volume"}
+    assert table[".glb"]["writes"] and table[".glb"]["parts"] and not table[".glb"]["reads"] and table[".csg"]["kind"] == "design"
+
+
+def test_a_model_tells_its_parts_notes_and_files(tmp_path):
+    ball, lid = tmp_path / "ball.frep", tmp_path / "lid.frep"
+    ball.write_text('part(sphere(2), "ball", "red")\npart(open("lid.frep"), "lid")')
+    lid.write_text('open("open.stl")')
+    whole = ff.mesh(ff.shapes.box(1, 1, 1), voxel=0.5)
+    ff.Mesh(whole.vertices, whole.triangles[1:]).save(tmp_path / "open.stl")
+    model = ff.open_model(ball)
+    assert [(name, colour) for _, name, colour in model.parts] == [("ball", "#ff0000"), ("lid", None)]
+    assert [path.name for path in model.files] == ["ball.frep", "lid.frep", "open.stl"] and "closed by lids" in model.notes[0]
+    assert model.part("lid").value(0, 0, 0) == pytest.approx(-0.5) and model.united().value(0, 0, 0) == -2
+    with pytest.raises(ff.Error, match="ball.frep: there is no part 'bal'; did you mean 'ball'"):
+        model.part("bal")
+    with pytest.raises(ff.Error, match="scripts are run"):
+        (tmp_path / "part.py").write_text("")
+        ff.open_model(tmp_path / "part.py")
+
+
+def test_parts_are_written_with_names_and_colours(tmp_path):
+    a, b = ff.mesh(ff.shapes.box(2, 2, 2)), ff.mesh(ff.shapes.move(ff.shapes.box(2, 2, 2), 1, 0, 0))
+    ff.save_parts([(a, "a", "red"), (b, None, [0, 128, 255])], tmp_path / "parts.3mf")
+    (first, name, colour), (second, _, other) = ff.load_parts(tmp_path / "parts.3mf")
+    assert (name, colour, other) == ("a", "#ff0000", "#0080ff") and first.bounds()[0] < second.bounds()[0]
+    parts = [(ff.shapes.box(2, 2, 2), None, "red"), (ff.shapes.move(ff.shapes.box(2, 2, 2), 1, 0, 0), None, None)]
+    ff.mesh(parts[0][0] | parts[1][0]).save(tmp_path / "both.ply", parts)
+    assert b"property uchar red" in (tmp_path / "both.ply").read_bytes()
+    for parts, path, error in (([(a, "a", "reddish")], "parts.3mf", "reddish"), ([], "parts.3mf", "no part"), ([(a, "a", None)], "parts.xyz", "xyz")):
+        with pytest.raises(ff.Error, match=error):
+            ff.save_parts(parts, tmp_path / path)
+
+
+def test_default_cells():
+    assert ff.Solid(ff.shapes.box(128, 2, 2)).default_voxel(bounds=(0, 0, 0, 64, 1, 1)) == 64 / ff.default_cells
+    assert ff.shapes.box(128, 2, 2).default_voxel(cells=64) == pytest.approx(2, rel=0.05)
+    scan = ff.Volume(np.arange(27.0).reshape(3, 3, 3), spacing=(1, 2, 3)).solid(0.5)
+    assert scan.default_voxel() == 1
+    with pytest.raises(ff.Error, match="cells"):
+        scan.default_voxel(cells=0)
 
 
 def test_certainty_and_measures():

@@ -8,8 +8,8 @@ import tempfile
 import FreeCAD
 import FreeCADGui
 
-from .. import files, kernel, work
-from ..file_types import SLICES, VOLUMES
+from .. import files, kernel, part_files, work
+from ..file_types import SLICES, extensions, pattern
 from ..objects.frep_solid import FrepSolid
 from ..objects.scan import Scan
 from ..shim import QtWidgets
@@ -19,7 +19,7 @@ from .command import Command
 
 class ImportScan(Command):
     def Activated(self):
-        patterns = " ".join(f"*.{extension}" for extension in (*VOLUMES, *SLICES, "asdf"))
+        patterns = pattern(dict.fromkeys((*extensions("volume", "distances", reads=True), *SLICES)))
         path = QtWidgets.QFileDialog.getOpenFileName(FreeCADGui.getMainWindow(), tr("Import scan: a volume, or any slice of a stack"), "",
                                                      tr("Volumes and slices ({patterns});;All files (*)").format(patterns=patterns))[0]
         if path:
@@ -35,7 +35,7 @@ def add_scan(path):
 class RunScript(Command):
     def Activated(self):
         window = FreeCADGui.getMainWindow()
-        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Python scripts (*.py)"))[0]
+        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Scripts ({patterns})").format(patterns=pattern(extensions("script"))))[0]
         buttons = QtWidgets.QMessageBox
         asked = tr("Run {path}?\n\nA script can do on this computer whatever you can: read, change and delete your files. "
                    "Run it only if you trust whoever wrote it.").format(path=path)
@@ -47,13 +47,18 @@ class RunScript(Command):
 
 
 def add_script(path):
-    """Runs a script, in a process of its own, and adds the solid that it makes; the document keeps the formula, not the script. Raises
-    ValueError with the script's line, and work.Cancelled."""
-    text = work.run(lambda progress: _formula_of(path, progress), tr("Running {path}").format(path=os.path.basename(path)))
-    return files.add(FreeCAD.ActiveDocument or FreeCAD.newDocument(), FrepSolid, files.name_of(path), Expression=text)
+    """Runs a script, in a process of its own, and adds the solid that it makes, or the group of its parts; the document keeps the formulas, not the
+    script. Raises ValueError with the script's line, and work.Cancelled."""
+    parts = work.run(lambda progress: _parts_of(path, progress), tr("Running {path}").format(path=os.path.basename(path)))
+    document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
+    made = part_files.add(path, document.Name, files.name_of(path), FrepSolid, parts)
+    if FreeCAD.GuiUp:
+        files.show_all(document)
+    return made
 
 
-def _formula_of(path, progress):
+def _parts_of(path, progress):
+    """[(name, colour, {property: value})] for part_files.add()."""
     fieldfab = kernel.load()
     python_path = os.pathsep.join([os.path.dirname(os.path.dirname(fieldfab.__file__)), os.environ.get("PYTHONPATH", "")]).rstrip(os.pathsep)
     with tempfile.TemporaryFile() as said:
@@ -73,7 +78,10 @@ def _formula_of(path, progress):
         said.seek(0)
         answer = said.read().decode(errors="replace")
     if answer.startswith("ok\n"):
-        return fieldfab.parse(answer[3:]).math()
+        try:
+            return [(name, colour, {"Expression": solid.math()}) for solid, name, colour in fieldfab.parse_parts(answer[3:])]
+        except fieldfab.Error as error:
+            raise ValueError(f"{path}: {error}") from None
     _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("it ended without an answer"))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 
@@ -85,7 +93,7 @@ COMMANDS = {
         "Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the histogram and asks for the threshold, the part "
         "that is kept and the clean-up; the whole volume is computed at its OK only."),
     "Fieldfab_RunScript": RunScript(
-        "RunScript", "Run script", "Run a Python script that makes a solid, after asking, and keep the solid's formula",
-        "Asks for a Python script, and whether it may run, since it can do whatever you can. The document keeps the formula of the solid that it makes, "
-        "not the script."),
+        "RunScript", "Run script", "Run a script that makes solids, after asking, and keep their formulas",
+        "Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each "
+        "part that it makes, not the script."),
 }

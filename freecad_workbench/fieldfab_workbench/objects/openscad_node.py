@@ -6,49 +6,17 @@ from .. import openscad
 from ..openscad_nodes import KINDS, values_of
 from ..words import tr
 from . import outside
-from .solid import Solid, csg_of
+from .from_files import FromFiles
+from .solid import csg_of
 
 LONG = 100_000  # letters; a longer text is no good in a property editor
 
 
-class OpenScadSolid(Solid):
+class OpenScadSolid(FromFiles):
     """A solid that OpenSCAD's text says."""
 
     def source(self, obj):
         return openscad.OpenScadSource(self.csg(obj), obj.Label)
-
-    def onChanged(self, obj, name):
-        if name in outside.NAMES and not obj.Document.Restoring:
-            outside.forget(obj, name)
-
-    def mustExecute(self, obj):
-        """Where a file that it names has changed since."""
-        return bool(getattr(obj, "Stamps", None)) and obj.Stamps != self.stamps(obj)
-
-    def execute(self, obj):
-        super().execute(obj)
-        if "Stamps" in obj.PropertiesList:
-            obj.Stamps = self.stamps(obj)
-
-    def files(self, obj):
-        """The paths of those that it names itself."""
-        raise NotImplementedError
-
-    def stamps(self, obj):
-        """Of the files that it names, where they are there."""
-        stamps = []
-        for path in self.files(obj):
-            try:
-                stamps.append(openscad.stamp(path, obj.Label))
-            except ValueError:
-                stamps.append("missing")
-        return stamps
-
-    def add_outside(self, obj, name, words):
-        """A property of a file or folder that stays outside."""
-        self.add(obj, "File" if name == "File" else "Path", name, "OpenSCAD", words)
-        self.add(obj, "String", f"{name}Beside", "Result", "The same, from the document's folder", mode=outside.HIDDEN | outside.OUTPUT)
-        self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=outside.HIDDEN | outside.OUTPUT)
 
 
 class OpenScadNode(OpenScadSolid):
@@ -72,7 +40,7 @@ class OpenScadNode(OpenScadSolid):
         for argument in kind.arguments:
             for (name, words), default in zip(argument.properties, argument.defaults):
                 if argument.kind == "File":
-                    self.add_outside(obj, name, words)
+                    self.add_outside(obj, name, "OpenSCAD", words)
                 else:
                     add(argument.kind, name, "OpenSCAD", words, default)
         if kind.children:
@@ -111,7 +79,7 @@ class OpenScadText(OpenScadSolid):
 
     def add_own_properties(self, obj):
         self.add(obj, "String", "Text", "OpenSCAD", "The solid as OpenSCAD's .csg text")
-        self.add_outside(obj, "Folder", "Where the files are that the text names")
+        self.add_outside(obj, "Folder", "OpenSCAD", "Where the files are that the text names")
         self.show_what_is_short(obj)
 
     def onChanged(self, obj, name):

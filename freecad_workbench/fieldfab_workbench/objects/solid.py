@@ -29,10 +29,6 @@ class Solid(DocumentObject):
         """The solid in its own coordinates as OpenSCAD's text, an openscad.Text; None where OpenSCAD has no word for it. Raises ValueError."""
         return None
 
-    def default_voxel(self, obj):
-        """Edge of the smallest cell where none is given; None: by the preferences' cells along the longest side."""
-        return None
-
     def icon_name(self, obj):
         return getattr(obj, "Operation", self.NAME)
 
@@ -40,7 +36,7 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side. OpenSCAD's flat faces need no cells", 0)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: a scan's own, else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells", 0)
         add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
         add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
@@ -58,8 +54,10 @@ class Solid(DocumentObject):
         add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
 
     def mesh_settings(self, obj):
-        """The settings of fieldfab.mesh()."""
-        settings = {"voxel": obj.VoxelSize.Value or self.default_voxel(obj), "max_error": obj.MaxError.Value or None}
+        """The settings of sources.Source.mesh()."""
+        settings = {"voxel": obj.VoxelSize.Value or None, "max_error": obj.MaxError.Value or None}
+        if settings["voxel"] is None and preferences.cells() not in (0, kernel.load().default_cells):
+            settings["cells"] = preferences.cells()
         if not obj.AutoBounds:
             settings["bounds"] = (*obj.Lower, *obj.Upper)
         return {name: value for name, value in settings.items() if value is not None}
@@ -83,7 +81,7 @@ class Solid(DocumentObject):
         """Makes the mesh, where it is not what it should be. Raises ValueError, and work.Cancelled."""
         fieldfab = kernel.load()
         try:
-            source, settings = self._wanted(obj)
+            source, settings = self.source(obj), self.mesh_settings(obj)
             made_from = key_of(source, settings)
             if obj.MadeFrom == made_from:
                 return
@@ -96,14 +94,7 @@ class Solid(DocumentObject):
 
     def has_its_mesh(self, obj):
         """Whether the mesh is what it should be. Raises ValueError."""
-        return obj.MadeFrom == key_of(*self._wanted(obj))
-
-    def _wanted(self, obj):
-        """The source of the mesh, and its settings."""
-        settings = self.mesh_settings(obj)
-        if "voxel" not in settings and preferences.cells() != preferences.STANDARD_CELLS:
-            settings["cells"] = preferences.cells()
-        return self.source(obj), settings
+        return obj.MadeFrom == key_of(self.source(obj), self.mesh_settings(obj))
 
     @staticmethod
     def put_mesh(obj, mesh, made=None):
@@ -115,7 +106,7 @@ class Solid(DocumentObject):
 
 
 def key_of(source, settings):
-    """What tells the mesh of one source and settings of fieldfab.mesh() from another's."""
+    """What tells the mesh of one source and settings of sources.Source.mesh() from another's."""
     return hashlib.sha1(repr((source.digest, sorted(settings.items()))).encode()).hexdigest()
 
 

@@ -13,6 +13,7 @@ from ..icons import icon
 from ..newest import Newest
 from ..objects.solid import source_of
 from ..shim import QtCore, QtGui, QtWidgets, flags
+from ..sources import with_cell
 from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..words import marked, tr
@@ -77,9 +78,8 @@ class CheckPanel:
             return MeshBytes(vertices, triangles, flat=True, colours=colours(off / reach)), reach, off
 
         def check(progress):
-            if "voxel" not in settings and hasattr(source, "voxel"):
-                settings["voxel"] = source.voxel(progress)
-            return fieldfab.check(source.field(progress), progress=progress, **settings)
+            field = source.field(progress)
+            return fieldfab.check(field, progress=progress, **with_cell(field, **settings))
 
         def coloured(result):
             self.work.ask(check, self._checked)

@@ -1,5 +1,6 @@
 """The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
+from .. import kernel, preferences
 from ..certainty import is_uncertain, with_doubt
 from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
 from ..shim import QtWidgets
@@ -43,7 +44,7 @@ class FrepPanel(EditPanel):
     # Numbers.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/128 of the longest side"))
+        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/{cells} of the longest side").format(cells=preferences.cells() or round(kernel.load().default_cells)))
         self.max_error = self._length(self.obj.MaxError.Value, tr("a tenth of the smallest cell"))
         numbers.addRow(tr("Smallest cell"), self.voxel)
         numbers.addRow(tr("Largest error"), self.max_error)

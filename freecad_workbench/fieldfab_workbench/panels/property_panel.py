@@ -13,6 +13,7 @@ from .edit_panel import EditPanel
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
 HIDDEN = "Hidden"
 TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"), "PartShape": marked("Part shape"),
+          "FilePart": marked("Part of a model"),
           "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"), "OpenScadText": marked("OpenSCAD text"),
           "CamTool": marked("Tool"), "MachineProgram": marked("Machine program")}  # these two without a set-up
 

@@ -4,6 +4,7 @@ import numpy as np
 
 from .. import kernel, work
 from ..certainty import doubt_of
+from ..sources import with_cell
 from . import inventor
 
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
@@ -19,11 +20,12 @@ class Refinement:
     which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
-        """`settings`: of fieldfab.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
+        """`settings`: of source.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
         first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
         before all else."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
+        self._cell = None, None  # a region, and the smallest cell in it
         self.extent = guess  # of the solid, as far as it is known
         self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
         self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
@@ -173,8 +175,11 @@ class Refinement:
         return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
-        """Edge of the smallest cell of the solid's own mesh, mm."""
-        return self.settings.get("voxel") or self._longest() / 128
+        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is worked out once a region."""
+        region = tuple(self.region)
+        if self._cell[0] != region:
+            self._cell = region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": region})["voxel"]
+        return self._cell[1]
 
     def _longest(self):
         return (self.region[3:] - self.region[:3]).max()

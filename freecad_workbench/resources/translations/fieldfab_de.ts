@@ -288,6 +288,26 @@
         <translation>Die angegebenen Einstellungen; die anderen folgen ihren Vorgaben</translation>
     </message>
     <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>The file of the model: .frep text or a mesh</source>
+        <translation>Die Datei des Modells: .frep-Text oder ein Netz</translation>
+    </message>
+    <message>
+        <source>The part's name in the file; empty: all of the model</source>
+        <translation>Der Name des Teils in der Datei; leer: das ganze Modell</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+    <message>
+        <source>The files that the model opens, from its own folder</source>
+        <translation>Die Dateien, die das Modell öffnet, von seinem Ordner aus</translation>
+    </message>
+    <message>
         <source>Followed Text</source>
         <translation>Befolgter Text</translation>
     </message>
@@ -302,6 +322,14 @@
     <message>
         <source>The solid as .frep text or as a prefix math string</source>
         <translation>Der Körper als .frep-Text oder als Formel in Präfixschreibweise</translation>
+    </message>
+    <message>
+        <source>Stamps</source>
+        <translation>Zeitstempel</translation>
+    </message>
+    <message>
+        <source>Sizes and times of the files that it was made from</source>
+        <translation>Größen und Zeiten der Dateien, aus denen es entstand</translation>
     </message>
     <message>
         <source>Setup</source>
@@ -524,14 +552,6 @@
         <translation>Was ihn füllt</translation>
     </message>
     <message>
-        <source>Stamps</source>
-        <translation>Zeitstempel</translation>
-    </message>
-    <message>
-        <source>Sizes and times of the files that it was made from</source>
-        <translation>Größen und Zeiten der Dateien, aus denen es entstand</translation>
-    </message>
-    <message>
         <source>Node</source>
         <translation>Knoten</translation>
     </message>
@@ -546,6 +566,14 @@
     <message>
         <source>The solid as OpenSCAD's .csg text</source>
         <translation>Der Körper als .csg-Text von OpenSCAD</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Where the files are that the text names</source>
+        <translation>Wo die Dateien sind, die der Text nennt</translation>
     </message>
     <message>
         <source>What it is made of</source>
@@ -654,10 +682,6 @@
     <message>
         <source>While it cuts</source>
         <translation>Während es fräst</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Datei</translation>
     </message>
     <message>
         <source>The volume's file, or the folder of its slices</source>
@@ -964,8 +988,8 @@
         <translation>Zellgröße</translation>
     </message>
     <message>
-        <source>Edge of the smallest cell; 0 means automatic: mostly the preferences' 1/128 of the longest side. OpenSCAD's flat faces need no cells</source>
-        <translation>Kante der kleinsten Zelle; 0 heißt automatisch: meist 1/128 der längsten Seite, wie in den Einstellungen. Ebene Flächen von OpenSCAD brauchen keine Zellen</translation>
+        <source>Edge of the smallest cell; 0 means automatic: a scan's own, else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells</source>
+        <translation>Kante der kleinsten Zelle; 0 heißt automatisch: die eines Scans, sonst nach den Zellen entlang der längsten Seite in den Einstellungen. Ebene Flächen aus OpenSCAD brauchen keine Zellen</translation>
     </message>
     <message>
         <source>Max Error</source>
@@ -1419,10 +1443,6 @@
         <translation>Scan importieren: ein Volumen oder ein beliebiges Schichtbild eines Stapels</translation>
     </message>
     <message>
-        <source>Python scripts (*.py)</source>
-        <translation>Python-Skripte (*.py)</translation>
-    </message>
-    <message>
         <source>Run {path}?
 
 A script can do on this computer whatever you can: read, change and delete your files. Run it only if you trust whoever wrote it.</source>
@@ -1439,12 +1459,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Volumen und Schichtbilder ({patterns});;Alle Dateien (*)</translation>
     </message>
     <message>
+        <source>Scripts ({patterns})</source>
+        <translation>Skripte ({patterns})</translation>
+    </message>
+    <message>
         <source>The script was stopped.</source>
         <translation>Das Skript wurde angehalten.</translation>
     </message>
     <message>
         <source>one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are</source>
         <translation>als .frep lässt sich ein einziger, nicht verschobener F-Rep-Körper schreiben; .math und .vm nehmen mehrere, wo immer sie liegen</translation>
+    </message>
+    <message>
+        <source>{filename}: Fieldfab reads no .{ending} files</source>
+        <translation>{filename}: Fieldfab liest keine .{ending}-Dateien</translation>
     </message>
     <message>
         <source>Import {label}</source>
@@ -1461,10 +1489,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Writing {filename}</source>
         <translation>{filename} wird geschrieben</translation>
-    </message>
-    <message>
-        <source>{filename}: Fieldfab reads no .{ending} files</source>
-        <translation>{filename}: Fieldfab liest keine .{ending}-Dateien</translation>
     </message>
     <message>
         <source>{filename}: cancelled, not written</source>
@@ -1509,6 +1533,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label} has neither a mesh nor a shape</source>
         <translation>{label} hat weder Netz noch Form</translation>
+    </message>
+    <message>
+        <source>{filename}: cancelled; nothing was added</source>
+        <translation>{filename}: abgebrochen; nichts wurde hinzugefügt</translation>
     </message>
     <message>
         <source>{label}: choose a Part</source>
@@ -1617,6 +1645,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{label}: the Radius of a blend must be above 0</source>
         <translation>{label}: Der Radius der Verrundung muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{label}: choose the File of a model</source>
+        <translation>{label}: die Datei eines Modells wählen</translation>
     </message>
     <message>
         <source>{label}: nothing is planned yet</source>
@@ -1859,10 +1891,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: Die Datei {path} ist nicht da</translation>
     </message>
     <message>
-        <source>{filename}: cancelled; nothing was added</source>
-        <translation>{filename}: abgebrochen; nichts wurde hinzugefügt</translation>
-    </message>
-    <message>
         <source>Reading {name}</source>
         <translation>{name} wird gelesen</translation>
     </message>
@@ -2087,10 +2115,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Eine Form nach ihrem Bild wählen; sie wird an der Schreibmarke eingefügt</translation>
     </message>
     <message>
-        <source>1/128 of the longest side</source>
-        <translation>1/128 der längsten Seite</translation>
-    </message>
-    <message>
         <source>a tenth of the smallest cell</source>
         <translation>ein Zehntel der kleinsten Zelle</translation>
     </message>
@@ -2113,6 +2137,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{name} of the text: a property of the object, too</source>
         <translation>{name} aus dem Text: auch eine Eigenschaft des Objekts</translation>
+    </message>
+    <message>
+        <source>1/{cells} of the longest side</source>
+        <translation>1/{cells} der längsten Seite</translation>
     </message>
     <message>
         <source>0 is automatic: {zero}</source>
@@ -2285,6 +2313,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Part shape</source>
         <translation>Part-Form</translation>
+    </message>
+    <message>
+        <source>Part of a model</source>
+        <translation>Teil eines Modells</translation>
     </message>
     <message>
         <source>Path of program</source>
@@ -3201,12 +3233,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Skript ausführen</translation>
     </message>
     <message>
-        <source>Run a Python script that makes a solid, after asking, and keep the solid's formula</source>
-        <translation>Ein Python-Skript, das einen Körper macht, nach Rückfrage ausführen und die Formel des Körpers behalten</translation>
+        <source>Run a script that makes solids, after asking, and keep their formulas</source>
+        <translation>Nach einer Rückfrage ein Skript ausführen, das Körper macht, und deren Formeln behalten</translation>
     </message>
     <message>
-        <source>Asks for a Python script, and whether it may run, since it can do whatever you can. The document keeps the formula of the solid that it makes, not the script.</source>
-        <translation>Fragt nach einem Python-Skript und ob es laufen darf, denn es kann alles, was Sie können. Das Dokument behält die Formel des Körpers, nicht das Skript.</translation>
+        <source>Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each part that it makes, not the script.</source>
+        <translation>Fragt nach einem Python-Skript oder einem von kokopelli und ob es laufen darf, denn es kann alles, was Sie können. Das Dokument behält die Formel jedes Teils, den es macht, nicht das Skript.</translation>
     </message>
 </context>
 <context>

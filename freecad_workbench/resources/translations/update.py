@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 PACKAGE = HERE.parents[1] / "fieldfab_workbench"
 PREFERENCES = HERE.parent / "preferences.ui"
 # The calls that give an object a property: of the texts among their arguments, which are its name and its description.
-PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_add_choice": (0, 2), "described": (0, 1)}
+PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_add_choice": (0, 2), "described": (0, 1), "add_outside": (0, 2)}
 
 
 def collected():

@@ -281,11 +281,6 @@ void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::pa
   write_parts(views, path, progress);
 }
 
-bool keeps_parts(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  return extension == ".3mf" || extension == ".obj" || extension == ".glb";
-}
-
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, const VertexProperties& properties,
                Progress& progress) {
   const auto check_count = [&](const std::string& name, std::size_t count) {

@@ -179,6 +179,9 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   if (being_read.size() >= deepest)
     throw Error(ErrorKind::bad_input, path.string(), fmt::format("files open each other more than {} deep", deepest));
   being_read.push_back(place);
+  if (std::vector<std::filesystem::path>* const all = inner.files_read;
+      all != nullptr && std::find(all->begin(), all->end(), place) == all->end())
+    all->push_back(place);
   struct Leave {
     std::vector<std::filesystem::path>& being_read;
     ~Leave() { being_read.pop_back(); }

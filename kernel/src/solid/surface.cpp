@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/bounds.h"
 
@@ -28,9 +31,26 @@ Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progres
   return found.box.grown(found.box.size().maxCoeff() / 64);
 }
 
-double default_voxel(const Solid& solid, const Box& region) {
-  constexpr double cells_a_side = 128;
-  return solid.voxel.value_or(region.size().maxCoeff() / cells_a_side);
+double default_voxel(const Solid& solid, const Box& region, double cells) {
+  if (!(cells > 0)) throw Error(ErrorKind::bad_input, "cells", fmt::format("{} is not a positive number", cells));
+  return solid.voxel.value_or(region.size().maxCoeff() / cells);
+}
+
+std::vector<Colour> vertex_colours(const TriangleMesh& mesh, const Model& model) {
+  std::vector<Colour> colours;
+  if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))
+    return colours;
+  constexpr Colour plain{204, 204, 204};
+  colours.assign(mesh.vertices.size(), plain);
+  std::vector<float> x, y, z;
+  for (const auto& v : mesh.vertices) x.push_back(v[0]), y.push_back(v[1]), z.push_back(v[2]);
+  std::vector<float> least(colours.size(), std::numeric_limits<float>::infinity()), value(colours.size());
+  for (const Solid& part : model.parts) {
+    part.field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
+    for (std::size_t i = 0; i < colours.size(); ++i)
+      if (value[i] < least[i]) least[i] = value[i], colours[i] = part.colour.value_or(plain);
+  }
+  return colours;
 }
 
 Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress, EmptySolid empty) {

@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import numpy as np
+import FreeCAD
 import pytest
 
 from fieldfab_workbench import frep_language as language
@@ -197,7 +198,8 @@ def loaded_by(code):
 
 
 def test_the_workbench_loads_without_what_takes_long():
-    """Neither numpy nor the kernel is imported before something is made."""
+    """Neither numpy nor the kernel is imported before something is made: the types of files are in the preferences."""
+    FreeCAD.saveParameter("User parameter")
     loaded = loaded_by("import FreeCAD, FreeCADGui; FreeCADGui.addCommand = lambda *given: None\n"
                        "from fieldfab_workbench import commands; commands.register()")
     assert "fieldfab_workbench.commands.cam" in loaded and not {"numpy", "fieldfab", "pivy"} & set(loaded)

@@ -77,7 +77,7 @@ def test_examples_are_openscads_own_solids(document, tmp_path, name):
     assert root.Volume.Value == pytest.approx(volume_of(whole, path.parent), rel=1e-3)
     if not flat:
         mine = np.array([tuple(point.Vector) for point in root.Mesh.Points], dtype=np.float32)
-        voxel = root.Proxy.source(root).voxel()
+        voxel = root.Proxy.source(root).field().default_voxel()
         assert np.abs(kernel.load().load(reference).values(mine)).max() < voxel, "no vertex is farther than a voxel from OpenSCAD's surface"
     assert root.Visibility and not any(obj.Visibility for obj in root.OutListRecursive)
 

@@ -6,6 +6,7 @@ import pytest
 import window
 from window import live, press
 
+from fieldfab_workbench import files, kernel, preferences
 from fieldfab_workbench.objects import frep_solid
 from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.shim import QtWidgets
@@ -73,3 +74,33 @@ def test_a_shape_is_edited_in_its_panel(solid):
     box.setValue(500)
     press(QtWidgets.QDialogButtonBox.Ok)
     assert made.MostTriangles == 500 and made.isValid() and made.Shape.isValid()
+
+
+def test_parts_come_in_and_go_out_in_their_colours(tmp_path):
+    path = tmp_path / "assembly.frep"
+    path.write_text('part(sphere(8), "ball", "gold")\npart(move(box(12, 12, 12), 20, 0, 0), "block", "#2050a0")\npart(move(torus(6, 2), -20, 0, 0), "ring")')
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    document = FreeCAD.newDocument()
+    try:
+        live(0.2)
+        group = files.insert(str(path), document.Name)
+        ball, block, ring = group.Group
+        assert document.UndoCount == 1 and (group.Label, ball.Label, block.Label, ring.Label) == ("assembly", "ball", "block", "ring")
+        assert ball.ViewObject.ShapeColor[:3] == pytest.approx((1, 215 / 255, 0), abs=0.01)
+        assert ring.ViewObject.ShapeColor[:3] == pytest.approx(preferences.colour(), abs=0.01)
+        live(0.5)
+        picture = window.shot("parts")
+        seen = sum(c.red() > 1.5 * c.blue() and c.green() > 1.2 * c.blue() for y in range(150, 700, 5) for x in range(300, 1300, 5) for c in [picture.pixelColor(x, y)])
+        assert seen > 100, "the ball is gold"
+        block.ViewObject.ShapeColor = (0.0, 1.0, 0.0, 0.0)
+        files.export([group], str(tmp_path / "out.3mf"))
+        colours = [colour for _, _, colour in kernel.load().load_parts(tmp_path / "out.3mf")]
+        assert colours == ["#ffd700", "#00ff00", None], "as they are seen, and none for the colour that all solids have"
+        FreeCADGui.ActiveDocument.setEdit(ball.Name)
+        live(0.3)
+        assert "Part" in [w.text() for w in FreeCADGui.getMainWindow().findChildren(QtWidgets.QLabel) if w.isVisible()]
+        press(QtWidgets.QDialogButtonBox.Cancel)
+        document.undo()
+        assert not document.Objects
+    finally:
+        FreeCAD.closeDocument(document.Name)

@@ -300,6 +300,10 @@ def test_a_script_runs_only_after_yes(document, tmp_path, monkeypatch):
         FreeCADGui.runCommand("Fieldfab_RunScript")
         assert (tmp_path / "part.ran").exists() == ran
     assert len(asked) == 2 and str(script) in asked[0] and document.Objects[0].Volume.Value == pytest.approx(523.6, rel=0.02)
+    script.write_text("import fieldfab as ff\nff.part(ff.shapes.sphere(5), 'ball', 'red')\nff.part(ff.shapes.box(1, 2, 3), 'box')\n")
+    group = commands.add_script(str(script))
+    assert [(part.Label, round(part.Volume.Value)) for part in group.Group] == [("ball", pytest.approx(524, abs=5)), ("box", 6)]
+    assert group.Group[0].ViewObject.ShapeColor[:3] == (1.0, 0.0, 0.0)
     script.write_text("import fieldfab\nsolid = 1 / 0\n")
     with pytest.raises(ValueError, match=r"part.py:2: ZeroDivisionError"):
         commands.add_script(str(script))

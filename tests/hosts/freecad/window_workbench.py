@@ -75,7 +75,7 @@ def test_objects_find_their_view_and_panel_by_their_kind():
 
 
 def test_preferences_are_shown_and_kept():
-    before, seen = preferences.cells(), []
+    seen = []
 
     def change():
         dialog = QtWidgets.QApplication.activeModalWidget()
@@ -89,7 +89,7 @@ def test_preferences_are_shown_and_kept():
     QtCore.QTimer.singleShot(1500, change)
     FreeCADGui.showPreferences("Fieldfab")
     assert seen == [True] and preferences.cells() == 64
-    FreeCAD.ParamGet(preferences.PATH).SetInt("Cells", before)
+    FreeCAD.ParamGet(preferences.PATH).RemInt("Cells")
 
 
 def test_icons_are_drawn():

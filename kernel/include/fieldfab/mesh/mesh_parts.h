@@ -28,9 +28,6 @@ struct MeshPart {
 /// file first.
 void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path, Progress& progress = Progress::none());
 
-/// Whether a mesh file of that name keeps parts apart: .3mf, .obj and .glb do.
-bool keeps_parts(const std::filesystem::path& path);
-
 /// Reads a mesh file as parts. Of a .3mf file each item of the build is one, in mm, transforms carried out and components
 /// merged into it: its name is that of the item's object, or else the item's part number; its colour is the base material
 /// of the object, or the one that all components below it share. A name that was there before has " 2", " 3" and so on

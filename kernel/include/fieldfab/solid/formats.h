@@ -26,6 +26,7 @@ struct Format {
   bool writes;       ///< whether there is a writer
   std::string help;  ///< one line
   ModelReader read;  ///< null where it is only written
+  bool parts = false;  ///< whether several parts stay apart in it, with their names
 };
 
 /// A table of formats, as a value: the kernel's own, or those with what libraries above it can read.

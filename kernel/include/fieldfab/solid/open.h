@@ -27,6 +27,8 @@ struct OpenSettings {
   std::optional<Box> region = {};  ///< mm; of an .asdf file only the blocks that meet it
   bool opens_others = true;        ///< whether a text or script may open() further files
   const Formats* formats = nullptr;  ///< those that are known; null: the kernel's own
+  /// Gets the paths of all files that are read, each once.
+  std::vector<std::filesystem::path>* files_read = nullptr;
   /// What all files of one model share: which are being read, and which were. Made by the first.
   std::shared_ptr<struct OpenFiles> files = nullptr;
 };

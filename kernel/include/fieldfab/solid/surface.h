@@ -32,8 +32,14 @@ enum class EmptySolid { refused, allowed };
 Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progress& progress = Progress::none(),
                    EmptySolid empty = EmptySolid::refused);
 
-/// The cell to work with where none is asked for, mm: the solid's own resolution, else 1/128 of the region's longest side.
-double default_voxel(const Solid& solid, const Box& region);
+/// The cell to work with where none is asked for, mm: the solid's own resolution, else so many cells along the region's longest
+/// side. Throws bad_input unless `cells` is positive.
+constexpr double default_cells = 128;
+double default_voxel(const Solid& solid, const Box& region, double cells = default_cells);
+
+/// The colour of each vertex of a mesh of all parts together: that of the part with the least value there, light grey where it
+/// has none. Empty where no part has a colour.
+std::vector<Colour> vertex_colours(const TriangleMesh& mesh, const Model& model);
 
 /// The closed surface of a solid. Throws bad_input, too_large, cancelled, as contour() and working_bounds() do.
 Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress = Progress::none(),

@@ -1,0 +1,39 @@
+"""Objects that come in together: one undo step, or nothing at all."""
+
+import contextlib
+
+import FreeCAD
+
+from . import work
+from .words import tr
+
+
+@contextlib.contextmanager
+def one_step(filename, docname, name):
+    """Yields (the document of that name, a new one where there is none, a list for the objects that are added to it). Where ValueError or work.Cancelled is
+    raised these are taken back, and ValueError with a line for the user is raised."""
+    there = docname in FreeCAD.listDocuments()
+    document, made = FreeCAD.getDocument(docname) if there else FreeCAD.newDocument(docname or name), []
+    began = not document.HasPendingTransaction
+    if began:
+        document.openTransaction(tr("Import {label}").format(label=name))
+    try:
+        yield document, made
+        document.recompute()
+        if began:
+            document.commitTransaction()
+    except (ValueError, work.Cancelled) as error:
+        for obj in reversed(made):
+            document.removeObject(obj.Name)
+        if began:
+            document.abortTransaction()
+        raise (cancelled(filename) if isinstance(error, work.Cancelled) else ValueError(f"{filename}: {error}")) from None
+    finally:
+        if not there and not document.Objects:
+            FreeCAD.closeDocument(document.Name)
+        elif not there:
+            document.Label = docname or name
+
+
+def cancelled(filename):
+    return ValueError(tr("{filename}: cancelled; nothing was added").format(filename=filename))

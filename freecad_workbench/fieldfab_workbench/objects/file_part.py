@@ -1,0 +1,45 @@
+"""A solid from a model's file: one of its parts, or all of it."""
+
+import os
+
+from ..parts import PartSource, opened_by
+from ..words import tr
+from .from_files import FromFiles
+from .outside import HIDDEN, OUTPUT, path_of
+from .solid import key_of
+
+
+class FilePart(FromFiles):
+    """A part of .frep text or of a mesh file: the document keeps where the file is and the part's name."""
+
+    NAME = "FilePart"
+
+    def add_own_properties(self, obj):
+        self.add_outside(obj, "File", "Part", "The file of the model: .frep text or a mesh")
+        self.add(obj, "String", "Part", "Part", "The part's name in the file; empty: all of the model")
+        self.add(obj, "StringList", "Opened", "Result", "The files that the model opens, from its own folder", mode=HIDDEN | OUTPUT)
+
+    def source(self, obj):
+        path = path_of(obj, "File")
+        if not path:
+            raise ValueError(tr("{label}: choose the File of a model").format(label=obj.Label))
+        return PartSource(path, obj.Part, obj.Opened, obj.Label)
+
+    def files(self, obj):
+        path = path_of(obj, "File")
+        return [path, *(os.path.join(os.path.dirname(path), file) for file in obj.Opened)]
+
+    def make_mesh(self, obj):
+        before = obj.MadeFrom
+        super().make_mesh(obj)
+        if obj.MadeFrom != before:
+            self._follow_opened(obj)
+
+    def _follow_opened(self, obj):
+        """Another version of the file may open other files."""
+        source = self.source(obj)
+        model = source.model()
+        opened = opened_by(model, source.path)
+        if opened != obj.Opened:
+            obj.Opened = opened
+            obj.MadeFrom = key_of(PartSource(source.path, obj.Part, opened, obj.Label, model), self.mesh_settings(obj))

@@ -1,0 +1,67 @@
+"""Models that come in: formulas, and meshes of parts. A model of several parts is one object a part, in a group, with names and colours."""
+
+import os
+import pathlib
+
+import FreeCAD
+
+from . import kernel, work
+from .importing import cancelled, one_step
+from .objects import file_part, frep_solid
+from .objects.solid import create
+from .parts import names_of, opened_by
+from .words import tr
+
+
+def insert(filename, docname, name):
+    """Adds a model to the document of that name, a new one where there is none. Returns its solid, of several parts their group. A formula that opens no
+    file comes in with its text, and is the document's own from then on; all else follows the file. Raises ValueError with a line for the user, and then
+    all is as it was."""
+    fieldfab, filename = kernel.load(), os.path.abspath(filename)
+    try:
+        model = work.run(lambda progress: fieldfab.open_model(filename, progress), tr("Reading {name}").format(name=os.path.basename(filename)))
+        text = _own_text(filename, model)
+    except (fieldfab.Error, OSError, UnicodeError) as error:
+        raise ValueError(str(error) if isinstance(error, fieldfab.Error) else f"{filename}: {error}") from None
+    except work.Cancelled:
+        raise cancelled(filename) from None
+    for note in model.notes:
+        FreeCAD.Console.PrintWarning(note + "\n")
+    if text is not None:
+        return add(filename, docname, name, frep_solid.FrepSolid, [(*model.parts[0][1:], {"Expression": text})])
+    opened, several = opened_by(model, filename), len(model.parts) > 1
+    return add(filename, docname, name, file_part.FilePart, [
+        (own, colour, {"File": filename, "Opened": opened, "Part": addressed if several else ""})
+        for addressed, (_, own, colour) in zip(names_of(model), model.parts)])
+
+
+def _own_text(filename, model):
+    """The text of a formula that is one solid and opens no file; else None. Raises OSError, UnicodeError."""
+    if len(model.parts) > 1 or len(model.files) > 1 or model.parts[0][0].kind != "f-rep":
+        return None
+    return model.parts[0][0].math() if filename.lower().endswith(".vm") else pathlib.Path(filename).read_text(encoding="utf-8")
+
+
+def add(filename, docname, name, kind, parts):
+    """Adds solids of a class, (name or None, colour or None, {property: value}) each, in one undo step; several in a group of the file's name, which is
+    returned then. Raises ValueError as insert() does."""
+    with one_step(filename, docname, name) as (document, made):
+        group = document.addObject("App::DocumentObjectGroup", "Parts") if len(parts) > 1 else None
+        if group is not None:
+            made.append(group)
+            group.Label = name
+        for own, colour, values in parts:
+            obj = create(kind, document)
+            made.append(obj)
+            obj.Label = own or name
+            for property_name, value in values.items():
+                setattr(obj, property_name, value)
+            if colour and FreeCAD.GuiUp:
+                obj.ViewObject.ShapeColor = tuple(int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5))
+            if group is not None:
+                group.addObject(obj)
+            try:
+                obj.Proxy.make_mesh(obj)
+            except ValueError:
+                pass  # the recompute that follows marks the object and tells why; the other parts are as good without it
+    return group or obj
