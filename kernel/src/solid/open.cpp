@@ -20,8 +20,8 @@ namespace fieldfab {
 
 /// The files of one model.
 struct OpenFiles {
-  std::vector<std::filesystem::path> being_read;         ///< the outermost first
-  std::map<std::string, frep::Expression> known;         ///< by path and options
+  std::vector<std::filesystem::path> being_read;  ///< the outermost first
+  std::map<std::string, frep::Expression> known;  ///< by path and options
   std::vector<std::string> notes;
 };
 
@@ -77,9 +77,9 @@ void check_options(std::span<const frep::OpenOption> options, const Format& form
       throw Error(ErrorKind::bad_input, path,
                   fmt::format("'open' has no option '{:.40}'{}", option.name, suggestion(option.name, known)));
     if (info->kind != format.kind)
-      throw Error(ErrorKind::bad_input, path,
-                  fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind),
-                              name_of(format.kind)));
+      throw Error(
+          ErrorKind::bad_input, path,
+          fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind), name_of(format.kind)));
   }
 }
 
@@ -186,8 +186,8 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   return model;
 }
 
-Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
-                  const OpenSettings& settings, Progress& progress) {
+Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder, const OpenSettings& settings,
+                  Progress& progress) {
   OpenSettings inner = settings;
   const bool first = inner.files == nullptr;
   if (first) inner.files = std::make_shared<OpenFiles>();
@@ -201,6 +201,13 @@ Model parse_model(std::string_view text, std::string_view name, const std::files
   }
   if (first) model.notes = std::move(inner.files->notes);
   return model;
+}
+
+std::vector<frep::Diagnostic> diagnose_model(std::string_view text, const std::filesystem::path& folder,
+                                             const OpenSettings& settings, Progress& progress) {
+  OpenSettings inner = settings;
+  if (inner.files == nullptr) inner.files = std::make_shared<OpenFiles>();
+  return frep::diagnostics(text, settings.opens_others ? frep::Opener(FileOpener(folder, inner, progress)) : nullptr);
 }
 
 Model model_of(const std::shared_ptr<const OpenedSolid>& opened) {
@@ -258,8 +265,8 @@ Model read_mesh_file(const std::filesystem::path& path, const OpenSettings& sett
       model.notes.push_back(fmt::format("{} is open: {} {} closed by lids of {:.3g} mm2", name, lids.rims,
                                         lids.rims == 1 ? "rim is" : "rims are", lids.area));
     } else if (!lids.triangles.empty()) {
-      model.notes.push_back(
-          fmt::format("{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long", name));
+      model.notes.push_back(fmt::format(
+          "{} is open, and lids cannot close it: what is inside is found by winding numbers, which takes long", name));
     }
     auto opened = std::make_shared<OpenedSolid>();
     opened->kind = "mesh";
