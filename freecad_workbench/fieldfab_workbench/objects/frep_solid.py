@@ -66,10 +66,13 @@ class FrepSolid(Solid):
         for name, parameter in wanted.items():
             held = property_name(name)
             if held not in obj.PropertiesList:
-                obj.addProperty("App::PropertyFloat", held, GROUP, parameter.comment or f"{name} of the text")
+                obj.addProperty("App::PropertyFloat", held, GROUP)
+                own.add(held)
                 setattr(obj, held, parameter.value)
             elif held in own and (name not in before or before[name].value != parameter.value):
                 setattr(obj, held, parameter.value)
+            if held in own:
+                obj.setDocumentationOfProperty(held, parameter.comment or f"{name} of the text")
         obj.FollowedText = obj.Expression
 
     def text(self, obj):

@@ -137,7 +137,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         cursor = self.textCursor()
         cursor.setPosition(self.completed_from, QtGui.QTextCursor.KeepAnchor)
         start = cursor.selectedText()
-        fitting = [entry for entry in entries if entry.name != start]
+        fitting = [entry for entry in entries if entry.name != start or entry.insert.endswith("= ")]
         if not fitting or not (asked or len(start) > 1):
             self.popup.popup().hide()
             return

@@ -132,7 +132,7 @@ class InfixParser {
     const std::size_t length = token != tokens_.end() && token->at == at ? token->length() : 0;
     const std::string_view before = text.substr(0, at);
     const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    found_->push_back({at, length, lines + 1, at - (before.rfind('\n') + 1) + 1, printable(error.message)});
+    found_->push_back({at, length, lines + 1, at - (before.rfind('\n') + 1) + 1, error.message});
   }
   void report(std::size_t at, const std::string& message) {
     report(TextError(ErrorKind::bad_input, source_.place(at), message, at));

@@ -274,7 +274,8 @@ Completions completions(std::string_view text, std::size_t offset, std::span<con
       fitting.offset = token.offset + 1;
       fitting.length = offset - fitting.offset;
       const auto call = enclosing(source, place - 1);
-      const std::string_view named = source.is(place - 2, "=") ? source.shown(source[place - 3]) : "";
+      const std::string_view named =
+          source.is(place - 2, "=") && source.is_name(place - 3) ? source.shown(source[place - 3]) : "";
       const bool colour =
           call && call->name == "part" && (named.empty() ? call->argument == 2 : named == "colour" || named == "color");
       if (colour)

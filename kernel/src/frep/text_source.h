@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/expression.h"
 
 namespace fieldfab::frep {
@@ -44,7 +45,7 @@ class TextSource {
 
   /// Throws TextError at byte `at`.
   [[noreturn]] void fail(std::size_t at, const std::string& message, ErrorKind kind = ErrorKind::bad_input) const {
-    throw TextError(kind, place(at), message, at);
+    throw TextError(kind, place(at), printable(message), at);
   }
 
   /// The byte at `at` as a message shows it.

@@ -38,7 +38,7 @@ def test_colours_numbers_and_all_mistakes_in_their_places(document, panels):
     live(0.3)
     assert [m.cursor.selectedText() for m in editor.extraSelections()] == ["q", "@"]
     assert panels[-1].message.text() == "Line 2: unknown name 'q' (and 1 more)"
-    assert colour_at(editor, 1, 4) == COLOURS["function"] and colour_at(editor, 0, 0) == COLOURS["comment"] and colour_at(editor, 1, 6) is None
+    assert colour_at(editor, 1, 4) == COLOURS["function"] and colour_at(editor, 0, 0) == COLOURS["comment"] and colour_at(editor, 1, 7) is None
     window.shot("mistakes")
     editor.setPlainText("sphere(r = 4")
     live(0.2)
