@@ -5,6 +5,9 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 from . import kernel
+from .words import marked, tr
+
+MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the third coordinate, mm", "exact distance", "never more than the distance"))
 
 
 def grammar():
@@ -69,6 +72,11 @@ def mistakes(text):
 def words(text=""):
     """All names that a text can use: {name: fieldfab.language.Word}."""
     return {word.name: word for word in grammar().words(Places(text).data)}
+
+
+def meaning(kernels):
+    """The kernel's words for a meaning, in the user's language where they are its standing ones."""
+    return " · ".join(tr(each) for each in kernels.split(" · "))
 
 
 def completions(text, at):

@@ -90,7 +90,7 @@ def _of_function(function):
     given = {**defaults, **dict(zip(parameters, arguments))}
     # A list has no names, and all before it goes by its place.
     values = {"…": ", ".join(arguments)} if function["any_number"] else {p: given[p] for p in parameters}
-    return Shape(name, function["group"], function["signature"], function["help"], found("figures", "shapes", f"{name}.png"),
+    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]), found("figures", "shapes", f"{name}.png"),
                  values, defaults, example[:start], example[end:])
 
 

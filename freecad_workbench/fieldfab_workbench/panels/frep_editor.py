@@ -147,7 +147,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
             item = QtGui.QStandardItem(entry.signature)
             item.setData(entry.name, QtCore.Qt.UserRole)
             item.setData(entry.insert, INSERTED)
-            item.setToolTip(entry.meaning)
+            item.setToolTip(language.meaning(entry.meaning))
             item.setForeground(QtGui.QColor(COLOURS[entry.kind]))
             model.appendRow(item)
         self.popup.setCompletionPrefix(start)
@@ -204,7 +204,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         if word is None:
             return "<br>".join(escape(m) for m in here or [m.message for m in self.mistakes if m.line == line])
         example = f"<br><code>{escape(word.example)}</code>" if word.example else ""
-        return f"<b>{escape(word.signature)}</b><br>{escape(word.meaning)}{example}"
+        return f"<b>{escape(word.signature)}</b><br>{escape(language.meaning(word.meaning))}{example}"
 
     # Line numbers.
     def _width(self):
