@@ -34,7 +34,7 @@ struct Named : Value {
 
 using Names = std::unordered_map<std::string_view, Named>;
 
-const Named unknown_value{{Expression::x()}, false, true};
+Named unknown_value() { return {{Expression::x()}, false, true}; }
 
 class InfixParser {
  public:
@@ -67,7 +67,7 @@ class InfixParser {
         report(error);
         go_on_after(first, at);
         loose.reset();
-        result = unknown_value;
+        result = unknown_value();
       }
     }
     if (!parts_.empty()) {
@@ -75,7 +75,7 @@ class InfixParser {
       return std::move(parts_);
     }
     if (!result) report(source_.text().size(), "the text has no result: its last statement is the solid");
-    return {{result.value_or(unknown_value).expression, {}, {}}};
+    return {{result.value_or(unknown_value()).expression, {}, {}}};
   }
 
  private:
@@ -128,6 +128,8 @@ class InfixParser {
     if (found_ == nullptr) throw TextError(error);
     const std::string_view text = source_.text();
     const std::size_t at = std::min(error.at, text.size());
+    const auto known = [&](const Diagnostic& other) { return other.offset == at && other.message == error.message; };
+    if (std::ranges::any_of(*found_, known)) return;  // in the body of a function that is called again
     const auto token = std::ranges::lower_bound(tokens_, at, {}, &InfixToken::at);
     const std::size_t length = token != tokens_.end() && token->at == at ? token->length() : 0;
     const std::string_view before = text.substr(0, at);
@@ -151,7 +153,7 @@ class InfixParser {
     callable_ = ~std::size_t{0};
     depth_ = 0;
     const std::string_view name = tokens_[first].text;
-    if (tokens_[first].kind == InfixToken::name && tokens_[first + 1].is('=')) names_.insert_or_assign(name, unknown_value);
+    if (tokens_[first].kind == InfixToken::name && tokens_[first + 1].is('=')) names_.insert_or_assign(name, unknown_value());
     if (const auto made = functions_.find(name); made != functions_.end() && made->second.first > first)
       made->second.unknown = true;
     const auto begins_statement = [&] {
@@ -209,7 +211,7 @@ class InfixParser {
       source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
     // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
     Names trial;
-    for (const std::string_view parameter : parameters) trial.emplace(parameter, unknown_value);
+    for (const std::string_view parameter : parameters) trial.emplace(parameter, unknown_value());
     at = after + 1;
     callable_ = made.order;
     trial_ = true;
@@ -393,7 +395,7 @@ class InfixParser {
   }
 
   [[nodiscard]] Named joined(const Named& a, const Named& b, const Waiting& by) const {
-    if (a.unknown || b.unknown) return unknown_value;
+    if (a.unknown || b.unknown) return unknown_value();
     try {
       return {frep::joined(by.sign, a, b)};
     } catch (const Error& error) {
@@ -426,7 +428,7 @@ class InfixParser {
         if (given.words == i) source_.fail(tokens_[call.token].at, fmt::format("'{}' takes no words in quotes", name));
         bound.insert_or_assign(parameters[i], *given.values[i]);
       }
-      if (user->second.unknown) return unknown_value;
+      if (user->second.unknown) return unknown_value();
       constexpr int deepest = 100;
       if (depth_ >= deepest)
         source_.fail(tokens_[call.token].at, fmt::format("functions call each other more than {} deep", deepest));
@@ -463,7 +465,7 @@ class InfixParser {
                                  given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
     }
     if (std::any_of(given.values.begin(), given.values.end(), [](const auto& value) { return value && value->unknown; }))
-      return unknown_value;
+      return unknown_value();
     try {
       return {frep::call(*function, values, given.text)};
     } catch (const Error& error) {
@@ -493,7 +495,7 @@ class InfixParser {
     }
     if (path.empty()) source_.fail(at, "'open' lacks the name of a file in quotes");
     if (trial_ || std::any_of(call.arguments.begin(), call.arguments.end(), [](const Argument& a) { return a.value.unknown; }))
-      return unknown_value;
+      return unknown_value();
     if (!opener_) source_.fail(at, "files cannot be opened from this text");
     try {
       return {{opener_(path, options), true}};

@@ -77,6 +77,7 @@ def test_completion_and_tooltips(document, panels):
         key(editor, letter)
     live(0.1)
     assert popup.isVisible() and popup.currentIndex().data() == "dy = 1", "a parameter by its name"
+    window.shot("arguments")
     key(popup, code=QtCore.Qt.Key_Return)
     assert editor.toPlainText() == "roundness = 2\nrounded_box(dy = )"
     press(Button.Cancel)
