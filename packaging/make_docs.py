@@ -15,14 +15,6 @@ VIEW = dict(alpha=0.5, beta=-0.95, perspective=0.5, samples=2)
 DISTANCES = {"exact": "exact", "bound": "bound", "neither": "–", "": ""}
 
 
-def signature(function, angle_unit):
-    words = []
-    for p in function["parameters"]:
-        default = "" if p["default"] is None else f"={p['default']:g}"
-        words.append(p["name"] + default + (angle_unit if p["kind"] == "angle" else ""))
-    return f"{function['name']}({', '.join(words)}{', …' if function['any_number'] else ''})"
-
-
 def stubs():
     kinds = {"expression": "Operand", "angle": "Operand", "number": "float", "whole": "int", "text": "str"}
     lines = ['"""Shapes, and what is done with them, as expressions. Lengths in mm, angles in radians. Made by ./dev docs."""', ""]
@@ -56,7 +48,7 @@ def manual():
             lines += ["", f"## {group}", "", "| | | |", "|---|---|---|"]
         about = " · ".join(filter(None, [f["meaning"], DISTANCES[f["distance"]]]))
         picture = f"![{f['name']}](figures/shapes/{f['name']}.png)"
-        lines.append(f"| {picture} | `{signature(f, '°')}` | {about}<br>`{f['example']}` |".replace(" | b`", " \\| b`"))
+        lines.append(f"| {picture} | `{f['signature']}` | {about}<br>`{f['example']}` |".replace(" | b`", " \\| b`"))
     return "\n".join(lines) + "\n"
 
 

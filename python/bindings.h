@@ -20,6 +20,8 @@ namespace py = pybind11;
 
 void bind_solids(py::module_& module);
 void bind_language(py::module_& module);
+/// As the module `language`.
+void bind_grammar(py::module_& parent);
 void bind_distances(py::module_& module);
 void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);

@@ -103,6 +103,8 @@ py::list describe_library() {
     about["any_number"] = function.any_number;
     about["distance"] = std::string(function.distance);
     about["meaning"] = std::string(function.meaning);
+    about["signature"] = frep::signature(function);
+    about["help"] = frep::meaning(function);
     about["example"] = std::string(function.example);
     all.append(about);
   }

@@ -57,6 +57,7 @@ PYBIND11_MODULE(_core, module) {
       "Writes bytes, or text as UTF-8, whole or not at all: beside the file, synced, then put in its place.");
   bind_solids(module);
   bind_language(module);
+  bind_grammar(module);
   bind_distances(module);
   bind_results(module);
   bind_volumes(module);

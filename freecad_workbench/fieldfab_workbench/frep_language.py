@@ -1,78 +1,92 @@
-"""What an editor must know of .frep text: its words, where they stand, what they mean. Nothing here needs a window."""
+"""The kernel's grammar of .frep text, for a window: places are counted as Qt counts them, in UTF-16 units. Nothing here needs a window."""
 
-import re
+from bisect import bisect_right
 from dataclasses import dataclass
+from itertools import accumulate
 
 from . import kernel
 from .words import marked, tr
 
-TOKEN = re.compile(r"""(?P<comment>\#.*|//.*)|(?P<string>"(?:\\.|[^"\\])*"?)|(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)|(?P<name>[A-Za-z_]\w*)""")
-CONSTANTS = {"x": marked("the first coordinate, mm"), "y": marked("the second coordinate, mm"), "z": marked("the third coordinate, mm"),
-             "pi": "3.14159…", "tau": "6.28318…", "e": "2.71828…"}
-_DEFINITION = re.compile(r"^[ \t]*([A-Za-z_]\w*)[ \t]*(\([^)]*\))?[ \t]*=(?!=)", re.MULTILINE)
-_PLACE = re.compile(r":(\d+):(\d+)$")
+MEANINGS = marked(("the first coordinate, mm", "the second coordinate, mm", "the third coordinate, mm", "exact distance", "never more than the distance"))
+
+
+def grammar():
+    """The kernel's functions. Raises ImportError without a kernel."""
+    return kernel.load().language
+
+
+class Places:
+    """A text as the kernel takes it, and its places: bytes of UTF-8 there, UTF-16 units here."""
+
+    def __init__(self, text):
+        self.data = text.encode("utf-8", "replace")  # half of a surrogate pair becomes one byte
+        self._same = len(self.data) == len(text)
+        if not self._same:
+            self._bytes = [0, *accumulate(len(c.encode("utf-8", "replace")) for c in text)]
+            self._units = [0, *accumulate(1 + (ord(c) > 0xFFFF) for c in text)]
+
+    def unit(self, byte):
+        return byte if self._same else self._units[bisect_right(self._bytes, byte) - 1]
+
+    def byte(self, unit):
+        return unit if self._same else self._bytes[bisect_right(self._units, unit) - 1]
+
+    def span(self, thing):
+        """Where a token, a mistake or a completion begins and ends."""
+        return self.unit(thing.offset), self.unit(thing.offset + thing.length)
 
 
 @dataclass
-class Word:
-    """A name that means something: what a tooltip and a completion say of it."""
-
-    name: str
-    kind: str  # function, constant or defined
-    signature: str
-    meaning: str = ""
-    example: str = ""
+class Mistake:
+    start: int
+    end: int  # the start where something is missing
+    line: int  # from 0
+    message: str
 
 
-def library():
-    """{name: Word} of the functions that every text may use, in the library's order."""
-    return {each["name"]: Word(each["name"], "function", signature(each), meaning(each), each["example"]) for each in kernel.load().library()}
+def tokens(text):
+    """(kind, start, end, the token) of each token."""
+    places = Places(text)
+    return [(t.kind, *places.span(t), places.data[t.offset:t.offset + t.length].decode("utf-8", "replace")) for t in grammar().tokens(places.data)]
 
 
-def signature(function):
-    """sphere(r = 1)"""
-    shown = [p["name"] if p["default"] is None else f"{p['name']} = {p['default']:g}" for p in function["parameters"]]
-    return f"{function['name']}({', '.join(shown + ['…'] * function['any_number'])})"
+def parameters(text):
+    """The numbers that a text names, in its order: {name: fieldfab.language.Parameter}."""
+    return {each.name: each for each in grammar().parameters(Places(text).data)}
 
 
-def meaning(function):
-    """Its words, and what its value is good for."""
-    value = {"exact": tr("exact distance"), "bound": tr("never more than the distance")}.get(function["distance"], "")
-    angles = tr("angles in degrees") if any(p["kind"] == "angle" for p in function["parameters"]) else ""
-    return " · ".join(each for each in (function["meaning"], value, angles) if each)
+def with_values(text, values):
+    """The text with other numbers for its parameters."""
+    data = Places(text).data
+    for each in reversed(grammar().parameters(data)):
+        if each.name in values:
+            data = data[:each.value_offset] + repr(float(values[each.name])).encode() + data[each.value_offset + each.value_length:]
+    return data.decode()
 
 
-def constants():
-    return {name: Word(name, "constant", name, tr(words)) for name, words in CONSTANTS.items()}
+def mistakes(text):
+    places = Places(text)
+    return [Mistake(*places.span(each), each.line - 1, each.message) for each in grammar().diagnostics(places.data)]
 
 
-def defined(text):
-    """{name: Word} of what a text defines itself."""
-    bare = "\n".join(line.split("#")[0].split("//")[0] for line in text.split("\n"))
-    words = {}
-    for match in _DEFINITION.finditer(bare):
-        line = bare[match.start():].split("\n")[0].strip()
-        words[match[1]] = Word(match[1], "defined", match[1] + (match[2] or ""), line)
-    return words
+def words(text=""):
+    """All names that a text can use: {name: fieldfab.language.Word}."""
+    return {word.name: word for word in grammar().words(Places(text).data)}
 
 
-def word_before(line):
-    """The beginning of a name that ends a piece of a line, where it is not part of a comment, a string or a number."""
-    for token in TOKEN.finditer(line):
-        if token.end() == len(line):
-            return token["name"] or ""
-    return ""
+def meaning(kernels):
+    """The kernel's words for a meaning, in the user's language where they are its standing ones."""
+    return " · ".join(tr(each) for each in kernels.split(" · "))
 
 
-def word_at(line, column):
-    """The name that a column of a line is in, or none."""
-    for token in TOKEN.finditer(line):
-        if token.start() <= column < token.end():
-            return token["name"] or ""
-    return ""
+def completions(text, at):
+    """Where the name before a place begins, and what fits there: fieldfab.language.Completion each."""
+    places = Places(text)
+    fitting = grammar().completions(places.data, places.byte(at))
+    return places.unit(fitting.offset), fitting.entries
 
 
-def place_of(error):
-    """(line, column) from 0 of a fieldfab.Error; its columns count bytes. None where it does not say."""
-    match = _PLACE.search(error.place)
-    return (int(match[1]) - 1, int(match[2]) - 1) if match else None
+def word_at(text, at):
+    """The word at a place, or None."""
+    places = Places(text)
+    return grammar().word_at(places.data, places.byte(at))

@@ -1,7 +1,6 @@
 """The gallery's shapes: every function of the library that makes one, and the designs of examples/. Each says what text makes it. No window needed."""
 
 import os
-import re
 from dataclasses import dataclass, field
 
 from . import frep_language as language
@@ -10,7 +9,6 @@ from .words import marked
 
 WORKBENCH = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 DESIGNS = marked("Designs")
-_NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)$")
 
 
 def found(*parts):
@@ -57,11 +55,12 @@ class Shape:
 
     @staticmethod
     def _variable(name):
-        return f"{name}_" if name in language.library() or name in language.CONSTANTS else name
+        return f"{name}_" if name in language.words() else name
 
 
 def is_number(text):
-    return bool(_NUMBER.match(str(text).strip()))
+    kinds = [kind for kind, start, end, token in language.tokens(str(text).strip().removeprefix("-"))]
+    return kinds == ["number"]
 
 
 def shapes():
@@ -85,29 +84,26 @@ def designs():
 def _of_function(function):
     """Values are those of the example, which the picture shows, and the defaults of what it leaves out."""
     name, example = function["name"], function["example"]
-    start = re.search(rf"\b{name}\(", example).start()
-    arguments, end = _arguments(example, start + len(name) + 1)
+    start, arguments, end = _call(example, name)
     parameters = [p["name"] for p in function["parameters"]]
     defaults = {p["name"]: f"{p['default']:g}" for p in function["parameters"] if p["default"] is not None}
     given = {**defaults, **dict(zip(parameters, arguments))}
     # A list has no names, and all before it goes by its place.
     values = {"…": ", ".join(arguments)} if function["any_number"] else {p: given[p] for p in parameters}
-    return Shape(name, function["group"], language.signature(function), language.meaning(function), found("figures", "shapes", f"{name}.png"),
+    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]), found("figures", "shapes", f"{name}.png"),
                  values, defaults, example[:start], example[end:])
 
 
-def _arguments(text, at):
-    """The arguments of a call that begin there, and where it ends."""
-    given, depth, begun = [], 0, at
-    for token in re.finditer(r'"(?:\\.|[^"\\])*"|[(),]', text[at:]):
-        place = at + token.start()
-        if token[0] == "(":
-            depth += 1
-        elif token[0] == ")" and depth:
-            depth -= 1
-        elif token[0] in ",)" and not depth:
-            given.append(text[begun:place].strip())
-            begun = place + 1
-            if token[0] == ")":
-                return [each for each in given if each], place + 1
-    return given, len(text)
+def _call(text, name):
+    """Where the first call of a function begins, its arguments, and where it ends. The text is ASCII."""
+    tokens = language.tokens(text)
+    first = next(i for i, token in enumerate(tokens) if token[3] == name and tokens[i + 1][3] == "(")
+    given, depth, begun = [], 0, tokens[first + 1][2]
+    for kind, start, end, token in tokens[first + 2:]:
+        if token in (",", ")") and not depth:
+            given.append(text[begun:start].strip())
+            begun = end
+            if token == ")":
+                break
+        depth += (token == "(") - (token == ")")
+    return tokens[first][1], [each for each in given if each], begun

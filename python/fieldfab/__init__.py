@@ -9,9 +9,10 @@ import sys
 
 from . import _core
 from ._core import *  # noqa: F401,F403: the module is the package's whole interface
-from ._core import Error, cam, shapes, stock
+from ._core import Error, cam, language, shapes, stock
 
 __all__ = [name for name in vars(_core) if not name.startswith("_")]
 sys.modules[__name__ + ".shapes"] = shapes  # so that `from fieldfab.shapes import sphere` works
 sys.modules[__name__ + ".cam"] = cam
+sys.modules[__name__ + ".language"] = language
 sys.modules[__name__ + ".stock"] = stock

@@ -8,6 +8,7 @@ from typing import Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from . import language as language
 from . import shapes as shapes
 
 Operand = Solid | float

@@ -15,6 +15,7 @@ from PySide2 import QtCore, QtGui, QtWidgets
 from . import _core as ff
 
 COARSE = 4  # the first picture has a quarter of the pixels along each side
+SHOWN = 8  # mistakes at a time
 FLAT, SOLID = "bitmap", "shaded"
 
 
@@ -81,6 +82,23 @@ class Model:
         self.bounds = tuple(b - grown for b in bounds[:3]) + tuple(b + grown for b in bounds[3:])
         if self.flat:
             self.bounds = self.bounds[:2] + (0.0,) + self.bounds[3:5] + (0.0,)
+
+
+def read(path, progress):
+    """The Model of a file. Raises ff.Error with all mistakes of a .frep text, a line each."""
+    try:
+        return Model(path, progress)
+    except ff.Error as error:
+        if not path.endswith(".frep") or error.kind != "bad_input":
+            raise
+        with open(path, "rb") as file:
+            mistakes = ff.language.diagnostics(file.read(), os.path.dirname(path))
+        if not mistakes:
+            raise
+        lines = [f"{path}:{m.line}:{m.column}: {m.message}" for m in mistakes[:SHOWN]]
+        if len(mistakes) > SHOWN:
+            lines.append(f"{len(mistakes) - SHOWN} more")
+        raise ff.Error("\n".join(lines)) from None
 
 
 class View(QtWidgets.QWidget):
@@ -269,7 +287,7 @@ class Window(QtWidgets.QMainWindow):
             self.view.set_error(f"{self.path}: {error.strerror}")
         if seen is not None and seen != self._seen:
             self.statusBar().showMessage("reading …")
-            self.loader.start(lambda progress: iter([Model(self.path, progress)]))
+            self.loader.start(lambda progress: iter([read(self.path, progress)]))
         self._seen = seen
 
     def _loaded(self, result):

@@ -96,11 +96,11 @@ def test_stubs_name_what_there_is():
     import pathlib
 
     package = pathlib.Path(ff.__file__).parent
-    for module, stub in [(ff._core, "_core.pyi"), (ff.shapes, "shapes.pyi"), (ff.cam, "cam.pyi"), (ff.stock, "stock.pyi")]:
+    for module, stub in [(ff._core, "_core.pyi"), (ff.shapes, "shapes.pyi"), (ff.language, "language.pyi"), (ff.cam, "cam.pyi"), (ff.stock, "stock.pyi")]:
         tree = ast.parse((package / stub).read_text())
         described = {node.name: node for node in tree.body if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         for name, thing in vars(module).items():
-            if name.startswith("_") or name in ("X", "Y", "Z", "default_cells", "shapes", "cam", "stock"):
+            if name.startswith("_") or name in ("X", "Y", "Z", "default_cells", "shapes", "language", "cam", "stock"):
                 continue
             assert name in described, f"{stub} lacks {name}"
             signature = (thing.__doc__ or "").splitlines()[:1]

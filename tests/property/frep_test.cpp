@@ -1,13 +1,17 @@
 // Expressions: evaluators, intervals, pruning and text forms agree, over random expressions.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
+#include "fieldfab/frep/language.h"
 #include "fieldfab/frep/reference.h"
-#include "fieldfab/frep/text.h"
 #include "random_expression.h"
 
 namespace fieldfab::frep {
@@ -137,6 +141,60 @@ RC_GTEST_PROP(Frep, TextFormsReadBackTheSameExpression, ()) {
   RC_ASSERT(parse_math(print_math(expression)) == expression);
   RC_ASSERT(parse_vm(print_vm(expression)) == expression);
   RC_ASSERT(parse_infix(print_infix(expression)) == expression);
+}
+
+/// Texts made of the language's own words, and of texts cut and joined anywhere.
+std::string random_text() {
+  // clang-format off
+  static const std::string_view pieces[] = {
+      "sphere(", "box(1, 2, 3)", "a", "b", " = ", "f(a, b) = ", "part(", "\"n\"", "\"red\"", ")", ", ", "\n", "\n", "; ", " + ", " - ",
+      " | ", "2.5", "1e99", "(", "# 1 to 2", "open(\"f\")", "½", "\"", "@", "\t", "x", "spheer(", "dx = ", "-3", "!", "q", "f(2)",
+      "e", " // ", "\xff", "1.5.5x", "a = 2\n", "union(", " * "};
+  // clang-format on
+  std::string text;
+  const int count = draw(0, 40);
+  for (int i = 0; i < count; ++i) text += pieces[draw(0, static_cast<int>(std::size(pieces)))];
+  if (draw(0, 2) == 0) text += print_infix(random_expression(draw(0, 10)));
+  if (!text.empty()) {
+    const int changes = draw(0, 3);
+    for (int i = 0; i < changes; ++i)
+      text[static_cast<std::size_t>(draw(0, static_cast<int>(text.size())))] = static_cast<char>(draw(0, 256));
+  }
+  return text;
+}
+
+RC_GTEST_PROP(Frep, EditorsAndParserAgreeOnTexts, ()) {
+  const std::string text = random_text();
+  std::string rest = text;
+  std::size_t end = 0;
+  for (const Token& token : tokens(text)) {
+    RC_ASSERT(token.length > 0 && token.offset >= end);
+    end = token.offset + token.length;
+    RC_ASSERT(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(token.offset), '\n') + 1 ==
+              static_cast<std::ptrdiff_t>(token.line));
+    std::fill_n(rest.begin() + static_cast<std::ptrdiff_t>(token.offset), token.length, ' ');
+  }
+  RC_ASSERT(rest.find_first_not_of(" \t\r\n") == std::string::npos);
+
+  std::string thrown;
+  try {
+    parse_parts(text, "t");
+  } catch (const Error& error) {
+    thrown = printable(error.what());
+  }
+  const std::vector<Diagnostic> found = diagnostics(text);
+  RC_ASSERT(found.empty() == thrown.empty());
+  for (const Diagnostic& each : found) RC_ASSERT(each.offset + each.length <= text.size());
+  if (!found.empty()) RC_ASSERT(fmt::format("t:{}:{}: {}", found[0].line, found[0].column, found[0].message) == thrown);
+
+  for (const TextParameter& each : parameters(text))
+    RC_ASSERT(evaluate(parse_infix(text.substr(each.value_offset, each.value_length)), 0, 0, 0) ==
+              static_cast<float>(each.value));
+  words(text);
+  const auto offset = static_cast<std::size_t>(draw(0, static_cast<int>(text.size()) + 2));
+  const Completions fitting = completions(text, offset);
+  RC_ASSERT(fitting.offset + fitting.length == std::min(offset, text.size()));
+  if (const auto word = word_at(text, offset)) RC_ASSERT(text.substr(word->offset, word->length) == word->name);
 }
 
 RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {

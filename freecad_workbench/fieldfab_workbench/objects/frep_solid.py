@@ -1,10 +1,9 @@
 """A solid from a formula, with the formula's numbers as properties."""
 
-import re
-
 import FreeCAD
 
 from .. import kernel
+from ..frep_language import mistakes, parameters, with_values
 from ..sources import Source
 from .solid import Solid
 
@@ -18,18 +17,7 @@ window = sphere(r = 0.625 * size)
 difference(shell(outer, wall), window) | (outer & gyroids)
 """
 
-_PARAMETER = re.compile(r"^([ \t]*)([A-Za-z_]\w*)([ \t]*=[ \t]*)(-?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)([ \t]*(?:#[^\n]*|//[^\n]*)?)$", re.MULTILINE)
 GROUP = "Parameters"
-
-
-def parameters(text):
-    """The names that a text gives to plain numbers, in its order: {name: number}."""
-    return {match[2]: float(match[4]) for match in _PARAMETER.finditer(text)}
-
-
-def with_values(text, values):
-    """The text with other numbers for its parameters."""
-    return _PARAMETER.sub(lambda m: f"{m[1]}{m[2]}{m[3]}{values.get(m[2], float(m[4]))!r}{m[5]}", text)
 
 
 def source_of_text(text):
@@ -63,20 +51,28 @@ class FrepSolid(Solid):
     @staticmethod
     def follow_text(obj):
         """Gives the object the parameters of its text. A number that the text says anew is taken over; where the text says what it said, the
-        property keeps its value."""
+        property keeps its value. A text with mistakes is not followed: it may lack parameters only until it is in order."""
         if obj.FollowedText == obj.Expression:
+            return
+        try:
+            if mistakes(obj.Expression):
+                return
+        except ImportError:  # no kernel: a recompute tells of it
             return
         before, wanted = parameters(obj.FollowedText), parameters(obj.Expression)
         own = {name for name in obj.PropertiesList if obj.getGroupOfProperty(name) == GROUP}
         for name in own - {property_name(n) for n in wanted}:
             obj.removeProperty(name)
-        for name, value in wanted.items():
+        for name, parameter in wanted.items():
             held = property_name(name)
             if held not in obj.PropertiesList:
-                obj.addProperty("App::PropertyFloat", held, GROUP, f"{name} of the text")
-                setattr(obj, held, value)
-            elif held in own and before.get(name) != value:
-                setattr(obj, held, value)
+                obj.addProperty("App::PropertyFloat", held, GROUP)
+                own.add(held)
+                setattr(obj, held, parameter.value)
+            elif held in own and (name not in before or before[name].value != parameter.value):
+                setattr(obj, held, parameter.value)
+            if held in own:
+                obj.setDocumentationOfProperty(held, parameter.comment or f"{name} of the text")
         obj.FollowedText = obj.Expression
 
     def text(self, obj):

@@ -1,20 +1,24 @@
-"""The editor of .frep text: colours, completion, what functions mean, line numbers, and the first mistake in its place."""
+"""The editor of .frep text: colours, completion, the meaning of names, line numbers, and all mistakes in their places."""
+
+from html import escape
 
 from .. import frep_language as language
 from .. import kernel
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
-COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d", "defined": "#a0341f"}
+COLOURS = {"comment": "#6a737d", "string": "#8a5a00", "number": "#0b6e4f", "function": "#1f5fae", "constant": "#7a3e9d", "variable": "#a0341f",
+           "parameter": "#00695c", "option": "#00695c", "colour": "#8a5a00"}
 MISTAKE = QtGui.QColor("#c62828")
+INSERTED = QtCore.Qt.UserRole + 1  # the text that a completion inserts
 
 
 class Highlighter(QtGui.QSyntaxHighlighter):
-    """Colours of the words of a text. `words`: {name: frep_language.Word}."""
+    """Colours of the words of a text. `kinds`: {name: kind}; None without a kernel, for no colours."""
 
     def __init__(self, document):
         super().__init__(document)
-        self.words = {}
+        self.kinds = None
         self.formats = {}
         for kind, colour in COLOURS.items():
             self.formats[kind] = QtGui.QTextCharFormat()
@@ -22,12 +26,10 @@ class Highlighter(QtGui.QSyntaxHighlighter):
         self.formats["comment"].setFontItalic(True)
 
     def highlightBlock(self, line):
-        for token in language.TOKEN.finditer(line):
-            kind = token.lastgroup
-            if kind == "name":
-                kind = getattr(self.words.get(token["name"]), "kind", None)
-            if kind:
-                self.setFormat(token.start(), token.end() - token.start(), self.formats[kind])
+        for kind, start, end, name in [] if self.kinds is None else language.tokens(line):
+            found = self.formats.get(self.kinds.get(name) if kind == "name" else kind)
+            if found:
+                self.setFormat(start, end - start, found)
 
 
 class LineNumbers(QtWidgets.QWidget):
@@ -42,7 +44,8 @@ class LineNumbers(QtWidgets.QWidget):
 
 
 class FrepEditor(QtWidgets.QPlainTextEdit):
-    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is in order."""
+    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is in order. Without a kernel it is the reason,
+    and the editor knows nothing of the text."""
 
     checked = QtCore.Signal(int, str)
 
@@ -53,8 +56,7 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.setFont(font)
         self.setLineWrapMode(QtWidgets.QPlainTextEdit.NoWrap)
         self.setTabChangesFocus(False)
-        self.known = {**language.library(), **language.constants()}
-        self.words, self.mistake = self.known, None  # mistake: (line, column, message)
+        self.mistakes, self.message = [], ""
         self.highlighter = Highlighter(self.document())
         self.numbers = LineNumbers(self)
         self.popup = self._completer()
@@ -67,45 +69,43 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.setPlainText(text)
         self.check()
 
-    # What is wrong, and what there is.
+    # Mistakes and colours.
     def _changed(self):
         self._timer.start()
 
     def check(self):
-        """Reads the text; marks the first mistake."""
-        fieldfab, text = kernel.load(), self.toPlainText()
-        count, self.mistake = 0, None
+        """Reads the text; marks its mistakes."""
+        text, count = self.toPlainText(), 0
         try:
-            count = fieldfab.parse(text).node_count()
-        except fieldfab.Error as error:
-            line, column = language.place_of(error) or (0, 0)
-            said = str(error)
-            self.mistake = (line, column, said[len(error.place) + 2:] if error.place and said.startswith(error.place) else said)
-        self._take_words({**self.known, **language.defined(text)})
+            self.mistakes, self.message = language.mistakes(text), ""
+            count = 0 if self.mistakes else kernel.load().parse(text).node_count()
+            self._colour({name: word.kind for name, word in language.words(text).items()})
+        except ImportError as error:
+            self.mistakes, self.message = [], str(error)
+        if self.mistakes:
+            first, more = self.mistakes[0], len(self.mistakes) - 1
+            form = tr("Line {line}: {words} (and {count} more)") if more else tr("Line {line}: {words}")
+            self.message = form.format(line=first.line + 1, words=first.message, count=more)
         self._mark()
-        self.checked.emit(count, tr("Line {line}: {words}").format(line=self.mistake[0] + 1, words=self.mistake[2]) if self.mistake else "")
+        self.checked.emit(count, self.message)
 
-    def _take_words(self, words):
-        if {n: w.kind for n, w in words.items()} != {n: w.kind for n, w in self.highlighter.words.items()}:
-            self.highlighter.words = words
+    def _colour(self, kinds):
+        if kinds != self.highlighter.kinds:
+            self.highlighter.kinds = kinds
             self.blockSignals(True)  # colours are no change of the text
             self.highlighter.rehighlight()
             self.blockSignals(False)
-        self.words = words
 
     def _mark(self):
-        """Underlines the word that a mistake begins at, or the character before it where it is the end of the line."""
+        """Underlines each mistake, or the character before it where something is missing."""
         marks = []
-        if self.mistake:
-            line, column, _ = self.mistake
-            block = self.document().findBlockByNumber(min(line, self.blockCount() - 1))
-            text = block.text()
-            start = min(len(text.encode()[:column].decode(errors="ignore")), max(0, len(text) - 1))
-            length = max(1, len(language.word_at(text, start)))
+        for mistake in self.mistakes:
             wave = QtWidgets.QTextEdit.ExtraSelection()
-            wave.cursor = QtGui.QTextCursor(block)
-            wave.cursor.setPosition(block.position() + start)
-            wave.cursor.setPosition(block.position() + min(start + length, len(text)), QtGui.QTextCursor.KeepAnchor)
+            wave.cursor = QtGui.QTextCursor(self.document())
+            wave.cursor.setPosition(mistake.start)
+            wave.cursor.setPosition(mistake.end, QtGui.QTextCursor.KeepAnchor)
+            if mistake.start == mistake.end and not wave.cursor.atBlockStart():
+                wave.cursor.movePosition(QtGui.QTextCursor.Left, QtGui.QTextCursor.KeepAnchor)
             wave.format.setUnderlineStyle(QtGui.QTextCharFormat.WaveUnderline)
             wave.format.setUnderlineColor(MISTAKE)
             wave.format.setBackground(QtGui.QColor(255, 205, 205))
@@ -127,26 +127,28 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         popup.popup().setFont(self.font())
         return popup
 
-    def word_under_cursor(self):
-        """The beginning of the name before the cursor."""
-        cursor = self.textCursor()
-        return language.word_before(cursor.block().text()[:cursor.positionInBlock()])
-
     def complete(self, asked=False):
-        """Shows the names that begin like the one before the cursor; asked for, also where there is none yet."""
-        start = self.word_under_cursor()
-        self.words = {**self.known, **language.defined(self.toPlainText())}
-        fitting = [word for name, word in sorted(self.words.items()) if name.lower().startswith(start.lower()) and name != start]
+        """Shows the names that fit before the cursor; asked for, also where none begins yet."""
+        text, at = self.toPlainText(), self.textCursor().position()
+        try:
+            self.completed_from, entries = language.completions(text, at)
+        except ImportError:
+            return
+        cursor = self.textCursor()
+        cursor.setPosition(self.completed_from, QtGui.QTextCursor.KeepAnchor)
+        start = cursor.selectedText()
+        fitting = [entry for entry in entries if entry.name != start or entry.insert.endswith("= ")]
         if not fitting or not (asked or len(start) > 1):
             self.popup.popup().hide()
             return
         model = self.popup.model()
         model.clear()
-        for word in fitting:
-            item = QtGui.QStandardItem(word.signature)
-            item.setData(word.name, QtCore.Qt.UserRole)
-            item.setToolTip(word.meaning)
-            item.setForeground(QtGui.QColor(COLOURS[word.kind]))
+        for entry in fitting:
+            item = QtGui.QStandardItem(entry.signature)
+            item.setData(entry.name, QtCore.Qt.UserRole)
+            item.setData(entry.insert, INSERTED)
+            item.setToolTip(language.meaning(entry.meaning))
+            item.setForeground(QtGui.QColor(COLOURS[entry.kind]))
             model.appendRow(item)
         self.popup.setCompletionPrefix(start)
         place = self.cursorRect().translated(self.viewport().pos())
@@ -156,11 +158,10 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
 
     def _insert_completion(self, index):
         """Puts the chosen name where its beginning stands; the cursor goes between the parentheses of a function."""
-        word, cursor = self.words[index.data(QtCore.Qt.UserRole)], self.textCursor()
-        cursor.movePosition(QtGui.QTextCursor.Left, QtGui.QTextCursor.KeepAnchor, len(self.word_under_cursor()))
-        calls = "(" in word.signature and not cursor.block().text()[self.textCursor().positionInBlock():].startswith("(")
-        cursor.insertText(word.name + "()" * calls)
-        if calls:
+        inserted, cursor = index.data(INSERTED), self.textCursor()
+        cursor.setPosition(self.completed_from, QtGui.QTextCursor.KeepAnchor)
+        cursor.insertText(inserted)
+        if inserted.endswith("()"):
             cursor.movePosition(QtGui.QTextCursor.Left)
         self.setTextCursor(cursor)
 
@@ -193,12 +194,17 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         return super().event(event)
 
     def help_at(self, cursor):
-        """What the word at a cursor means, or the mistake of its line."""
-        word = self.words.get(language.word_at(cursor.block().text(), cursor.positionInBlock()))
+        """The mistake at a cursor, or the meaning of its word, or the mistakes of its line."""
+        at, line = cursor.position(), cursor.blockNumber()
+        here = [m.message for m in self.mistakes if m.start <= at < m.end]
+        try:
+            word = None if here else language.word_at(self.toPlainText(), at)
+        except ImportError:
+            return ""
         if word is None:
-            return self.mistake[2] if self.mistake and self.mistake[0] == cursor.blockNumber() else ""
-        example = f"<br><code>{word.example}</code>" if word.example else ""
-        return f"<b>{word.signature}</b><br>{word.meaning}{example}"
+            return "<br>".join(escape(m) for m in here or [m.message for m in self.mistakes if m.line == line])
+        example = f"<br><code>{escape(word.example)}</code>" if word.example else ""
+        return f"<b>{escape(word.signature)}</b><br>{escape(language.meaning(word.meaning))}{example}"
 
     # Line numbers.
     def _width(self):
@@ -216,12 +222,12 @@ class FrepEditor(QtWidgets.QPlainTextEdit):
         self.numbers.setGeometry(inside.left(), inside.top(), self._width(), inside.height())
 
     def paint_numbers(self, event):
-        painter, block = QtGui.QPainter(self.numbers), self.firstVisibleBlock()
+        painter, block, lines = QtGui.QPainter(self.numbers), self.firstVisibleBlock(), {mistake.line for mistake in self.mistakes}
         painter.fillRect(event.rect(), self.palette().alternateBase())
         painter.setFont(self.font())
         top = self.blockBoundingGeometry(block).translated(self.contentOffset()).top()
         while block.isValid() and top <= event.rect().bottom():
-            height, wrong = self.blockBoundingRect(block).height(), self.mistake and self.mistake[0] == block.blockNumber()
+            height, wrong = self.blockBoundingRect(block).height(), block.blockNumber() in lines
             if wrong:
                 painter.fillRect(0, round(top), self.numbers.width(), round(height), MISTAKE)
             painter.setPen(QtCore.Qt.white if wrong else self.palette().color(QtGui.QPalette.Disabled, QtGui.QPalette.Text))

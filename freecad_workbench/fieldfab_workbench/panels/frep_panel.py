@@ -2,7 +2,8 @@
 
 from .. import kernel, preferences
 from ..certainty import is_uncertain, with_doubt
-from ..objects.frep_solid import parameters, property_name, source_of_text, with_values
+from ..frep_language import parameters, with_values
+from ..objects.frep_solid import property_name, source_of_text
 from ..shim import QtWidgets
 from ..views.preview import Preview
 from ..words import tr
@@ -24,7 +25,7 @@ class FrepPanel(EditPanel):
         self.sliders = QtWidgets.QFormLayout()
         self.layout.addLayout(self.sliders)
         self.layout.addLayout(self._resolution())
-        self.rows, self.numbers = {}, {}  # of each name: its row, and the number that the text says
+        self.rows, self.numbers = {}, {}  # of each name: its row, and the text's parameter
         self.preview = Preview(obj, self._told, self.form)
         self.text.checked.connect(self._checked)
         self.text.check()
@@ -66,28 +67,30 @@ class FrepPanel(EditPanel):
     def _follow_text(self):
         """A row for each number that the text names; a number that the text says anew is taken over, as the object will."""
         wanted = parameters(self.text.toPlainText())
-        if list(wanted) != list(self.rows):
+        if [(n, p.range) for n, p in wanted.items()] != [(n, p.range) for n, p in self.numbers.items()]:
             kept = {name: row.value() for name, row in self.rows.items()}
             while self.sliders.rowCount():
                 self.sliders.removeRow(0)
-            self.rows = {name: self._row(name, kept.get(name, self._held(name, value))) for name, value in wanted.items()}
-        for name, value in wanted.items():
-            if name in self.numbers and self.numbers[name] != value:
-                self.rows[name].set(value)
+            self.rows = {name: self._row(each, kept.get(name, self._held(each))) for name, each in wanted.items()}
+        for name, each in wanted.items():
+            if name in self.numbers and self.numbers[name].value != each.value:
+                self.rows[name].set(each.value)
         self.numbers = wanted
 
-    def _held(self, name, value):
-        """What the object has for a name, where its text said the same."""
-        same = parameters(self.obj.FollowedText).get(name) == value
-        return getattr(self.obj, property_name(name), value) if same else value
+    def _held(self, parameter):
+        """The object's number for a parameter, where its text has the same."""
+        before = parameters(self.obj.FollowedText).get(parameter.name)
+        same = before is not None and before.value == parameter.value
+        return getattr(self.obj, property_name(parameter.name), parameter.value) if same else parameter.value
 
-    def _row(self, name, value):
-        row = ParameterRow(value)
+    def _row(self, parameter, value):
+        name = parameter.name
+        row = ParameterRow(value, parameter.range)
         row.changed.connect(lambda number: self._drive(name))
         driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
         row.setEnabled(not driven)
         words = tr("{name} is driven by an expression") if driven else tr("{name} of the text: a property of the object, too")
-        row.setToolTip(words.format(name=name))
+        row.setToolTip("\n".join(filter(None, [parameter.comment, words.format(name=name)])))
         self.sliders.addRow(name, row)
         return row
 
@@ -109,7 +112,7 @@ class FrepPanel(EditPanel):
 
     def _show(self):
         """Shows the text with its numbers, where it is in order."""
-        if self.text.mistake:
+        if self.text.message:
             return
         source, settings = self._source(), self.obj.Proxy.mesh_settings(self.obj)
         for name, box in (("voxel", self.voxel), ("max_error", self.max_error)):
@@ -122,7 +125,7 @@ class FrepPanel(EditPanel):
         return source_of_text(with_values(self.text.toPlainText(), {name: row.value() for name, row in self.rows.items()}))
 
     def _told(self, words, good):
-        if not self.text.mistake:
+        if not self.text.message:
             self.say(words, good)
 
     def take_over(self):

@@ -20,7 +20,7 @@ class ParameterRow(QtWidgets.QWidget):
 
     changed = QtCore.Signal(float)
 
-    def __init__(self, value):
+    def __init__(self, value, limits=None):
         super().__init__()
         self.box = QtWidgets.QDoubleSpinBox()
         self.box.setDecimals(4)
@@ -34,7 +34,7 @@ class ParameterRow(QtWidgets.QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.addWidget(self.slider)
         layout.addWidget(self.box)
-        self.low, self.high = sensible_range(value)
+        self.low, self.high = limits or sensible_range(value)
         self.set(value)
         self.box.valueChanged.connect(self._typed)
         self.slider.valueChanged.connect(self._slid)

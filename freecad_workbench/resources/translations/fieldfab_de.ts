@@ -1511,10 +1511,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>die dritte Koordinate, mm</translation>
     </message>
     <message>
-        <source>angles in degrees</source>
-        <translation>Winkel in Grad</translation>
-    </message>
-    <message>
         <source>exact distance</source>
         <translation>genauer Abstand</translation>
     </message>
@@ -2097,6 +2093,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>and {count} more</source>
         <translation>und {count} weitere</translation>
+    </message>
+    <message>
+        <source>Line {line}: {words} (and {count} more)</source>
+        <translation>Zeile {line}: {words} (und {count} weitere)</translation>
     </message>
     <message>
         <source>Line {line}: {words}</source>

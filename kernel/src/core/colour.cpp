@@ -83,10 +83,14 @@ Colour colour_named(std::string_view text) {
   std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   const auto* const found = std::ranges::lower_bound(named_colours, std::string_view(name), {}, &NamedColour::name);
   if (found != std::end(named_colours) && found->name == name) return colour_of(found->rgb);
-  std::vector<std::string_view> known;
-  for (const NamedColour& colour : named_colours) known.push_back(colour.name);
   throw Error(ErrorKind::bad_input, "",
-              fmt::format("unknown colour '{:.40}'; a CSS name or #rrggbb{}", printable(text), suggestion(name, known)));
+              fmt::format("unknown colour '{:.40}'; a CSS name or #rrggbb{}", printable(text), suggestion(name, colour_names())));
+}
+
+std::vector<std::string_view> colour_names() {
+  std::vector<std::string_view> names;
+  for (const NamedColour& colour : named_colours) names.push_back(colour.name);
+  return names;
 }
 
 std::string text_of(Colour colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour.red, colour.green, colour.blue); }

@@ -1,4 +1,5 @@
 // Infix .frep text: docs/frep-language.md is its manual. Precedence is resolved with stacks, so nesting costs memory only.
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <optional>
@@ -8,127 +9,195 @@
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/library.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/frep/text.h"
+#include "lexer.h"
 #include "text_source.h"
 
 namespace fieldfab::frep {
 namespace {
 
-enum class TokenKind : std::uint8_t { number, name, words, sign, end_of_statement, end };
-
-struct Token {
-  TokenKind kind;
+/// A token with what is next to it, as the parser needs it. Comments are left out, line ends outside parentheses are in.
+struct InfixToken {
+  enum Kind : std::uint8_t { number, name, words, unclosed_words, sign, unknown, end_of_statement, end } kind;
+  bool unindented;  ///< begins its line
   std::size_t at;
-  std::string_view text;
-  double number = 0;
-  [[nodiscard]] bool is(char sign) const { return kind == TokenKind::sign && text[0] == sign; }
+  std::string_view text;  ///< of words, what is between the quotes
+  [[nodiscard]] bool is(char c) const { return kind == sign && text[0] == c; }
+  [[nodiscard]] bool ends() const { return kind == end_of_statement || kind == end; }
+  [[nodiscard]] std::size_t length() const { return text.size() + (kind == words ? 2 : 0); }
 };
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::vector<Token> tokens_of(const TextSource& source) {
-  const std::string_view text = source.text();
-  std::vector<Token> tokens;
-  int open = 0;  // parentheses: a statement goes on over line ends within them
-  for (std::size_t at = 0; at < text.size();) {
-    const char c = text[at];
-    if (c == ' ' || c == '\t' || c == '\r') {
-      ++at;
-    } else if (c == '#' || (c == '/' && at + 1 < text.size() && text[at + 1] == '/')) {
-      at = std::min(text.find('\n', at), text.size());
-    } else if (c == '\n' || c == ';') {
-      if (c == ';' || open == 0) tokens.push_back({TokenKind::end_of_statement, at, text.substr(at, 1)});
-      ++at;
-    } else if (is_digit(c) || (c == '.' && at + 1 < text.size() && is_digit(text[at + 1]))) {
-      std::size_t after = at;
-      const double value = source.number(after);
-      if (after < text.size() && is_letter(text[after]))
-        source.fail(after, fmt::format("unexpected {} after a number", source.shown(after)));
-      tokens.push_back({TokenKind::number, at, text.substr(at, after - at), value});
-      at = after;
-    } else if (is_letter(c)) {
-      std::size_t after = at;
-      while (after < text.size() && (is_letter(text[after]) || is_digit(text[after]))) ++after;
-      tokens.push_back({TokenKind::name, at, text.substr(at, after - at)});
-      at = after;
-    } else if (c == '"') {
-      const std::size_t after = std::min(text.find('"', at + 1), text.find('\n', at + 1));
-      if (after >= text.size() || text[after] != '"') source.fail(at, "the quotes opened here are not closed on this line");
-      tokens.push_back({TokenKind::words, at, text.substr(at + 1, after - at - 1)});
-      at = after + 1;
-    } else if (std::string_view("+-*/^(),=|&!").find(c) != std::string_view::npos) {
-      open += c == '(' ? 1 : c == ')' ? -1 : 0;
-      tokens.push_back({TokenKind::sign, at, text.substr(at, 1)});
-      ++at;
-    } else {
-      source.fail(at, fmt::format("unexpected {}", source.shown(at)));
-    }
-  }
-  tokens.push_back({TokenKind::end, text.size(), {}});
-  return tokens;
-}
 
 /// What a name stands for.
 struct Named : Value {
-  bool part = false;  ///< what part(...) gives
+  bool part = false;     ///< what part(...) gives
+  bool unknown = false;  ///< of a definition that is wrong, or of a parameter while its function is tried: fits everywhere
 };
 
 using Names = std::unordered_map<std::string_view, Named>;
 
+Named unknown_value() { return {{Expression::x()}, false, true}; }
+
 class InfixParser {
  public:
-  InfixParser(std::string_view text, std::string_view name, const Opener& opener)
-      : source_(text, name), tokens_(tokens_of(source_)), opener_(opener) {}
+  /// Mistakes are added to `found`, where it is given, and thrown otherwise.
+  InfixParser(std::string_view text, std::string_view name, const Opener& opener, std::vector<Diagnostic>* found = nullptr)
+      : source_(text, name), opener_(opener), found_(found) {
+    read_tokens(0);
+  }
 
   std::vector<TextPart> parse() {
     std::optional<Named> result;
     std::optional<std::size_t> loose;  // where the last statement that gives its value no name begins
-    for (std::size_t at = 0; tokens_[at].kind != TokenKind::end;) {
-      if (tokens_[at].kind == TokenKind::end_of_statement) {
+    for (std::size_t at = 0; tokens_[at].kind != InfixToken::end && !full();) {
+      if (tokens_[at].kind == InfixToken::end_of_statement) {
         ++at;
         continue;
       }
       if (loose)
-        source_.fail(*loose, "this value is not used: give it a name, or make it a part with part(...); without parts the last "
-                             "statement is the solid");
+        report(*std::exchange(loose, std::nullopt),
+               "this value is not used: give it a name, or make it a part with part(...); without parts the last statement is "
+               "the solid");
       const std::size_t first = at;
-      if (!define_function(at)) {
-        result = statement(at);
-        if (!result->part && !tokens_[first + 1].is('=')) loose = tokens_[first].at;
+      try {
+        if (!define_function(at)) {
+          result = statement(at);
+          if (!result->part && !tokens_[first + 1].is('=')) loose = tokens_[first].at;
+        }
+        if (!tokens_[at].ends()) unexpected(at, "the end of the statement");
+      } catch (const TextError& error) {
+        report(error);
+        go_on_after(first, at);
+        loose.reset();
+        result = unknown_value();
       }
-      if (tokens_[at].kind != TokenKind::end && tokens_[at].kind != TokenKind::end_of_statement)
-        unexpected(at, "the end of the statement");
     }
     if (!parts_.empty()) {
-      if (loose) source_.fail(*loose, "the text has parts, and this is none: make it one with part(...), or give it a name");
+      if (loose) report(*loose, "the text has parts, and this is none: make it one with part(...), or give it a name");
       return std::move(parts_);
     }
-    if (!result) source_.fail(source_.text().size(), "the text has no result: its last statement is the solid");
-    return {{result->expression, {}, {}}};
+    if (!result) report(source_.text().size(), "the text has no result: its last statement is the solid");
+    return {{result.value_or(unknown_value()).expression, {}, {}}};
   }
 
  private:
   struct UserFunction {
     std::vector<std::string_view> parameters;
-    std::size_t first;  // token where the body begins
-    std::size_t order;  // functions may call those defined before them only
+    std::size_t first;     // token where the body begins
+    std::size_t order;     // functions may call those defined before them only
+    bool unknown = false;  // the body is wrong
   };
 
+  /// Reads the tokens from byte `from` on, outside parentheses.
+  void read_tokens(std::size_t from) {
+    const std::string_view text = source_.text();
+    Lexer lexer(text, from);
+    int open = 0;  // parentheses: a statement goes on over line ends within them
+    std::size_t line = 1, end = from;
+    while (const std::optional<Token> token = lexer.next()) {
+      if (token->kind == TokenKind::comment) continue;
+      if (token->line != line && open == 0 && end != from) tokens_.push_back({InfixToken::end_of_statement, false, end, {}});
+      line = token->line;
+      end = token->offset + token->length;
+      const std::string_view shown = text.substr(token->offset, token->length);
+      const auto add = [&](InfixToken::Kind kind, std::string_view as) {
+        tokens_.push_back({kind, token->column == 1, token->offset, as});
+      };
+      switch (token->kind) {
+        case TokenKind::number: add(InfixToken::number, shown); break;
+        case TokenKind::name: add(InfixToken::name, shown); break;
+        case TokenKind::string:
+          if (is_closed(shown))
+            add(InfixToken::words, shown.substr(1, shown.size() - 2));
+          else
+            add(InfixToken::unclosed_words, shown);
+          break;
+        case TokenKind::sign:
+          open = shown == "(" ? open + 1 : shown == ")" ? std::max(open - 1, 0) : shown == ";" ? 0 : open;
+          add(shown == ";" ? InfixToken::end_of_statement : InfixToken::sign, shown);
+          break;
+        default: add(InfixToken::unknown, shown);
+      }
+    }
+    if (open == 0 && text.find('\n', end) != std::string_view::npos)
+      tokens_.push_back({InfixToken::end_of_statement, false, end, {}});
+    tokens_.push_back({InfixToken::end, false, end, {}});
+  }
+
+  // Going on after mistakes.
+
+  void report(const TextError& error) {
+    if (found_ == nullptr) throw TextError(error);
+    const std::string_view text = source_.text();
+    const std::size_t at = std::min(error.at, text.size());
+    const auto known = [&](const Diagnostic& other) { return other.offset == at && other.message == error.message; };
+    if (std::ranges::any_of(*found_, known)) return;  // in the body of a function that is called again
+    const auto token = std::ranges::lower_bound(tokens_, at, {}, &InfixToken::at);
+    const std::size_t length = token != tokens_.end() && token->at == at ? token->length() : 0;
+    const std::string_view before = text.substr(0, at);
+    const auto lines = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    found_->push_back({at, length, lines + 1, at - (before.rfind('\n') + 1) + 1, error.message});
+  }
+  void report(std::size_t at, const std::string& message) {
+    report(TextError(ErrorKind::bad_input, source_.place(at), message, at));
+  }
+
+  /// Whether further mistakes are not looked for.
+  [[nodiscard]] bool full() const {
+    constexpr std::size_t most = 100;
+    return found_ != nullptr && (found_->size() >= most || operations_ > most_operations);
+  }
+
+  /// Makes unknown what a statement would have defined, and moves past it. A statement that leaves a parenthesis open ends where
+  /// a line that is not indented looks like the next.
+  void go_on_after(std::size_t first, std::size_t& at) {
+    trial_ = false;
+    callable_ = ~std::size_t{0};
+    depth_ = 0;
+    const std::string_view name = tokens_[first].text;
+    if (tokens_[first].kind == InfixToken::name && tokens_[first + 1].is('=')) names_.insert_or_assign(name, unknown_value());
+    if (const auto made = functions_.find(name); made != functions_.end() && made->second.first > first)
+      made->second.unknown = true;
+    const auto begins_statement = [&] {
+      const InfixToken& token = tokens_[at];
+      if (at == first || token.kind != InfixToken::name || !token.unindented || tokens_[at - 1].is(',')) return false;
+      return tokens_[at + 1].is('=') || tokens_[at - 1].is(')') || tokens_[at - 1].kind != InfixToken::sign;
+    };
+    while (!tokens_[at].ends() && !begins_statement()) ++at;
+    if (tokens_[at].ends()) return;
+    const std::size_t next = tokens_[at].at;
+    tokens_.resize(at);
+    read_tokens(next);
+  }
+
+  /// Fails at a token that fits nowhere.
+  void refuse_alone(std::size_t at) const {
+    const InfixToken& token = tokens_[at];
+    if (token.kind == InfixToken::unclosed_words) source_.fail(token.at, "the quotes opened here are not closed on this line");
+    if (token.kind == InfixToken::unknown) source_.fail(token.at, fmt::format("unexpected {}", source_.shown(token.at)));
+    if (token.kind == InfixToken::name && at > 0 && tokens_[at - 1].kind == InfixToken::number &&
+        tokens_[at - 1].at + tokens_[at - 1].length() == token.at)
+      source_.fail(token.at, fmt::format("unexpected {} after a number", source_.shown(token.at)));
+  }
+
   [[noreturn]] void unexpected(std::size_t at, const char* expected) const {
-    const Token& token = tokens_[at];
-    const std::string found = token.kind == TokenKind::end                ? "the end of the text"
-                              : token.kind == TokenKind::end_of_statement ? "the end of the line"
-                                                                          : fmt::format("'{:.40}'", token.text);
+    refuse_alone(at);
+    const InfixToken& token = tokens_[at];
+    const std::string found = token.kind == InfixToken::end                ? "the end of the text"
+                              : token.kind == InfixToken::end_of_statement ? "the end of the line"
+                                                                           : fmt::format("'{:.40}'", token.text);
     source_.fail(token.at, fmt::format("expected {}, found {}", expected, found));
+  }
+
+  [[nodiscard]] double number(std::size_t token) const {
+    std::size_t at = tokens_[token].at;
+    return source_.number(at);
   }
 
   /// `name(a, b) = ...`; moves past it.
   bool define_function(std::size_t& at) {
-    if (tokens_[at].kind != TokenKind::name || !tokens_[at + 1].is('(')) return false;
+    if (tokens_[at].kind != InfixToken::name || !tokens_[at + 1].is('(')) return false;
     std::size_t after = at + 2;
     std::vector<std::string_view> parameters;
-    while (tokens_[after].kind == TokenKind::name && (tokens_[after + 1].is(',') || tokens_[after + 1].is(')'))) {
+    while (tokens_[after].kind == InfixToken::name && (tokens_[after + 1].is(',') || tokens_[after + 1].is(')'))) {
       parameters.push_back(tokens_[after].text);
       after += 2;
       if (tokens_[after - 1].is(')')) break;
@@ -142,7 +211,7 @@ class InfixParser {
       source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
     // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
     Names trial;
-    for (const std::string_view parameter : parameters) trial.emplace(parameter, Named{{Expression::x()}});
+    for (const std::string_view parameter : parameters) trial.emplace(parameter, unknown_value());
     at = after + 1;
     callable_ = made.order;
     trial_ = true;
@@ -153,25 +222,15 @@ class InfixParser {
   }
 
   Named statement(std::size_t& at) {
-    const bool binding = tokens_[at].kind == TokenKind::name && tokens_[at + 1].is('=');
+    const bool binding = tokens_[at].kind == InfixToken::name && tokens_[at + 1].is('=');
     if (!binding) return expression(at, nullptr);
-    const Token& name = tokens_[at];
-    if (constant(name.text))
+    const InfixToken& name = tokens_[at];
+    if (find_constant(name.text) != nullptr)
       source_.fail(name.at, fmt::format("'{}' has a meaning already and cannot be given another", name.text));
     at += 2;
     Named value = expression(at, nullptr);
     names_.insert_or_assign(name.text, value);
     return value;
-  }
-
-  static std::optional<Expression> constant(std::string_view name) {
-    if (name == "x") return Expression::x();
-    if (name == "y") return Expression::y();
-    if (name == "z") return Expression::z();
-    if (name == "pi") return std::numbers::pi;
-    if (name == "tau") return 2 * std::numbers::pi;
-    if (name == "e") return std::numbers::e;
-    return std::nullopt;
   }
 
   /// What waits for operands: an operator, a parenthesis, or a call with the arguments it has so far.
@@ -217,7 +276,8 @@ class InfixParser {
       const Waiting top = waiting.back();
       waiting.pop_back();
       if (top.kind == Waiting::unary) {
-        values.back() = {{Expression::make(Opcode::negate, values.back().expression), values.back().solid}};
+        values.back().expression = Expression::make(Opcode::negate, values.back().expression);
+        values.back().part = false;
       } else {
         const Named b = std::move(values.back());
         values.pop_back();
@@ -232,16 +292,16 @@ class InfixParser {
       Call& call = calls.back();
       call.next_name = {};
       call.next_token = at;
-      if (tokens_[at].kind == TokenKind::name && tokens_[at + 1].is('=')) {
+      if (tokens_[at].kind == InfixToken::name && tokens_[at + 1].is('=')) {
         call.next_name = tokens_[at].text;
         at += 2;
       }
     };
     const auto end_argument = [&] {
       Call& call = calls.back();
-      const Token& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
+      const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
       call.arguments.push_back({call.next_name, call.next_token, std::move(values.back()), {}});
-      if (first.kind == TokenKind::words) call.arguments.back().words = first.text;
+      if (first.kind == InfixToken::words) call.arguments.back().words = first.text;
       values.pop_back();
     };
     const auto end_call = [&] {
@@ -252,18 +312,18 @@ class InfixParser {
     };
 
     for (bool operand = true;;) {
-      const Token& token = tokens_[at];
+      const InfixToken& token = tokens_[at];
       if (operand) {
-        if (token.kind == TokenKind::number) {
-          values.push_back({{token.number}});
+        if (token.kind == InfixToken::number) {
+          values.push_back({{number(at)}});
           ++at;
           operand = false;
-        } else if (token.kind == TokenKind::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
+        } else if (token.kind == InfixToken::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
                    (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
           values.push_back({{0.0}});  // in place of the words
           ++at;
           operand = false;
-        } else if (token.kind == TokenKind::name && tokens_[at + 1].is('(')) {
+        } else if (token.kind == InfixToken::name && tokens_[at + 1].is('(')) {
           waiting.push_back({Waiting::call, 0, '(', at});
           calls.push_back({at, {}, {}, 0});
           at += 2;
@@ -273,14 +333,14 @@ class InfixParser {
           } else {
             begin_argument();
           }
-        } else if (token.kind == TokenKind::name) {
+        } else if (token.kind == InfixToken::name) {
           values.push_back(variable(at, locals));
           ++at;
           operand = false;
         } else if (token.is('(')) {
           waiting.push_back({Waiting::parenthesis, 0, '(', at++});
-        } else if (token.is('-') && tokens_[at + 1].kind == TokenKind::number && !tokens_[at + 2].is('^')) {
-          values.push_back({{-tokens_[at + 1].number}});
+        } else if (token.is('-') && tokens_[at + 1].kind == InfixToken::number && !tokens_[at + 2].is('^')) {
+          values.push_back({{-number(at + 1)}});
           at += 2;
           operand = false;
         } else if (token.is('-') || token.is('!')) {
@@ -292,7 +352,7 @@ class InfixParser {
         }
         continue;
       }
-      const std::uint8_t rank = token.kind == TokenKind::sign ? precedence(token.text[0]) : std::uint8_t{0};
+      const std::uint8_t rank = token.kind == InfixToken::sign ? precedence(token.text[0]) : std::uint8_t{0};
       if (rank > 0) {
         const bool to_the_right = token.is('^');
         while (!waiting.empty() && waiting.back().kind <= Waiting::unary &&
@@ -319,10 +379,11 @@ class InfixParser {
         operand = true;
       } else {
         reduce_to_bracket();
+        refuse_alone(at);
         if (!waiting.empty())
           source_.fail(tokens_[at].at,
                        fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (token.kind != TokenKind::end && token.kind != TokenKind::end_of_statement) unexpected(at, "an operator");
+        if (!token.ends()) unexpected(at, "an operator");
         return std::move(values.back());
       }
     }
@@ -334,6 +395,7 @@ class InfixParser {
   }
 
   [[nodiscard]] Named joined(const Named& a, const Named& b, const Waiting& by) const {
+    if (a.unknown || b.unknown) return unknown_value();
     try {
       return {frep::joined(by.sign, a, b)};
     } catch (const Error& error) {
@@ -345,7 +407,7 @@ class InfixParser {
     const std::string_view name = tokens_[at].text;
     if (locals != nullptr)
       if (const auto found = locals->find(name); found != locals->end()) return found->second;
-    if (const auto value = constant(name)) return {{*value}};
+    if (const Constant* constant = find_constant(name)) return {{constant->value}};
     if (const auto found = names_.find(name); found != names_.end()) return found->second;
     if (find_function(name) != nullptr || functions_.contains(name))
       source_.fail(tokens_[at].at, fmt::format("'{}' is a function: write {}(...)", name, name));
@@ -366,6 +428,7 @@ class InfixParser {
         if (given.words == i) source_.fail(tokens_[call.token].at, fmt::format("'{}' takes no words in quotes", name));
         bound.insert_or_assign(parameters[i], *given.values[i]);
       }
+      if (user->second.unknown) return unknown_value();
       constexpr int deepest = 100;
       if (depth_ >= deepest)
         source_.fail(tokens_[call.token].at, fmt::format("functions call each other more than {} deep", deepest));
@@ -401,6 +464,8 @@ class InfixParser {
                      fmt::format("'{}' of '{}' {}", parameter.name, name,
                                  given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
     }
+    if (std::any_of(given.values.begin(), given.values.end(), [](const auto& value) { return value && value->unknown; }))
+      return unknown_value();
     try {
       return {frep::call(*function, values, given.text)};
     } catch (const Error& error) {
@@ -421,21 +486,22 @@ class InfixParser {
       }
       if (i == 0 || argument.name.empty()) source_.fail(tokens_[argument.token].at, "expected open(\"FILE\", NAME = VALUE, ...)");
       const Expression value = simplify(argument.value.expression);
-      if (!argument.words && value.opcode() != Opcode::constant)
+      if (!argument.words && !argument.value.unknown && value.opcode() != Opcode::constant)
         source_.fail(tokens_[argument.token].at, fmt::format("'{}' of 'open' must be a plain number or words", argument.name));
       if (argument.words)
         options.push_back({std::string(argument.name), std::string(*argument.words)});
-      else
+      else if (!argument.value.unknown)
         options.push_back({std::string(argument.name), value.constant()});
     }
     if (path.empty()) source_.fail(at, "'open' lacks the name of a file in quotes");
-    if (trial_) return {{Expression::x(), true}};
+    if (trial_ || std::any_of(call.arguments.begin(), call.arguments.end(), [](const Argument& a) { return a.value.unknown; }))
+      return unknown_value();
     if (!opener_) source_.fail(at, "files cannot be opened from this text");
     try {
       return {{opener_(path, options), true}};
     } catch (const Error& error) {
       if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
-      throw Error(error.kind(), source_.place(at), error.what());
+      source_.fail(at, error.what(), error.kind());
     }
   }
 
@@ -465,7 +531,7 @@ class InfixParser {
         source_.fail(tokens_[given[2]->token].at, error.what());
       }
     }
-    const Named value{{part.shape, true}, true};
+    const Named value{{part.shape, true}, true, given[0]->value.unknown};
     if (trial_) return value;
     for (const TextPart& other : parts_)
       if (other.name == part.name) source_.fail(at, fmt::format("two parts are called '{:.60}'", part.name));
@@ -523,8 +589,9 @@ class InfixParser {
   }
 
   TextSource source_;
-  std::vector<Token> tokens_;
+  std::vector<InfixToken> tokens_;
   const Opener& opener_;
+  std::vector<Diagnostic>* found_;
   Names names_;
   std::vector<TextPart> parts_;
   bool trial_ = false;  ///< nothing is opened, and no part is made
@@ -540,113 +607,17 @@ std::vector<TextPart> parse_parts(std::string_view text, std::string_view name, 
   return InfixParser(text, name, opener).parse();
 }
 
+std::vector<Diagnostic> diagnostics(std::string_view text, const Opener& opener) {
+  std::vector<Diagnostic> found;
+  InfixParser(text, "", opener, &found).parse();
+  return found;
+}
+
 Expression parse_infix(std::string_view text, std::string_view name, const Opener& opener) {
   const std::vector<TextPart> parts = parse_parts(text, name, opener);
   Expression all = parts.front().shape;
   for (std::size_t i = 1; i < parts.size(); ++i) all = Expression::make(Opcode::minimum, all, parts[i].shape);
   return all;
-}
-
-namespace {
-
-/// An expression as binding lines, and what the last of them is made from.
-struct Printed {
-  std::string bindings, result;
-};
-
-std::string text_of(const Source& source, const std::filesystem::path& folder) {
-  if (source.path.empty())
-    throw Error(ErrorKind::bad_input, "", "a solid that was made in memory has no text: save it as a file, and open that");
-  std::filesystem::path path = source.path;
-  if (!folder.empty())
-    if (const auto inner = path.lexically_relative(folder); !inner.empty() && *inner.begin() != "..") path = inner;
-  const std::string name = path.generic_string();
-  if (name.find_first_of("\"\n") != std::string::npos)
-    throw Error(ErrorKind::bad_input, name, "a name with quotes or line ends cannot stand in a text");
-  return fmt::format("open(\"{}\"{}{})", name, source.options.empty() ? "" : ", ", source.options);
-}
-
-Printed printed(const Expression& expression, const std::filesystem::path& folder) {
-  const Flat flat = flatten(expression);
-  const std::size_t count = flat.order.size();
-  std::vector<std::uint32_t> uses(count), height(count);
-  for (const Flat::Entry& entry : flat.order) {
-    if (info(entry.op).arity >= 1) ++uses[entry.a];
-    if (info(entry.op).arity >= 2) ++uses[entry.b];
-    if (info(entry.op).arity == 3) ++uses[entry.c];
-  }
-  // What is used more than once, and what would nest too deep to read, gets a name of its own.
-  constexpr std::uint32_t deepest = 12;
-  std::string bindings;
-  std::vector<std::string> text(count);
-  std::vector<bool> atom(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Flat::Entry& entry = flat.order[i];
-    const OpcodeInfo& op = info(entry.op);
-    const auto take = [&](std::uint32_t argument, bool bare) {
-      std::string part = uses[argument] == 1 ? std::move(text[argument]) : text[argument];
-      return bare || atom[argument] ? part : "(" + part + ")";
-    };
-    switch (op.arity) {
-      case 0:
-        text[i] = entry.op == Opcode::constant ? number_text(entry.constant) : std::string(op.infix);
-        atom[i] = entry.op != Opcode::constant || entry.constant >= 0;
-        break;
-      case 1:
-        height[i] = height[entry.a] + 1;
-        atom[i] = entry.op != Opcode::negate;
-        text[i] =
-            entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")" : fmt::format("{}({})", op.infix, take(entry.a, true));
-        break;
-      case 3: {
-        height[i] = std::max({height[entry.a], height[entry.b], height[entry.c]}) + 1;
-        atom[i] = true;
-        const std::string file = text_of(*entry.source, folder), x = take(entry.a, true), y = take(entry.b, true);
-        const std::string z = take(entry.c, true);
-        text[i] = x == "x" && y == "y" && z == "z" ? fmt::format("value({})", file)
-                                                   : fmt::format("value(map({}, {}, {}, {}))", file, x, y, z);
-        break;
-      }
-      default:
-        height[i] = std::max(height[entry.a], height[entry.b]) + 1;
-        if (op.infix.size() == 1) {
-          text[i] = take(entry.a, false);
-          text[i] += fmt::format(" {} {}", op.infix, take(entry.b, false));
-        } else {
-          text[i] = fmt::format("{}({}", op.infix, take(entry.a, true));
-          text[i] += fmt::format(", {})", take(entry.b, true));
-          atom[i] = true;
-        }
-    }
-    if (op.arity > 0 && i + 1 < count && (uses[i] > 1 || height[i] >= deepest)) {
-      const std::string bound = fmt::format("t{}", i);
-      bindings += bound + " = " + text[i] + "\n";
-      text[i] = bound;
-      atom[i] = true;
-      height[i] = 0;
-    }
-  }
-  return {std::move(bindings), std::move(text.back())};
-}
-
-}  // namespace
-
-std::string print_infix(const Expression& expression, const std::filesystem::path& folder) {
-  const Printed all = printed(expression, folder);
-  return all.bindings + all.result + "\n";
-}
-
-std::string print_parts(std::span<const TextPart> parts, const std::filesystem::path& folder) {
-  std::string out;
-  for (const TextPart& part : parts) {
-    const Printed shape = printed(part.shape, folder);
-    std::string name = part.name.empty() && parts.size() > 1 ? fmt::format("part {}", &part - parts.data() + 1) : part.name;
-    for (char& c : name)
-      if (c == '"' || c == '\n') c = '\'';
-    const std::string colour = part.colour ? fmt::format(", \"{}\"", text_of(*part.colour)) : "";
-    out += shape.bindings + (name.empty() ? shape.result : fmt::format("part({}, \"{}\"{})", shape.result, name, colour)) + "\n";
-  }
-  return out;
 }
 
 }  // namespace fieldfab::frep

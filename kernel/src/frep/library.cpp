@@ -1,6 +1,7 @@
 #include "fieldfab/frep/library.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -38,13 +39,10 @@ void add_operations(Functions& all) {
 
 /// Solids as numbers, and numbers as solids: which of them `-` and `+` mean.
 void add_kinds(Functions& all) {
-  all.push_back({"value",
-                 "numbers",
-                 {given("shape")},
-                 "",
-                 "the value of a solid at each point, as a number to reckon with",
-                 "",
-                 [](A a) { return a[0]; }});
+  all.push_back(
+      {"value", "numbers", {given("shape")}, "", "the value of a solid at each point, as a number to reckon with", "", [](A a) {
+         return a[0];
+       }});
 }
 
 template <class Join>
@@ -530,6 +528,38 @@ const LibraryFunction* find_function(std::string_view name) {
   }();
   const auto found = by_name.find(name);
   return found == by_name.end() ? nullptr : found->second;
+}
+
+std::string signature(const LibraryFunction& function) {
+  std::vector<std::string> shown;
+  for (const Parameter& parameter : function.parameters) {
+    const char* const unit = parameter.quantity == Quantity::angle ? "°" : "";
+    shown.push_back(parameter.fallback ? fmt::format("{} = {:g}{}", parameter.name, *parameter.fallback, unit)
+                                       : fmt::format("{}{}", parameter.name, unit));
+  }
+  if (function.any_number) shown.emplace_back("…");
+  return fmt::format("{}({})", function.name, fmt::join(shown, ", "));
+}
+
+std::string meaning(const LibraryFunction& function) {
+  const std::string_view value = function.distance == "exact"   ? "exact distance"
+                                 : function.distance == "bound" ? "never more than the distance"
+                                                                : "";
+  return fmt::format("{}{}{}", function.meaning, function.meaning.empty() || value.empty() ? "" : " · ", value);
+}
+
+const std::vector<Constant>& constants() {
+  static const std::vector<Constant> all{
+      {"x", "the first coordinate, mm", Expression::x()}, {"y", "the second coordinate, mm", Expression::y()},
+      {"z", "the third coordinate, mm", Expression::z()}, {"pi", "3.14159…", std::numbers::pi},
+      {"tau", "6.28318…, 2 pi", 2 * std::numbers::pi},    {"e", "2.71828…", std::numbers::e}};
+  return all;
+}
+
+const Constant* find_constant(std::string_view name) {
+  for (const Constant& constant : constants())
+    if (constant.name == name) return &constant;
+  return nullptr;
 }
 
 Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given, std::string_view text) {

@@ -10,12 +10,21 @@
 #include <string_view>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/frep/expression.h"
 
 namespace fieldfab::frep {
 
 /// More operations than any design has; a file with more is refused before it fills the memory.
 inline constexpr std::size_t most_operations = 16'000'000;
+
+/// A mistake at a byte of a text.
+struct TextError : Error {
+  TextError(ErrorKind kind, std::string place, const std::string& text, std::size_t byte)
+      : Error(kind, std::move(place), text), at(byte), message(text) {}
+  std::size_t at;
+  std::string message;  ///< without the place
+};
 
 /// A text with the name that messages carry.
 class TextSource {
@@ -34,9 +43,9 @@ class TextSource {
     return fmt::format("{}:{}:{}", name_, line, column);
   }
 
-  /// Throws bad_input at byte `at`.
-  [[noreturn]] void fail(std::size_t at, const std::string& message) const {
-    throw Error(ErrorKind::bad_input, place(at), message);
+  /// Throws TextError at byte `at`.
+  [[noreturn]] void fail(std::size_t at, const std::string& message, ErrorKind kind = ErrorKind::bad_input) const {
+    throw TextError(kind, place(at), printable(message), at);
   }
 
   /// The byte at `at` as a message shows it.

@@ -208,6 +208,13 @@ Model parse_model(std::string_view text, std::string_view name, const std::files
   return model;
 }
 
+std::vector<frep::Diagnostic> diagnose_model(std::string_view text, const std::filesystem::path& folder,
+                                             const OpenSettings& settings, Progress& progress) {
+  OpenSettings inner = settings;
+  if (inner.files == nullptr) inner.files = std::make_shared<OpenFiles>();
+  return frep::diagnostics(text, settings.opens_others ? frep::Opener(FileOpener(folder, inner, progress)) : nullptr);
+}
+
 Model model_of(const std::shared_ptr<const OpenedSolid>& opened) {
   Model model;
   model.parts.push_back(solid_of(opened));

@@ -86,7 +86,7 @@ window.grab().save(shot)
 
 # A mistake is told, and the last good picture stays.
 good = shown()
-model.write_text("difference(box(10, 10, 10), spheer(6))\n")
+model.write_text("difference(box(10, 10, 10), spheer(6))\nr = q  # ½\n")
 wait(lambda: window.view.error)
 application.processEvents()
 seen["message"] = window.view.error

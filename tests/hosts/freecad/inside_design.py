@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import sys
 
+import FreeCAD
 import numpy as np
 import FreeCAD
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from fieldfab_workbench import frep_language as language
 from fieldfab_workbench import kernel, openscad, shapes, work
 from fieldfab_workbench.objects import frep_solid
+from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.views import inventor, refinement
 
 WORKBENCH = pathlib.Path(shapes.__file__).resolve().parents[1]
@@ -23,30 +25,38 @@ def go_on(fraction, message):
 
 
 # The language.
-def test_words_say_what_functions_are():
-    words = language.library()
-    assert words["torus"].signature == "torus(R = 1, r = 0.25)" and "a ring" in words["torus"].meaning
-    assert words["union"].signature == "union(a, b, …)" and words["rotate_x"].meaning.endswith("angles in degrees")
-    assert list(words) == [f["name"] for f in kernel.load().library()]
+def test_places_are_counted_as_qt_does():
+    text = "a = 1  # ½ 😀\nb = 2; sphere(ä, q) \"😀\"\nspheer(3)"
+    units = [text.encode("utf-16-le")[2 * start:2 * end].decode("utf-16-le") for kind, start, end, token in language.tokens(text)]
+    assert units == [token for kind, start, end, token in language.tokens(text)] and units[3:7] == ["# ½ 😀", "b", "=", "2"]
+    shown = [(text.encode("utf-16-le")[2 * m.start:2 * m.end].decode("utf-16-le"), m.line) for m in language.mistakes(text)]
+    assert shown == [("ä", 1), ("spheer", 2)]
+    places = language.Places(text)
+    for i in range(len(text) + 1):
+        unit, byte = len(text[:i].encode("utf-16-le")) // 2, len(text[:i].encode())
+        assert places.unit(byte) == unit and places.byte(unit) == byte
+    at = len(text[:text.index("spheer") + 2].encode("utf-16-le")) // 2
+    start, fitting = language.completions(text, at)
+    assert start == at - 2 and "sphere()" in [entry.insert for entry in fitting]
+    assert language.word_at(text + " | sphere(2)", at + 13).signature == "sphere(r = 1)"
+    assert language.with_values(text, {"a": 3.5, "b": -1, "c": 2}) == text.replace("a = 1", "a = 3.5").replace("b = 2", "b = -1.0")
 
 
-def test_names_of_a_text_are_known():
-    words = language.defined("r = 2 # q = 3\npeg(h, k) = cylinder(r, h)\n// z1 = 4\nbox(\n  dx = 3)")
-    assert words["r"].signature == "r" and words["peg"].signature == "peg(h, k)" and words["peg"].meaning == "peg(h, k) = cylinder(r, h)"
-    assert "q" not in words and "z1" not in words
+def test_half_a_character_is_a_mistake_only():
+    assert [m.start for m in language.mistakes("a = 1\n\ud83d\nsphere(a)")] == [6]
 
 
-@pytest.mark.parametrize("line, word", [("a | rou", "rou"), ("a # rou", ""), ('text("rou', ""), ("1.5e", "e"), ("box(", ""), ("x2 + y_1", "y_1"), ("", "")])
-def test_the_word_before_the_cursor(line, word):
-    assert language.word_before(line) == word
-
-
-def test_places_of_mistakes():
-    fieldfab = kernel.load()
-    for text, place in (("a = 3\nsphere(q)", (1, 7)), ("spheer(3)", (0, 0)), ("sphere(1) )", (0, 10))):
-        with pytest.raises(fieldfab.Error) as raised:
-            fieldfab.parse(text)
-        assert language.place_of(raised.value) == place
+def test_properties_follow_texts_in_order_only():
+    document = FreeCAD.newDocument()
+    solid = solids.create(frep_solid.FrepSolid, document)
+    solid.Expression = "size = 4  # 1 to 9, side\nhole = 1\nbox(size, size, size) - sphere(hole)"
+    assert solid.getDocumentationOfProperty("size") == "side" and solid.getDocumentationOfProperty("hole") == "hole of the text"
+    solid.size = 5
+    solid.Expression = solid.Expression.replace("hole = 1", "hole = (1")
+    assert solid.hole == 1 and solid.size == 5, "a text with a mistake keeps them"
+    solid.Expression = "size = 4\nbox(size, size, size)"
+    assert solid.size == 5 and "hole" not in solid.PropertiesList
+    FreeCAD.closeDocument(document.Name)
 
 
 # The gallery.
@@ -61,15 +71,19 @@ def test_every_shape_has_a_picture_and_a_text():
             fieldfab.parse(shape.before + shape.call(shape.values) + shape.after)
 
 
+def numbers(text):
+    return {name: each.value for name, each in language.parameters(text).items()}
+
+
 def test_numbers_become_parameters():
     every = {s.name: s for s in shapes.shapes()}
     box = every["rounded_box"]
     text = box.solid({**box.values, "dx": "12", "r": "1.5"})
-    assert frep_solid.parameters(text) == {"dx": 12, "dy": 6, "dz": 4, "r": 1.5}
+    assert numbers(text) == {"dx": 12, "dy": 6, "dz": 4, "r": 1.5}
     assert box.call(box.values) == "rounded_box(dx = 8, dy = 6, dz = 4, r = 1)"
     # A name that means something already gets another.
-    assert frep_solid.parameters(every["plane"].solid(every["plane"].values)) == {"nx": 1, "ny": 1, "nz": 1, "offset_": 2}
-    assert frep_solid.parameters(every["text"].solid({**every["text"].values, "words": '"Hi"'})) == {"h": 5, "weight": 0.9}
+    assert numbers(every["plane"].solid(every["plane"].values)) == {"nx": 1, "ny": 1, "nz": 1, "offset_": 2}
+    assert numbers(every["text"].solid({**every["text"].values, "words": '"Hi"'})) == {"h": 5, "weight": 0.9}
     assert every["difference"].call(every["difference"].values) == "difference(box(6, 6, 4), cylinder(2, 6))"
 
 

@@ -6,6 +6,7 @@ import window
 from panels import PART, Button, document, edit, frep, key, panels, shown, silhouette  # noqa: F401
 from window import live, press
 
+from fieldfab_workbench import kernel
 from fieldfab_workbench.panels import gallery
 from fieldfab_workbench.panels.frep_editor import COLOURS
 from fieldfab_workbench.shim import QtCore, QtGui, QtWidgets
@@ -17,14 +18,14 @@ def colour_at(editor, line, column):
 
 
 # The editor.
-def test_colours_numbers_and_the_first_mistake_in_its_place(document, panels):
+def test_colours_numbers_and_all_mistakes_in_their_places(document, panels):
     solid = frep(document, PART)
     edit(solid)
     editor = panels[-1].text
     editor.setPlainText('size = 20  # outer\npart = box(size, size, size)\ndifference(part, spheer(r = 4 + x)) | text("a")')
     live(0.3)
-    assert colour_at(editor, 0, 0) == COLOURS["defined"] and colour_at(editor, 0, 7) == COLOURS["number"] and colour_at(editor, 0, 12) == COLOURS["comment"]
-    assert colour_at(editor, 1, 7) == COLOURS["function"] and colour_at(editor, 2, 11) == COLOURS["defined"]
+    assert colour_at(editor, 0, 0) == COLOURS["variable"] and colour_at(editor, 0, 7) == COLOURS["number"] and colour_at(editor, 0, 12) == COLOURS["comment"]
+    assert colour_at(editor, 1, 7) == COLOURS["function"] and colour_at(editor, 2, 11) == COLOURS["variable"]
     assert colour_at(editor, 2, 32) == COLOURS["constant"] and colour_at(editor, 2, 44) == COLOURS["string"]
     mark, = editor.extraSelections()
     assert mark.cursor.selectedText() == "spheer" and mark.cursor.blockNumber() == 2
@@ -33,6 +34,12 @@ def test_colours_numbers_and_the_first_mistake_in_its_place(document, panels):
     picture = editor.numbers.grab().toImage()
     assert any(picture.pixelColor(2, y).red() > 180 and picture.pixelColor(2, y).green() < 80 for y in range(picture.height())), "the line is marked, too"
     window.shot("mistake")
+    editor.setPlainText("# 😀 ½\na = box(q)  # 😀\nb = a * a\nsphere(r = @ | b")
+    live(0.3)
+    assert [m.cursor.selectedText() for m in editor.extraSelections()] == ["q", "@"]
+    assert panels[-1].message.text() == "Line 2: unknown name 'q' (and 1 more)"
+    assert colour_at(editor, 1, 4) == COLOURS["function"] and colour_at(editor, 0, 0) == COLOURS["comment"] and colour_at(editor, 1, 7) is None
+    window.shot("mistakes")
     editor.setPlainText("sphere(r = 4")
     live(0.2)
     assert editor.extraSelections()[0].cursor.selectedText() == "4", "what is missing at the end is marked before it"
@@ -66,6 +73,30 @@ def test_completion_and_tooltips(document, panels):
     cursor.movePosition(QtGui.QTextCursor.Right, QtGui.QTextCursor.MoveAnchor, 3)
     said = editor.help_at(cursor)
     assert "rounded_box(dx = 1" in said and "edges and corners rounded by r" in said
+    for letter in "dy":
+        key(editor, letter)
+    live(0.1)
+    assert popup.isVisible() and popup.currentIndex().data() == "dy = 1", "a parameter by its name"
+    window.shot("arguments")
+    key(popup, code=QtCore.Qt.Key_Return)
+    assert editor.toPlainText() == "roundness = 2\nrounded_box(dy = )"
+    press(Button.Cancel)
+
+
+def test_without_a_kernel_the_editor_opens(document, panels, monkeypatch):
+    def missing():
+        raise ImportError("Fieldfab's kernel is not built")
+
+    solid = frep(document, PART)
+    monkeypatch.setattr(kernel, "load", missing)
+    edit(solid)
+    editor = panels[-1].text
+    assert editor.toPlainText() == PART and colour_at(editor, 0, 0) is None and not editor.extraSelections()
+    assert panels[-1].message.text() == "Fieldfab's kernel is not built"
+    key(editor, "b")
+    key(editor, "o")
+    assert not editor.popup.popup().isVisible() and editor.help_at(editor.textCursor()) == ""
+    monkeypatch.undo()
     press(Button.Cancel)
 
 
@@ -92,6 +123,16 @@ def test_sliders_drive_the_properties_and_the_picture(document, panels):
     assert solid.size == 20 and solid.hole == 11, "one step"
     document.recompute()
     assert silhouette("after_undo") == pytest.approx(whole, rel=0.05)
+
+
+def test_a_comment_tells_the_range_of_a_slider(document, panels):
+    edit(frep(document, "r = 4  # 2 to 6, radius\nsphere(r)"))
+    row = panels[-1].rows["r"]
+    assert (row.low, row.high) == (2, 6) and row.toolTip().startswith("radius\n")
+    panels[-1].text.setPlainText("r = 4  # 3 to 5\nsphere(r)")
+    live(0.2)
+    assert (panels[-1].rows["r"].low, panels[-1].rows["r"].high) == (3, 5)
+    press(Button.Cancel)
 
 
 def test_a_slider_grows(document, panels):
@@ -150,5 +191,5 @@ def test_a_shape_goes_to_the_cursor(document, panels):
     shapes.button.click()
     shapes.close()
     live(0.3)
-    assert panel.text.toPlainText() == "sphere(r = 4) | torus(R = 6, r = 1.5)" and panel.text.mistake is None
+    assert panel.text.toPlainText() == "sphere(r = 4) | torus(R = 6, r = 1.5)" and not panel.text.mistakes
     press(Button.Ok)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fieldfab {
 
@@ -24,6 +25,9 @@ std::optional<Colour> colour_of_hex(std::string_view text);
 /// The colour of a CSS name (CSS Color 4, 148 names, upper and lower case alike), of "#rgb" or of "#rrggbb". Throws
 /// bad_input for any other text, with the nearest name where one is near.
 Colour colour_named(std::string_view text);
+
+/// The CSS names, in alphabetic order.
+std::vector<std::string_view> colour_names();
 
 /// "#rrggbb", in lower case.
 std::string text_of(Colour colour);

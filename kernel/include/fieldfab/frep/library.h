@@ -55,6 +55,21 @@ const std::vector<LibraryFunction>& library();
 /// The function of that name, or null.
 const LibraryFunction* find_function(std::string_view name);
 
+/// "rotate_z(shape, angle°)", "sphere(r = 1)": how a function is called in .frep text.
+std::string signature(const LibraryFunction& function);
+/// What it makes, and what its value is good for, in one line.
+std::string meaning(const LibraryFunction& function);
+
+/// A name that has a value in every text.
+struct Constant {
+  std::string_view name;
+  std::string_view meaning;
+  Expression value;
+};
+const std::vector<Constant>& constants();
+/// The constant of that name, or null.
+const Constant* find_constant(std::string_view name);
+
 /// A value of the design language: a number that may depend on x, y and z, or a solid, which is what shapes, sets and open()
 /// give. Numbers have arithmetic; `-` of two solids is their set difference. A number is a solid where one is needed.
 struct Value {

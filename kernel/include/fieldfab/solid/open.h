@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fieldfab/frep/text.h"
+#include "fieldfab/frep/language.h"
 #include "fieldfab/solid/formats.h"
 #include "fieldfab/solid/solid.h"
 #include "fieldfab/volume/scan.h"
@@ -24,8 +24,8 @@ struct OpenSettings {
   Scripts scripts = Scripts::refused;
   /// What a file does not tell by itself, by the names that open() has in .frep text: see open_options().
   std::vector<frep::OpenOption> options = {};
-  std::optional<Box> region = {};  ///< mm; of an .asdf file only the blocks that meet it
-  bool opens_others = true;        ///< whether a text or script may open() further files
+  std::optional<Box> region = {};    ///< mm; of an .asdf file only the blocks that meet it
+  bool opens_others = true;          ///< whether a text or script may open() further files
   const Formats* formats = nullptr;  ///< those that are known; null: the kernel's own
   /// Gets the paths of all files that are read, each once.
   std::vector<std::filesystem::path>* files_read = nullptr;
@@ -58,6 +58,10 @@ Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOp
 /// The model of .frep text. open() in it takes names relative to `folder`. Throws as frep::parse_parts() and open_model() do.
 Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
                   const OpenSettings& settings = {}, Progress& progress = Progress::none());
+
+/// The mistakes of .frep text, as frep::diagnostics() tells them; there is none exactly where parse_model() throws none.
+std::vector<frep::Diagnostic> diagnose_model(std::string_view text, const std::filesystem::path& folder,
+                                             const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
 /// A leaf as a model of one part, with its notes.
 Model model_of(const std::shared_ptr<const OpenedSolid>& opened);

@@ -1,0 +1,30 @@
+/// Divides .frep text into tokens, for the parser and for editors.
+#pragma once
+
+#include <optional>
+
+#include "fieldfab/frep/language.h"
+
+namespace fieldfab::frep {
+
+class Lexer {
+ public:
+  /// Reads from byte `at` on, which begins a line. Lines are counted from there.
+  explicit Lexer(std::string_view text, std::size_t at = 0) : text_(text), at_(at), line_start_(at) {}
+
+  /// The next token; none at the end of the text.
+  std::optional<Token> next() noexcept;
+
+ private:
+  [[nodiscard]] std::size_t number_end() const noexcept;
+
+  std::string_view text_;
+  std::size_t at_;
+  std::size_t line_start_;
+  std::size_t line_ = 1;
+};
+
+/// Whether a string token has its closing quotes.
+inline bool is_closed(std::string_view string) { return string.size() > 1 && string.back() == '"'; }
+
+}  // namespace fieldfab::frep
