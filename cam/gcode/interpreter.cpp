@@ -34,7 +34,7 @@ Interpreter::Interpreter(std::string_view text, const std::string& file, const R
       flow_(text, file, options.folders, options.most_blocks, parameters_),
       reader_(parameters_, options.dialect, [this](std::string what) { notes_.add(flow_.line(), std::move(what)); }) {
   modes_.inch = options.inch;
-  if (forgiving()) modes_.motion = plain_motion_;
+  if (forgiving()) modes_.motion = plain_motion_, modes_.retract_to_start = true;
   const auto store = [&](int first, const AxisValues& values) {
     for (int k = 0; k < 9; ++k) parameters_.stored(first + k) = in_degrees(values).at[static_cast<std::size_t>(k)];
   };

@@ -62,7 +62,10 @@ class CamoticsReader {
     for (const auto& [key, table] : tools->items()) {
       if (!table.is_object()) throw refuse(fmt::format("tool '{:.20}' is no table", key));
       Tool tool;
-      tool.number = static_cast<int>(number(table, "number", std::atoi(key.c_str())));
+      const double number_of_tool = number(table, "number", std::atoi(key.c_str()));
+      if (!(number_of_tool >= 0 && number_of_tool <= 99999) || number_of_tool != std::floor(number_of_tool))
+        throw refuse(fmt::format("tool '{:.20}' has no whole number", key));
+      tool.number = static_cast<int>(number_of_tool);
       const double unit = unit_of(table);
       tool.diameter = unit * number(table, "diameter", 0);
       tool.flute = unit * number(table, "length", 0);

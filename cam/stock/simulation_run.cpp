@@ -75,7 +75,8 @@ void SimulationRun::finish() {
   const auto of_spindle = [](const SimulationEvent& event) { return event.kind == Kind::spindle_stopped; };
   const auto first = std::find_if(events.begin(), events.end(), of_spindle);
   if (first == events.end()) return;
-  s_.report_.notes.push_back({first->line, "the program never turns the spindle on: it is taken as switched on by hand"});
+  s_.report_.notes.push_back(
+      {first->line, "the spindle never turns while the program moves: it is taken as switched on by hand"});
   std::erase_if(events, of_spindle);
 }
 

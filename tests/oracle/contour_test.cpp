@@ -51,6 +51,7 @@ TEST(Contour, IsValidForEveryShapeResolutionAndTurn) {
     for (int turn = 0; turn < 10; ++turn) {
       const FieldPtr solid = rotate(rotate(frep::make_field(sample.solid), Vec3::UnitZ(), 0.37 * turn), {1, 0.3, 0}, 0.53 * turn);
       for (const double voxel : {0.2, 0.11, 0.06}) {
+        if (voxel == 0.06 && turn % 4 != 0) continue;  // CGAL's check of the finest takes most of the time
         const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
         const std::string what = std::string(sample.name) + " turn " + std::to_string(turn) + " voxel " + std::to_string(voxel);
         expect_valid(mesh, what);

@@ -38,7 +38,8 @@ TEST(Dialects, TakeTheHeaderThatMostPostsWrite) {
     const Reading r = gcode(header, of(dialect));
     ASSERT_EQ(r.motions.size(), 4U);
     EXPECT_EQ(r.motions[2].kind, Kind::rapid);
-    near(r.at(2), {1, 2, 15});
+    near(r.at(2), {1, 2, 5});
+    EXPECT_EQ(r.motions[2].tool_offset, Vec3(0, 0, 10));
     EXPECT_TRUE(r.notes.empty());
   }
 }

@@ -113,8 +113,8 @@ struct ReadingNote {
 /// Carries out a program and hands on each motion in order. Returns what was passed over, each message once. Memory does not grow
 /// with the program's length, but for its subroutines and parameters. The dialect is LinuxCNC 2.9's, whose interpreter is the
 /// oracle of its tests, with the additions and differences below. In the other dialects (docs/simulation.md, Dialects) of codes
-/// of one group in a block the last one holds, G80 takes no motion's place, G0 is in force at first, a feed needs no rate, and
-/// unknown codes that move nothing and words that nothing uses are passed over, each with a note.
+/// of one group in a block the last one holds, G80 takes no motion's place, G0 and G98 are in force at first, a feed needs no
+/// rate, and unknown codes that move nothing and words that nothing uses are passed over, each with a note.
 /// - M428, M429, M430 and G43.4 ... G49 set the ControlMode; G68 X Y R and G69 turn the program about a point of the plane, as
 /// Fanuc's
 ///   controls do (the machine stays where it is; words then count in the turned system).
