@@ -95,7 +95,7 @@ def read(path, progress):
             mistakes = ff.language.diagnostics(file.read(), os.path.dirname(path))
         if not mistakes:
             raise
-        lines = [f"{path}:{m.line}:{m.column}: {m.message}" for m in mistakes[:SHOWN]]
+        lines = [f"{os.path.basename(path)}:{m.line}:{m.column}: {m.message}" for m in mistakes[:SHOWN]]
         if len(mistakes) > SHOWN:
             lines.append(f"{len(mistakes) - SHOWN} more")
         raise ff.Error("\n".join(lines)) from None
