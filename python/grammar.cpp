@@ -1,4 +1,6 @@
 // The .frep language for editors written in Python.
+#include <fmt/format.h>
+
 #include "bindings.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/openscad/design.h"
@@ -44,6 +46,18 @@ std::vector<frep::Diagnostic> diagnostics(const std::string& text, const std::op
   } catch (const Error&) {
     return found;
   }
+}
+
+/// The text with other numbers for its parameters of these names, and else as it is.
+std::string with_values(const std::string& text, const std::map<std::string, double>& values) {
+  std::string made;
+  std::size_t done = 0;
+  for (const frep::TextParameter& parameter : frep::parameters(text))
+    if (const auto given = values.find(parameter.name); given != values.end()) {
+      made += text.substr(done, parameter.value_offset - done) + fmt::format("{}", given->second);
+      done = parameter.value_offset + parameter.value_length;
+    }
+  return made + text.substr(done);
 }
 
 }  // namespace
@@ -107,6 +121,8 @@ void bind_grammar(py::module_& parent) {
   module.def(
       "parameters", [](const std::string& text) { return frep::parameters(text); }, py::arg("text"),
       "The numbers that a text names once, `width = 20`.");
+  module.def("with_values", with_values, py::arg("text"), py::arg("values"),
+             "The text with other numbers for its parameters: with_values(text, {\"width\": 25}).");
   module.def("diagnostics", diagnostics, py::arg("text"), py::arg("folder") = py::none(),
              "The mistakes of a text; there is none exactly where parse() takes it. The first is the one that parse() raises.");
   module.def(

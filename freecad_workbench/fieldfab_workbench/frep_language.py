@@ -57,11 +57,7 @@ def parameters(text):
 
 def with_values(text, values):
     """The text with other numbers for its parameters."""
-    data = Places(text).data
-    for each in reversed(grammar().parameters(data)):
-        if each.name in values:
-            data = data[:each.value_offset] + repr(float(values[each.name])).encode() + data[each.value_offset + each.value_length:]
-    return data.decode()
+    return grammar().with_values(Places(text).data, values)
 
 
 def mistakes(text):

@@ -1,7 +1,7 @@
 """The live view of a model file: `fieldfab edit MODEL`. The file is edited elsewhere; every save shows at once.
 
 Wheel: zoom about the pointer. Left drag: turn (pan, where the model is flat). Right or middle drag: pan. F: fit. P: perspective.
-S: save the picture. Whatever is seen is evaluated for the window's own pixels; a coarse picture comes first.
+S: save the picture. The parameters of a .frep text (`width = 20  # 5 to 40`) have sliders. Whatever is seen is evaluated for the window's own pixels; a coarse picture comes first.
 """
 
 import math
@@ -68,10 +68,10 @@ class Worker(QtCore.QObject):
 
 
 class Model:
-    """A loaded file: the solid and where it is."""
+    """A solid and where it is."""
 
-    def __init__(self, path, progress):
-        self.field = ff.run_model(path, progress=progress)
+    def __init__(self, field):
+        self.field = field
         bounds = self.field.bounds()
         self.flat = bounds is None
         if self.flat:  # unbounded along z, or for good
@@ -84,21 +84,87 @@ class Model:
             self.bounds = self.bounds[:2] + (0.0,) + self.bounds[3:5] + (0.0,)
 
 
-def read(path, progress):
-    """The Model of a file. Raises ff.Error with all mistakes of a .frep text, a line each."""
+def text_of(path):
+    """The bytes of a .frep text; empty for another file, and for one that cannot be read now."""
+    if not path.endswith(".frep"):
+        return b""
     try:
-        return Model(path, progress)
-    except ff.Error as error:
-        if not path.endswith(".frep") or error.kind != "bad_input":
-            raise
         with open(path, "rb") as file:
-            mistakes = ff.language.diagnostics(file.read(), os.path.dirname(path))
+            return file.read()
+    except OSError:
+        return b""
+
+
+def read(path, values, progress):
+    """The Model of a file; of a .frep text with these numbers for its parameters. Raises ff.Error with all mistakes of a text, a line each."""
+    text, folder = text_of(path), os.path.dirname(path)
+    try:
+        if values:
+            return Model(ff.parse(ff.language.with_values(text, values), folder))
+        return Model(ff.run_model(path, progress=progress))
+    except ff.Error as error:
+        mistakes = ff.language.diagnostics(text, folder) if text and error.kind == "bad_input" else []
         if not mistakes:
             raise
-        lines = [f"{path}:{m.line}:{m.column}: {m.message}" for m in mistakes[:SHOWN]]
+        lines = [f"{os.path.basename(path)}:{m.line}:{m.column}: {m.message}" for m in mistakes[:SHOWN]]
         if len(mistakes) > SHOWN:
             lines.append(f"{len(mistakes) - SHOWN} more")
         raise ff.Error("\n".join(lines)) from None
+
+
+class Sliders(QtWidgets.QDockWidget):
+    """The parameters of a .frep text, each with a slider. The file is written only by the button."""
+
+    STEPS = 1000
+
+    changed = QtCore.Signal()
+    written = QtCore.Signal()
+
+    def __init__(self):
+        super().__init__("Parameters")
+        self.values, self._parameters, self._rows = {}, {}, {}
+
+    def follow(self, text):
+        """Shows the parameters of a text, at the text's own numbers."""
+        self._parameters = {each.name: each for each in ff.language.parameters(text)}
+        self.values, self._rows = {}, {}
+        inside = QtWidgets.QWidget()
+        rows = QtWidgets.QFormLayout(inside)
+        for name, each in self._parameters.items():
+            slider, label = QtWidgets.QSlider(QtCore.Qt.Horizontal), QtWidgets.QLabel(f"{each.value:g}")
+            slider.setRange(0, self.STEPS)
+            low, high = self._range(each)
+            slider.setValue(round(self.STEPS * (each.value - low) / (high - low)))
+            slider.setToolTip(each.comment)
+            slider.valueChanged.connect(lambda step, name=name: self._slid(name, step))
+            line = QtWidgets.QHBoxLayout()
+            line.addWidget(slider)
+            line.addWidget(label)
+            label.setMinimumWidth(60)
+            rows.addRow(name, line)
+            self._rows[name] = slider, label
+        button = QtWidgets.QPushButton("Write to the file")
+        button.clicked.connect(self.written)
+        rows.addRow(button)
+        self.setWidget(inside)
+        self.setVisible(bool(self._parameters))
+
+    @staticmethod
+    def _range(parameter):
+        """The text's range, or up to twice the value; wider where the value is beyond."""
+        value = parameter.value
+        low, high = parameter.range or (min(0, 2 * value), max(0, 2 * value) or (0 if value else 1))
+        return min(low, value), max(high, value)
+
+    def slider(self, name):
+        return self._rows[name][0]
+
+    def _slid(self, name, step):
+        low, high = self._range(self._parameters[name])
+        digits = max(0, 2 - math.floor(math.log10(high - low)))
+        self.values[name] = round(low + (high - low) * step / self.STEPS, digits)
+        self._rows[name][1].setText(f"{self.values[name]:g}")
+        self.changed.emit()
 
 
 class View(QtWidgets.QWidget):
@@ -271,6 +337,10 @@ class Window(QtWidgets.QMainWindow):
         self.loader = Worker()
         self.loader.done.connect(self._loaded)
         self.view.shown.connect(self._tell)
+        self.sliders = Sliders()
+        self.sliders.changed.connect(self.load)
+        self.sliders.written.connect(self.write)
+        self.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self.sliders)
         self._seen = None
         self._timer = QtCore.QTimer(self)  # editors write files in ways that not every file watcher notices
         self._timer.timeout.connect(self.look)
@@ -287,8 +357,21 @@ class Window(QtWidgets.QMainWindow):
             self.view.set_error(f"{self.path}: {error.strerror}")
         if seen is not None and seen != self._seen:
             self.statusBar().showMessage("reading …")
-            self.loader.start(lambda progress: iter([read(self.path, progress)]))
+            self.sliders.follow(text_of(self.path))
+            self.load()
         self._seen = seen
+
+    def load(self):
+        """Reads the file with the numbers of the sliders."""
+        values = dict(self.sliders.values)
+        self.loader.start(lambda progress: iter([read(self.path, values, progress)]))
+
+    def write(self):
+        """Writes the numbers of the sliders into the file."""
+        try:
+            ff.write_file(self.path, ff.language.with_values(text_of(self.path), self.sliders.values))
+        except ff.Error as error:
+            self.view.set_error(str(error))
 
     def _loaded(self, result):
         if isinstance(result, Exception):

@@ -26,12 +26,15 @@ def test_window_follows_its_file(tmp_path):
     assert [seen[name] for name in ("exact", "exact_after_save", "exact_after_zoom", "exact_after_turn", "exact_flat")] == [0] * 5, seen
     assert 0.5 < seen["zoomed"] < 0.7
     assert "unknown function 'spheer'; did you mean 'sphere'?" in seen["message"] and ":1:29:" in seen["message"]
-    assert seen["message"].splitlines()[1].endswith("model.frep:2:5: unknown name 'q'"), "the mistakes below, too"
+    assert seen["message"].splitlines()[1].startswith("model.frep:2:5: unknown name 'q'"), "the mistakes below, too"
     assert seen["kept_below_message"] and seen["error_gone"] and seen["flat_mode"] == "bitmap"
     assert "No such file" in seen["missing"]
+    assert seen["slid"] == 8 and seen["untouched"] and seen["no_sliders"]
+    assert seen["written"] == "size = 8  # 4 to 12, ½\nbox(size, size, size)\n"
     if "FIELDFAB_EDIT_SCREENSHOT" in os.environ:
         shutil.copy(shot, os.environ["FIELDFAB_EDIT_SCREENSHOT"])
-        shutil.copy(str(shot).replace(".png", "-error.png"), os.environ["FIELDFAB_EDIT_SCREENSHOT"].replace(".png", "-error.png"))
+        for name in ("-error.png", "-sliders.png"):
+            shutil.copy(str(shot).replace(".png", name), os.environ["FIELDFAB_EDIT_SCREENSHOT"].replace(".png", name))
 
 
 def test_command_opens_the_window(tmp_path):

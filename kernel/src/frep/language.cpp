@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
 
 #include "fieldfab/core/colour.h"
 #include "fieldfab/core/text.h"
@@ -214,13 +215,14 @@ std::vector<Token> tokens(std::string_view text) {
 
 std::vector<TextParameter> parameters(std::string_view text) {
   const Statements source(text);
+  std::unordered_map<std::string_view, int> times;
+  for (const Definition& made : source.definitions()) ++times[made.name];
   std::vector<TextParameter> all;
   for (const Definition& made : source.definitions()) {
     const bool minus = source.is(made.body, "-");
     const std::size_t digits = made.body + (minus ? 1 : 0);
     if (made.parameters || digits + 1 != made.end || source[digits].kind != TokenKind::number) continue;
-    if (find_constant(made.name) != nullptr || std::ranges::count(source.definitions(), made.name, &Definition::name) > 1)
-      continue;
+    if (find_constant(made.name) != nullptr || times[made.name] > 1) continue;
     double value = 0;
     const std::string_view shown = source.shown(source[digits]);
     if (std::from_chars(shown.data(), shown.data() + shown.size(), value).ec != std::errc{}) continue;
@@ -244,12 +246,16 @@ std::vector<Word> words(std::string_view text) {
   for (const Constant& constant : constants())
     all.push_back(
         {std::string(constant.name), WordKind::constant, std::string(constant.name), std::string(constant.meaning), ""});
+  std::unordered_map<std::string, std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
   const Statements source(text);
   for (const Definition& made : source.definitions()) {
     if (find_constant(made.name) != nullptr) continue;
-    const auto known = std::ranges::find(all, made.name, &Word::name);
-    if (known != all.end()) *known = source.word_of(made);
-    if (known == all.end()) all.push_back(source.word_of(made));
+    const auto [place, is_new] = places.emplace(made.name, all.size());
+    if (is_new)
+      all.push_back(source.word_of(made));
+    else
+      all[place->second] = source.word_of(made);
   }
   return all;
 }

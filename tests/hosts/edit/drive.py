@@ -84,6 +84,25 @@ application.sendEvent(window.view, QtGui.QKeyEvent(QtCore.QEvent.KeyPress, QtCor
 wait_for_picture()
 window.grab().save(shot)
 
+# Sliders of the text's parameters; the file is written by the button only.
+fine.clear()
+text = "size = 10  # 4 to 12, ½\nbox(size, size, size)\n"
+model.write_text(text)
+wait_for_picture()
+window.sliders.slider("size").setValue(500)
+wait(lambda: window.view.model.bounds[3] < 4.2)
+seen["slid"] = window.sliders.values["size"]
+seen["untouched"] = model.read_text() == text
+fine.clear()
+window.grab().save(shot.replace(".png", "-sliders.png"))
+window.write()
+wait(lambda: not window.sliders.values)
+seen["written"] = model.read_text()
+wait_for_picture()
+model.write_text("difference(box(10, 10, 10), sphere(6))\n")
+wait_for_picture()
+seen["no_sliders"] = not window.sliders.isVisible()
+
 # A mistake is told, and the last good picture stays.
 good = shown()
 model.write_text("difference(box(10, 10, 10), spheer(6))\nr = q  # ½\n")
