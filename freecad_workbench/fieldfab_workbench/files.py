@@ -92,10 +92,12 @@ def export(objects, filename):
     if not objects:
         raise ValueError(tr("{filename}: nothing that was chosen bounds a solid").format(filename=filename))
     if ending in extensions("formula", reads=True, writes=True):
-        return _write_text(filename, _united_texts(objects, ending))
-    if ending not in ("vdb", *extensions("distances", "mesh", writes=True)):
+        write = _writer_of_text
+    elif ending in ("vdb", *extensions("distances", "mesh", writes=True)):
+        write = _writer_of_parts if format["kind"] == "mesh" and format["parts"] else _writer_of_all
+    else:
         raise ValueError(tr("{filename}: Fieldfab writes no .{ending} files").format(filename=filename, ending=ending))
-    fieldfab, write = kernel.load(), _writer_of_parts if format["kind"] == "mesh" and format["parts"] else _writer_of_all
+    fieldfab = kernel.load()
     try:
         work.run(write(objects, filename, ending), tr("Writing {filename}").format(filename=os.path.basename(filename)))
     except fieldfab.Error as error:
@@ -120,6 +122,27 @@ def _writer_of_parts(objects, filename, ending):
     def write(progress):
         parts = [(source.mesh(progress, **settings), label, colour(progress)) for source, settings, label, colour in wanted]
         kernel.load().save_parts(parts, filename, progress)
+
+    return write
+
+
+def _writer_of_text(objects, filename, ending):
+    """A function of a progress that writes formulas, in .frep text a part each, else united; it does not look at the document. Raises ValueError for an
+    object that has none."""
+    for obj in objects:
+        if not isinstance(getattr(obj, "Proxy", None), (FrepSolid, FilePart)):
+            raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
+    fieldfab, first, folder = kernel.load(), objects[0], os.path.dirname(os.path.abspath(filename))
+    own = ending == "frep" and len(objects) == 1 and isinstance(first.Proxy, FrepSolid) and _placement(first).isIdentity()
+    text = first.Proxy.text(first) if own else None
+    wanted = [(obj.Proxy.source(obj), _placement(obj), obj.Label, _colour_of(obj)) for obj in objects]
+
+    def write(progress):
+        parts = [(_moved(source.field(progress), placement), label, colour(progress)) for source, placement, label, colour in wanted]
+        if ending == "frep":
+            return _write_text(filename, text or fieldfab.frep_text(parts, folder))
+        united = functools.reduce(lambda a, b: a | b, [solid for solid, _, _ in parts])
+        return _write_text(filename, united.math() if ending == "math" else united.vm())
 
     return write
 
@@ -193,23 +216,6 @@ def _colour_of(obj):
         return lambda progress: own
     source = obj.Proxy.source(obj) if isinstance(getattr(obj, "Proxy", None), FilePart) else None
     return lambda progress: source and source.colour(progress)
-
-
-def _united_texts(objects, ending):
-    """The objects' formulas as one text. Raises ValueError for what has none."""
-    fieldfab = kernel.load()
-    for obj in objects:
-        if not isinstance(getattr(obj, "Proxy", None), FrepSolid):
-            raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
-    if ending == "frep" and len(objects) == 1 and _placement(objects[0]).isIdentity():
-        return objects[0].Proxy.text(objects[0])
-    united = None
-    for obj in objects:
-        expression = _moved(fieldfab.parse(obj.Proxy.text(obj)), _placement(obj))
-        united = expression if united is None else united | expression
-    if ending == "frep":
-        raise ValueError(tr("one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are"))
-    return united.math() if ending == "math" else united.vm()
 
 
 def _placement(obj):
