@@ -313,6 +313,16 @@ void bind_language(py::module_& module) {
         return long_work(progress, [&](Progress& p) { return open_all(path, p); });
       },
       py::arg("filename"), py::arg("progress") = py::none(), "The model of a file of any kind; scripts are refused.");
+  module.def(
+      "frep_text",
+      [](const py::iterable& parts, const std::filesystem::path& folder) {
+        std::vector<frep::TextPart> texts;
+        for (const PythonPart& part : parts_given(parts))
+          texts.push_back({part.what.cast<SolidValue>().value.expression, part.name, part.colour});
+        return frep::print_parts(texts, folder);
+      },
+      py::arg("parts"), py::arg("folder") = "",
+      "Parts, (solid, name, colour) each, as .frep text, which parse_parts() reads back; files are named as by Solid.frep().");
   module.def("formats", describe_formats,
              "The table of file formats: a dict each with its extensions (\".stl\", ...), its kind (formula, script, design, "
              "distances, mesh or volume), whether it is read and written and keeps parts apart, and a line of help.");

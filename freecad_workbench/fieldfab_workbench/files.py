@@ -25,9 +25,11 @@ def open(filename):  # noqa: A001: the name that FreeCAD calls
 
 
 def insert(filename, docname):
-    """Adds the file's solid to a document, a new one where there is none of that name, of several parts a group of them; in the window a scan's panel
-    opens, and nothing is computed before its OK. Returns the object. Raises ValueError with a line for the user, and then adds nothing."""
-    kind = "volume" if _ending(filename) in SLICES or os.path.isdir(filename) else (format_of(filename) or {"kind": ""})["kind"]
+    """Adds the file's solid to a document, a new one where there is none of that name, of several parts a group; in the
+    window a scan's panel opens, and nothing is computed before its OK. Returns the object. Raises ValueError with a line
+    for the user, and then adds nothing."""
+    format = format_of(filename)
+    kind = "volume" if _ending(filename) in SLICES or os.path.isdir(filename) else format and format["kind"]
     if kind in ("design", "formula", "mesh"):
         made = (openscad_files if kind == "design" else part_files).insert(filename, docname, name_of(filename))
         if FreeCAD.GuiUp:
@@ -85,17 +87,19 @@ def show_all(document):
 
 
 def export(objects, filename):
-    """Writes what the objects bound, where they are in the document: each as a part with its name and colour where the format keeps parts, else all
-    united. The file is written whole or not at all. Raises ValueError."""
+    """Writes what the objects bound, where they are in the document: each as a part with its name and colour where the
+    format keeps parts, else all united. The file is written whole or not at all. Raises ValueError."""
     ending, format = _ending(filename), format_of(filename)
     objects = list(dict.fromkeys(_bounding(objects)))
     if not objects:
         raise ValueError(tr("{filename}: nothing that was chosen bounds a solid").format(filename=filename))
     if ending in extensions("formula", reads=True, writes=True):
-        return _write_text(filename, _united_texts(objects, ending))
-    if ending not in ("vdb", *extensions("distances", "mesh", writes=True)):
+        write = _writer_of_text
+    elif ending in ("vdb", *extensions("distances", "mesh", writes=True)):
+        write = _writer_of_parts if format["kind"] == "mesh" and format["parts"] else _writer_of_all
+    else:
         raise ValueError(tr("{filename}: Fieldfab writes no .{ending} files").format(filename=filename, ending=ending))
-    fieldfab, write = kernel.load(), _writer_of_parts if format["kind"] == "mesh" and format["parts"] else _writer_of_all
+    fieldfab = kernel.load()
     try:
         work.run(write(objects, filename, ending), tr("Writing {filename}").format(filename=os.path.basename(filename)))
     except fieldfab.Error as error:
@@ -118,8 +122,31 @@ def _writer_of_parts(objects, filename, ending):
     wanted = [(source_of(obj), _settings_of(obj), obj.Label, _colour_of(obj)) for obj in objects]
 
     def write(progress):
-        parts = [(source.mesh(progress, **settings), label, colour(progress)) for source, settings, label, colour in wanted]
+        parts = [(source.mesh(progress, **settings), label, colour(progress))
+                 for source, settings, label, colour in wanted]
         kernel.load().save_parts(parts, filename, progress)
+
+    return write
+
+
+def _writer_of_text(objects, filename, ending):
+    """A function of a progress that writes formulas, in .frep text a part each, else united; it does not look at the
+    document. Raises ValueError for an object that has none."""
+    for obj in objects:
+        if not isinstance(getattr(obj, "Proxy", None), (FrepSolid, FilePart)):
+            raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
+    fieldfab, first, folder = kernel.load(), objects[0], os.path.dirname(os.path.abspath(filename))
+    alone = ending == "frep" and len(objects) == 1 and _placement(first).isIdentity()
+    text = first.Proxy.text(first) if alone and isinstance(first.Proxy, FrepSolid) else None
+    wanted = [(obj.Proxy.source(obj), _placement(obj), obj.Label, _colour_of(obj)) for obj in objects]
+
+    def write(progress):
+        parts = [(_moved(source.field(progress), placement), label, colour(progress))
+                 for source, placement, label, colour in wanted]
+        if ending == "frep":
+            return _write_text(filename, text or fieldfab.frep_text(parts, folder))
+        united = functools.reduce(lambda a, b: a | b, [solid for solid, _, _ in parts])
+        return _write_text(filename, united.math() if ending == "math" else united.vm())
 
     return write
 
@@ -139,8 +166,8 @@ def _writer_of_all(objects, filename, ending):
         if ending == "asdf":
             return fieldfab.build(united, progress=progress, **settings).save(filename)
         mesh = fieldfab.mesh(united, progress=progress, exact=False, **settings) if faces is None else faces
-        coloured = [(field, None, colour(progress)) for field, colour in zip(fields, colours)] if ending == "ply" else None
-        mesh.save(filename, coloured)
+        parts = [(field, None, colour(progress)) for field, colour in zip(fields, colours)]
+        mesh.save(filename, parts if ending == "ply" else None)
 
     return write
 
@@ -178,38 +205,24 @@ def _finest(fields, asked):
         return with_cell(fields[0], **asked[0])
     cells = [with_cell(field, **settings) for field, settings in zip(fields, asked)]
     own = [field.voxel for field, settings in zip(fields, cells) if "voxel" not in settings and field.voxel]
-    finest = {name: min(values) for name in ("voxel", "max_error") if (values := [settings[name] for settings in cells if name in settings])}
+    finest = {}
+    for name in ("voxel", "max_error"):
+        if values := [settings[name] for settings in cells if name in settings]:
+            finest[name] = min(values)
     if "voxel" in finest:
         finest["voxel"] = min([finest["voxel"], *own])
     return finest
 
 
 def _colour_of(obj):
-    """A function of a progress that tells the colour of an object as three numbers from 0 to 255 or in words; None for that which all solids have. In the
-    window it is what is seen, else that of the file."""
+    """A function of a progress that tells the colour of an object, three numbers from 0 to 255 or words; None for that
+    which all solids have. In the window it is what is seen, else that of the file."""
     if FreeCAD.GuiUp:
         seen = obj.ViewObject.ShapeColor[:3]
-        own = None if is_solid(obj) and all(abs(a - b) < 1 / 512 for a, b in zip(seen, preferences.colour())) else [255 * part for part in seen]
-        return lambda progress: own
+        plain = is_solid(obj) and all(abs(a - b) < 1 / 512 for a, b in zip(seen, preferences.colour()))
+        return lambda progress: None if plain else [255 * part for part in seen]
     source = obj.Proxy.source(obj) if isinstance(getattr(obj, "Proxy", None), FilePart) else None
     return lambda progress: source and source.colour(progress)
-
-
-def _united_texts(objects, ending):
-    """The objects' formulas as one text. Raises ValueError for what has none."""
-    fieldfab = kernel.load()
-    for obj in objects:
-        if not isinstance(getattr(obj, "Proxy", None), FrepSolid):
-            raise ValueError(tr("{label} has no formula: export it as .asdf or as a mesh").format(label=obj.Label))
-    if ending == "frep" and len(objects) == 1 and _placement(objects[0]).isIdentity():
-        return objects[0].Proxy.text(objects[0])
-    united = None
-    for obj in objects:
-        expression = _moved(fieldfab.parse(obj.Proxy.text(obj)), _placement(obj))
-        united = expression if united is None else united | expression
-    if ending == "frep":
-        raise ValueError(tr("one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are"))
-    return united.math() if ending == "math" else united.vm()
 
 
 def _placement(obj):

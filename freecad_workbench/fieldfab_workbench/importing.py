@@ -10,8 +10,9 @@ from .words import tr
 
 @contextlib.contextmanager
 def one_step(filename, docname, name):
-    """Yields (the document of that name, a new one where there is none, a list for the objects that are added to it). Where ValueError or work.Cancelled is
-    raised these are taken back, and ValueError with a line for the user is raised."""
+    """Yields the document of that name, a new one where there is none, and a list for the objects that are added to it.
+    Where ValueError or work.Cancelled is raised these are taken back; then raises ValueError with a line for the user.
+    """
     there = docname in FreeCAD.listDocuments()
     document, made = FreeCAD.getDocument(docname) if there else FreeCAD.newDocument(docname or name), []
     began = not document.HasPendingTransaction
@@ -27,7 +28,8 @@ def one_step(filename, docname, name):
             document.removeObject(obj.Name)
         if began:
             document.abortTransaction()
-        raise (cancelled(filename) if isinstance(error, work.Cancelled) else ValueError(f"{filename}: {error}")) from None
+        stopped = isinstance(error, work.Cancelled)
+        raise (cancelled(filename) if stopped else ValueError(f"{filename}: {error}")) from None
     finally:
         if not there and not document.Objects:
             FreeCAD.closeDocument(document.Name)

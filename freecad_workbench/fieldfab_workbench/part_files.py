@@ -1,4 +1,4 @@
-"""Models that come in: formulas, and meshes of parts. A model of several parts is one object a part, in a group, with names and colours."""
+"""Models that come in: formulas and meshes. One of several parts is an object a part, with names and colours, in a group."""
 
 import os
 import pathlib
@@ -14,12 +14,13 @@ from .words import tr
 
 
 def insert(filename, docname, name):
-    """Adds a model to the document of that name, a new one where there is none. Returns its solid, of several parts their group. A formula that opens no
-    file comes in with its text, and is the document's own from then on; all else follows the file. Raises ValueError with a line for the user, and then
-    all is as it was."""
+    """Adds a model to the document of that name, a new one where there is none. Returns its solid, of several parts
+    their group. A formula of one solid that opens no file comes in with its text; all else follows the file. Raises
+    ValueError with a line for the user, and then all is as it was."""
     fieldfab, filename = kernel.load(), os.path.abspath(filename)
     try:
-        model = work.run(lambda progress: fieldfab.open_model(filename, progress), tr("Reading {name}").format(name=os.path.basename(filename)))
+        title = tr("Reading {name}").format(name=os.path.basename(filename))
+        model = work.run(lambda progress: fieldfab.open_model(filename, progress), title)
         text = _own_text(filename, model)
     except (fieldfab.Error, OSError, UnicodeError) as error:
         raise ValueError(str(error) if isinstance(error, fieldfab.Error) else f"{filename}: {error}") from None
@@ -39,12 +40,14 @@ def _own_text(filename, model):
     """The text of a formula that is one solid and opens no file; else None. Raises OSError, UnicodeError."""
     if len(model.parts) > 1 or len(model.files) > 1 or model.parts[0][0].kind != "f-rep":
         return None
-    return model.parts[0][0].math() if filename.lower().endswith(".vm") else pathlib.Path(filename).read_text(encoding="utf-8")
+    if filename.lower().endswith(".vm"):
+        return model.parts[0][0].math()
+    return pathlib.Path(filename).read_text(encoding="utf-8")
 
 
 def add(filename, docname, name, kind, parts):
-    """Adds solids of a class, (name or None, colour or None, {property: value}) each, in one undo step; several in a group of the file's name, which is
-    returned then. Raises ValueError as insert() does."""
+    """Adds solids of a class, (name or None, colour or None, {property: value}) each, in one undo step; several in a
+    group of the file's name, which is returned then. Raises ValueError as insert() does."""
     with one_step(filename, docname, name) as (document, made):
         group = document.addObject("App::DocumentObjectGroup", "Parts") if len(parts) > 1 else None
         if group is not None:
@@ -63,5 +66,5 @@ def add(filename, docname, name, kind, parts):
             try:
                 obj.Proxy.make_mesh(obj)
             except ValueError:
-                pass  # the recompute that follows marks the object and tells why; the other parts are as good without it
+                pass  # the recompute that follows marks the object and tells why; other parts need not suffer
     return group or obj

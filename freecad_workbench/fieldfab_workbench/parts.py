@@ -1,4 +1,4 @@
-"""Files of models, of one solid or of several parts with names and colours, as sources. Nothing here looks at a document."""
+"""Files of models, of one solid or of several parts, as sources of solids. Nothing here looks at a document."""
 
 import os
 
@@ -8,13 +8,15 @@ from .sources import Source, kept
 
 
 class PartSource(Source):
-    """The solid of a model's file, or of one of its parts. `opened`: the files that the model opens, from its own folder, as its last reading has found
-    them. `model`: the fieldfab.Model, where it has just been read. Raises ValueError where the file is missing."""
+    """The solid of a model's file, or of one of its parts. `opened`: the files that the model opens, from its own
+    folder, as its last reading has found them. `model`: the fieldfab.Model, where it has just been read. Raises
+    ValueError where the file is missing."""
 
     def __init__(self, path, part, opened, label, model=None):
         self.path, self.part = path, part
-        beside = [os.path.join(os.path.dirname(path), file) for file in opened]
-        self._content = repr((path, stamp(path, label), [(file, stamp(file, label)) for file in beside if os.path.exists(file)]))
+        others = [os.path.join(os.path.dirname(path), file) for file in opened]
+        stamps = [(file, stamp(file, label)) for file in others if os.path.exists(file)]
+        self._content = repr((path, stamp(path, label), stamps))
         super().__init__(("part", part, self._content), None)
         if model is not None:
             kept(("model", self._content), lambda: model)

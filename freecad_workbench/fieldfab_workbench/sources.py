@@ -67,7 +67,8 @@ class Source:
 
 
 def with_cell(field, cells=None, **settings):
-    """Settings of fieldfab.mesh() and the like, with the edge of the smallest cell where only a number of `cells` is asked for. Raises fieldfab.Error."""
+    """Settings of fieldfab.mesh() and the like, with the edge of the smallest cell where only a number of `cells` is
+    asked for. Raises fieldfab.Error."""
     if cells and "voxel" not in settings:
         settings["voxel"] = field.default_voxel(settings.get("bounds"), cells)
     return settings

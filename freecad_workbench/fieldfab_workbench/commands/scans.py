@@ -35,7 +35,8 @@ def add_scan(path):
 class RunScript(Command):
     def Activated(self):
         window = FreeCADGui.getMainWindow()
-        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Scripts ({patterns})").format(patterns=pattern(extensions("script"))))[0]
+        patterns = pattern(extensions("script"))
+        path = QtWidgets.QFileDialog.getOpenFileName(window, self.title, "", tr("Scripts ({patterns})").format(patterns=patterns))[0]
         buttons = QtWidgets.QMessageBox
         asked = tr("Run {path}?\n\nA script can do on this computer whatever you can: read, change and delete your files. "
                    "Run it only if you trust whoever wrote it.").format(path=path)
@@ -47,8 +48,8 @@ class RunScript(Command):
 
 
 def add_script(path):
-    """Runs a script, in a process of its own, and adds the solid that it makes, or the group of its parts; the document keeps the formulas, not the
-    script. Raises ValueError with the script's line, and work.Cancelled."""
+    """Runs a script, in a process of its own, and adds the solid that it makes, or the group of its parts; the document
+    keeps the formulas, not the script. Raises ValueError with the script's line, and work.Cancelled."""
     parts = work.run(lambda progress: _parts_of(path, progress), tr("Running {path}").format(path=os.path.basename(path)))
     document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
     made = part_files.add(path, document.Name, files.name_of(path), FrepSolid, parts)

@@ -17,7 +17,8 @@ class FilePart(FromFiles):
     def add_own_properties(self, obj):
         self.add_outside(obj, "File", "Part", "The file of the model: .frep text or a mesh")
         self.add(obj, "String", "Part", "Part", "The part's name in the file; empty: all of the model")
-        self.add(obj, "StringList", "Opened", "Result", "The files that the model opens, from its own folder", mode=HIDDEN | OUTPUT)
+        self.add(obj, "StringList", "Opened", "Result", "The files that the model opens, from its own folder",
+                 mode=HIDDEN | OUTPUT)
 
     def source(self, obj):
         path = path_of(obj, "File")

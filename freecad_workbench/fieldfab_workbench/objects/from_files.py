@@ -15,8 +15,9 @@ class FromFiles(Solid):
     def add_outside(self, obj, name, group, words):
         """A property of a file or folder that stays outside."""
         self.add(obj, "File" if name == "File" else "Path", name, group, words)
-        self.add(obj, "String", f"{name}Beside", "Result", "The same, from the document's folder", mode=outside.HIDDEN | outside.OUTPUT)
-        self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=outside.HIDDEN | outside.OUTPUT)
+        mode = outside.HIDDEN | outside.OUTPUT
+        self.add(obj, "String", f"{name}Beside", "Result", "The same, from the document's folder", mode=mode)
+        self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=mode)
 
     def onChanged(self, obj, name):
         if name in outside.NAMES and not obj.Document.Restoring:

@@ -45,7 +45,8 @@ class FrepPanel(EditPanel):
     # Numbers.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/{cells} of the longest side").format(cells=preferences.cells() or round(kernel.load().default_cells)))
+        cells = preferences.cells() or round(kernel.load().default_cells)
+        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/{cells} of the longest side").format(cells=cells))
         self.max_error = self._length(self.obj.MaxError.Value, tr("a tenth of the smallest cell"))
         numbers.addRow(tr("Smallest cell"), self.voxel)
         numbers.addRow(tr("Largest error"), self.max_error)

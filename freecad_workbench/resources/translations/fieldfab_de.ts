@@ -1467,10 +1467,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Das Skript wurde angehalten.</translation>
     </message>
     <message>
-        <source>one f-rep solid that was not moved can be written as .frep; .math and .vm take several, wherever they are</source>
-        <translation>als .frep lässt sich ein einziger, nicht verschobener F-Rep-Körper schreiben; .math und .vm nehmen mehrere, wo immer sie liegen</translation>
-    </message>
-    <message>
         <source>{filename}: Fieldfab reads no .{ending} files</source>
         <translation>{filename}: Fieldfab liest keine .{ending}-Dateien</translation>
     </message>
@@ -1483,12 +1479,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{filename}: Nichts von dem Gewählten begrenzt einen Körper</translation>
     </message>
     <message>
-        <source>{filename}: Fieldfab writes no .{ending} files</source>
-        <translation>{filename}: Fieldfab schreibt keine .{ending}-Dateien</translation>
-    </message>
-    <message>
         <source>Writing {filename}</source>
         <translation>{filename} wird geschrieben</translation>
+    </message>
+    <message>
+        <source>{filename}: Fieldfab writes no .{ending} files</source>
+        <translation>{filename}: Fieldfab schreibt keine .{ending}-Dateien</translation>
     </message>
     <message>
         <source>{filename}: cancelled, not written</source>

@@ -85,8 +85,9 @@ def test_texts_and_fields_come_in_and_go_out(document, tmp_path):
         made = importer(path).open(str(path))
         assert made.Document.Label == "ball" and made.isValid() and made.Volume.Value == pytest.approx(SPHERE, rel=0.02)
         assert made.Mesh.BoundBox.Center.distanceToPoint(FreeCAD.Vector(10, 0, 0)) < 0.05
-    with pytest.raises(ValueError, match="not moved"):
-        files.export([solid], str(tmp_path / "ball.frep"))
+    files.export([solid], str(tmp_path / "moved.frep"))
+    made = files.insert(str(tmp_path / "moved.frep"), document.Name)
+    assert made.Label == "FrepSolid001" and made.Mesh.BoundBox.Center.distanceToPoint(FreeCAD.Vector(10, 0, 0)) < 0.05
     solid.Placement = FreeCAD.Placement()
     solid.radius = 4
     files.export([solid], str(tmp_path / "ball.frep"))
@@ -219,6 +220,22 @@ def test_parts_go_out_with_names_and_colours(document, coarse, tmp_path, ending)
     else:
         said = path.read_bytes()
         assert all(name in said for name in (b"ball", b"lid", b"Box")) and (ending == "glb" or b"newmtl" in path.with_suffix(".mtl").read_bytes())
+
+
+def test_parts_go_out_as_text(document, coarse, tmp_path):
+    """Of a formula, moved, and of what another file has: the text opens that."""
+    kernel.load().openscad_design("cube(4);").solid.faces().save(tmp_path / "lid.3mf")
+    path = tmp_path / "model.frep"
+    path.write_text('part(sphere(5), "ball", "red")\npart(open("lid.3mf"), "lid")')
+    group = files.insert(str(path), document.Name)
+    group.Group[0].Placement.Base = FreeCAD.Vector(18, 0, 0)
+    files.export([group], str(tmp_path / "out.frep"))
+    (ball, name, colour), (lid, other, _) = kernel.load().load_parts(tmp_path / "out.frep")
+    assert (name, colour, other) == ("ball", "#ff0000", "lid") and 'open("lid.3mf"' in (tmp_path / "out.frep").read_text()
+    assert ball.bounds() == pytest.approx((13, -5, -5, 23, 5, 5), abs=0.2) and lid.kind == "mesh"
+    with pytest.raises(ValueError, match=".frep text only"):
+        files.export([group], str(tmp_path / "out.math"))
+    assert not (tmp_path / "out.math").exists()
 
 
 def test_united_parts_have_their_colours_at_the_vertices(document, tmp_path):
