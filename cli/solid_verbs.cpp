@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/check.h"
@@ -141,24 +140,6 @@ class MeshVerb final : public Verb {
   static bool keeps_parts(const std::string& path) {
     const std::string extension = extension_of(path);
     return extension == ".3mf" || extension == ".obj" || extension == ".glb";
-  }
-
-  /// The colour of each vertex: of the part with the least value there. None where no part has one.
-  static std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model) {
-    std::vector<Colour> colours;
-    if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))
-      return colours;
-    constexpr Colour plain{204, 204, 204};
-    colours.assign(mesh.vertices.size(), plain);
-    std::vector<float> x, y, z;
-    for (const auto& v : mesh.vertices) x.push_back(v[0]), y.push_back(v[1]), z.push_back(v[2]);
-    std::vector<float> least(colours.size(), std::numeric_limits<float>::infinity()), value(colours.size());
-    for (const Solid& part : model.parts) {
-      part.field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
-      for (std::size_t i = 0; i < colours.size(); ++i)
-        if (value[i] < least[i]) least[i] = value[i], colours[i] = part.colour.value_or(plain);
-    }
-    return colours;
   }
 
   /// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
