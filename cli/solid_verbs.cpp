@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/check.h"

@@ -55,7 +55,7 @@ void note_doubtful(const Surface& surface, Context& context) {
 
 Artifact outline_of_solid(const Artifact& in, const Values& values, Context& context) {
   const Solid& solid = std::get<Solid>(in);
-  const Rectangle bounds = Rectangle::of(solid.bounds);
+  const Rectangle bounds = Rectangle::of(*solid.bounds);
   const double cell = cell_for(values, bounds.size(), context);
   Loops loops;
   if (solid.flat || is_set(values, "slice")) {
@@ -63,7 +63,7 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
     loops = slice_of(solid, bounds, cell, z, context);
   } else {
     // What a thin needle from above meets: the part's shadow.
-    const auto surface = Surface::of(*solid.field, solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
+    const auto surface = Surface::of(*solid.field, *solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
     note_doubtful(*surface, context);
     const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
     loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)}, context.progress);
@@ -78,8 +78,8 @@ Artifact surface_of_solid(const Artifact& in, const Values& values, Context& con
   if (solid.flat)
     throw Error(ErrorKind::bad_input, "surface",
                 "the model is flat: it has no surface to finish; use profile, pocket, isolate or v_carve");
-  const double cell = cell_for(values, Rectangle::of(solid.bounds).size(), context);
-  auto surface = Surface::of(*solid.field, solid.bounds, {cell, values.number("surface_tolerance")}, context.progress);
+  const double cell = cell_for(values, Rectangle::of(*solid.bounds).size(), context);
+  auto surface = Surface::of(*solid.field, *solid.bounds, {cell, values.number("surface_tolerance")}, context.progress);
   note_doubtful(*surface, context);
   return surface;
 }

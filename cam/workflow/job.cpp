@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/render/render.h"
 
@@ -91,14 +91,12 @@ namespace {
 Artifact seen_from(const Artifact& input, const Plane& plane) {
   const auto* const solid = std::get_if<Solid>(&input);
   if (solid == nullptr || (plane.is_top() && !plane.to_the_middle)) return input;
-  Solid turned;
   Eigen::Affine3d back = Eigen::Affine3d::Identity();
   back.linear() = plane.axes.transpose();
   back.translation() = -plane.origin;
-  turned.field = transform(solid->field, back);
-  turned.bounds = plane.into(solid->bounds);
-  if (plane.to_the_middle) turned.bounds.lower.z() = turned.bounds.centre().z();
-  return turned;
+  Box bounds = plane.into(*solid->bounds);
+  if (plane.to_the_middle) bounds.lower.z() = bounds.centre().z();
+  return solid_of(transform(solid->field, back), "part", bounds);
 }
 
 }  // namespace
@@ -206,7 +204,7 @@ class JobRunner {
 
   const FreeSpace& space_about(const Solid& solid) {
     auto& space = spaces_[solid.field.get()];
-    if (!space) space = std::make_unique<FreeSpace>(solid.field, solid.bounds.grown(1e-3), progress_);
+    if (!space) space = std::make_unique<FreeSpace>(solid.field, solid.bounds->grown(1e-3), progress_);
     return *space;
   }
 
@@ -275,10 +273,10 @@ void Job::write(const std::filesystem::path& path, Progress& progress) const {
       RenderSettings settings;
       settings.mode = RenderMode::height;
       settings.size = 2048;
-      return write_png(render(*part->field, part->bounds, settings, progress), path);
+      return write_png(render(*part->field, *part->bounds, settings, progress), path);
     }
-    const double longest = part->bounds.size().maxCoeff(), voxel = machine_values_.number("voxel");
-    return write_mesh(contour(*part->field, part->bounds.grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
+    const double longest = part->bounds->size().maxCoeff(), voxel = machine_values_.number("voxel");
+    return write_mesh(contour(*part->field, part->bounds->grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
                       path, progress);
   }
   std::string text;

@@ -27,12 +27,20 @@ Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from,
   return {list[from], list[from + 1], list[from + 2]};
 }
 
+Solid moved(const Solid& solid, const Vec3& by) {
+  return solid_of(translate(solid.field, by), "part", Box{solid.bounds->lower + by, solid.bounds->upper + by}, solid.flat);
+}
+
 }  // namespace
 
 class JobReader {
  public:
   JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress, const Formats& formats)
-      : path_(path), progress_(progress), formats_(formats), table_(TomlTable::parse(toml, path.string())), given_(std::move(part)) {}
+      : path_(path),
+        progress_(progress),
+        formats_(formats),
+        table_(TomlTable::parse(toml, path.string())),
+        given_(std::move(part)) {}
 
   Job read() {
     table_.only({"name", "machine", "material", "input", "stock", "tool", "operation", "setting"});
@@ -101,8 +109,8 @@ class JobReader {
   void read_input() {
     const auto input = table_.table("input");
     if (!input) throw refuse(table_, "", "a job needs an [input] with a model or an image");
-    input->only(
-        {"model", "models", "part", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero", "sheet", "gap"});
+    input->only({"model", "models", "part", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero",
+                 "sheet", "gap"});
     if (const auto image = input->text("image")) {
       if (input->has("model")) throw refuse(*input, "image", "an input is a model or an image, not both");
       job_.input_ = read_png(beside(*image));
@@ -119,38 +127,34 @@ class JobReader {
       settings.options = {number != nullptr ? frep::OpenOption{"threshold", *number}
                                             : frep::OpenOption{"threshold", *input.text("threshold")}};
     }
-    Solid solid;
+    FieldPtr field = given_;
     const double scale = input.number("scale").value_or(1);
     if (!(scale > 0)) throw refuse(input, "scale", "scale must be above 0");
-    if (given_ && name.empty()) {
-      solid.field = given_;
-    } else {
+    if (!given_ || !name.empty()) {
       const Model model = open_model(beside(name), settings, progress_);
+      job_.notes_.insert(job_.notes_.end(), model.notes.begin(), model.notes.end());
       const auto part = input.text("part");
-      solid.field = part ? part_of(model, *part, input.place("part")).field : united(model).field;
+      field = part ? part_of(model, *part, input.place("part")).field : united(model).field;
     }
-    if (scale != 1) solid.field = fieldfab::scale(solid.field, Vec3::Constant(scale));
+    if (scale != 1) field = fieldfab::scale(field, Vec3::Constant(scale));
     if (const auto turns = input.list("rotate")) {
       const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
       for (int axis = 0; axis < 3; ++axis)
-        if (angles[axis] != 0) solid.field = fieldfab::rotate(solid.field, Vec3::Unit(axis), angles[axis]);
+        if (angles[axis] != 0) field = fieldfab::rotate(field, Vec3::Unit(axis), angles[axis]);
     }
     if (const auto bounds = input.list("bounds")) {
-      solid.bounds = {vector_of(input, "bounds", 0, *bounds), vector_of(input, "bounds", 3, *bounds)};
-      if (!solid.bounds.valid()) throw refuse(input, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
-      solid.flat = solid.bounds.size().z() == 0;
-    } else if (const SolidBounds found = solid_bounds(*solid.field, progress_);
-               found.bounded[0] && found.bounded[1] && !found.bounded[2] && !found.empty) {
-      solid.flat = true;
-      solid.bounds = found.box;
-      solid.bounds.lower.z() = solid.bounds.upper.z() = 0;
-    } else {
-      if (found.empty) throw refuse(input, "model", fmt::format("{}: the solid is empty", name));
-      if (!found.is_bounded())
-        throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
-      solid.bounds = found.box;
+      const Box given{vector_of(input, "bounds", 0, *bounds), vector_of(input, "bounds", 3, *bounds)};
+      if (!given.valid()) throw refuse(input, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
+      return solid_of(field, "part", given, given.size().z() == 0);
     }
-    return solid;
+    const SolidBounds found = solid_bounds(*field, progress_);
+    if (found.empty) throw refuse(input, "model", fmt::format("{}: the solid is empty", name));
+    const bool flat = found.bounded[0] && found.bounded[1] && !found.bounded[2];
+    if (!flat && !found.is_bounded())
+      throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+    Box box = found.box;
+    if (flat) box.lower.z() = box.upper.z() = 0;
+    return solid_of(field, "part", box, flat);
   }
 
   /// One model, or several: together as they are, or laid out on a sheet.
@@ -171,11 +175,8 @@ class JobReader {
       return lay_on_sheet(parts, {(*sheet)[0], (*sheet)[1]}, input.number("gap").value_or(5));
     }
     Solid all = parts[0];
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      all.field = unite(all.field, parts[i].field);
-      all.bounds = hull(all.bounds, parts[i].bounds);
-      all.flat = all.flat && parts[i].flat;
-    }
+    for (std::size_t i = 1; i < parts.size(); ++i)
+      all = solid_of(unite(all.field, parts[i].field), "part", hull(*all.bounds, *parts[i].bounds), all.flat && parts[i].flat);
     return all;
   }
 
@@ -185,7 +186,7 @@ class JobReader {
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
     // Where the program's zero is on the part.
     const std::string zero = input.text("zero").value_or("model");
-    const Box& b = solid.bounds;
+    const Box b = *solid.bounds;
     if (zero == "corner")
       move -= Vec3(b.lower.x(), b.lower.y(), b.upper.z());
     else if (zero == "centre")
@@ -197,11 +198,8 @@ class JobReader {
     zero_ = zero;
     move_ = move;
     job_.zero_ = -move;
-    if (move != Vec3::Zero()) {
-      solid.field = translate(solid.field, move);
-      solid.bounds = {b.lower + move, b.upper + move};
-    }
-    part_ = solid.bounds;
+    if (move != Vec3::Zero()) solid = moved(solid, move);
+    part_ = *solid.bounds;
     return solid;
   }
 
@@ -209,7 +207,7 @@ class JobReader {
   void read_stock() {
     Box part;
     if (const auto* const solid = std::get_if<Solid>(&job_.input_)) {
-      part = solid->bounds;
+      part = *solid->bounds;
     } else {
       const Image& image = std::get<Image>(job_.input_);
       const double pixel = image.pixels_per_mm > 0 ? 1 / image.pixels_per_mm : 1;
@@ -240,20 +238,17 @@ class JobReader {
     if (auto* const solid = std::get_if<Solid>(&job_.input_); solid != nullptr && !solid->flat) {
       // The part must lie in the stock, but for how loosely its bounds were found. What is machined from above stands on the
       // stock's floor.
-      const double loose = 0.02 * solid->bounds.size().maxCoeff();
+      Box& bounds = *solid->bounds;
+      const double loose = 0.02 * bounds.size().maxCoeff();
       const Box& held = stock;
-      if ((solid->bounds.upper - held.upper).maxCoeff() > loose ||
-          (held.lower - solid->bounds.lower).head<2>().maxCoeff() > loose)
-        throw refuse(table_, "stock",
-                     fmt::format("the part (to x {:.6g}, y {:.6g}, z {:.6g}) sticks out of the stock (to {:.6g}, {:.6g}, {:.6g})",
-                                 solid->bounds.upper.x(), solid->bounds.upper.y(), solid->bounds.upper.z(), held.upper.x(),
-                                 held.upper.y(), held.upper.z()));
-      job_.stock_.upper = job_.stock_.upper.cwiseMax(solid->bounds.upper);
-      solid->bounds.lower.z() = std::min(solid->bounds.lower.z(), stock.lower.z());
-      for (int axis = 0; axis < 2; ++axis) {
-        solid->bounds.lower[axis] = std::min(solid->bounds.lower[axis], stock.lower[axis]);
-        solid->bounds.upper[axis] = std::max(solid->bounds.upper[axis], stock.upper[axis]);
-      }
+      if ((bounds.upper - held.upper).maxCoeff() > loose || (held.lower - bounds.lower).head<2>().maxCoeff() > loose)
+        throw refuse(
+            table_, "stock",
+            fmt::format("the part (to x {:.6g}, y {:.6g}, z {:.6g}) sticks out of the stock (to {:.6g}, {:.6g}, {:.6g})",
+                        bounds.upper.x(), bounds.upper.y(), bounds.upper.z(), held.upper.x(), held.upper.y(), held.upper.z()));
+      job_.stock_.upper = job_.stock_.upper.cwiseMax(bounds.upper);
+      bounds.lower = bounds.lower.cwiseMin(stock.lower);
+      bounds.upper.head<2>() = bounds.upper.head<2>().cwiseMax(stock.upper.head<2>());
     }
   }
 
@@ -407,10 +402,7 @@ class JobReader {
   Solid read_own_model(const TomlTable& operation, const std::string& name) {
     const auto input = table_.table("input");
     if (input->has("image")) throw refuse(operation, "model", "a job with an image as its input has no other models");
-    Solid solid = read_model(*input, name);
-    solid.field = translate(solid.field, move_);
-    solid.bounds = {solid.bounds.lower + move_, solid.bounds.upper + move_};
-    return solid;
+    return moved(read_model(*input, name), move_);
   }
 
   Vec3 move_ = Vec3::Zero();    // of the input

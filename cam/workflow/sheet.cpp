@@ -17,14 +17,14 @@ namespace {
 /// A drawing of a part that lies flat, its lower left corner at the origin.
 Solid laid_flat(const Solid& part) {
   Eigen::Index thinnest = 0;
-  part.bounds.size().minCoeff(&thinnest);
+  part.bounds->size().minCoeff(&thinnest);
   Eigen::Affine3d turn = Eigen::Affine3d::Identity();
   if (!part.flat && thinnest == 0) turn.rotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
   if (!part.flat && thinnest == 1) turn.rotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
-  Box box = image_of(part.bounds, turn.linear(), Vec3::Zero());
+  Box box = image_of(*part.bounds, turn.linear(), Vec3::Zero());
   if (box.size().y() > box.size().x()) {
     turn.prerotate(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
-    box = image_of(part.bounds, turn.linear(), Vec3::Zero());
+    box = image_of(*part.bounds, turn.linear(), Vec3::Zero());
   }
   const Vec3 move(-box.lower.x(), -box.lower.y(), -box.centre().z());
   turn.pretranslate(move);
@@ -34,7 +34,7 @@ Solid laid_flat(const Solid& part) {
     const auto coordinate = [](const std::string& text) { return frep::make_field(frep::parse_infix(text)); };
     drawing = map(drawing, coordinate("x"), coordinate("y"), coordinate(fmt::format("{:.9f}", 0.25 * box.size().z())));
   }
-  return {drawing, {Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true};
+  return solid_of(drawing, "part", Box{Vec3::Zero(), Vec3(box.size().x(), box.size().y(), 0)}, true);
 }
 
 }  // namespace
@@ -43,12 +43,11 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
   std::vector<Solid> flat;
   for (const Solid& part : parts) flat.push_back(laid_flat(part));
   std::stable_sort(flat.begin(), flat.end(),
-                   [](const Solid& a, const Solid& b) { return a.bounds.size().y() > b.bounds.size().y(); });
-  Solid all;
-  all.flat = true;
+                   [](const Solid& a, const Solid& b) { return a.bounds->size().y() > b.bounds->size().y(); });
+  FieldPtr all;
   double x = 0, y = 0, row = 0;
   for (const Solid& part : flat) {
-    const Vec3 size = part.bounds.size();
+    const Vec3 size = part.bounds->size();
     if (x > 0 && x + size.x() > sheet.x()) x = 0, y += row + gap, row = 0;
     if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
       throw Error(ErrorKind::bad_input, "sheet",
@@ -56,12 +55,11 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
     // Held within its own bounds: formulas may mean something elsewhere, too.
     const FieldPtr placed =
         translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
-    all.field = all.field ? unite(all.field, placed) : placed;
+    all = all ? unite(all, placed) : placed;
     x += size.x() + gap;
     row = std::max(row, size.y());
   }
-  all.bounds = {Vec3::Zero(), Vec3(sheet.x(), sheet.y(), 0)};
-  return all;
+  return solid_of(all, "part", Box{Vec3::Zero(), Vec3(sheet.x(), sheet.y(), 0)}, true);
 }
 
 }  // namespace fieldfab::cam

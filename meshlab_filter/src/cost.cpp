@@ -25,6 +25,11 @@ double lattice_cost(const Box& bounds, double voxel) { return ((bounds.size().ar
 
 double surface_cost(double area, double voxel) { return area / (voxel * voxel) * bytes_a_cell; }
 
+void require_surface(const Box& bounds, double voxel) {
+  const Vec3 size = bounds.size();
+  require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
+}
+
 void require(double cost, double voxel, double power) {
   const double free = 0.9 * static_cast<double>(available_memory());
   if (cost <= free) return;

@@ -11,6 +11,9 @@ double lattice_cost(const Box& bounds, double voxel);
 /// merge, as measured, and 400.
 double surface_cost(double area, double voxel);
 
+/// Throws too_large where contouring a solid that fills these bounds, as a box does, would take too much memory.
+void require_surface(const Box& bounds, double voxel);
+
 /// Throws too_large with what it would take, what there is, and a voxel that would fit: `cost` is for `voxel`, and goes with its
 /// `power`.
 void require(double cost, double voxel, double power);

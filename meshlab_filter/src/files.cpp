@@ -4,11 +4,9 @@
 
 #include <algorithm>
 
-#include "cost.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/solid/open.h"
-#include "fieldfab/solid/surface.h"
+#include "fieldfab/openscad/design.h"
 #include "filters/bounds_text.h"
 #include "solids.h"
 #include "volume_import.h"
@@ -16,32 +14,34 @@
 namespace fieldfab::meshlab {
 namespace {
 
-const std::vector<std::string> volumes{"vdb",  "vol", "vgi", "raw", "mha",  "mhd", "nrrd",
-                                       "nhdr", "nii", "gz",  "tif", "tiff", "dcm"};
-
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension.empty() ? extension : extension.substr(1);
+/// What MeshLab takes for the extensions of a kind: without the dot, of .nii.gz the last.
+std::vector<std::string> extensions_of(FormatKind kind) {
+  std::vector<std::string> extensions = extensions_read(kind);
+  for (std::string& extension : extensions) extension.erase(0, extension.rfind('.') + 1);
+  return extensions;
 }
 
-bool is_volume(const std::string& extension) { return std::find(volumes.begin(), volumes.end(), extension) != volumes.end(); }
+bool is_of(FormatKind kind, const std::string& extension) {
+  const std::vector<std::string> extensions = extensions_of(kind);
+  return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
+}
 
 }  // namespace
 
 std::vector<FileKind> files_read() {
-  return {
-      {"Fieldfab distance field", {"asdf"}}, {"Formula (f-rep)", {"frep", "math", "vm"}}, {"CT volume or level set", volumes}};
+  return {{"Fieldfab distance field", extensions_of(FormatKind::distances)},
+          {"Formula (f-rep)", extensions_of(FormatKind::formula)},
+          {"OpenSCAD design", extensions_of(FormatKind::design)},
+          {"CT volume or level set", extensions_of(FormatKind::volume)}};
 }
 
 std::vector<FileKind> files_written() { return {{"Fieldfab distance field", {"asdf"}}}; }
 
 std::vector<Parameter> reading_parameters(const std::string& extension) {
-  if (is_volume(extension)) return volume_parameters();
+  if (is_of(FormatKind::volume, extension)) return volume_parameters();
   std::vector<Parameter> rows{number_parameter(
       "Voxel", "Voxel (mm)", "Edge of the smallest cell of the mesh; 0 takes the file's own, or 1/128 of the longest side.", 0)};
-  if (extension != "asdf")
+  if (!is_of(FormatKind::distances, extension))
     rows.push_back(
         text_parameter("Bounds", "Bounds (mm)",
                        "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""));
@@ -50,18 +50,16 @@ std::vector<Parameter> reading_parameters(const std::string& extension) {
 
 Layer read_file_as_layer(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log,
                          Progress& progress) {
-  const std::string extension = extension_of(file);
-  if (is_volume(extension)) return import_volume(file, values, log, progress);
-  double voxel = values.not_negative("Voxel");
-  const fieldfab::Solid solid = united(open_model(file, {}, progress));
-  const Box bounds =
-      working_bounds(solid, extension == "asdf" ? std::optional<Box>{} : bounds_of(values.text("Bounds")), progress);
-  if (voxel == 0) voxel = default_voxel(solid, bounds);
-  const Vec3 size = bounds.size();
-  require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
-  Layer layer = layer_of(solid.field, bounds, {voxel}, true, file.filename().string(), log, progress);
-  log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, voxel {:.3g} mm", file.filename().string(), solid.kind,
-                            layer.mesh.triangles.size(), layer.mesh.volume(), voxel));
+  const Format* const format = openscad::all_formats().find(file);
+  // MeshLab takes any .gz for a .nii.gz: the reader of volumes refuses the others.
+  if (format == nullptr || format->kind == FormatKind::volume) return import_volume(file, values, log, progress);
+  const bool bounded = format->kind == FormatKind::distances;
+  const std::optional<Box> bounds = bounded ? std::nullopt : bounds_of(values.text("Bounds"));
+  const Model model = model_of_file(file, progress);
+  log = model.notes;
+  Layer layer =
+      layer_of(model, bounds, values.not_negative("Voxel"), EmptySolid::refused, file.filename().string(), log, progress);
+  if (layer.mesh.triangles.empty()) throw Error(ErrorKind::bad_input, file.string(), "there is no solid within the bounds");
   return layer;
 }
 
@@ -71,7 +69,7 @@ void write_layer_as_asdf(const Layer& layer, const std::filesystem::path& file, 
                          std::vector<std::string>& log, Progress& progress) {
   const Fineness fineness = fineness_of(values);
   const Solid solid = solid_of(layer, fineness, 0, log, progress);
-  const auto asdf = Asdf::build(*solid.field, solid.bounds, {fineness.voxel}, progress);
+  const auto asdf = Asdf::build(*solid.field, *solid.bounds, {fineness.voxel}, progress);
   asdf->save(file, {}, progress);
   log.push_back(
       fmt::format("{}: {} cells of {:.3g} mm and larger", file.filename().string(), asdf->statistics().cells(), fineness.voxel));

@@ -41,6 +41,12 @@ const Layer& Values::layer(const std::string& name) const {
   return *found->second;
 }
 
+void Result::add(Layer layer) {
+  const TriangleMesh& mesh = layer.mesh;
+  log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  layers.push_back(std::move(layer));
+}
+
 const std::vector<Filter>& filters() {
   static const std::vector<Filter> all{remesh(),     offset_layer(), hollow(),    combine_layers(), lattice_infill(),
                                        frep_solid(), volume_solid(), deviation(), validity_report()};

@@ -2,16 +2,14 @@
 /// Nothing here knows MeshLab's interface; the folder meshlab_2020 translates.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "fieldfab/core/colour.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
@@ -22,6 +20,7 @@ namespace fieldfab::meshlab {
 struct Layer {
   std::string name;
   TriangleMesh mesh;
+  std::vector<Colour> colours = {};  ///< of each vertex; empty where they are MeshLab's own
 };
 
 /// What defaults are worked out from.
@@ -78,12 +77,15 @@ class Values {
 
 /// What a filter has made. The layers it was given are left as they are, but for the colours of the chosen one.
 struct Result {
-  /// A new layer; none where a filter only tells something.
-  std::optional<Layer> layer;
+  /// New layers; none where a filter only tells something.
+  std::vector<Layer> layers;
   /// Of each vertex of the chosen layer, where that is what is wanted: MeshLab's quality, and red, green, blue.
   std::vector<float> quality;
-  std::vector<std::array<std::uint8_t, 3>> colours;
+  std::vector<Colour> colours;
   std::vector<std::string> log;  ///< for people, one line each
+
+  /// Takes a new layer, and tells its size in the log.
+  void add(Layer layer);
 };
 
 struct Filter {

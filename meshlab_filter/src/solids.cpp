@@ -5,20 +5,19 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 #include "cost.h"
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/solid/open.h"
-#include "fieldfab/solid/surface.h"
 #include "fieldfab/volume/distances.h"
 #include "fieldfab/volume/volume_field.h"
 
@@ -188,14 +187,14 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
       if (mesh.triangles.empty())
         throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'", "encloses nothing that is as thick as a voxel");
     }
-    return {mesh_field(mesh, progress), tight.grown(reach + 2 * voxel), true};
+    return fieldfab::solid_of(mesh_field(mesh, progress), "mesh", tight.grown(reach + 2 * voxel));
   }
   // Round numbers are where drawn faces lie; the lattice's planes do not.
   Box lattice = tight.grown(3 * voxel);
   lattice.lower -= voxel * Vec3(0.137, 0.241, 0.319);
   FieldPtr field = sampled(mesh, lattice, lattice_cost(lattice, voxel / 2) <= cheap ? voxel / 2 : voxel, progress);
   if (reach > 0) field = with_distances(field, tight, reach, voxel, progress);
-  return {field, tight.grown(reach + 2 * voxel), false};
+  return fieldfab::solid_of(field, "mesh", tight.grown(reach + 2 * voxel));
 }
 
 std::optional<Layer> layer_of(const ExactSolid& solid, std::string name) {
@@ -214,16 +213,47 @@ Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& finenes
   return {std::move(name), std::move(mesh)};
 }
 
-Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress) {
-  fieldfab::Solid solid;
+Layer layer_of(const Model& model, const std::optional<Box>& bounds, double voxel, EmptySolid empty, std::string name,
+               std::vector<std::string>& log, Progress& progress) {
+  Solid solid = united(model);
+  solid.bounds = working_bounds(solid, bounds, progress, empty);
+  if (voxel == 0) voxel = default_voxel(solid, *solid.bounds);
+  require_surface(*solid.bounds, voxel);
+  Surface made = surface(solid, {voxel, 0.05 * voxel, bounds}, progress);
+  ContourMesh& mesh = made.mesh;
+  const std::string certain = mesh.certainty.text();
+  if (mesh.triangles.empty()) {
+    log.push_back(fmt::format("{}: {}", name, mesh.certainty.certain() ? "is empty" : "no surface was found; it is " + certain));
+  } else {
+    log.push_back(made.exact ? "the mesh has the solid's own faces" : "the mesh is " + certain);
+    log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", name, solid.kind,
+                              mesh.triangles.size(), mesh.volume(), mesh.area(), voxel));
+  }
+  std::vector<Colour> colours = colours_of(mesh, model);
+  return {std::move(name), std::move(mesh), std::move(colours)};
+}
+
+std::vector<std::string> extensions_read(FormatKind kind) {
+  std::vector<std::string> extensions;
+  for (const Format& format : openscad::all_formats().rows())
+    if (format.kind == kind && format.read != nullptr)
+      extensions.insert(extensions.end(), format.extensions.begin(), format.extensions.end());
+  return extensions;
+}
+
+Model model_of_file(const std::filesystem::path& file, Progress& progress) {
+  OpenSettings settings;
+  settings.formats = &openscad::all_formats();
+  return open_model(file, settings, progress);
+}
+
+Model model_of_text(const std::string& text, Progress& progress) {
   std::error_code ignored;
-  if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored))
-    solid = united(open_model(text, {}, progress));
-  else if (text.find_first_not_of(" \t\n") == std::string::npos)
-    throw Error(ErrorKind::bad_input, "formula", "is empty");
-  else
-    solid = united(parse_model(text, "formula", std::filesystem::current_path(), {}, progress));
-  return {solid.field, working_bounds(solid, bounds, progress), !solid.field->sampled()};
+  if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored)) return model_of_file(text, progress);
+  if (text.find_first_not_of(" \t\n") == std::string::npos) throw Error(ErrorKind::bad_input, "formula", "is empty");
+  OpenSettings settings;
+  settings.formats = &openscad::all_formats();
+  return parse_model(text, "formula", std::filesystem::current_path(), settings, progress);
 }
 
 }  // namespace fieldfab::meshlab

@@ -1,12 +1,14 @@
 /// From layers to Fields and back: what all filters share.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "fieldfab/field/field.h"
 #include "fieldfab/mesh/exact_solid.h"
+#include "fieldfab/solid/formats.h"
+#include "fieldfab/solid/surface.h"
 #include "filter.h"
 
 namespace fieldfab::meshlab {
@@ -32,21 +34,17 @@ Parameter layer_parameter(std::string name, std::string label, std::string help,
 Parameter text_parameter(std::string name, std::string label, std::string help, std::string value);
 Parameter flag_parameter(std::string name, std::string label, std::string help, bool value);
 
-/// A solid and what is known of it.
-struct Solid {
-  FieldPtr field;
-  Box bounds;          ///< holds the solid
-  bool sharp = false;  ///< its Field is exact and has edges to be kept
-};
-
 /// The layer's triangles with vertices at the same place merged; those with places that are NaN, or without area, are left out
 /// and counted in the log. Throws bad_input where none is left.
 TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log);
 
-/// The layer as a solid: what its triangles wind around, holes closed by lids. Within `reach` mm of the surface its values are
-/// distances (0: only next to it), as offsets and walls need. Exact where triangles are larger than a few voxels or edges are to
-/// be kept, else sampled on a lattice. Throws bad_input, too_large (before anything is begun, with how much it would take),
-/// cancelled.
+/// Whether the solid's Field is exact, with edges to be kept.
+inline bool is_sharp(const Solid& solid) { return !solid.field->sampled(); }
+
+/// The layer as a solid with bounds: what its triangles wind around, holes closed by lids. Within `reach` mm of the surface its
+/// values are distances (0: only next to it), as offsets and walls need. Exact where triangles are larger than a few voxels or
+/// edges are to be kept, else sampled on a lattice. Throws bad_input, too_large (before anything is begun, with how much it would
+/// take), cancelled.
 Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress);
 
 /// The layer as an exact solid: where it is a drawn part, of triangles larger than a few voxels, and closed, and its edges are
@@ -65,9 +63,20 @@ std::optional<Layer> layer_of(const ExactSolid& solid, std::string name);
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
                std::vector<std::string>& log, Progress& progress);
 
-/// A solid from a file of any kind that open_model() knows, or from an infix formula where the text is no file's name; its bounds
-/// as found, or `bounds` where it has none of its own.
-Solid solid_of_text(const std::string& text, const std::optional<Box>& bounds, Progress& progress);
+/// The surface of all parts together as a new layer, in their colours; the own faces of a solid that has some. A `voxel` of 0 is
+/// default_voxel(); `bounds` and `empty` are those of working_bounds(). The log tells its size and certainty, or that it is
+/// empty. Throws too_large, and as surface() does.
+Layer layer_of(const Model& model, const std::optional<Box>& bounds, double voxel, EmptySolid empty, std::string name,
+               std::vector<std::string>& log, Progress& progress);
+
+/// Extensions of all formats of a kind that are read, with the dot.
+std::vector<std::string> extensions_read(FormatKind kind);
+
+/// The model in a file of any kind that open_model() knows, scripts left aside.
+Model model_of_file(const std::filesystem::path& file, Progress& progress);
+
+/// The model of a file, or of infix text where the text is no file's name.
+Model model_of_text(const std::string& text, Progress& progress);
 
 /// 1.23 MB, 4 GB ...
 std::string as_bytes(double bytes);

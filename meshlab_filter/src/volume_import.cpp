@@ -27,7 +27,9 @@ std::filesystem::path whole_volume(const std::filesystem::path& file) {
 }  // namespace
 
 std::vector<std::string> volume_patterns() {
-  return {"*.raw", "*.vol", "*.vgi", "*.mha", "*.mhd", "*.nrrd", "*.nhdr", "*.nii", "*.nii.gz", "*.tif", "*.dcm", "*.vdb"};
+  std::vector<std::string> patterns;
+  for (const std::string& extension : extensions_read(FormatKind::volume)) patterns.push_back("*" + extension);
+  return patterns;
 }
 
 std::string volume_patterns_text() { return fmt::format("{}", fmt::join(volume_patterns(), " ")); }
@@ -62,8 +64,7 @@ Layer import_volume(const std::filesystem::path& file, const Values& values, std
   const auto solid = opened_scan(scan, progress);
   if (voxel == 0) voxel = *solid->voxel;
   const Box bounds = solid->bounds->grown(voxel);
-  const Vec3 size = bounds.size();
-  require(surface_cost(2 * (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()), voxel), voxel, 2);
+  require_surface(bounds, voxel);
   Layer layer = layer_of(solid->field, bounds, {voxel}, false, path.filename().string(), log, progress);
   log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", layer.mesh.triangles.size(),
                             layer.mesh.volume(), layer.mesh.area(), voxel));

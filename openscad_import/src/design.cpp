@@ -57,7 +57,7 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
   const NodeIndex start = evaluator.start();
   // What single precision loses at the farthest corner, some times over.
   constexpr double loss = 1e-6;
-  Solid solid;
+  Shape solid;
   if (evaluator.dimensions(start) == 2) {
     const Region region = tidied(evaluator.flat(start));
     design.flat = true;

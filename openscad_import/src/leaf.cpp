@@ -62,7 +62,7 @@ Expression formula_of(const std::vector<Plane>& planes, double growth) {
 class Convex final : public Leaf {
  public:
   explicit Convex(Polyhedron solid) : solid_(std::move(solid)), planes_(planes_of(solid_)) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     // With the sides of its box the value is never less than the distance to that box.
     std::vector<Plane> planes = planes_;
     const Box box = solid_.bounds();
@@ -98,7 +98,7 @@ class Convex final : public Leaf {
 class Mesh final : public Leaf {
  public:
   Mesh(Polyhedron solid, double radius) : solid_(std::move(solid)), radius_(radius) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     if (making.formulas_only) no_formula("a polyhedron that is not convex");
     constexpr std::size_t many = 500'000;  // triangles: to look for crossings takes too long
     if (solid_.triangles.size() < many && bounds_a_solid(solid_))
@@ -138,7 +138,7 @@ class Extruded final : public Leaf {
  public:
   Extruded(Region region, double lower, double upper, const Eigen::Affine3d& placement)
       : region_(std::move(region)), lower_(lower), upper_(upper), placement_(placement) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
     if (making.formulas_only) return {placed(formula(growth), placement_)};
     return {std::nullopt, placed(extruded_field(region_, lower_, upper_, growth), placement_)};
@@ -209,7 +209,7 @@ class Turned final : public Leaf {
  public:
   Turned(TurnedShape shape, const Eigen::Affine3d& placement) : shape_(std::move(shape)), placement_(placement) {}
 
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
     if (making.formulas_only) no_formula("rotate_extrude");
     // Both halves of the profile, so that the axis is no side of it.
@@ -257,7 +257,7 @@ class Faceted final : public Leaf {
  public:
   Faceted(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement)
       : planes_(std::move(solid)), turned_(std::move(shape), placement) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     return making.formulas_only || planes_.count() <= most_planes ? planes_.solid(making) : turned_.solid(making);
   }
   [[nodiscard]] Polyhedron polyhedron() const override { return planes_.polyhedron(); }
@@ -274,7 +274,7 @@ class Faceted final : public Leaf {
 class Cone final : public Leaf {
  public:
   Cone(const RoundCone& cone, const Eigen::Affine3d& placement) : cone_(cone), placement_(placement) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     const auto& [r1, r2, lower, upper] = cone_;
     const double height = upper - lower, slant = std::hypot(height, r2 - r1);
     const Expression z = Expression::z(), r = sqrt(square(Expression::x()) + square(Expression::y()));
@@ -309,7 +309,7 @@ class Cone final : public Leaf {
 class Ball final : public Leaf {
  public:
   Ball(double radius, const Eigen::Affine3d& placement) : radius_(radius), placement_(placement) {}
-  [[nodiscard]] Solid solid(const Making& making) const override {
+  [[nodiscard]] Shape solid(const Making& making) const override {
     const Stretch stretch = stretch_of(placement_);
     if (stretch.is_even()) {
       const Vec3 at = placement_.translation();
@@ -353,7 +353,7 @@ class Ball final : public Leaf {
 
 }  // namespace
 
-FieldPtr Solid::as_field() const { return formula ? frep::make_field(frep::simplify(*formula)) : field; }
+FieldPtr Shape::as_field() const { return formula ? frep::make_field(frep::simplify(*formula)) : field; }
 
 LeafPtr convex_leaf(Polyhedron solid) {
   if (solid.empty()) return nullptr;

@@ -13,8 +13,8 @@
 
 namespace fieldfab::openscad {
 
-/// A solid as a formula where it can be one, else as a Field; neither where there is nothing.
-struct Solid {
+/// A leaf or a part: a formula where it can be one, else a Field; neither where it is empty.
+struct Shape {
   std::optional<frep::Expression> formula;
   FieldPtr field = nullptr;
   Box box = {};          ///< holds it
@@ -38,7 +38,7 @@ struct Making {
 class Leaf {
  public:
   virtual ~Leaf() = default;
-  [[nodiscard]] virtual Solid solid(const Making& making) const = 0;
+  [[nodiscard]] virtual Shape solid(const Making& making) const = 0;
   /// With flat faces: as OpenSCAD draws it, or finely where it is round.
   [[nodiscard]] virtual Polyhedron polyhedron() const = 0;
   /// Whether polyhedron() is the leaf itself, and the surface of a solid.
@@ -46,7 +46,7 @@ class Leaf {
   [[nodiscard]] virtual Box bounds() const = 0;
   /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
   [[nodiscard]] virtual double thickness() const = 0;
-  /// See Solid.
+  /// See Shape.
   [[nodiscard]] virtual double steepness() const { return 1; }
   /// Of its surface, mm^2.
   [[nodiscard]] double area() const { return to_mesh(polyhedron()).area(); }
@@ -110,7 +110,7 @@ Box bounds_of(const Part& part);
 double thickness_of(const Part& part);
 /// The sum of the areas of its leafs' surfaces, mm^2.
 double area_of(const Part& part);
-Solid solid_of(const Part& part, const Making& making);
+Shape solid_of(const Part& part, const Making& making);
 /// With flat faces, exactly, whatever it is joined from.
 Polyhedron polyhedron_of(const Part& part, Progress& progress);
 /// Solids whose union is the part: convex where `all_convex` is told so.

@@ -27,9 +27,9 @@ FieldPtr joined(std::span<const FieldPtr> all, const Join& join) {
 }
 
 /// The least steepness, and what is told of boxes: of a union what holds all, else what is common.
-void tell_where(Solid& result, const std::vector<Solid>& all, bool is_union) {
+void tell_where(Shape& result, const std::vector<Shape>& all, bool is_union) {
   result.box = all.front().box;
-  for (const Solid& solid : all) {
+  for (const Shape& solid : all) {
     result.steepness = std::min(result.steepness, solid.steepness);
     result.box = is_union ? hull(result.box, solid.box) : intersection(result.box, solid.box);
   }
@@ -37,10 +37,10 @@ void tell_where(Solid& result, const std::vector<Solid>& all, bool is_union) {
 }
 
 template <class JoinFormulas, class JoinFields>
-Solid joined(const std::vector<Solid>& all, const JoinFormulas& join_formulas, const JoinFields& join_fields) {
+Shape joined(const std::vector<Shape>& all, const JoinFormulas& join_formulas, const JoinFields& join_fields) {
   std::vector<frep::Expression> formulas;
   std::vector<FieldPtr> fields;
-  for (const Solid& solid : all) {
+  for (const Shape& solid : all) {
     if (solid.formula) formulas.push_back(*solid.formula);
     if (solid.field) fields.push_back(solid.field);
   }
@@ -50,23 +50,23 @@ Solid joined(const std::vector<Solid>& all, const JoinFormulas& join_formulas, c
     if (formulas.size() % 2 == 1) half.push_back(formulas.back());
     formulas = std::move(half);
   }
-  Solid result;
+  Shape result;
   if (!formulas.empty()) result.formula = formulas.front();
   if (fields.empty()) return result;
   if (result.formula) fields.push_back(result.as_field());
   return {std::nullopt, joined(std::span<const FieldPtr>(fields), join_fields)};
 }
 
-Solid united(const std::vector<Solid>& all, const Making& making) {
+Shape united(const std::vector<Shape>& all, const Making& making) {
   constexpr std::size_t few = 3;  // more, and looking at where they are pays
-  Solid result;
+  Shape result;
   if (all.size() <= few || making.formulas_only) {
     result = joined(
         all, [](const auto& a, const auto& b) { return min(a, b); },
         [](const FieldPtr& a, const FieldPtr& b) { return fieldfab::unite(a, b); });
   } else {
     std::vector<Placed> parts;
-    for (const Solid& solid : all) parts.push_back({solid.as_field(), solid.box, solid.steepness});
+    for (const Shape& solid : all) parts.push_back({solid.as_field(), solid.box, solid.steepness});
     result.field = assembly(std::move(parts));
   }
   tell_where(result, all, true);
@@ -137,23 +137,23 @@ double area_of(const Part& part) {
   return sum;
 }
 
-Solid solid_of(const Part& part, const Making& making) {
+Shape solid_of(const Part& part, const Making& making) {
   making.progress->check();
   if (part.kind == Kind::nothing) return {};
   if (part.kind == Kind::leaf) {
-    Solid solid = part.leaf->solid(making);
+    Shape solid = part.leaf->solid(making);
     solid.box = part.leaf->bounds().grown(2 * making.growth);
     solid.steepness = part.leaf->steepness();
     return solid;
   }
-  std::vector<Solid> solids;
+  std::vector<Shape> solids;
   for (std::size_t i = 0; i < part.children.size(); ++i) {
     Making here = making;
     if (part.kind == Kind::subtract && i > 0) here.growth += making.step;
     solids.push_back(solid_of(*part.children[i], here));
   }
   if (part.kind == Kind::unite) return united(solids, making);
-  Solid result;
+  Shape result;
   if (part.kind == Kind::intersect) {
     result = joined(
         solids, [](const auto& a, const auto& b) { return max(a, b); },
@@ -161,8 +161,8 @@ Solid solid_of(const Part& part, const Making& making) {
     tell_where(result, solids, false);
     return result;
   }
-  const Solid others = united({solids.begin() + 1, solids.end()}, making);
-  const Solid& first = solids.front();
+  const Shape others = united({solids.begin() + 1, solids.end()}, making);
+  const Shape& first = solids.front();
   if (first.formula && others.formula)
     result.formula = max(*first.formula, -*others.formula);
   else

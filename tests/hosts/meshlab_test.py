@@ -34,7 +34,7 @@ def result_of(tmp_path, mesh, *steps, more=(), close=True):
 
 
 def test_every_filter_runs_from_a_script(tmp_path):
-    filters = [(name, {}) for name in PARAMETERS if name.startswith("Fieldfab") and name != VOLUME]
+    filters = [(name, {"Strut": 4} if name == LATTICE else {}) for name in PARAMETERS if name.startswith("Fieldfab") and name != VOLUME]
     inputs = [write_ply(tmp_path / "a.ply", *sphere(24)), write_ply(tmp_path / "b.ply", *sphere(24, at=(25, 0, 0)))]
     for name in filters:
         said = serve(tmp_path, inputs, [name], tmp_path / "out.ply")
@@ -177,6 +177,38 @@ def test_a_solid_from_a_formula(tmp_path):
     assert result.volume == pytest.approx(600, rel=1e-4)
 
 
+PARTS = """part(move(sphere(4), dx = -6), "left", "tomato")
+part(move(box(6, 6, 6), dx = 6), "right", "#204060")
+part(sphere(1), "plain")
+part(intersection(sphere(1), move(sphere(1), dx = 9)), "none")
+"""
+PART_COLOURS = {"left": (255, 99, 71), "right": (32, 64, 96)}
+
+
+def test_parts_become_layers_with_names_and_colours(tmp_path):
+    (tmp_path / "parts.frep").write_text(PARTS)
+    files = [tmp_path / f"{name}.ply" for name in ("left", "right", "plain")]
+    said = serve(tmp_path, [], [(FREP, {"Formula": tmp_path / "parts.frep", "Voxel": 0.25})], files, mask=("-m", "vc"))
+    volumes = {"left": ball_volume(4), "right": 216, "plain": ball_volume(1)}
+    for path in files:
+        found, mesh = verdict(path)
+        assert found.valid and mesh.volume == pytest.approx(volumes[path.stem], rel=0.01), said.text
+        if path.stem in PART_COLOURS:
+            assert {(int(row["red"]), int(row["green"]), int(row["blue"])) for row in read_quality(path)} == {PART_COLOURS[path.stem]}
+        assert f"LOG: 2 {path.stem}: " in said
+    assert "LOG: 2 none: is empty" in said
+
+
+def test_a_file_of_parts_is_one_layer_in_their_colours(tmp_path):
+    (tmp_path / "parts.frep").write_text(PARTS)
+    said = serve(tmp_path, [tmp_path / "parts.frep"], [], tmp_path / "out.ply", mask=("-m", "vc"))
+    found, mesh = verdict(tmp_path / "out.ply")
+    assert found.valid and found.components == 3 and mesh.volume == pytest.approx(ball_volume(4) + 216 + ball_volume(1), rel=0.01), said.text
+    rows = read_quality(tmp_path / "out.ply")
+    for name, side in (("left", rows["x"] < -1.5), ("right", rows["x"] > 1.5)):
+        assert {(int(row["red"]), int(row["green"]), int(row["blue"])) for row in rows[side]} == {PART_COLOURS[name]}
+
+
 def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
     box = result_of(tmp_path, None, (FREP, {"Formula": "box(10, 10, 10)", "Voxel": 0.5}))[2]
     assert "the mesh is certain" in box, box.text
@@ -245,9 +277,10 @@ def test_the_report_tells_the_truth(tmp_path):
 def test_files_become_layers(tmp_path):
     (tmp_path / "ball.frep").write_text("sphere(10)")
     (tmp_path / "ball.math").write_text("-r++qXqYqZf10")
+    (tmp_path / "ball.csg").write_text("sphere($fn = 100, $fa = 12, $fs = 2, r = 10);")
     fieldfab.build(fieldfab.shapes.sphere(10), voxel=0.5).save(tmp_path / "ball.asdf")
     fieldfab.write_vdb(fieldfab.shapes.sphere(10), tmp_path / "ball.vdb", voxel=0.5)
-    for name in ("ball.frep", "ball.math", "ball.asdf", "ball.vdb"):
+    for name in ("ball.frep", "ball.math", "ball.csg", "ball.asdf", "ball.vdb"):
         said = serve(tmp_path, [tmp_path / name], [], tmp_path / "out.ply")
         found, mesh = verdict(tmp_path / "out.ply")
         assert found.valid and mesh.volume == pytest.approx(ball_volume(10), rel=0.01), said.text

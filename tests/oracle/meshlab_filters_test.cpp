@@ -78,9 +78,9 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
     const Filter& remesh = named("Remesh");
     try {
       const Result result = remesh.run(values_for(remesh, {{0, layer}}, {{"Voxel", 0.5}}), Progress::none());
-      EXPECT_TRUE(inspect(result.layer->mesh).valid());
+      EXPECT_TRUE(inspect(result.layers.front().mesh).valid());
       if (round % 2 == 0) {
-        EXPECT_NEAR(result.layer->mesh.volume(), 4189, 150);
+        EXPECT_NEAR(result.layers.front().mesh.volume(), 4189, 150);
       }
     } catch (const Error& error) {  // mere triangles may enclose nothing; that is said
       EXPECT_EQ(round % 2, 1) << error.what();

@@ -22,8 +22,8 @@ FaceMaker moved_faces(const FaceMaker& faces, const Eigen::Affine3d& to_outer) {
   if (faces == nullptr || !(to_outer.linear().determinant() > 0)) return nullptr;
   return [faces, to_outer](std::optional<double> thickness, Progress& progress) -> std::optional<TriangleMesh> {
     // A plate stays one where it only moves along x and y, and turns about z.
-    const bool keeps_z = to_outer.linear().row(2) == Eigen::RowVector3d::UnitZ() &&
-                         to_outer.linear().col(2) == Vec3::UnitZ() && to_outer.translation().z() == 0;
+    const bool keeps_z = to_outer.linear().row(2) == Eigen::RowVector3d::UnitZ() && to_outer.linear().col(2) == Vec3::UnitZ() &&
+                         to_outer.translation().z() == 0;
     if (thickness && !keeps_z) return std::nullopt;
     const auto mesh = faces(thickness, progress);
     if (!mesh) return std::nullopt;
@@ -74,10 +74,12 @@ Solid solid_of(const std::shared_ptr<const OpenedSolid>& opened) {
   return solid_of(Expression::opened(opened, Expression::x(), Expression::y(), Expression::z()));
 }
 
-Solid solid_of(FieldPtr field, std::string kind) {
+Solid solid_of(FieldPtr field, std::string kind, std::optional<Box> bounds, bool flat) {
   auto opened = std::make_shared<OpenedSolid>();
   opened->field = std::move(field);
   opened->kind = std::move(kind);
+  opened->bounds = bounds;
+  opened->flat = flat;
   return solid_of(opened);
 }
 

@@ -54,8 +54,8 @@ Layer joined_as_fields(const Layer& first, const Layer& second, int operation, d
                        const std::string& name, std::vector<std::string>& log, Progress& progress) {
   const Solid a = solid_of(first, fineness, radius, log, progress), b = solid_of(second, fineness, radius, log, progress);
   const FieldPtr both = joined(operation, a.field, b.field, radius);
-  const Box bounds = operation == 2 ? a.bounds : hull(a.bounds, b.bounds);
-  return layer_of(both, bounds, fineness, a.sharp || b.sharp, name, log, progress);
+  const Box bounds = operation == 2 ? *a.bounds : hull(*a.bounds, *b.bounds);
+  return layer_of(both, bounds, fineness, is_sharp(a) || is_sharp(b), name, log, progress);
 }
 
 Result run(const Values& values, Progress& progress) {
@@ -68,10 +68,10 @@ Result run(const Values& values, Progress& progress) {
   const Layer &first = values.layer("First"), &second = values.layer("Second");
   constexpr const char* words[] = {"with", "and", "without"};
   const std::string name = fmt::format("{} {} {}", first.name, words[operation], second.name);
-  if (radius == 0) result.layer = exactly_joined(first, second, operation, fineness, name, result.log, progress);
-  if (!result.layer) result.layer = joined_as_fields(first, second, operation, radius, fineness, name, result.log, progress);
-  const TriangleMesh& mesh = result.layer->mesh;
-  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  std::optional<Layer> made;
+  if (radius == 0) made = exactly_joined(first, second, operation, fineness, name, result.log, progress);
+  if (!made) made = joined_as_fields(first, second, operation, radius, fineness, name, result.log, progress);
+  result.add(std::move(*made));
   return result;
 }
 

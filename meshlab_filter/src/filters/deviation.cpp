@@ -30,8 +30,6 @@ std::vector<Parameter> parameters(const Document& document) {
                        "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0, diagonal)};
 }
 
-using Colour = std::array<std::uint8_t, 3>;
-
 /// Blue inside, nearly white where it should be, red outside: the ramp of the FreeCAD workbench.
 Colour colour(double share) {
   constexpr double stops[5][3] = {
@@ -101,7 +99,7 @@ Result run(const Values& values, Progress& progress) {
     field = mesh_field(usable_triangles(other, result.log), progress);
     reference = "layer '" + other.name + "'";
   } else {
-    field = solid_of_text(values.text("Formula"), Box{Vec3::Constant(-1e6), Vec3::Constant(1e6)}, progress).field;
+    field = united(model_of_text(values.text("Formula"), progress)).field;
     reference = values.text("Formula");
   }
   result.quality = distances_to(field, from_layer, layer.mesh.vertices, progress);

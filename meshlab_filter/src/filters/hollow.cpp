@@ -8,12 +8,12 @@
 
 #include "../solids.h"
 #include "all.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/together.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab::meshlab {
@@ -94,34 +94,35 @@ Result run(const Values& values, Progress& progress) {
   const double diameter = holes > 0 ? values.positive("HoleDiameter") : 0;
   const Layer& layer = values.layer();
   Solid solid;
+  bool sharp = false;
   FieldPtr outer, inner, shelled;
   if (side == 2) {
     const TriangleMesh mesh = usable_triangles(layer, result.log);
-    solid = {mesh_field(mesh, progress), mesh.bounds().grown(wall + 2 * fineness.voxel), fineness.edges == Fineness::Edges::kept};
+    solid = fieldfab::solid_of(mesh_field(mesh, progress), "mesh", mesh.bounds().grown(wall + 2 * fineness.voxel));
+    sharp = fineness.edges == Fineness::Edges::kept;
     shelled = shell(solid.field, wall);
     outer = offset(solid.field, wall / 2), inner = offset(solid.field, -wall / 2);
   } else {
     solid = solid_of(layer, fineness, wall, result.log, progress);
+    sharp = is_sharp(solid);
     outer = side == 0 ? solid.field : offset(solid.field, wall), inner = side == 0 ? offset(solid.field, -wall) : solid.field;
     shelled = subtract(outer, inner);
   }
   if (wall < fineness.voxel)
     result.log.push_back(fmt::format("the wall is {:.2g} voxels thick: it may have holes", wall / fineness.voxel));
   if (holes > 0) {
-    const ContourMesh hollow = contour(*inner, solid.bounds, {fineness.voxel, -1, false}, progress);
+    const ContourMesh hollow = contour(*inner, *solid.bounds, {fineness.voxel, -1, false}, progress);
     int made = 0;
     for (const std::vector<Vec3>& piece : pieces_of(hollow)) {
       for (const Drain& drain : drains_of(piece, holes))
-        shelled = subtract(shelled, hole(*outer, drain, diameter, fineness.voxel, solid.bounds)), ++made;
+        shelled = subtract(shelled, hole(*outer, drain, diameter, fineness.voxel, *solid.bounds)), ++made;
       if (made > 1000) throw Error(ErrorKind::bad_input, "DrainHoles", "there are too many hollows; a thicker wall leaves fewer");
     }
     result.log.push_back(fmt::format("{} drain holes", made));
     if (!hollow.certainty.certain())
       result.log.push_back(fmt::format("the hollow that is drained is {}", hollow.certainty.text()));
   }
-  result.layer = layer_of(shelled, solid.bounds, fineness, solid.sharp, layer.name + " hollow", result.log, progress);
-  const TriangleMesh& mesh = result.layer->mesh;
-  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  result.add(layer_of(shelled, *solid.bounds, fineness, sharp, layer.name + " hollow", result.log, progress));
   return result;
 }
 

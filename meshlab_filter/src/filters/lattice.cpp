@@ -45,9 +45,7 @@ Result run(const Values& values, Progress& progress) {
   const Solid solid = solid_of(layer, fineness, wall, result.log, progress);
   FieldPtr filled = intersect(solid.field, lattice);
   if (wall > 0) filled = unite(subtract(solid.field, offset(solid.field, -wall)), filled);
-  result.layer = layer_of(filled, solid.bounds, fineness, solid.sharp, layer.name + " with lattice", result.log, progress);
-  const TriangleMesh& mesh = result.layer->mesh;
-  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  result.add(layer_of(filled, *solid.bounds, fineness, is_sharp(solid), layer.name + " with lattice", result.log, progress));
   if (strut < 2 * fineness.voxel)
     result.log.push_back(fmt::format("the lattice's wall is {:.2g} voxels: below 2 it may have holes", strut / fineness.voxel));
   return result;

@@ -27,10 +27,8 @@ Result run(const Values& values, Progress& progress) {
   if (!std::isfinite(distance)) throw Error(ErrorKind::bad_input, "Distance", "must be a finite number");
   const Layer& layer = values.layer();
   const Solid solid = solid_of(layer, fineness, std::abs(distance), result.log, progress);
-  result.layer = layer_of(offset(solid.field, distance), solid.bounds, fineness, solid.sharp,
-                          fmt::format("{} offset by {:g}", layer.name, distance), result.log, progress);
-  const TriangleMesh& mesh = result.layer->mesh;
-  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+  result.add(layer_of(offset(solid.field, distance), *solid.bounds, fineness, is_sharp(solid),
+                      fmt::format("{} offset by {:g}", layer.name, distance), result.log, progress));
   return result;
 }
 

@@ -1,6 +1,4 @@
 // Any soup of triangles to a closed mesh, through a distance field.
-#include <fmt/format.h>
-
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/field/operations.h"
@@ -22,13 +20,13 @@ Layer through_a_field(const Layer& layer, const Fineness& fineness, double gap, 
                       Progress& progress) {
   const Solid solid = solid_of(layer, fineness, 0, log, progress);
   FieldPtr field = solid.field;
-  Box bounds = solid.bounds;
+  Box bounds = *solid.bounds;
   if (gap > 0) {  // grown by half of the gap and shrunk again; what was there stays as it is
     bounds = bounds.grown(gap);
     const FieldPtr grown = offset(with_distances(field, bounds, gap, fineness.voxel, progress), gap / 2);
     field = unite(field, offset(with_distances(grown, bounds, gap, fineness.voxel, progress), -gap / 2));
   }
-  return layer_of(field, bounds, fineness, solid.sharp, layer.name + " remeshed", log, progress);
+  return layer_of(field, bounds, fineness, is_sharp(solid), layer.name + " remeshed", log, progress);
 }
 
 Result run(const Values& values, Progress& progress) {
@@ -36,12 +34,11 @@ Result run(const Values& values, Progress& progress) {
   const Fineness fineness = fineness_of(values);
   const double gap = values.not_negative("GapWidth");
   const Layer& layer = values.layer();
+  std::optional<Layer> made;
   if (gap == 0)
     if (const auto exact = exact_solid_of(layer, fineness, result.log, progress))
-      result.layer = layer_of(*exact, layer.name + " remeshed");
-  if (!result.layer) result.layer = through_a_field(layer, fineness, gap, result.log, progress);
-  const TriangleMesh& mesh = result.layer->mesh;
-  result.log.push_back(fmt::format("{} triangles, {:.6g} mm3, {:.6g} mm2", mesh.triangles.size(), mesh.volume(), mesh.area()));
+      made = layer_of(*exact, layer.name + " remeshed");
+  result.add(made ? std::move(*made) : through_a_field(layer, fineness, gap, result.log, progress));
   return result;
 }
 

@@ -20,7 +20,7 @@ std::vector<Parameter> parameters(const Document&) {
 
 Result run(const Values& values, Progress& progress) {
   Result result;
-  result.layer = import_volume(values.text("File"), values, result.log, progress);
+  result.layers.push_back(import_volume(values.text("File"), values, result.log, progress));
   return result;
 }
 

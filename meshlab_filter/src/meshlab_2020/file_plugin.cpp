@@ -75,6 +75,7 @@ bool FieldfabFiles::open(const QString& format, const QString& file, MeshModel& 
         std::vector<std::string> log;
         work_beside([&](Progress& progress) { layer = read_file_as_layer(path_of(file), values, log, progress); }, bar);
         for (const std::string& line : log) Log(GLLogStream::FILTER, printable(line));
+        if (!layer.colours.empty()) mask |= vcg::tri::io::Mask::IOM_VERTCOLOR;
         write_layer(layer, model);
       },
       errorMessage);

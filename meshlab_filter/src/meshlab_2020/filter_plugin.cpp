@@ -31,13 +31,17 @@ std::map<std::size_t, std::shared_ptr<const Layer>> layers_for(const std::vector
   return layers;
 }
 
-void add_layer(const Layer& layer, MeshDocument& document) {
+void add_layers(const std::vector<Layer>& layers, MeshDocument& document) {
   MeshModel* const before = document.mm();
-  MeshModel* const added = document.addNewMesh("", text_of(layer.name));
+  std::vector<MeshModel*> added;
+  added.reserve(layers.size());
   try {
-    write_layer(layer, *added);
-  } catch (...) {  // there was no memory left: not half a layer either
-    document.delMesh(added);
+    for (const Layer& layer : layers) {
+      added.push_back(document.addNewMesh("", text_of(layer.name)));
+      write_layer(layer, *added.back());
+    }
+  } catch (...) {  // there was no memory left: none of them is kept
+    for (MeshModel* const model : added) document.delMesh(model);
     if (before != nullptr) document.setCurrentMesh(before->id());
     throw;
   }
@@ -99,7 +103,7 @@ bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const
     work_beside([&](Progress& progress) { result = filter.run(values, progress); }, bar);
     for (const std::string& line : result.log) Log(GLLogStream::FILTER, printable(line));
     if (!result.quality.empty()) write_colours(result, *chosen);
-    if (result.layer) add_layer(*result.layer, document);
+    add_layers(result.layers, document);
     return true;
   } catch (const std::bad_alloc&) {
     errorMessage = "There is not enough memory for it; the layers are as they were.";

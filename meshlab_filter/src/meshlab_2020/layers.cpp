@@ -13,6 +13,8 @@ namespace {
 
 std::string utf8(const QString& text) { return text.toUtf8().toStdString(); }
 
+vcg::Color4b colour_of(Colour colour) { return {colour.red, colour.green, colour.blue, 255}; }
+
 }  // namespace
 
 Layer layer_from(const MeshModel& model) {
@@ -62,14 +64,19 @@ Document document_from(const MeshDocument& document) {
 void write_layer(const Layer& layer, MeshModel& model) {
   CMeshO& mesh = model.cm;
   auto vertex = vcg::tri::Allocator<CMeshO>::AddVertices(mesh, layer.mesh.vertices.size());
-  for (const auto& p : layer.mesh.vertices) (vertex++)->P() = {p[0], p[1], p[2]};
+  for (std::size_t i = 0; i < layer.mesh.vertices.size(); ++i, ++vertex) {
+    const auto& p = layer.mesh.vertices[i];
+    vertex->P() = {p[0], p[1], p[2]};
+    if (!layer.colours.empty()) vertex->C() = colour_of(layer.colours[i]);
+  }
   auto face = vcg::tri::Allocator<CMeshO>::AddFaces(mesh, layer.mesh.triangles.size());
   for (const auto& t : layer.mesh.triangles) {
     for (int corner = 0; corner < 3; ++corner) face->V(corner) = &mesh.vert[t[static_cast<std::size_t>(corner)]];
     ++face;
   }
   model.UpdateBoxAndNormals();
-  model.updateDataMask(MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL);
+  model.updateDataMask(MeshModel::MM_VERTNORMAL | MeshModel::MM_FACENORMAL |
+                       (layer.colours.empty() ? MeshModel::MM_NONE : MeshModel::MM_VERTCOLOR));
 }
 
 void write_colours(const Result& result, MeshModel& model) {
@@ -80,7 +87,7 @@ void write_colours(const Result& result, MeshModel& model) {
   for (CVertexO& vertex : mesh.vert) {
     if (vertex.IsD()) continue;
     vertex.Q() = result.quality[n];
-    vertex.C() = vcg::Color4b(result.colours[n][0], result.colours[n][1], result.colours[n][2], 255);
+    vertex.C() = colour_of(result.colours[n]);
     ++n;
   }
   model.updateDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR);

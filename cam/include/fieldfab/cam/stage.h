@@ -16,15 +16,9 @@
 #include "fieldfab/cam/program.h"
 #include "fieldfab/cam/setting.h"
 #include "fieldfab/render/image.h"
+#include "fieldfab/solid/solid.h"
 
 namespace fieldfab::cam {
-
-/// A part as a Field.
-struct Solid {
-  FieldPtr field;
-  Box bounds;
-  bool flat = false;  ///< a drawing: the same at every z
-};
 
 /// Paths, and how they want to be joined.
 struct Cuts {
@@ -36,6 +30,7 @@ struct Cuts {
   std::shared_ptr<const TipSurface> finished = nullptr;  ///< where a finishing tool could go, so that later planes leave that out
 };
 
+/// Solids have bounds here: the region that stages look at. A flat one is a drawing, the same at every z.
 using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
 /// What an Artifact is; in the variant's order.
 enum class Kind { solid, image, bitmap, outline, surface, paths };

@@ -54,7 +54,7 @@ Solid solid_of(frep::Expression expression);
 /// The solid of a leaf, as it is.
 Solid solid_of(const std::shared_ptr<const OpenedSolid>& opened);
 /// A solid that was made in memory; no text can name it.
-Solid solid_of(FieldPtr field, std::string kind);
+Solid solid_of(FieldPtr field, std::string kind, std::optional<Box> bounds = {}, bool flat = false);
 
 /// All parts as one solid; the part itself where there is only one.
 Solid united(const Model& model);
