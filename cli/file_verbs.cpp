@@ -6,12 +6,13 @@
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/vdb.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/load_mesh.h"
+#include "fieldfab/mesh/mesh_parts.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/render/chart.h"
 #include "fieldfab/render/render.h"
@@ -117,7 +118,7 @@ class InfoVerb final : public Verb {
       Outcome part;
       const SolidBounds found = solid_bounds(*solid.field, progress);
       const std::string bounds = tell_bounds(found, part);
-      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + "," : "", bounds);
+      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
       tell_measures(*solid.field, found, part, progress);
       part.json["name"] = solid.name;
       part.json["colour"] = solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr;
@@ -141,15 +142,15 @@ class InfoVerb final : public Verb {
         ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
       else
         ranges.push_back(nullptr);
-      bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
-                                    : fmt::format(" {} unbounded", name);
+      if (axis > 0) bounds += ' ';
+      bounds += found.bounded[axis] ? fmt::format("{} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                                    : fmt::format("{} unbounded", name);
     }
     outcome.json["bounds"] = ranges;
     return bounds;
   }
   Outcome frep_info(const Solid& solid, Progress& progress) const {
-    const std::size_t nodes = frep::node_count(solid.expression),
-                      simplified = frep::node_count(frep::simplify(solid.expression));
+    const std::size_t nodes = frep::node_count(solid.expression), simplified = frep::node_count(frep::simplify(solid.expression));
     const SolidBounds found = solid_bounds(*solid.field, progress);
     Outcome outcome;
     outcome.json = {{"file", file_}, {"kind", solid.kind}, {"nodes", nodes}, {"simplified", simplified}};
@@ -172,7 +173,8 @@ class InfoVerb final : public Verb {
     const bool flat = !found.bounded[2];
     const auto formula = std::dynamic_pointer_cast<const OpenedSolid>(solid.expression.source());
     Outcome outcome;
-    outcome.json = {{"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
+    outcome.json = {
+        {"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
     outcome.json["notes"] = notes;
@@ -235,22 +237,44 @@ class InfoVerb final : public Verb {
         0};
   }
   Outcome mesh_info(Progress& progress) const {
-    const auto [mesh, notes] = load_mesh(file_, progress);
+    auto [mesh, notes] = load_mesh(file_, progress);
+    std::vector<MeshPart> parts;
+    if (extension_of(file_) == ".3mf") {
+      std::vector<std::string> of_parts;
+      parts = load_mesh_parts(file_, progress, of_parts);
+      if (parts.size() > 1) notes = of_parts;  // names and colours are told then
+    }
     print_notes(notes);
+    Outcome outcome{fmt::format("{}: mesh, {}{} triangles, {} vertices, volume {:.6g} mm3", file_,
+                                parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", mesh.triangles.size(),
+                                mesh.vertices.size(), mesh.volume()),
+                    {{"file", file_}, {"kind", "mesh"}},
+                    0};
+    outcome.json.update(mesh_json(mesh));
+    outcome.json["notes"] = notes;
+    for (std::size_t i = 0; parts.size() > 1 && i < parts.size(); ++i) {
+      const MeshPart& part = parts[i];
+      const Box box = part.mesh.bounds();
+      outcome.line +=
+          fmt::format("\n  {}: {}x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}, {} triangles, volume {:.6g} mm3", part.name,
+                      part.colour ? text_of(*part.colour) + ", " : "", box.lower.x(), box.upper.x(), box.lower.y(), box.upper.y(),
+                      box.lower.z(), box.upper.z(), part.mesh.triangles.size(), part.mesh.volume());
+      nlohmann::ordered_json described = mesh_json(part.mesh);
+      described["name"] = part.name;
+      described["colour"] = part.colour ? nlohmann::ordered_json(text_of(*part.colour)) : nullptr;
+      outcome.json["parts"].push_back(std::move(described));
+    }
+    return outcome;
+  }
+  static nlohmann::ordered_json mesh_json(const TriangleMesh& mesh) {
     const Box bounds = mesh.bounds();
     auto ranges = nlohmann::ordered_json::array();
     for (int axis = 0; axis < 3; ++axis) ranges.push_back({bounds.lower[axis], bounds.upper[axis]});
-    return {fmt::format("{}: mesh, {} triangles, {} vertices, volume {:.6g} mm3", file_, mesh.triangles.size(),
-                        mesh.vertices.size(), mesh.volume()),
-            {{"file", file_},
-             {"kind", "mesh"},
-             {"triangles", mesh.triangles.size()},
-             {"vertices", mesh.vertices.size()},
-             {"volume", mesh.volume()},
-             {"area", mesh.area()},
-             {"bounds", ranges},
-             {"notes", notes}},
-            0};
+    return {{"triangles", mesh.triangles.size()},
+            {"vertices", mesh.vertices.size()},
+            {"volume", mesh.volume()},
+            {"area", mesh.area()},
+            {"bounds", ranges}};
   }
   Outcome image_info() const {
     const Image image = read_png(file_);
@@ -300,7 +324,8 @@ class ConvertVerb final : public Verb {
     const bool to_text = is_one_of(to, {".math", ".vm", ".frep", ".dot"});
     if (to_text) {
       if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
-      write_file(options_.output, text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
+      write_file(options_.output,
+                 text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
       return outcome;
     }
     const Formats& formats = openscad::all_formats();
@@ -330,8 +355,9 @@ class ConvertVerb final : public Verb {
     if (form == ".frep") return print_model(model, folder);
     const frep::Expression expression = united(model).expression;
     if (frep::has_opened(expression))
-      throw Error(ErrorKind::bad_input, options_.model,
-                  fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
+      throw Error(
+          ErrorKind::bad_input, options_.model,
+          fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
     return form == ".math" ? frep::print_math(expression)
            : form == ".vm" ? frep::print_vm(expression)
                            : frep::print_dot(expression);
