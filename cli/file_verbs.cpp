@@ -119,7 +119,7 @@ class InfoVerb final : public Verb {
       Outcome part;
       const SolidBounds found = solid_bounds(*solid.field, progress);
       const std::string bounds = tell_bounds(found, part);
-      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + "," : "", bounds);
+      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
       tell_measures(*solid.field, found, part, progress);
       part.json["name"] = solid.name;
       part.json["colour"] = solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr;
@@ -143,8 +143,9 @@ class InfoVerb final : public Verb {
         ranges.push_back({found.box.lower[axis], found.box.upper[axis]});
       else
         ranges.push_back(nullptr);
-      bounds += found.bounded[axis] ? fmt::format(" {} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
-                                    : fmt::format(" {} unbounded", name);
+      if (axis > 0) bounds += ' ';
+      bounds += found.bounded[axis] ? fmt::format("{} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                                    : fmt::format("{} unbounded", name);
     }
     outcome.json["bounds"] = ranges;
     return bounds;
@@ -240,49 +241,35 @@ class InfoVerb final : public Verb {
     std::vector<std::string> notes;
     const std::vector<MeshPart> parts = load_mesh_parts(file_, progress, notes);
     print_notes(notes);
-    const bool named = parts.size() > 1 || !parts.front().name.empty() || parts.front().colour;
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    std::string lines;
+    Outcome outcome{"", {{"file", file_}, {"kind", "mesh"}}, 0};
     std::size_t triangles = 0, vertices = 0;
     double volume = 0, area = 0;
     Box bounds = parts.front().mesh.bounds();
+    auto list = nlohmann::ordered_json::array();
+    std::string lines;
     for (const auto& [mesh, name, colour] : parts) {
       const Box box = mesh.bounds();
       triangles += mesh.triangles.size(), vertices += mesh.vertices.size(), volume += mesh.volume(), area += mesh.area();
       bounds = {bounds.lower.cwiseMin(box.lower), bounds.upper.cwiseMax(box.upper)};
-      if (!named) continue;
-      lines += fmt::format("\n  {}:{}{}, {} triangles, volume {:.6g} mm3", name, colour ? " " + text_of(*colour) + "," : "",
-                           text_of(box), mesh.triangles.size(), mesh.volume());
-      list.push_back({{"name", name},
-                      {"colour", colour ? nlohmann::ordered_json(text_of(*colour)) : nullptr},
-                      {"bounds", ranges_of(box)},
-                      {"triangles", mesh.triangles.size()},
-                      {"volume", mesh.volume()}});
+      lines += fmt::format("\n  {}: {}x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}, {} triangles, volume {:.6g} mm3", name,
+                           colour ? text_of(*colour) + ", " : "", box.lower.x(), box.upper.x(), box.lower.y(), box.upper.y(),
+                           box.lower.z(), box.upper.z(), mesh.triangles.size(), mesh.volume());
+      list.push_back({{"name", name}, {"colour", colour ? nlohmann::ordered_json(text_of(*colour)) : nullptr}});
+      list.back().update(mesh_json(mesh.triangles.size(), mesh.vertices.size(), mesh.volume(), mesh.area(), box));
     }
-    const std::string of_parts = parts.size() > 1 ? fmt::format(" of {} parts", parts.size()) : "";
-    Outcome outcome{fmt::format("{}: mesh{}, {} triangles, {} vertices, volume {:.6g} mm3{}", file_, of_parts, triangles,
-                                vertices, volume, lines),
-                    {{"file", file_},
-                     {"kind", "mesh"},
-                     {"triangles", triangles},
-                     {"vertices", vertices},
-                     {"volume", volume},
-                     {"area", area},
-                     {"bounds", ranges_of(bounds)},
-                     {"notes", notes}},
-                    0};
-    if (named) outcome.json["parts"] = std::move(list);
+    outcome.line = fmt::format("{}: mesh, {}{} triangles, {} vertices, volume {:.6g} mm3", file_,
+                               parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", triangles, vertices, volume);
+    outcome.json.update(mesh_json(triangles, vertices, volume, area, bounds));
+    outcome.json["notes"] = notes;
+    if (parts.size() > 1 || !parts.front().name.empty() || parts.front().colour)
+      outcome.line += lines, outcome.json["parts"] = std::move(list);
     return outcome;
   }
-  static std::string text_of(const Box& box) {
-    return fmt::format(" x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}", box.lower.x(), box.upper.x(), box.lower.y(),
-                       box.upper.y(), box.lower.z(), box.upper.z());
-  }
-  static std::string text_of(Colour colour) { return fieldfab::text_of(colour); }
-  static nlohmann::ordered_json ranges_of(const Box& box) {
+  static nlohmann::ordered_json mesh_json(std::size_t triangles, std::size_t vertices, double volume, double area,
+                                          const Box& bounds) {
     auto ranges = nlohmann::ordered_json::array();
-    for (int axis = 0; axis < 3; ++axis) ranges.push_back({box.lower[axis], box.upper[axis]});
-    return ranges;
+    for (int axis = 0; axis < 3; ++axis) ranges.push_back({bounds.lower[axis], bounds.upper[axis]});
+    return {{"triangles", triangles}, {"vertices", vertices}, {"volume", volume}, {"area", area}, {"bounds", ranges}};
   }
   Outcome image_info() const {
     const Image image = read_png(file_);

@@ -99,13 +99,17 @@ class MeshField final : public Field {
   }
 
   /// No value differs from that in the middle by more than the way there; but at a hole's virtual lid it changes its sign.
+  /// Beyond the bounds of a closed mesh each value is at least the way to them, however long the box is.
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
+    const Vec3 apart = (box.lower - bounds_.upper).cwiseMax(bounds_.lower - box.upper).cwiseMax(0);
+    const float beyond = inside_.closed() ? static_cast<float>(apart.norm() * (1 - 1e-6)) : 0;
     if (!box.lower.allFinite() || !box.upper.allFinite())
-      return {-static_cast<float>(bounds_.diagonal()), std::numeric_limits<float>::infinity(), true};
+      return {beyond > 0 ? beyond : -static_cast<float>(bounds_.diagonal()), std::numeric_limits<float>::infinity(), true};
     const Vec3 centre = box.centre();
     const double away = std::abs(look(centre).distance);
     const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
     const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
+    if (beyond > 0) return {std::max(least, beyond), most, false};
     if (!(least > 0)) return {-most, most, false};
     if (!inside_.same_within(centre, reach)) return {-most, most, false};
     return inside_.at(centre) ? Interval{-most, -least, false} : Interval{least, most, false};

@@ -214,6 +214,9 @@ void write_obj_with_materials(std::span<const PartView> parts, const std::filesy
   PendingFile materials(beside), file(path);
   write_mtl(parts, materials);
   write_obj(parts, file, name, progress);
+  // Rewriting writes out what is buffered: a full disk is told before either file is replaced.
+  materials.rewrite(0, "#", 1);
+  file.rewrite(0, "#", 1);
   materials.commit();
   try {
     file.commit();
