@@ -531,7 +531,7 @@ class InfixParser {
         source_.fail(tokens_[given[2]->token].at, error.what());
       }
     }
-    const Named value{{part.shape, true}, true, given[0]->value.unknown};
+    Named value{{part.shape, true}, true, given[0]->value.unknown};
     if (trial_) return value;
     for (const TextPart& other : parts_)
       if (other.name == part.name) source_.fail(at, fmt::format("two parts are called '{:.60}'", part.name));
