@@ -1,7 +1,6 @@
 """Runs the command with calls that fail, full disks and losses of power (faults.cpp)."""
 
 import os
-import pathlib
 import shutil
 import subprocess
 
@@ -33,9 +32,9 @@ def files_of(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
-def lose_power(journal):
+def lose_power(journal, folder):
     """Does to files what a loss of power may do: renames whose folder was not synced are undone, and of files only what was synced is
-    left. `journal` is the folder that faults.cpp kept."""
+    left. `journal` is the folder that faults.cpp kept, `folder` the one that the program ran in."""
     synced, renames = {}, []
     for line in (journal / "journal").read_text().splitlines() if (journal / "journal").exists() else []:
         kind, *words = line.split("\t")
@@ -44,7 +43,7 @@ def lose_power(journal):
         elif kind == "folder":
             renames = [entry for entry in renames if entry[3] != int(words[0])]
         else:
-            renames.append((pathlib.Path(words[0]), pathlib.Path(words[1]), words[2], int(words[3])))
+            renames.append((folder / words[0], folder / words[1], words[2], int(words[3])))
     for old, new, kept, _ in reversed(renames):
         if new.exists():
             new.rename(old)

@@ -117,7 +117,7 @@ def test_a_loss_of_power_leaves_the_old_file_or_the_new_one(name, folder, tmp_pa
         before = faults.files_of(folder)
         done = faults.run(words.replace("OUT", out).split(), folder, call="any", at=moment, kill=1, journal=journal)
         assert done.returncode == (-9 if moment <= total else 0), (moment, done.returncode, done.stderr)
-        faults.cut_to_synced(folder, faults.lose_power(journal), before)
+        faults.cut_to_synced(folder, faults.lose_power(journal, folder), before)
         data = (folder / out).read_bytes()
         assert data == OLD or good(name, data, new), (moment, len(data))
         assert moment <= total or data != OLD, "a success is on the disk"
@@ -156,7 +156,7 @@ def test_a_loss_of_power_leaves_an_import_in_parts_whole(folder, tmp_path):
         (folder / "made.asdf").write_bytes(OLD)
         before = faults.files_of(folder)
         assert faults.run(**python, at=moment, kill=1, journal=journal).returncode == (-9 if moment <= total else 0)
-        faults.cut_to_synced(folder, faults.lose_power(journal), before)
+        faults.cut_to_synced(folder, faults.lose_power(journal, folder), before)
         now = faults.files_of(folder)
         assert now["made.asdf"] in ((OLD, new["made.asdf"]) if moment <= total else (new["made.asdf"],)), moment
         assert all(now[name] == new[name] for name in ("0.part", "1.part") if name in now), moment
@@ -192,7 +192,7 @@ def test_a_loss_of_power_leaves_no_mesh_under_another_ones_note(tmp_path):
         journal.mkdir()
         before = faults.files_of(folder)
         refresh(12, call="any", at=moment, kill=1, journal=journal)
-        faults.cut_to_synced(folder, faults.lose_power(journal), before)
+        faults.cut_to_synced(folder, faults.lose_power(journal, folder), before)
         assert refresh(10).returncode == 0
         now = faults.files_of(cache)
         assert {path: len(now[path]) for path in first} == {path: len(data) for path, data in first.items()}, moment
