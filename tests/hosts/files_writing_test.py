@@ -456,11 +456,16 @@ def interrupted(words, folder, seconds, number=signal.SIGINT):
     """How the command ended, and how long it took to, after a signal."""
     temporary = folder.parent / "tmp"
     temporary.mkdir(exist_ok=True)
-    process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "TMPDIR": str(temporary)})
-    time.sleep(seconds)
-    process.send_signal(number)
-    started = time.monotonic()
-    _, message = process.communicate(timeout=60)
+    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]  # noqa: E731: nohup leaves one ignored
+    process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=taken,
+                               env={**os.environ, "TMPDIR": str(temporary)})
+    try:
+        time.sleep(seconds)
+        process.send_signal(number)
+        started = time.monotonic()
+        _, message = process.communicate(timeout=60)
+    finally:
+        process.kill()
     assert list(temporary.iterdir()) == []
     return process.returncode, time.monotonic() - started, message
 

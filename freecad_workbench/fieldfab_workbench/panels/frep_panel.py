@@ -45,14 +45,22 @@ class FrepPanel(EditPanel):
     # Numbers.
     def _resolution(self):
         numbers = QtWidgets.QFormLayout()
-        cells = preferences.cells() or round(kernel.load().default_cells)
-        self.voxel = self._length(self.obj.VoxelSize.Value, tr("1/{cells} of the longest side").format(cells=cells))
+        self.voxel = self._length(self.obj.VoxelSize.Value, self._default_cell())
         self.max_error = self._length(self.obj.MaxError.Value, tr("a tenth of the smallest cell"))
         numbers.addRow(tr("Smallest cell"), self.voxel)
         numbers.addRow(tr("Largest error"), self.max_error)
         for box in (self.voxel, self.max_error):
             box.valueChanged.connect(lambda value: self._show())
         return numbers
+
+    @staticmethod
+    def _default_cell():
+        """In words; the kernel, which may be missing, has the number where the preferences have none."""
+        try:
+            cells = preferences.cells() or round(kernel.load().default_cells)
+        except ImportError:
+            return tr("Automatic")
+        return tr("1/{cells} of the longest side").format(cells=cells)
 
     @staticmethod
     def _length(value, zero):
