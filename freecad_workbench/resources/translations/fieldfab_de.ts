@@ -2135,6 +2135,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{name} aus dem Text: auch eine Eigenschaft des Objekts</translation>
     </message>
     <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
         <source>1/{cells} of the longest side</source>
         <translation>1/{cells} der längsten Seite</translation>
     </message>
@@ -2409,10 +2413,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Samples along x, y, z</source>
         <translation>Messpunkte in x, y, z</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
     </message>
     <message>
         <source>Below it</source>
