@@ -48,7 +48,7 @@ def screen():
     server.wait()
 
 
-def run_inside(home, file, screen=None, timeout=600, **more):
+def run_inside(home, file, screen=None, timeout=900, **more):
     """Runs a pytest file inside FreeCAD, in its window where there is a screen; asserts that at least one test ran and all passed.
     FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a folder for screenshots."""
     where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}

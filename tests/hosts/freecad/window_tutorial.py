@@ -243,7 +243,7 @@ def test_the_tutorial(desk, tmp_path):
     [lean] = desk.field("Lean").findChildren(QtWidgets.QCheckBox)
     lean.click()
     desk.click("Plan")
-    wait(lambda: panel.task is None, 240, "the plan")
+    wait(lambda: panel.task is None, 600, "the plan")
     program = panel.program()
     assert program is not None and program.Seconds > 600, panel.message.text()
     bust.ViewObject.Visibility = False
@@ -261,7 +261,7 @@ def test_the_tutorial(desk, tmp_path):
     desk.fill(values)
     program.ViewObject.Visibility = bust.ViewObject.Visibility = False
     desk.click("Simulate")
-    wait(lambda: panel.task is None and panel.run is not None and panel.playback.player.idle and panel.playback.shown > 0, 240, "the simulation")
+    wait(lambda: panel.task is None and panel.run is not None and panel.playback.player.idle and panel.playback.shown > 0, 600, "the simulation")
     playback = panel.playback
     desk.tick("Tool")
     desk.tick("Shank and holder")
