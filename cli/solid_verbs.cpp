@@ -82,10 +82,10 @@ class BuildVerb final : public Verb {
     const auto bytes = std::filesystem::file_size(options_.output);
     return {
         fmt::format(
-            "{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} MB, {:.2f} s",
+            "{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} MB, {}, {:.2f} s",
             options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
             lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs, static_cast<double>(bytes) / 1e6,
-            clock.seconds()),
+            Certainty{}.text(), clock.seconds()),
         {{"output", options_.output},
          {"samples", lattice.size},
          {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
@@ -94,6 +94,7 @@ class BuildVerb final : public Verb {
          {"leafs", counts.leafs},
          {"blocks", counts.blocks},
          {"bytes", bytes},
+         {"certain", true},  // its cells are those between the samples
          {"seconds", clock.seconds()}},
         0};
   }

@@ -14,13 +14,29 @@
 #include "sharpen.h"
 
 namespace fieldfab {
+namespace {
+
+/// The samples of a scan, and what lies evenly between them, as far as cells of `voxel` ask for it: then no cell sees less than
+/// the samples tell. Nothing where the cells are larger than their distances.
+std::optional<Sampling> samples_for_cells(const Field& field, double voxel) {
+  constexpr double alike = 0.01;  // cells this near to the samples' shortest distance are the samples' own, along each axis
+  std::optional<Sampling> samples = field.sampling();
+  if (!samples || !(voxel > 0) || voxel > (1 + alike) * samples->spacing.minCoeff()) return std::nullopt;
+  if (voxel < (1 - alike) * samples->spacing.minCoeff())
+    samples->spacing = (samples->spacing.array() / (samples->spacing.array() / voxel - 1e-6).ceil()).matrix();
+  return samples;
+}
+
+}  // namespace
 
 ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& wanted, Progress& progress) {
   using namespace contouring;
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
-  if (field.sampled()) settings.depth = 0;  // nothing is known of a scan but its samples: noise is not to be looked into
+  const std::optional<Sampling> samples = samples_for_cells(field, settings.voxel);
+  // Nothing is known of a scan but its samples: noise that falls between larger cells is not to be looked into.
+  if (field.sampled() && !samples) settings.depth = 0;
   // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
   constexpr double steep = 8;
   const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
@@ -29,7 +45,10 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   std::optional<Octree> cells;
   int depth = std::clamp(settings.depth, 0, 6);
   for (;; --depth) {
-    halved.emplace(bounds, settings.voxel, depth);
+    if (samples)
+      halved.emplace(bounds, *samples, depth);
+    else
+      halved.emplace(bounds, settings.voxel, depth);
     cells.emplace(*solid, *halved, settings, progress);
     if (!cells->wants_half_voxel() && !cells->too_deep()) break;
     if (cells->wants_half_voxel()) settings.voxel /= 2;

@@ -177,7 +177,7 @@ class CurveTracer {
   }
   /// How often a finest cell was doubled for an edge.
   [[nodiscard]] int edge_level(const Box& edge, int axis) const {
-    return static_cast<int>(std::lround(std::log2((edge.upper[axis] - edge.lower[axis]) / lattice_.side(0))));
+    return static_cast<int>(std::lround(std::log2((edge.upper[axis] - edge.lower[axis]) / lattice_.side(0, axis))));
   }
 
   /// Brings the points of each face together: a counting sort by the lower leaf, then the few of one leaf among themselves.

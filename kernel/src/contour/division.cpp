@@ -57,18 +57,25 @@ void BlockRefiner::advance() {
       const Division& division = divisions_[number];
       const std::uint8_t corners = division.corners(child);
       if (here[child].range.decided() || here[child].field->affine()) continue;
-      if (here[child].field->smooth()) {
+      const Field& part = *here[child].field;
+      const Box exact = lattice_.cube(child_of(cell.lower, child, level), level);
+      const bool ambiguous = !is_uniform(corners) && !is_simple(corners);
+      if (part.smooth() && part.trilinear(exact)) {
+        if (ambiguous) parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), true});
+        continue;
+      }
+      if (part.smooth() && !part.sampling()) {
         given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
         continue;
       }
       normals.clear();
       for (const Crossing& crossing : division.crossings)
         if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
-      const SurfaceProof proof = prove_sheet(*here[child].field, boxes[child], normals, side, halvings);
+      const SurfaceProof proof = prove_sheet(part, boxes[child], normals, side, halvings);
       if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
-      const SurfaceProof closer = prove_sheet_by_parts(*here[child].field, boxes[child], normals, halvings, 0);
+      const SurfaceProof closer = prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
-      const bool folded = closer.folded || !(is_uniform(corners) || is_simple(corners));
+      const bool folded = closer.folded || ambiguous;
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
     }
     cell.field.reset();

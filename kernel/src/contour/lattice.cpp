@@ -16,31 +16,45 @@ const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
 constexpr int greatest_level = 20;     // of the root, in voxels
 constexpr double floats_across = 256;  // the least number of floats across a cell
 
-}  // namespace
-
-Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(voxel) {
+void check(const Box& bounds, double voxel) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
   if (!std::isfinite(voxel) || voxel <= 0) throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
+}
 
+}  // namespace
+
+Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(Vec3::Constant(voxel)) {
+  check(bounds, voxel);
   origin_ = bounds.lower - voxel * (Vec3::Ones() + shift);
-  const double cells = bounds.size().maxCoeff() / voxel + 3;
+  set_levels(bounds, depth);
+}
+
+Lattice::Lattice(const Box& bounds, const Sampling& samples, int depth) : voxel_(samples.spacing), follows_samples_(true) {
+  check(bounds, voxel_.minCoeff());
+  const Eigen::Array3d first = ((bounds.lower - samples.origin).array() / voxel_.array()).floor() - 1;
+  origin_ = samples.origin + (first * voxel_.array()).matrix();
+  set_levels(bounds, depth);
+}
+
+void Lattice::set_levels(const Box& bounds, int depth) {
+  const double shortest = voxel_.minCoeff(), cells = (bounds.size().array() / voxel_.array()).maxCoeff() + 4;
   int root = block_level;  // of voxels
   while (root <= greatest_level && cells > std::ldexp(1.0, root)) ++root;
   if (root > greatest_level)
     throw Error(ErrorKind::too_large, "voxel",
-                fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", voxel, cells,
+                fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", shortest, cells,
                             1 << greatest_level));
 
   const double farthest =
-      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + Vec3::Constant(std::ldexp(voxel, root))).cwiseAbs().maxCoeff());
+      std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + std::ldexp(1.0, root) * voxel_).cwiseAbs().maxCoeff());
   float_step_ = std::ldexp(farthest, -23);
-  if (voxel < floats_across * float_step_ || farthest > 1e30)
+  if (shortest < floats_across * float_step_ || farthest > 1e30)
     throw Error(ErrorKind::bad_input, "voxel",
-                fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", voxel, farthest));
+                fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", shortest, farthest));
   voxel_level_ = 0;
-  while (voxel_level_ < depth && std::ldexp(voxel, -voxel_level_ - 1) >= floats_across * float_step_) ++voxel_level_;
-  finest_ = std::ldexp(voxel, -voxel_level_);
+  while (voxel_level_ < depth && std::ldexp(shortest, -voxel_level_ - 1) >= floats_across * float_step_) ++voxel_level_;
+  finest_ = std::ldexp(1.0, -voxel_level_) * voxel_;
   root_level_ = root + voxel_level_;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "fieldfab/core/geometry.h"
+#include "fieldfab/field/field.h"
 
 namespace fieldfab::contouring {
 
@@ -20,7 +21,7 @@ inline constexpr int block_side = 1 << block_level;
 inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) { return {point[0] + x, point[1] + y, point[2] + z}; }
 
 /// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside. Cells are a voxel
-/// wide; where that is not enough they are halved, up to the finest.
+/// wide; where that is not enough they are halved, up to the finest. Voxels are cubes, or parts of the cells between samples.
 ///
 /// Because planes are floats, a vertex that is rounded to floats stays on its edge, in its face or in its cell: the guarantees
 /// of contour() hold for the coordinates that are written, not only for those that were computed.
@@ -29,9 +30,11 @@ class Lattice {
   /// A voxel may be halved `depth` times, fewer where coordinates have too few floats for that. Throws bad_input where bounds or
   /// voxel are not finite and positive, or a voxel would have too few floats across it.
   Lattice(const Box& bounds, double voxel, int depth);
+  /// Cells of that size, and planes through all those of `samples` that are multiples of it away from its origin.
+  Lattice(const Box& bounds, const Sampling& samples, int depth);
 
   /// The plane of that index across `axis`, mm.
-  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + finest_ * index); }
+  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + finest_[axis] * index); }
   [[nodiscard]] Box cube(const LatticePoint& lower, int level) const;
   /// The cube of that level, counted in such cubes from `first`.
   [[nodiscard]] Box plane_range(const LatticePoint& first, int level, const std::array<std::uint8_t, 3>& cells) const {
@@ -39,20 +42,28 @@ class Lattice {
   }
   /// Level of the cube that holds everything.
   [[nodiscard]] int root_level() const { return root_level_; }
-  [[nodiscard]] double voxel() const { return voxel_; }
+  /// Whether its planes are those of a scan's samples.
+  [[nodiscard]] bool follows_samples() const { return follows_samples_; }
+  /// Shortest edge of a voxel, mm.
+  [[nodiscard]] double voxel() const { return voxel_.minCoeff(); }
   /// Level of a cell that is a voxel wide; level 0 is the finest.
   [[nodiscard]] int voxel_level() const { return voxel_level_; }
-  /// Edge of a cube of that level, mm, but for rounding.
-  [[nodiscard]] double side(int level) const { return std::ldexp(finest_, level); }
+  /// Shortest and longest edge of a cube of that level, and the one along an axis, mm, but for rounding.
+  [[nodiscard]] double side(int level) const { return std::ldexp(finest_.minCoeff(), level); }
+  [[nodiscard]] double longest_side(int level) const { return std::ldexp(finest_.maxCoeff(), level); }
+  [[nodiscard]] double side(int level, int axis) const { return std::ldexp(finest_[axis], level); }
   /// How far a vertex keeps from the ends of its edge, the rim of its face, the faces of its cell, of that level, mm.
   [[nodiscard]] double margin(int level) const { return std::max(std::ldexp(side(level), -11), 8 * float_step_); }
   /// The step between neighbouring floats at the lattice's farthest coordinate, mm: nothing can be located more finely.
   [[nodiscard]] double float_step() const { return float_step_; }
 
  private:
+  void set_levels(const Box& bounds, int depth);
+
   Vec3 origin_;
-  double voxel_, finest_;
+  Vec3 voxel_, finest_;
   double float_step_;
+  bool follows_samples_ = false;
   int voxel_level_;
   int root_level_;
 };

@@ -119,7 +119,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
       progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
   });
   certainty_.doubt = known ? Doubt::finest_size : Doubt::slopes_unknown;
-  wants_half_voxel_ = known && half_voxel_pays(folded, crossed, open.size(), settings);
+  wants_half_voxel_ = known && !lattice_.follows_samples() && half_voxel_pays(folded, crossed, open.size(), settings);
   if (wants_half_voxel_) return;
   refine(open, settings, crossed, progress, refiners);
   if (too_deep_) return;
@@ -186,14 +186,14 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
     for (const UnclearCell& cell : cells)
       uncertain_.push_back({{cell.lower[0] >> level, cell.lower[1] >> level, cell.lower[2] >> level},
                             lattice_.cube(cell.lower, cell.level),
-                            lattice_.side(cell.level)});
+                            lattice_.longest_side(cell.level)});
   };
   for (const std::size_t i : active) {
     add(refiners[i]->unclear());
     add(refiners[i]->given_up());
   }
   certainty_.gather(uncertain_);
-  certainty_.finest = lattice_.side(finest);
+  certainty_.finest = lattice_.longest_side(finest);
   if (certainty_.doubt == Doubt::finest_size && finest > 0) certainty_.doubt = Doubt::not_proved;
   if (settings.depth == 0) certainty_.doubt = Doubt::not_looked;
   if (finest == lattice_.voxel_level()) return;

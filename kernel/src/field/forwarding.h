@@ -25,6 +25,8 @@ class Forwarding : public Field {
   [[nodiscard]] Framed framed(Purpose purpose) const override { return field_->framed(purpose); }
   [[nodiscard]] bool affine() const noexcept override { return field_->affine(); }
   [[nodiscard]] bool sampled() const noexcept override { return field_->sampled(); }
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return field_->sampling(); }
+  [[nodiscard]] bool trilinear(const Box& box) const noexcept override { return field_->trilinear(box); }
   [[nodiscard]] bool smooth() const noexcept override { return field_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return field_->cost(); }
 

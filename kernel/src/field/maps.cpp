@@ -122,8 +122,21 @@ class Affine final : public Moved<AffineMap> {
     return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
   }
   [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
+  /// Moves, mirrors and scales along the axes keep a lattice; turns do not.
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
+    std::optional<Sampling> samples = a_->sampling();
+    if (!samples || !keeps_axes()) return std::nullopt;
+    const Eigen::Affine3d to_outer = map_.to_inner.inverse();
+    samples->origin = to_outer * samples->origin;
+    samples->spacing = (to_outer.linear() * samples->spacing).cwiseAbs();
+    return samples;
+  }
+  [[nodiscard]] bool trilinear(const Box& box) const noexcept override {
+    return a_->affine() || (keeps_axes() && a_->trilinear(map_.box(box)));
+  }
 
  private:
+  [[nodiscard]] bool keeps_axes() const { return map_.to_inner.linear().isDiagonal(1e-12); }
   [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<Affine>(std::move(other), map_); }
 };
 

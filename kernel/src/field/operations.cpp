@@ -240,6 +240,8 @@ class Linear final : public Field {
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return a_->sampling(); }
+  [[nodiscard]] bool trilinear(const Box& box) const noexcept override { return a_->trilinear(box); }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 

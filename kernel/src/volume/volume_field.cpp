@@ -77,6 +77,26 @@ class VolumeField final : public Field {
   [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
   [[nodiscard]] bool sampled() const noexcept override { return true; }
 
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
+    return Sampling{box_.lower, (box_.upper - box_.lower).array() / Eigen::Array3d(size_[0] - 1, size_[1] - 1, size_[2] - 1)};
+  }
+  /// In one cell between samples, and where the end of the samples does not matter.
+  [[nodiscard]] bool trilinear(const Box& box) const noexcept override {
+    constexpr double slack = 1e-3;  // of a cell: rounded coordinates may be looked up in the neighbour, which agrees on the border
+    std::array<int, 3> cell;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      const double lower = (box.lower[a] - box_.lower[a]) * per_mm_[axis], upper = (box.upper[a] - box_.lower[a]) * per_mm_[axis];
+      const double first = std::floor(lower + slack);
+      if (!(first >= 0 && first <= size_[axis] - 2 && upper < first + 1 + slack)) return false;
+      cell[axis] = static_cast<int>(first);
+    }
+    float total = 0;
+    for (int corner = 0; corner < 8; ++corner)
+      total += samples_[index(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2))];
+    return std::isfinite(total) && beyond_over(box).upper < interpolated_over(box).lower;
+  }
+
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     const Interval inside = interpolated_over(box), cap = beyond_over(box);
     return {std::max(inside.lower, cap.lower), std::max(inside.upper, cap.upper), false};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "fieldfab/core/geometry.h"
@@ -52,6 +53,11 @@ struct Framed {
   Vec3 origin;
 };
 
+/// Equally spaced sample points along x, y and z, mm: `origin` + whole multiples of `spacing`, which is positive.
+struct Sampling {
+  Vec3 origin, spacing;
+};
+
 /// A solid, as the sign and value of a function. Points with value < 0 are inside; 0, above and NaN are not.
 class Field : public std::enable_shared_from_this<Field> {
  public:
@@ -95,7 +101,14 @@ class Field : public std::enable_shared_from_this<Field> {
   /// Whether it is interpolated between samples: its creases then lie where cells meet, and tell nothing about the solid.
   [[nodiscard]] virtual bool sampled() const noexcept { return false; }
 
-  /// Whether that holds for what is left of it in a small box, or it is joined smoothly with what is sampled: edges there are
+  /// The samples between which the function is trilinear, where it has such along x, y and z.
+  [[nodiscard]] virtual std::optional<Sampling> sampling() const noexcept { return std::nullopt; }
+
+  /// Whether the function is trilinear in `box` (a + b x + c y + d z + e xy + f yz + g zx + h xyz), but for rounding. Its extremes
+  /// are then those at the box's corners.
+  [[nodiscard]] virtual bool trilinear(const Box& /*box*/) const noexcept { return affine(); }
+
+  /// Whether it is sampled() as far as it is left in a small box, or is joined smoothly with what is sampled: edges there are
   /// noise.
   [[nodiscard]] virtual bool smooth() const noexcept { return sampled(); }
 
