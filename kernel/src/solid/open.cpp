@@ -22,6 +22,7 @@ namespace fieldfab {
 struct OpenFiles {
   std::vector<std::filesystem::path> being_read;  ///< the outermost first
   std::map<std::string, frep::Expression> known;  ///< by path and options
+  std::map<std::string, Model> models;            ///< the same, all parts of a file
   std::vector<std::string> notes;
 };
 
@@ -51,6 +52,10 @@ std::string text_of(std::span<const frep::OpenOption> options) {
       text += fmt::format("\"{}\"", std::get<std::string>(option.value));
   }
   return text;
+}
+
+std::string key_of(const std::filesystem::path& path, std::span<const frep::OpenOption> options) {
+  return resolved(path).string() + "\n" + text_of(options);
 }
 
 /// Takes `part = "NAME"` out of options.
@@ -91,7 +96,7 @@ class FileOpener {
 
   frep::Expression operator()(const std::string& name, std::span<const frep::OpenOption> options) const {
     const std::filesystem::path path = folder_ / name;
-    const std::string key = resolved(path).string() + "\n" + text_of(options);
+    const std::string key = key_of(path, options);
     if (const auto known = settings_.files->known.find(key); known != settings_.files->known.end()) return known->second;
     const frep::Expression expression = open_solid(path, options, settings_, progress_).expression;
     settings_.files->known.emplace(key, expression);
@@ -150,8 +155,21 @@ Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOp
   if (const Format* const format = formats_of(settings).find(path)) check_options(inner.options, *format, path.string());
   inner.scripts = Scripts::refused;
   inner.region.reset();
-  Model model = open_model(path, inner, progress);
-  if (settings.files != nullptr) std::move(model.notes.begin(), model.notes.end(), std::back_inserter(settings.files->notes));
+  if (settings.files == nullptr) {
+    const Model model = open_model(path, inner, progress);
+    return part ? part_of(model, *part, path.string()) : united(model);
+  }
+  // Two parts of one file are two of one reading: the same solid is the same leaf, however it was asked for.
+  OpenFiles& files = *settings.files;
+  const std::string key = key_of(path, inner.options);
+  auto known = files.models.find(key);
+  if (known == files.models.end()) {
+    Model model = open_model(path, inner, progress);
+    std::move(model.notes.begin(), model.notes.end(), std::back_inserter(files.notes));
+    model.notes.clear();
+    known = files.models.emplace(key, std::move(model)).first;
+  }
+  const Model& model = known->second;
   return part ? part_of(model, *part, path.string()) : united(model);
 }
 
