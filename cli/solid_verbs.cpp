@@ -80,23 +80,22 @@ class BuildVerb final : public Verb {
         import_scan(scan, options_.output, {options_.max_error.value_or(-1), file_, wanted.memory}, progress);
     const SampleLattice& lattice = scan.volume->lattice();
     const auto bytes = std::filesystem::file_size(options_.output);
-    return {
-        fmt::format(
-            "{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} MB, {}, {:.2f} s",
-            options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
-            lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs, static_cast<double>(bytes) / 1e6,
-            Certainty{}.text(), clock.seconds()),
-        {{"output", options_.output},
-         {"samples", lattice.size},
-         {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
-         {"threshold", scan.surface.threshold},
-         {"cells", counts.cells},
-         {"leafs", counts.leafs},
-         {"blocks", counts.blocks},
-         {"bytes", bytes},
-         {"certain", true},  // its cells are those between the samples
-         {"seconds", clock.seconds()}},
-        0};
+    return {fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} "
+                        "MB, {}, {:.2f} s",
+                        options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(),
+                        lattice.spacing.y(), lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs,
+                        static_cast<double>(bytes) / 1e6, Certainty{}.text(), clock.seconds()),
+            {{"output", options_.output},
+             {"samples", lattice.size},
+             {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
+             {"threshold", scan.surface.threshold},
+             {"cells", counts.cells},
+             {"leafs", counts.leafs},
+             {"blocks", counts.blocks},
+             {"bytes", bytes},
+             {"certain", true},  // its cells are those between the samples
+             {"seconds", clock.seconds()}},
+            0};
   }
 
   ModelOptions options_;

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/field/surface_distance.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/solid/scan_solid.h"
 #include "fieldfab/volume/distances.h"
 
@@ -115,13 +115,14 @@ TEST(VolumeField, IsTrilinearBetweenSamplesAndEmptyOutside) {
       const Vec3 samples(uniform(random, 0, 6), uniform(random, 0, 4), uniform(random, 0, 5));
       const Vec3 p = lattice.origin + lattice.spacing.cwiseProduct(samples);
       const double wanted = (below ? -1 : 1) * (100 - trilinear(*volume, samples)) * 0.01;
-      const Box box = lattice.box();
+      const Box box = solid->known_bounds();
+      EXPECT_TRUE(box.contains(lattice.box().lower) && !box.contains(lattice.box().grown(0.002).lower));
       const double cap = std::max((box.lower - p).maxCoeff(), (p - box.upper).maxCoeff());
       EXPECT_NEAR(solid->value(p), std::max(wanted, cap), 2e-5);
     }
     for (int n = 0; n < 500; ++n) {
       Vec3 p(uniform(random, 8, 15), uniform(random, -5, 2), uniform(random, 0, 11));
-      EXPECT_TRUE(lattice.box().contains(p) || solid->value(p) > 0);
+      EXPECT_TRUE(solid->known_bounds().contains(p) || solid->value(p) > 0);
     }
   }
 }
@@ -258,15 +259,16 @@ TEST(SurfaceDistance, OfAScansOwnSurfaceIsSmallEverywhere) {
   std::vector<float> found(mesh.vertices.size());
   surface_distances(*solid, mesh.vertices, found);
   double squares = 0;
-  const Box inner = solid->known_bounds().grown(-1);  // slivers at the lattice's end are thinner than the cells
+  std::size_t count = 0;
+  const Box inner = solid->known_bounds().grown(-1);  // what ends at the lattice's end may be as thin as one likes
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3 p(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
+    if (!inner.contains(p)) continue;
     squares += found[i] * found[i];
-    if (inner.contains(p)) {
-      EXPECT_LT(std::abs(found[i]), 4 * cell) << p.transpose() << ": " << solid->value(p);
-    }
+    ++count;
+    EXPECT_LT(std::abs(found[i]), 4 * cell) << p.transpose() << ": " << solid->value(p);
   }
-  EXPECT_LT(std::sqrt(squares / static_cast<double>(found.size())), 0.1 * cell);
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(count)), 0.1 * cell);
 }
 
 TEST(SurfaceDistance, IsThatOfClosedForms) {

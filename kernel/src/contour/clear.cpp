@@ -112,8 +112,7 @@ class BlockInspector {
   }
 
   /// Between samples a cell shows all of the surface unless its corners can be read in two ways: a trilinear function is
-  /// nowhere less or greater than at the corners, and has one sheet where their signs make one patch. Where a scan ends, its
-  /// slopes are asked for.
+  /// nowhere less or greater than at the corners, and has one sheet where their signs make one patch.
   void inspect_samples(const Corner& at, int side, const Field& field) {
     for (int z = at[2]; z < at[2] + side; ++z)
       for (int y = at[1]; y < at[1] + side; ++y)
@@ -121,25 +120,13 @@ class BlockInspector {
           const Corner cell{x, y, z};
           if (!open_[Block::cell(x, y, z)]) continue;
           const Box box = lattice_.cube(point(cell), lattice_.voxel_level());
-          if (field.trilinear(box)) {
+          if (!field.corners_tell(box)) {
+            add(cell, nullptr, false);
+          } else {
             known_ = true;
             if (is_ambiguous(cell)) add(cell, field.shared_from_this(), true);
-          } else if (field.sampling()) {
-            inspect_end_of_samples(cell, field);
-          } else {
-            add(cell, nullptr, false);
           }
         }
-  }
-
-  void inspect_end_of_samples(const Corner& at, const Field& field) {
-    const Box box = cube(at, 1);
-    if (field.interval(box).decided()) return;
-    normals_.clear();
-    for (const SurfacePoint& seen : samples_.points)
-      if (box.contains(seen.position.cast<double>())) add_normal(seen, normals_);
-    const SurfaceProof proof = prove_sheet_by_parts(field, box, normals_, 0, 1);
-    if (!proof.one_sheet) add(at, field.shared_from_this(), proof.folded || is_ambiguous(at));
   }
 
   /// A Field that is the same in the parts of a cube (a mesh, a scan) is dear to ask, and tells little more of each: what is

@@ -16,14 +16,17 @@
 namespace fieldfab {
 namespace {
 
-/// The samples of a scan, and what lies evenly between them, as far as cells of `voxel` ask for it: then no cell sees less than
-/// the samples tell. Nothing where the cells are larger than their distances.
-std::optional<Sampling> samples_for_cells(const Field& field, double voxel) {
-  constexpr double alike = 0.01;  // cells this near to the samples' shortest distance are the samples' own, along each axis
+/// The cells between the samples of a scan, or what they are evenly divided into, as cells of `voxel` ask for it: no cell then
+/// sees less than the samples tell. Nothing where the voxel is larger than their distances. Cells of a scan alone are as long as
+/// its samples are apart along each axis, where the voxel is their shortest distance: there is nothing else in between.
+std::optional<Sampling> cells_between_samples(const Field& field, double voxel) {
+  constexpr double alike = 0.01;
   std::optional<Sampling> samples = field.sampling();
-  if (!samples || !(voxel > 0) || voxel > (1 + alike) * samples->spacing.minCoeff()) return std::nullopt;
-  if (voxel < (1 - alike) * samples->spacing.minCoeff())
-    samples->spacing = (samples->spacing.array() / (samples->spacing.array() / voxel - 1e-6).ceil()).matrix();
+  if (!samples || !(voxel > 0)) return std::nullopt;
+  const double shortest = samples->spacing.minCoeff();
+  if (voxel > (1 + alike) * shortest) return std::nullopt;
+  if (!field.sampled() || voxel < (1 - alike) * shortest)
+    samples->spacing = (samples->spacing.array() / (samples->spacing.array() / voxel * (1 - alike)).ceil()).matrix();
   return samples;
 }
 
@@ -34,12 +37,16 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   ContourSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
-  const std::optional<Sampling> samples = samples_for_cells(field, settings.voxel);
+  std::optional<Sampling> samples = cells_between_samples(field, settings.voxel);
   // Nothing is known of a scan but its samples: noise that falls between larger cells is not to be looked into.
   if (field.sampled() && !samples) settings.depth = 0;
   // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
   constexpr double steep = 8;
-  const FieldPtr solid = intersect(field.shared_from_this(), scaled_values(box_field(bounds), steep));
+  FieldPtr solid = field.shared_from_this();
+  const Box known = field.known_bounds();
+  const Box region = samples ? bounds.grown(0.5 * samples->spacing.minCoeff()) : bounds;
+  if (!samples || !region.contains(known.lower) || !region.contains(known.upper))
+    solid = intersect(solid, scaled_values(box_field(bounds), steep));
 
   std::optional<Lattice> halved;
   std::optional<Octree> cells;
@@ -51,7 +58,9 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
       halved.emplace(bounds, settings.voxel, depth);
     cells.emplace(*solid, *halved, settings, progress);
     if (!cells->wants_half_voxel() && !cells->too_deep()) break;
-    if (cells->wants_half_voxel()) settings.voxel /= 2;
+    if (!cells->wants_half_voxel()) continue;
+    settings.voxel /= 2;
+    if (samples) samples->spacing /= 2;
   }
   const Lattice& lattice = *halved;
   const Octree& octree = *cells;

@@ -60,11 +60,11 @@ void BlockRefiner::advance() {
       const Field& part = *here[child].field;
       const Box exact = lattice_.cube(child_of(cell.lower, child, level), level);
       const bool ambiguous = !is_uniform(corners) && !is_simple(corners);
-      if (part.smooth() && part.trilinear(exact)) {
+      if (part.smooth() && part.corners_tell(exact)) {
         if (ambiguous) parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), true});
         continue;
       }
-      if (part.smooth() && !part.sampling()) {
+      if (part.smooth()) {
         given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
         continue;
       }

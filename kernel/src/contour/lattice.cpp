@@ -30,7 +30,7 @@ Lattice::Lattice(const Box& bounds, double voxel, int depth) : voxel_(Vec3::Cons
   set_levels(bounds, depth);
 }
 
-Lattice::Lattice(const Box& bounds, const Sampling& samples, int depth) : voxel_(samples.spacing), follows_samples_(true) {
+Lattice::Lattice(const Box& bounds, const Sampling& samples, int depth) : voxel_(samples.spacing) {
   check(bounds, voxel_.minCoeff());
   const Eigen::Array3d first = ((bounds.lower - samples.origin).array() / voxel_.array()).floor() - 1;
   origin_ = samples.origin + (first * voxel_.array()).matrix();

@@ -34,7 +34,9 @@ class Lattice {
   Lattice(const Box& bounds, const Sampling& samples, int depth);
 
   /// The plane of that index across `axis`, mm.
-  [[nodiscard]] double plane(int axis, std::int32_t index) const { return static_cast<float>(origin_[axis] + finest_[axis] * index); }
+  [[nodiscard]] double plane(int axis, std::int32_t index) const {
+    return static_cast<float>(origin_[axis] + finest_[axis] * index);
+  }
   [[nodiscard]] Box cube(const LatticePoint& lower, int level) const;
   /// The cube of that level, counted in such cubes from `first`.
   [[nodiscard]] Box plane_range(const LatticePoint& first, int level, const std::array<std::uint8_t, 3>& cells) const {
@@ -42,8 +44,6 @@ class Lattice {
   }
   /// Level of the cube that holds everything.
   [[nodiscard]] int root_level() const { return root_level_; }
-  /// Whether its planes are those of a scan's samples.
-  [[nodiscard]] bool follows_samples() const { return follows_samples_; }
   /// Shortest edge of a voxel, mm.
   [[nodiscard]] double voxel() const { return voxel_.minCoeff(); }
   /// Level of a cell that is a voxel wide; level 0 is the finest.
@@ -63,7 +63,6 @@ class Lattice {
   Vec3 origin_;
   Vec3 voxel_, finest_;
   double float_step_;
-  bool follows_samples_ = false;
   int voxel_level_;
   int root_level_;
 };

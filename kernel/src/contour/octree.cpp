@@ -119,7 +119,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
       progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
   });
   certainty_.doubt = known ? Doubt::finest_size : Doubt::slopes_unknown;
-  wants_half_voxel_ = known && !lattice_.follows_samples() && half_voxel_pays(folded, crossed, open.size(), settings);
+  wants_half_voxel_ = known && half_voxel_pays(folded, crossed, open.size(), settings);
   if (wants_half_voxel_) return;
   refine(open, settings, crossed, progress, refiners);
   if (too_deep_) return;

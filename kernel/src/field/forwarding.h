@@ -26,7 +26,7 @@ class Forwarding : public Field {
   [[nodiscard]] bool affine() const noexcept override { return field_->affine(); }
   [[nodiscard]] bool sampled() const noexcept override { return field_->sampled(); }
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return field_->sampling(); }
-  [[nodiscard]] bool trilinear(const Box& box) const noexcept override { return field_->trilinear(box); }
+  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override { return field_->corners_tell(box); }
   [[nodiscard]] bool smooth() const noexcept override { return field_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return field_->cost(); }
 

@@ -131,8 +131,8 @@ class Affine final : public Moved<AffineMap> {
     samples->spacing = (to_outer.linear() * samples->spacing).cwiseAbs();
     return samples;
   }
-  [[nodiscard]] bool trilinear(const Box& box) const noexcept override {
-    return a_->affine() || (keeps_axes() && a_->trilinear(map_.box(box)));
+  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
+    return a_->affine() || (keeps_axes() && a_->corners_tell(map_.box(box)));
   }
 
  private:

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "chunk.h"
-#include "forwarding.h"
 #include "fieldfab/core/error.h"
+#include "forwarding.h"
 #include "interval_sums.h"
 
 namespace fieldfab {
@@ -181,6 +181,11 @@ class Combined final : public Field {
       out[i] = joined(std::move(out[i]), std::move(other[i]), inner == Purpose::occupancy);
   }
 
+  /// Of a scan among other solids: near its surface alone it is what is left.
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
+    const std::optional<Sampling> a = a_->sampling(), b = b_->sampling();
+    return !b ? a : !a ? b : std::nullopt;
+  }
   [[nodiscard]] bool smooth() const noexcept override { return Rule::joins_smoothly && (a_->smooth() || b_->smooth()); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + b_->cost() + 1; }
 
@@ -241,7 +246,7 @@ class Linear final : public Field {
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return a_->sampling(); }
-  [[nodiscard]] bool trilinear(const Box& box) const noexcept override { return a_->trilinear(box); }
+  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override { return shift_ == 0 && a_->corners_tell(box); }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 

@@ -48,7 +48,10 @@ class VolumeField final : public Field {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       per_mm_[axis] = static_cast<float>(1 / lattice.spacing[a]);
-      faces_[0][axis] = static_cast<float>(box_.lower[a]), faces_[1][axis] = static_cast<float>(box_.upper[a]);
+      // Just behind the outermost samples, so that these are in the solid or not as their densities are.
+      const double farthest = std::max(std::abs(box_.lower[a]), std::abs(box_.upper[a]));
+      const double behind = std::max(std::ldexp(lattice.spacing[a], -10), std::ldexp(farthest, -20));
+      faces_[0][axis] = static_cast<float>(box_.lower[a] - behind), faces_[1][axis] = static_cast<float>(box_.upper[a] + behind);
       blocks_[axis] = (size_[axis] - 1 + block - 1) / block;
     }
     find_extremes();
@@ -74,27 +77,30 @@ class VolumeField final : public Field {
       }
     }
   }
-  [[nodiscard]] Box known_bounds() const noexcept override { return box_; }
+  [[nodiscard]] Box known_bounds() const noexcept override {
+    Box bounds;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto a = static_cast<Eigen::Index>(axis);
+      bounds.lower[a] = faces_[0][axis], bounds.upper[a] = faces_[1][axis];
+    }
+    return bounds;
+  }
   [[nodiscard]] bool sampled() const noexcept override { return true; }
 
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
     return Sampling{box_.lower, (box_.upper - box_.lower).array() / Eigen::Array3d(size_[0] - 1, size_[1] - 1, size_[2] - 1)};
   }
-  /// In one cell between samples, and where the end of the samples does not matter.
-  [[nodiscard]] bool trilinear(const Box& box) const noexcept override {
-    constexpr double slack = 1e-3;  // of a cell: rounded coordinates may be looked up in the neighbour, which agrees on the border
-    std::array<int, 3> cell;
+  /// In one cell between samples. So it is in a cell beyond the outermost ones, since the solid ends just behind these: there it
+  /// is what it is on the border, as far as it goes.
+  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
+    constexpr double slack =
+        1e-3;  // of a cell: rounded coordinates may be looked up in the neighbour, which agrees on the border
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       const double lower = (box.lower[a] - box_.lower[a]) * per_mm_[axis], upper = (box.upper[a] - box_.lower[a]) * per_mm_[axis];
-      const double first = std::floor(lower + slack);
-      if (!(first >= 0 && first <= size_[axis] - 2 && upper < first + 1 + slack)) return false;
-      cell[axis] = static_cast<int>(first);
+      if (!(upper < std::floor(lower + slack) + 1 + slack)) return false;
     }
-    float total = 0;
-    for (int corner = 0; corner < 8; ++corner)
-      total += samples_[index(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2))];
-    return std::isfinite(total) && beyond_over(box).upper < interpolated_over(box).lower;
+    return true;
   }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
@@ -262,7 +268,7 @@ class VolumeField final : public Field {
   std::array<int, 3> size_;
   Box box_;
   std::array<float, 3> per_mm_{};
-  std::array<std::array<float, 3>, 2> faces_{};  // the outermost samples' planes: lower, upper
+  std::array<std::array<float, 3>, 2> faces_{};  // where the solid ends: lower, upper
   std::array<int, 3> blocks_{};
   std::vector<Extremes> extremes_;
 };

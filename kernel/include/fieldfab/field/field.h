@@ -75,8 +75,8 @@ class Field : public std::enable_shared_from_this<Field> {
 
   /// Bounds on how fast the value changes along each of `directions` in `box`: out[i] holds (f(p + t d) - f(p)) / t for any two
   /// points p and p + t d of the box, with t > 0 and d = directions[i], but for rounding. Stated for differences, not for
-  /// derivatives, so that it holds across creases. Interval::unknown() where nothing is known, as by default, where the value jumps
-  /// or may be NaN. Value per mm where d is a unit vector.
+  /// derivatives, so that it holds across creases. Interval::unknown() where nothing is known, as by default, where the value
+  /// jumps or may be NaN. Value per mm where d is a unit vector.
   virtual void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept;
 
   /// For each box the interval over it and a Field that gives the same answers at every point of it (see Purpose); outside of its
@@ -104,9 +104,9 @@ class Field : public std::enable_shared_from_this<Field> {
   /// The samples between which the function is trilinear, where it has such along x, y and z.
   [[nodiscard]] virtual std::optional<Sampling> sampling() const noexcept { return std::nullopt; }
 
-  /// Whether the function is trilinear in `box` (a + b x + c y + d z + e xy + f yz + g zx + h xyz), but for rounding. Its extremes
-  /// are then those at the box's corners.
-  [[nodiscard]] virtual bool trilinear(const Box& /*box*/) const noexcept { return affine(); }
+  /// Whether the signs in `box` are those of a function that is linear along x, y and z each (trilinear), but for rounding: all
+  /// are alike where those at the corners are.
+  [[nodiscard]] virtual bool corners_tell(const Box& /*box*/) const noexcept { return affine(); }
 
   /// Whether it is sampled() as far as it is left in a small box, or is joined smoothly with what is sampled: edges there are
   /// noise.
