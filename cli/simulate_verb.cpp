@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_picture.h"
-#include "fieldfab/cam/stock_report.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/html_report.h"
+#include "fieldfab/cam/simulate/picture.h"
+#include "fieldfab/cam/simulate/simulation.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"

@@ -2,10 +2,10 @@
 #include <numbers>
 
 #include "bindings.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/playback.h"
-#include "fieldfab/cam/stock.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/playback.h"
+#include "fieldfab/cam/stock/stock.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/mesh/triangle_mesh.h"

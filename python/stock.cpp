@@ -1,15 +1,15 @@
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 
 #include <array>
 #include <cstring>
 #include <numbers>
 
 #include "bindings.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/playback.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_picture.h"
-#include "fieldfab/cam/stock_report.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/html_report.h"
+#include "fieldfab/cam/simulate/picture.h"
+#include "fieldfab/cam/simulate/playback.h"
+#include "fieldfab/cam/simulate/simulation.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/openscad/design.h"
@@ -42,7 +42,7 @@ cam::Tool tool_of(const py::dict& given) {
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
     if (name == "shape")
-      tool.shape = value.cast<std::string>();
+      tool.shape = cam::tool_shape_named(value.cast<std::string>(), "shape");
     else if (name == "diameter")
       tool.diameter = value.cast<double>();
     else if (name == "corner_radius")

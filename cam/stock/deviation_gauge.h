@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/stock/deviation.h"
 #include "surface_pieces.h"
 
 namespace fieldfab::cam {

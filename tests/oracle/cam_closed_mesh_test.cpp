@@ -7,8 +7,8 @@
 #include <random>
 
 #include "closed.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/frep/frep_field.h"
@@ -48,7 +48,7 @@ struct Fine {
 Tool cutter(const std::string& shape) {
   Tool tool;
   tool.number = 1;
-  tool.shape = shape;
+  tool.shape = tool_shape_named(shape, "test");
   tool.diameter = 3;
   tool.flute = 20;
   tool.length = 30;

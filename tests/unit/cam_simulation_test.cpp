@@ -1,12 +1,12 @@
 // Simulation: what it remembers, against programs that end early.
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/simulate/simulation.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "fieldfab/cam/playback.h"
+#include "fieldfab/cam/simulate/playback.h"
 #include "fieldfab/core/file.h"
 
 namespace fieldfab::cam {
@@ -20,7 +20,7 @@ SimulationSetup setup() {
   for (const int number : {1, 2}) {
     Tool tool;
     tool.number = number;
-    tool.shape = number == 1 ? "flat" : "ball";
+    tool.shape = number == 1 ? ToolShape::flat : ToolShape::ball;
     tool.diameter = 3;
     tool.flute = 4;
     tool.length = 20;
