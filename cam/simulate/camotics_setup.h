@@ -1,7 +1,7 @@
 /// Projects of CAMotics as set-ups.
 #pragma once
 
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/setup.h"
 
 namespace fieldfab::cam {
 

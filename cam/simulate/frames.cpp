@@ -58,23 +58,22 @@ void add_turned(const std::vector<Vec2>& section, const ToolPose& pose, int part
 /// Draws one moment after the other.
 class Film {
  public:
-  Film(Simulation& simulation, const FrameSettings& settings)
-      : simulation_(simulation), playback_(*simulation.playback()), settings_(settings) {
+  Film(const SimulationResult& result, const FrameSettings& settings)
+      : result_(result), playhead_(result.playback()), settings_(settings) {
     view_.size = settings.size, view_.alpha = settings.alpha, view_.beta = settings.beta;
     view_.samples = 2;
     view_.window = window();
-    for (const auto& [number, tool] : simulation.setup().tools)
-      colour_of_.try_emplace(number, colour_of_tool(colour_of_.size() + 1));
+    for (const auto& [number, tool] : result.setup().tools) colour_of_.try_emplace(number, colour_of_tool(colour_of_.size() + 1));
   }
 
   Image frame(double seconds, Progress& progress) {
-    surface_.update(playback_.stock_after(playback_.done_after_seconds(seconds), progress), progress);
+    surface_.update(playhead_.stock_after(playhead_.playback().done_after_seconds(seconds), progress), progress);
     std::vector<std::uint32_t> cuts;
     TriangleMesh mesh = surface_.mesh(&cuts);
     std::vector<Colour> colours;
     colours.reserve(mesh.vertices.size());
     for (const std::uint32_t cut : cuts) {
-      const auto found = colour_of_.find(simulation_.tool_of(cut));
+      const auto found = colour_of_.find(result_.cuts()[cut].tool);
       colours.push_back(found == colour_of_.end() ? colour_of_tool(0) : found->second);
     }
     add_tool(seconds, mesh, colours);
@@ -86,7 +85,7 @@ class Film {
   [[nodiscard]] Box window() const {
     const Eigen::Matrix3d turn =
         (Eigen::AngleAxisd(settings_.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings_.alpha, Vec3::UnitZ())).matrix();
-    Box frame = image_of(simulation_.setup().stock_box, turn, Vec3::Zero());
+    Box frame = image_of(result_.setup().stock_box, turn, Vec3::Zero());
     const double room = 0.15 * frame.size().head<2>().maxCoeff();
     frame.upper.y() += room;
     return frame.grown(room);
@@ -94,11 +93,11 @@ class Film {
 
   /// The tool of a move that is going on.
   void add_tool(double seconds, TriangleMesh& mesh, std::vector<Colour>& colours) const {
-    const Playback::Moment moment = playback_.at(seconds);
+    const Playback::Moment moment = playhead_.playback().at(seconds);
     constexpr std::array<std::pair<ToolRole, Colour>, 3> looks{
         {{ToolRole::cutting, {196, 202, 210}}, {ToolRole::shank, {128, 134, 142}}, {ToolRole::holder, {74, 78, 86}}}};
     for (const auto& [role, colour] : looks) {
-      const TriangleMesh part = tool_mesh(playback_.tool(moment.move), role, moment.pose);
+      const TriangleMesh part = tool_mesh(playhead_.playback().tool(moment.move), role, moment.pose);
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
       for (const auto& t : part.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
@@ -106,8 +105,8 @@ class Film {
     }
   }
 
-  Simulation& simulation_;
-  Playback& playback_;
+  const SimulationResult& result_;
+  Playhead playhead_;
   FrameSettings settings_;
   RenderSettings view_;
   StockSurface surface_;
@@ -124,17 +123,17 @@ TriangleMesh tool_mesh(const ToolSolid& tool, ToolRole role, const ToolPose& pos
   return mesh;
 }
 
-void write_frames(Simulation& simulation, const std::filesystem::path& folder, const FrameSettings& settings,
+void write_frames(const SimulationResult& result, const std::filesystem::path& folder, const FrameSettings& settings,
                   Progress& progress) {
   if (settings.count < 1 || settings.count > 100'000 || settings.size < 16 || settings.size > 8192)
     throw Error(ErrorKind::bad_input, "frames", "1 to 100000 frames of 16 to 8192 pixels are wanted");
-  Playback* const playback = simulation.playback();
+  const Playback* const playback = result.playback().get();
   if (!playback || playback->moves() == 0) throw Error(ErrorKind::bad_input, "frames", "nothing moved that could be shown");
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw Error(ErrorKind::io, folder.string(), "cannot be made: " + failed.message());
   const double seconds = playback->move(playback->moves() - 1).seconds;
-  Film film(simulation, settings);
+  Film film(result, settings);
   for (int i = 1; i <= settings.count; ++i) {
     progress.report(static_cast<double>(i - 1) / settings.count, fmt::format("frame {} of {}", i, settings.count));
     write_png(film.frame(seconds * i / settings.count, progress), folder / fmt::format("frame_{:04d}.png", i));

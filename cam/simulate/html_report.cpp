@@ -78,13 +78,9 @@ std::string tool_text(const Tool& tool) {
 /// A page in the making, part by part.
 class HtmlReport {
  public:
-  HtmlReport(const Simulation& simulation, Progress& progress)
-      : simulation_(simulation),
-        report_(simulation.report()),
-        setup_(simulation.setup()),
-        program_(simulation.program()),
-        progress_(progress) {
-    const std::vector<std::size_t> marked = worst_events(simulation);
+  HtmlReport(const SimulationResult& result, Progress& progress)
+      : result_(result), report_(result.report()), setup_(result.setup()), program_(result.program()), progress_(progress) {
+    const std::vector<std::size_t> marked = worst_events(result);
     marked_.insert(marked.begin(), marked.end());
   }
 
@@ -113,7 +109,7 @@ class HtmlReport {
       for (const SimulationEvent& e : report_.events) ++counts[e.kind];
       std::vector<std::string> kinds;
       kinds.reserve(counts.size());
-      for (const auto& [kind, count] : counts) kinds.push_back(fmt::format("{} &times; {}", count, to_string(kind)));
+      for (const auto& [kind, count] : counts) kinds.push_back(fmt::format("{} &times; {}", count, name_of(kind)));
       out_ += fmt::format("<p class=\"verdict bad\">{} {} wrong: {}.", report_.events.size(),
                           report_.events.size() == 1 ? "thing is" : "things are", fmt::join(kinds, ", "));
     }
@@ -140,7 +136,7 @@ class HtmlReport {
     out_ += "<h2>What is left</h2>\n" + colours_text() + "<div class=\"views\">\n";
     std::vector<TrianglePicture> pictures;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      pictures.push_back(stock_picture(simulation_, views[i], progress_));
+      pictures.push_back(stock_picture(result_, views[i], progress_));
       add_picture(pictures.back().image, names[i]);
     }
     out_ += "</div>\n";
@@ -151,21 +147,21 @@ class HtmlReport {
   void add_close_ups(const std::array<StockPictureSettings, 4>& views, const std::vector<TrianglePicture>& pictures) {
     const double reach = std::max(setup_.stock_box.diagonal() / 16, 12 * setup_.sampling.cell);
     std::size_t made = 0;
-    for (const std::size_t i : worst_events(simulation_)) {
+    for (const std::size_t i : worst_events(result_)) {
       const SimulationEvent& event = report_.events[i];
       for (std::size_t v = 0; v < views.size() && made < 3; ++v) {
-        if (!shows_event(simulation_, pictures[v], event)) continue;
+        if (!shows_event(result_, pictures[v], event)) continue;
         // What stood at a contact's place may be gone by now, and nothing is there to be seen.
         Vec3 before = event.place;
         before -= pictures[v].turn.transpose() * Vec3(0, 0, reach / 2);
-        if (shows_event(simulation_, pictures[v], {event.kind, 0, 0, before, 0, ""})) continue;
+        if (shows_event(result_, pictures[v], {event.kind, 0, 0, before, 0, ""})) continue;
         const Vec3 at = pictures[v].turn * event.place;
         StockPictureSettings near = views[v];
         near.size = 440;
         near.window = Box{at, at}.grown(reach);
         if (made++ == 0) out_ += "<div class=\"views close\">\n";
-        add_picture(stock_picture(simulation_, near, progress_).image,
-                    fmt::format("{}: {}, {:.3g} mm wide", i + 1, to_string(event.kind), 2 * reach));
+        add_picture(stock_picture(result_, near, progress_).image,
+                    fmt::format("{}: {}, {:.3g} mm wide", i + 1, name_of(event.kind), 2 * reach));
         break;
       }
     }
@@ -174,9 +170,9 @@ class HtmlReport {
 
   [[nodiscard]] std::string colours_text() const {
     std::string text = "<p>";
-    switch (default_colouring(simulation_)) {
+    switch (default_colouring(result_)) {
       case StockColouring::deviation: {
-        const DeviationScale scale = DeviationScale::of(simulation_);
+        const DeviationScale scale = DeviationScale::of(result_);
         std::vector<Colour> colours(80);
         for (std::size_t i = 0; i < 80; ++i) colours[i] = scale.colour(scale.full * (static_cast<double>(i) + 0.5 - 40) / 40);
         text += fmt::format(
@@ -218,7 +214,7 @@ class HtmlReport {
           "<tr><td><span class=\"number{}\">{}</span></td><td>{}<div class=\"what\">{}</div></td><td class=\"n\">{}</td>"
           "<td><code>{}</code></td><td class=\"n\">{}</td><td class=\"place\">{:.3f}, {:.3f}, {:.3f}</td><td "
           "class=\"n\">{}</td></tr>\n",
-          marked_.contains(i) ? " marked" : "", i + 1, to_string(e.kind), html_text(e.message),
+          marked_.contains(i) ? " marked" : "", i + 1, name_of(e.kind), html_text(e.message),
           e.line > 0 ? fmt::format("{}", e.line) : "&ndash;", e.line > 0 ? html_text(lines[e.line]) : "",
           e.tool > 0 ? fmt::format("{}", e.tool) : "&ndash;", e.place.x(), e.place.y(), e.place.z(), amount_text(e));
     }
@@ -251,7 +247,7 @@ class HtmlReport {
       Sum& sum = sums[record.tool];
       sum.seconds += record.seconds, sum.cut += record.cut, sum.air += record.air, sum.removed += record.removed;
     }
-    const bool coloured = default_colouring(simulation_) == StockColouring::tool;
+    const bool coloured = default_colouring(result_) == StockColouring::tool;
     out_ +=
         "<h2>Tools</h2>\n<table>\n<tr><th>No.</th><th>Tool</th><th class=\"n\">Time</th><th class=\"n\">In material</th><th "
         "class=\"n\" colspan=\"2\">In air</th><th class=\"n\">Removed</th></tr>\n";
@@ -283,7 +279,7 @@ class HtmlReport {
     out_ +=
         "</table>\n<p>Shares of the surface, by how far they are off (the outermost bars: and beyond; dashed: what is "
         "allowed):</p>\n";
-    out_ += deviation_chart(simulation_, DeviationScale::of(simulation_));
+    out_ += deviation_chart(result_, DeviationScale::of(result_));
   }
 
   void add_notes() {
@@ -295,7 +291,7 @@ class HtmlReport {
     if (rows < report_.notes.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.notes.size() - rows);
   }
 
-  const Simulation& simulation_;
+  const SimulationResult& result_;
   const SimulationReport& report_;
   const SimulationSetup& setup_;
   const std::filesystem::path& program_;
@@ -306,8 +302,8 @@ class HtmlReport {
 
 }  // namespace
 
-void write_html_report(const Simulation& simulation, const std::filesystem::path& path, Progress& progress) {
-  write_file(path, HtmlReport(simulation, progress).page());
+void write_html_report(const SimulationResult& result, const std::filesystem::path& path, Progress& progress) {
+  write_file(path, HtmlReport(result, progress).page());
 }
 
 }  // namespace fieldfab::cam

@@ -49,18 +49,18 @@ double round_number_from(double value) {
 /// Rings about the places, each with its number beside it.
 class Marks {
  public:
-  Marks(const Simulation& simulation, TrianglePicture& picture)
-      : simulation_(simulation),
+  Marks(const SimulationResult& result, TrianglePicture& picture)
+      : result_(result),
         picture_(picture),
         image_(picture.image),
         radius_(std::max(12.0, std::max(image_.width, image_.height) / 64.0)) {}
 
   void draw() {
-    for (const std::size_t i : worst_events(simulation_)) {
-      const SimulationEvent& event = simulation_.report().events[i];
+    for (const std::size_t i : worst_events(result_)) {
+      const SimulationEvent& event = result_.report().events[i];
       const Vec3 at = picture_.on_picture(event.place);
       if (!(at.x() >= 0 && at.y() >= 0 && at.x() < image_.width && at.y() < image_.height)) continue;
-      draw(fmt::format("{}", i + 1), at.x(), image_.height - at.y(), shows_event(simulation_, picture_, event));
+      draw(fmt::format("{}", i + 1), at.x(), image_.height - at.y(), shows_event(result_, picture_, event));
     }
   }
 
@@ -109,7 +109,7 @@ class Marks {
     return best;
   }
 
-  const Simulation& simulation_;
+  const SimulationResult& result_;
   const TrianglePicture& picture_;
   Image& image_;
   double radius_;  ///< of the discs with the numbers, pixels
@@ -146,11 +146,11 @@ void add_legend(Image& image, const DeviationScale& scale) {
 
 /// The window in which what is left is seen, with a margin, as wide and high as asked for. Where nothing is left, the room where
 /// it stood.
-Box frame_of(const Simulation& simulation, const StockPictureSettings& settings) {
+Box frame_of(const SimulationResult& result, const StockPictureSettings& settings) {
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ())).matrix();
-  Box frame = image_of(simulation.setup().stock_box, turn, Vec3::Zero());
-  const auto& vertices = simulation.mesh().vertices;
+  Box frame = image_of(result.setup().stock_box, turn, Vec3::Zero());
+  const auto& vertices = result.surface().mesh.vertices;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vec3 p = turn * Vec3(vertices[i][0], vertices[i][1], vertices[i][2]);
     frame = i == 0 ? Box{p, p} : hull(frame, {p, p});
@@ -166,20 +166,20 @@ Box frame_of(const Simulation& simulation, const StockPictureSettings& settings)
 
 }  // namespace
 
-StockColouring default_colouring(const Simulation& simulation) {
-  if (simulation.report().deviation) return StockColouring::deviation;
-  const auto& tools = simulation.tools_of_vertices();
-  std::set<int> cutting(tools.begin(), tools.end());
+StockColouring default_colouring(const SimulationResult& result) {
+  if (result.report().deviation) return StockColouring::deviation;
+  std::set<int> cutting;
+  for (const std::uint32_t cut : result.surface().cuts) cutting.insert(result.cuts()[cut].tool);
   cutting.erase(0);
   return cutting.size() > 1 ? StockColouring::tool : StockColouring::line;
 }
 
-DeviationScale DeviationScale::of(const Simulation& simulation) {
-  const SimulationSetup& setup = simulation.setup();
+DeviationScale DeviationScale::of(const SimulationResult& result) {
+  const SimulationSetup& setup = result.setup();
   DeviationScale scale{setup.gouge, setup.excess > 0 ? setup.excess : setup.gouge, 1};
   const double tolerance = std::max({scale.gouge, scale.excess, 1e-3});
   double worst = 0;
-  if (const auto& deviation = simulation.report().deviation)
+  if (const auto& deviation = result.report().deviation)
     worst = deviation->deepest > scale.gouge ? deviation->deepest : deviation->highest;
   scale.full = round_number_from(std::clamp(worst, 4 * tolerance, 20 * tolerance));
   return scale;
@@ -200,39 +200,40 @@ Colour colour_of_tool(std::size_t place_in_set_up) {
 
 Colour colour_of_line(double share) { return along(violet_to_yellow, share); }
 
-std::vector<Colour> vertex_colours(const Simulation& simulation, StockColouring colouring) {
-  const std::vector<int>&lines = simulation.lines_of_vertices(), &tools = simulation.tools_of_vertices();
-  std::vector<Colour> colours(simulation.mesh().vertices.size(), first_surface);
+std::vector<Colour> vertex_colours(const SimulationResult& result, StockColouring colouring) {
+  const auto cut_of = [&](std::size_t vertex) { return result.cuts()[result.surface().cuts[vertex]]; };
+  std::vector<Colour> colours(result.surface().mesh.vertices.size(), first_surface);
   switch (colouring) {
     case StockColouring::deviation: {
-      const auto& deviation = simulation.report().deviation;
+      const auto& deviation = result.report().deviation;
       if (!deviation) throw Error(ErrorKind::bad_input, "colours", "there is no target to tell deviations from");
-      const DeviationScale scale = DeviationScale::of(simulation);
+      const DeviationScale scale = DeviationScale::of(result);
       for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = scale.colour(static_cast<double>(deviation->at_vertex[i]));
       break;
     }
     case StockColouring::tool: {
       std::map<int, Colour> of_tool{{0, colour_of_tool(0)}};
-      for (const auto& [number, tool] : simulation.setup().tools) of_tool.try_emplace(number, colour_of_tool(of_tool.size()));
-      for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of_tool[tools[i]];
+      for (const auto& [number, tool] : result.setup().tools) of_tool.try_emplace(number, colour_of_tool(of_tool.size()));
+      for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of_tool[cut_of(i).tool];
       break;
     }
     case StockColouring::line: {
       // By their order in time, evenly: programs that jump about are no different.
       std::map<int, double> order;
-      for (const LineRecord& record : simulation.report().lines)
+      for (const LineRecord& record : result.report().lines)
         if (record.removed > 0) order.try_emplace(record.line, static_cast<double>(order.size()));
       const double last = std::max(1.0, static_cast<double>(order.size()) - 1);
       for (std::size_t i = 0; i < colours.size(); ++i)
-        if (const auto found = order.find(lines[i]); found != order.end()) colours[i] = colour_of_line(found->second / last);
+        if (const auto found = order.find(cut_of(i).line); found != order.end())
+          colours[i] = colour_of_line(found->second / last);
       break;
     }
   }
   return colours;
 }
 
-std::vector<std::size_t> worst_events(const Simulation& simulation, std::size_t most) {
-  const auto& events = simulation.report().events;
+std::vector<std::size_t> worst_events(const SimulationResult& result, std::size_t most) {
+  const auto& events = result.report().events;
   std::map<SimulationEvent::Kind, std::vector<std::size_t>> of_kind;
   for (std::size_t i = 0; i < events.size(); ++i) of_kind[events[i].kind].push_back(i);
   std::size_t longest = 0;
@@ -240,7 +241,7 @@ std::vector<std::size_t> worst_events(const Simulation& simulation, std::size_t 
     std::stable_sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) { return events[a].amount > events[b].amount; });
     longest = std::max(longest, list.size());
   }
-  const double neighbourhood = simulation.setup().stock_box.diagonal() / 25;
+  const double neighbourhood = result.setup().stock_box.diagonal() / 25;
   std::vector<std::size_t> chosen;
   const auto near = [&](std::size_t i) {
     return std::any_of(chosen.begin(), chosen.end(),
@@ -252,31 +253,31 @@ std::vector<std::size_t> worst_events(const Simulation& simulation, std::size_t 
   return chosen;
 }
 
-TrianglePicture stock_picture(const Simulation& simulation, const StockPictureSettings& settings, Progress& progress) {
-  const StockColouring colouring = settings.colouring.value_or(default_colouring(simulation));
-  const std::vector<Colour> colours = vertex_colours(simulation, colouring);
+TrianglePicture stock_picture(const SimulationResult& result, const StockPictureSettings& settings, Progress& progress) {
+  const StockColouring colouring = settings.colouring.value_or(default_colouring(result));
+  const std::vector<Colour> colours = vertex_colours(result, colouring);
   RenderSettings view;
   view.size = settings.size, view.alpha = settings.alpha, view.beta = settings.beta, view.window = settings.window;
   view.samples = 2;
-  const TriangleMesh& mesh = simulation.mesh();
-  if (!view.window) view.window = frame_of(simulation, settings);
+  const TriangleMesh& mesh = result.surface().mesh;
+  if (!view.window) view.window = frame_of(result, settings);
   TrianglePicture picture = render({mesh.vertices, mesh.triangles, colours}, view, progress);
-  if (settings.marks) Marks(simulation, picture).draw();
+  if (settings.marks) Marks(result, picture).draw();
   return picture;
 }
 
-bool shows_event(const Simulation& simulation, const TrianglePicture& picture, const SimulationEvent& event) {
+bool shows_event(const SimulationResult& result, const TrianglePicture& picture, const SimulationEvent& event) {
   // Places of contacts are points of the lattice beside the surface, and pixels may be as wide as cells: that does not hide them.
   const double pixel = picture.image.bounds.size().x() / picture.image.width;
-  return picture.shows(event.place, 3 * std::max(simulation.stock().lattice().spacing().maxCoeff(), pixel));
+  return picture.shows(event.place, 3 * std::max(result.stock().lattice().spacing().maxCoeff(), pixel));
 }
 
-void write_stock_picture(const Simulation& simulation, const std::filesystem::path& path, const StockPictureSettings& settings,
+void write_stock_picture(const SimulationResult& result, const std::filesystem::path& path, const StockPictureSettings& settings,
                          Progress& progress) {
   if (path.extension() != ".png") throw Error(ErrorKind::bad_input, path.string(), "a picture of a stock is a .png");
-  Image image = stock_picture(simulation, settings, progress).image;
-  if (settings.colouring.value_or(default_colouring(simulation)) == StockColouring::deviation)
-    add_legend(image, DeviationScale::of(simulation));
+  Image image = stock_picture(result, settings, progress).image;
+  if (settings.colouring.value_or(default_colouring(result)) == StockColouring::deviation)
+    add_legend(image, DeviationScale::of(result));
   write_png(image, path);
 }
 

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 
+#include "fieldfab/cam/stock/cuts.h"
+
 namespace fieldfab::cam {
 
-void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t cut, bool removes,
+void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip, bool removes,
                  std::vector<Stroke>& strokes) {
   for (const ToolPiece& piece : tool.pieces)
-    if (piece.role == role) strokes.push_back({&piece, from, to, cut, removes});
+    if (piece.role == role) strokes.push_back({&piece, from, to, cut_number(tip, role), removes});
 }
 
-Playback::Playback(const Stock& stock, std::uint64_t most_bytes)
-    : copies_{{0, stock}}, most_bytes_(most_bytes), shown_{0, stock} {}
+Playback::Playback(const Stock& stock, std::uint64_t most_bytes) : copies_{{0, stock}}, most_bytes_(most_bytes) {}
 
 std::size_t Playback::done_after_seconds(double seconds) const {
   const auto later = [](double s, const Move& move) { return s < move.seconds; };
@@ -31,11 +32,11 @@ std::span<const ToolPose> Playback::poses(std::size_t index) const {
   return std::span(poses_).subspan(strokes.first_pose, strokes.poses);
 }
 
-void Playback::add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t cut,
+void Playback::add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t tip,
                    std::span<const ToolPose> poses) {
   if (tools_.empty() || tools_.back() != tool) tools_.push_back(tool);
   moves_.push_back(move);
-  strokes_.push_back({poses_.size(), poses.size(), static_cast<std::uint32_t>(tools_.size() - 1), cut});
+  strokes_.push_back({poses_.size(), poses.size(), static_cast<std::uint32_t>(tools_.size() - 1), tip});
   poses_.insert(poses_.end(), poses.begin(), poses.end());
 }
 
@@ -89,22 +90,26 @@ void Playback::add_removing(std::size_t index, std::span<const ToolPose> way, st
   for (std::size_t k = 0; k < way.size(); ++k) {
     if (k + 1 == way.size() && k > 0) break;
     const ToolPose &from = way[k], &to = way[std::min(k + 1, way.size() - 1)];
-    add_strokes(tool(index), ToolRole::cutting, from, to, strokes_[index].cut, true, strokes);
-    add_strokes(tool(index), ToolRole::shank, from, to, strokes_[index].cut + 1, true, strokes);
+    add_strokes(tool(index), ToolRole::cutting, from, to, strokes_[index].tip, true, strokes);
+    add_strokes(tool(index), ToolRole::shank, from, to, strokes_[index].tip, true, strokes);
   }
 }
 
-const Stock& Playback::stock_after(std::size_t moves, Progress& progress) {
-  moves = std::min(moves, moves_.size());
+const Playback::Copy& Playback::nearest(std::size_t moves) const {
   const auto later = [](std::size_t m, const Copy& copy) { return m < copy.moves; };
-  const Copy& nearest = *(std::upper_bound(copies_.begin(), copies_.end(), moves, later) - 1);
+  return *(std::upper_bound(copies_.begin(), copies_.end(), moves, later) - 1);
+}
+
+const Stock& Playhead::stock_after(std::size_t moves, Progress& progress) {
+  moves = std::min(moves, playback_->moves());
+  const Playback::Copy& nearest = playback_->nearest(moves);
   if (shown_.moves > moves || shown_.moves < nearest.moves) shown_ = nearest;
   constexpr std::size_t most_at_once = 4096;
   std::vector<Stroke> strokes;
   const std::size_t begin = shown_.moves;
   try {
     for (std::size_t i = begin; i < moves; ++i) {
-      add_removing(i, poses(i), strokes);
+      playback_->add_removing(i, playback_->poses(i), strokes);
       if (strokes.size() < most_at_once && i + 1 < moves) continue;
       shown_.stock.cut(strokes, progress);
       shown_.moves = i + 1;
@@ -118,17 +123,17 @@ const Stock& Playback::stock_after(std::size_t moves, Progress& progress) {
   return shown_.stock;
 }
 
-Stock Playback::stock_at(double seconds, Progress& progress) {
-  const std::size_t done = done_after_seconds(seconds);
+Stock Playhead::stock_at(double seconds, Progress& progress) {
+  const std::size_t done = playback_->done_after_seconds(seconds);
   Stock stock = stock_after(done, progress);
-  if (done >= moves_.size()) return stock;
-  const Moment moment = at(seconds);
-  const std::span<const ToolPose> whole = poses(moment.move);
+  if (done >= playback_->moves()) return stock;
+  const Playback::Moment moment = playback_->at(seconds);
+  const std::span<const ToolPose> whole = playback_->poses(moment.move);
   const auto passed = static_cast<std::ptrdiff_t>(moment.share * static_cast<double>(whole.size() - 1)) + 1;
   std::vector<ToolPose> way(whole.begin(), whole.begin() + passed);
   way.push_back(moment.pose);
   std::vector<Stroke> strokes;
-  add_removing(moment.move, way, strokes);
+  playback_->add_removing(moment.move, way, strokes);
   stock.cut(strokes, progress);
   return stock;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/setup.h"
 #include "machine/kinematics.h"
 
 namespace fieldfab::cam {

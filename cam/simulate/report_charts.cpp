@@ -41,9 +41,9 @@ double step_for(double most, int count) {
 }
 
 /// Shares of the surface's area: those below -full, then `bins` even steps up to full, and those above.
-std::vector<double> shares_of_area(const Simulation& simulation, double full, std::size_t bins) {
+std::vector<double> shares_of_area(const SimulationResult& result, double full, std::size_t bins) {
   const double beyond = full * (1 + 2 / static_cast<double>(bins));
-  std::vector<double> areas = simulation.report().deviation->areas.steps(-beyond, beyond, bins + 2);
+  std::vector<double> areas = result.report().deviation->areas.steps(-beyond, beyond, bins + 2);
   double all = 0;
   for (const double a : areas) all += a;
   for (double& a : areas) a /= std::max(all, 1e-300);
@@ -52,10 +52,10 @@ std::vector<double> shares_of_area(const Simulation& simulation, double full, st
 
 }  // namespace
 
-std::string deviation_chart(const Simulation& simulation, const DeviationScale& scale) {
+std::string deviation_chart(const SimulationResult& result, const DeviationScale& scale) {
   constexpr std::size_t bins = 60;
   constexpr double top = 10, bottom = 200, height = 240, decades = 5;  // from 0.001 % to 100 %
-  const std::vector<double> shares = shares_of_area(simulation, scale.full, bins);
+  const std::vector<double> shares = shares_of_area(result, scale.full, bins);
   const double wide = (width - left - right) / static_cast<double>(shares.size());
   const auto x_of = [&](double deviation) {
     return left + wide * (1 + (deviation + scale.full) / (2 * scale.full) * static_cast<double>(bins));

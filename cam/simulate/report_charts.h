@@ -8,7 +8,7 @@
 namespace fieldfab::cam {
 
 /// How much of the surface deviates how far, in the colours of the scale; shares of the area, logarithmic.
-std::string deviation_chart(const Simulation& simulation, const DeviationScale& scale);
+std::string deviation_chart(const SimulationResult& result, const DeviationScale& scale);
 
 /// What the program's lines remove, and how much of their feed goes through material and through air; red below them: where
 /// something is wrong.

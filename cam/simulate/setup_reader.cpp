@@ -9,7 +9,7 @@
 #include "camotics_setup.h"
 #include "fieldfab/cam/job/job.h"
 #include "fieldfab/cam/plan/planes.h"
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/setup.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"

@@ -12,21 +12,49 @@ namespace fieldfab::cam {
 
 using Kind = SimulationEvent::Kind;
 
-SimulationRun::SimulationRun(Simulation& simulation, std::string program, int lines, Progress& progress)
-    : s_(simulation),
-      setup_(simulation.setup_),
-      poses_(setup_, program),
-      program_(std::move(program)),
-      lines_(lines),
-      progress_(progress) {
+namespace {
+
+std::string tool_list(const std::map<int, Tool>& tools) {
+  std::vector<int> numbers;
+  numbers.reserve(tools.size());
+  for (const auto& [number, tool] : tools) numbers.push_back(number);
+  return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+}  // namespace
+
+SimulationRun::SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress)
+    : setup_(setup),
+      progress_(progress),
+      stock_(setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress)
+                         : Stock(setup.stock_box, setup.sampling)) {
+  if (setup.fixture) fixture_.emplace(*setup.fixture, setup.fixture_box, setup.sampling, progress);
+  if (options.remember) playback_ = std::make_shared<Playback>(stock_);
+}
+
+void SimulationRun::carry_out(const ProgramFile& program) {
+  program_ = &program;
+  poses_.emplace(setup_, program.path().string());
   at_ = setup_.start;
   placement_ = setup_.placement;
   // Without any word about tools, the only one there is.
-  if (setup_.tools.size() == 1) take(setup_.tools.begin()->second);
+  if (setup_.tools.size() == 1) mount(setup_.tools.begin()->second);
+  const std::vector<ReadingNote> notes = program.read(
+      setup_, [this](const Motion& motion) { take_motion(motion); }, progress_);
+  flush();
+  if (!spindle_turns_)
+    if (const int line = log_.forget(Kind::spindle_stopped); line > 0)
+      log_.note(line, "the spindle never turns while the program moves: it is taken as switched on by hand");
+  log_.add_first(notes);
 }
 
-void SimulationRun::operator()(const Motion& motion) {
-  ++s_.report_.moves;
+SimulationResult::Parts SimulationRun::take() && {
+  log_.move_to(report_);
+  return {{}, {}, std::move(stock_), std::move(cuts_), {}, std::move(playback_), std::move(report_)};
+}
+
+void SimulationRun::take_motion(const Motion& motion) {
+  ++report_.moves;
   spindle_turns_ = spindle_turns_ || motion.spindle != 0;
   if (motion.tool != tool_number_ && motion.tool != 0 && !by_hand_) change_tool(motion.tool, motion.line);
   switch (motion.kind) {
@@ -35,7 +63,7 @@ void SimulationRun::operator()(const Motion& motion) {
     case Motion::Kind::arc: move(motion); break;
     case Motion::Kind::dwell:
       record(motion.line).seconds += motion.seconds;
-      s_.report_.seconds += motion.seconds;
+      report_.seconds += motion.seconds;
       break;
     case Motion::Kind::stop: stop(motion); break;
     case Motion::Kind::tool_change:
@@ -43,7 +71,7 @@ void SimulationRun::operator()(const Motion& motion) {
   }
 }
 
-void SimulationRun::take(const Tool& tool) {
+void SimulationRun::mount(const Tool& tool) {
   flush();  // strokes point into the tool that was there
   const auto mounted = std::make_shared<Mounted>();
   mounted->tool = tool;
@@ -57,27 +85,9 @@ void SimulationRun::take(const Tool& tool) {
 void SimulationRun::change_tool(int number, int line) {
   const auto found = setup_.tools.find(number);
   if (found == setup_.tools.end())
-    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, line),
-                fmt::format("tool {} is not in the set-up, which has {}", number, tool_list()));
-  take(found->second);
-}
-
-std::string SimulationRun::tool_list() const {
-  std::vector<int> numbers;
-  for (const auto& [number, tool] : setup_.tools) numbers.push_back(number);
-  return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "));
-}
-
-void SimulationRun::finish() {
-  flush();
-  if (spindle_turns_) return;
-  std::vector<SimulationEvent>& events = s_.report_.events;
-  const auto of_spindle = [](const SimulationEvent& event) { return event.kind == Kind::spindle_stopped; };
-  const auto first = std::find_if(events.begin(), events.end(), of_spindle);
-  if (first == events.end()) return;
-  s_.report_.notes.push_back(
-      {first->line, "the spindle never turns while the program moves: it is taken as switched on by hand"});
-  std::erase_if(events, of_spindle);
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_->path().string(), line),
+                fmt::format("tool {} is not in the set-up, which has {}", number, tool_list(setup_.tools)));
+  mount(found->second);
 }
 
 void SimulationRun::stop(const Motion& motion) {
@@ -94,16 +104,16 @@ void SimulationRun::stop(const Motion& motion) {
 /// Takes the tool that a program begins with that names none.
 void SimulationRun::need_tool(const Motion& motion) {
   if (setup_.tools.empty())
-    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_->path().string(), motion.line),
                 "no tool is in the spindle; the set-up has none");
   const auto first = setup_.tools.find(setup_.first_tool);
   const Tool& tool = (first != setup_.tools.end() ? first : setup_.tools.begin())->second;
-  s_.report_.notes.push_back({motion.line, fmt::format("the program names no tool: number {} is taken", tool.number)});
-  take(tool);
+  log_.note(motion.line, fmt::format("the program names no tool: number {} is taken", tool.number));
+  mount(tool);
 }
 
 void SimulationRun::move(const Motion& motion) {
-  poses_.check(motion);
+  poses_->check(motion);
   const bool rapid = motion.kind == Motion::Kind::rapid;
   if (!mounted_ && setup_.first_tool == 0 && rapid) {
     at_ = motion.end;  // an empty spindle
@@ -111,51 +121,47 @@ void SimulationRun::move(const Motion& motion) {
   }
   if (!mounted_) need_tool(motion);
   const Tool& tool = mounted_->tool;
-  const double tolerance = s_.stock_.tolerance();
+  const double tolerance = stock_.tolerance();
   // The axes stand where they were, whatever the control now takes for the tool's length.
   AxisValues start = known_ ? at_ : motion.end;
   for (std::size_t a = 0; known_ && a < 3; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
     start.at[a] += offset_[i] - motion.tool_offset[i];
   }
-  const std::vector<AxisValues> stations = poses_.places(start, motion, tolerance);
+  const std::vector<AxisValues> stations = poses_->places(start, motion, tolerance);
   check_limits(motion, stations);
   const double lengthened = motion.tool_offset != Vec3::Zero() ? motion.tool_offset.z() - tool.length : 0;
   std::vector<ToolPose> way =
-      poses_.along(stations, motion.mode, lengthened, tool.length, placement_, mounted_->solid.length(), tolerance);
+      poses_->along(stations, motion.mode, lengthened, tool.length, placement_, mounted_->solid.length(), tolerance);
   if (!known_) way.erase(way.begin(), way.end() - 1);
   double length = 0;
   for (std::size_t i = 1; i < way.size(); ++i) length += (way[i].tip - way[i - 1].tip).norm();
   const double seconds = duration_of(motion, length);
   record(motion.line).seconds += seconds;
-  s_.report_.seconds += seconds;
-  if (rapid) s_.report_.rapid_seconds += seconds, s_.report_.rapid += length;
-  s_.line_of_cut_.push_back(motion.line);
-  s_.line_of_cut_.push_back(-motion.line);  // by the shank
-  s_.tool_of_cut_.resize(s_.line_of_cut_.size(), tool.number);
-  const auto cut = static_cast<std::uint32_t>(s_.line_of_cut_.size() - 2);
-  if (way.size() == 1 && !known_) add(way[0], way[0], motion, cut, 0);
-  for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, cut, (way[i].tip - way[i - 1].tip).norm());
-  if (s_.playback_)
-    s_.playback_->add({motion.line, tool.number, rapid, s_.report_.seconds, motion.end}, {mounted_, &mounted_->solid}, cut, way);
-  s_.report_.poses += way.size() - 1;
+  report_.seconds += seconds;
+  if (rapid) report_.rapid_seconds += seconds, report_.rapid += length;
+  const std::uint32_t tip = cuts_.add(motion.line, tool.number);
+  if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
+  for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
+  if (playback_)
+    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end}, {mounted_, &mounted_->solid}, tip, way);
+  report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;
   known_ = true;
   if (strokes_.size() >= 4096) {
     flush();
-    progress_.report(lines_ > 0 ? std::min(1.0, static_cast<double>(motion.line) / lines_) : 0,
-                     fmt::format("line {}", motion.line));
+    progress_.report(std::min(1.0, static_cast<double>(motion.line) / program_->lines()), fmt::format("line {}", motion.line));
     progress_.check();
   }
 }
 
-void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t cut, double length) {
+void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length) {
   const bool rapid = motion.kind == Motion::Kind::rapid;
   Purpose purpose{Purpose::What::cut, record_, motion.line, mounted_->tool.number, length, motion.spindle == 0};
   const auto stroke = [&](const ToolSolid& tool, ToolRole role, Purpose::What what, bool removes) {
     purpose.what = what;
-    add_strokes(tool, role, from, to, what == Purpose::What::shank ? cut + 1 : cut, removes, strokes_);
+    add_strokes(tool, role, from, to, tip, removes, strokes_);
     for (; purposes_.size() < strokes_.size(); purpose.length = 0) purposes_.push_back(purpose);  // the way counts once
   };
   const ToolSolid &solid = mounted_->solid, &inner = mounted_->inner;
@@ -166,23 +172,23 @@ void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& 
   stroke(inner, ToolRole::holder, Purpose::What::holder, false);
   // A shank that was told of takes away what it met: what is left where it went is no further fault.
   stroke(solid, ToolRole::shank, Purpose::What::shank, true);
-  if (!s_.fixture_) return;
+  if (!fixture_) return;
   purpose.what = Purpose::What::fixture;
   for (const ToolRole role : {ToolRole::cutting, ToolRole::shank, ToolRole::holder})
-    add_strokes(inner, role, from, to, cut, false, fixture_strokes_);
+    add_strokes(inner, role, from, to, tip, false, fixture_strokes_);
   fixture_purposes_.resize(fixture_strokes_.size(), purpose);
 }
 
 /// Carries out what was collected.
 void SimulationRun::flush() {
   if (strokes_.empty()) return;
-  const std::vector<StrokeResult> results = s_.stock_.cut(strokes_, progress_);
+  const std::vector<StrokeResult> results = stock_.cut(strokes_, progress_);
   for (std::size_t i = 0; i < results.size(); ++i) judge(strokes_[i], purposes_[i], results[i]);
   strokes_.clear();
   purposes_.clear();
-  if (s_.playback_) s_.playback_->keep(s_.stock_);
+  if (playback_) playback_->keep(stock_);
   if (fixture_strokes_.empty()) return;
-  const std::vector<StrokeResult> touched = s_.fixture_->cut(fixture_strokes_, progress_);
+  const std::vector<StrokeResult> touched = fixture_->cut(fixture_strokes_, progress_);
   for (std::size_t i = 0; i < touched.size(); ++i) judge(fixture_strokes_[i], fixture_purposes_[i], touched[i]);
   fixture_strokes_.clear();
   fixture_purposes_.clear();
@@ -191,22 +197,22 @@ void SimulationRun::flush() {
 void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
   const auto told = [&](Kind kind, const char* what) {
     if (!result.points) return;
-    event(kind, purpose.line, purpose.tool, result.place, result.volume,
-          fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
-                      result.place.z()));
+    log_.add({kind, purpose.line, purpose.tool, result.place, result.volume,
+              fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
+                          result.place.z())});
   };
-  LineRecord& line = s_.report_.lines[purpose.record];
+  LineRecord& line = report_.lines[purpose.record];
   switch (purpose.what) {
     case Purpose::What::cut:
-      line.removed += result.volume, s_.report_.removed += result.volume;
+      line.removed += result.volume, report_.removed += result.volume;
       // Rubbing along what is there is air: less than a chip of a hundredth by a hundredth of a millimetre.
       (result.volume > 1e-4 * purpose.length ? line.cut : line.air) += purpose.length;
-      (result.volume > 1e-4 * purpose.length ? s_.report_.cut : s_.report_.air) += purpose.length;
+      (result.volume > 1e-4 * purpose.length ? report_.cut : report_.air) += purpose.length;
       if (purpose.stopped) told(Kind::spindle_stopped, "it cuts while the spindle stands");
       break;
     case Purpose::What::rapid:
       if (stroke.removes)
-        line.removed += result.volume, s_.report_.removed += result.volume;
+        line.removed += result.volume, report_.removed += result.volume;
       else
         told(Kind::rapid_contact, "a rapid goes through material");
       break;
@@ -229,9 +235,9 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
       const bool end = i + 1 == stations.size();
       if (excess <= 1e-6 || (!end && excess <= before)) continue;
       const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
-      event(Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
-            fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis], stations[i].at[axis] * unit,
-                        low * unit, high * unit));
+      log_.add({Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
+                fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
+                            stations[i].at[axis] * unit, low * unit, high * unit)});
     }
   }
 }
@@ -253,7 +259,7 @@ double SimulationRun::duration_of(const Motion& motion, double length) const {
 }
 
 LineRecord& SimulationRun::record(int line) {
-  auto& lines = s_.report_.lines;
+  auto& lines = report_.lines;
   if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_) {
     const auto [at, fresh] = record_of_line_.try_emplace({line, tool_number_}, lines.size());
     if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0});
@@ -261,16 +267,6 @@ LineRecord& SimulationRun::record(int line) {
   } else
     record_ = lines.size() - 1;
   return lines[record_];
-}
-
-void SimulationRun::event(Kind kind, int line, int tool, const Vec3& place, double amount, std::string message) {
-  // One of a kind for each line: the worst.
-  const auto [at, fresh] = event_of_.try_emplace({static_cast<int>(kind), line}, s_.report_.events.size());
-  SimulationEvent made{kind, line, tool, place, amount, std::move(message)};
-  if (fresh)
-    s_.report_.events.push_back(std::move(made));
-  else if (std::abs(amount) > std::abs(s_.report_.events[at->second].amount))
-    s_.report_.events[at->second] = std::move(made);
 }
 
 }  // namespace fieldfab::cam

@@ -3,21 +3,28 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "fieldfab/cam/simulate/simulation.h"
+#include "event_log.h"
+#include "fieldfab/cam/simulate/simulate.h"
 #include "poses.h"
+#include "program_file.h"
 
 namespace fieldfab::cam {
 
 class SimulationRun {
  public:
-  /// `lines` of the program, for progress.
-  SimulationRun(Simulation& simulation, std::string program, int lines, Progress& progress);
-  void operator()(const Motion& motion);
-  /// Ends the program.
-  void finish();
+  SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress);
+  /// Carries out a program from its beginning to its end.
+  void carry_out(const ProgramFile& program);
+
+  [[nodiscard]] const Stock& stock() const { return stock_; }
+  [[nodiscard]] const Cuts& cuts() const { return cuts_; }
+  [[nodiscard]] EventLog& log() { return log_; }
+  /// What came of it, the set-up and the surface missing.
+  SimulationResult::Parts take() &&;
 
  private:
   /// What is to be done with the result of a stroke.
@@ -34,28 +41,33 @@ class SimulationRun {
     ToolSolid solid, inner;  ///< as it is, and what lies deeper in it than contacts count
   };
 
-  void take(const Tool& tool);
+  void take_motion(const Motion& motion);
+  void mount(const Tool& tool);
   void change_tool(int number, int line);
-  [[nodiscard]] std::string tool_list() const;
   void stop(const Motion& motion);
   void need_tool(const Motion& motion);
 
   void move(const Motion& motion);
-  void add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t cut, double length);
+  void add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length);
   void check_limits(const Motion& motion, const std::vector<AxisValues>& stations);
   [[nodiscard]] double duration_of(const Motion& motion, double length) const;
 
   void flush();
   void judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result);
   LineRecord& record(int line);
-  void event(SimulationEvent::Kind kind, int line, int tool, const Vec3& place, double amount, std::string message);
 
-  Simulation& s_;
   const SimulationSetup& setup_;
-  PoseMaker poses_;
-  std::string program_;
-  int lines_;
   Progress& progress_;
+  Stock stock_;
+  std::optional<Stock> fixture_;
+  std::shared_ptr<Playback> playback_;
+  Cuts cuts_;
+  SimulationReport report_;
+  EventLog log_;
+  std::map<std::pair<int, int>, std::size_t> record_of_line_;  ///< and tool
+
+  const ProgramFile* program_ = nullptr;
+  std::optional<PoseMaker> poses_;
   std::shared_ptr<const Mounted> mounted_;
   int tool_number_ = 0;
   AxisValues at_;
@@ -67,8 +79,6 @@ class SimulationRun {
   std::size_t stops_ = 0, record_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;
-  std::map<std::pair<int, int>, std::size_t> record_of_line_;  ///< and tool
-  std::map<std::pair<int, int>, std::size_t> event_of_;
 };
 
 }  // namespace fieldfab::cam

@@ -23,9 +23,9 @@ void DeviationGauge::look(std::size_t index, const SurfacePieces& pieces) {
     if (spot.deviation > sums.highest.deviation) sums.highest = spot;
     sums.deepest = std::max(sums.deepest, -spot.deviation);
     if (!(spot.deviation < -gouge_)) continue;
-    const int line = line_of_cut_[std::min<std::size_t>(spot.cut, line_of_cut_.size() - 1)];
-    if (line < 0) continue;
-    const auto [found, fresh] = sums.gouges.try_emplace(line, spot);
+    const Cut cut = cuts_[spot.cut];
+    if (cut.by == CutBy::shank) continue;
+    const auto [found, fresh] = sums.gouges.try_emplace(cut.line, spot);
     if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
   }
   AreaHistogram areas;

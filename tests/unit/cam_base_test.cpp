@@ -9,14 +9,14 @@
 namespace fieldfab::cam {
 namespace {
 
-/// The message of the error that a call ends with, and its place.
+/// The message of the error that a call ends with; its place is in it.
 template <class Call>
 std::string refusal(const Call& call) {
   try {
     call();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::bad_input);
-    return error.place() + ": " + error.what();
+    return error.what();
   }
   return "nothing";
 }

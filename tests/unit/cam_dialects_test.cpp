@@ -6,7 +6,7 @@
 
 #include "cam_readings.h"
 #include "fieldfab/cam/machine/machine.h"
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/setup.h"
 #include "fieldfab/core/file.h"
 
 namespace fieldfab::cam {

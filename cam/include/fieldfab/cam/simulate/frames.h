@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/simulate.h"
 #include "fieldfab/core/progress.h"
 
 namespace fieldfab::cam {
@@ -19,9 +19,10 @@ struct FrameSettings {
 TriangleMesh tool_mesh(const ToolSolid& tool, ToolRole role, const ToolPose& pose, int parts = 48);
 
 /// Writes frame_0001.png and so on into a folder, which is made where it is missing: the stock as it is at that time, coloured by
-/// tools, and the tool where it is. All show the same part of space. After Simulation::remember() and run(). Throws bad_input for
+/// tools, and the tool where it is. All show the same part of space. The simulation has to
+/// remember. Throws bad_input for
 /// settings out of range or where nothing moved, io, cancelled.
-void write_frames(Simulation& simulation, const std::filesystem::path& folder, const FrameSettings& settings = {},
+void write_frames(const SimulationResult& result, const std::filesystem::path& folder, const FrameSettings& settings = {},
                   Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

@@ -10,7 +10,7 @@
 namespace fieldfab::cam {
 
 /// The moves of a program as they were carried out, with copies of the stock from time to time: any moment is as near as the last
-/// copy before it.
+/// copy before it. A Playhead goes there.
 class Playback {
  public:
   struct Move {
@@ -45,27 +45,27 @@ class Playback {
   /// Where the tool and the axes are so many seconds after the program's beginning. There has to be a move.
   [[nodiscard]] Moment at(double seconds) const;
 
-  /// The stock when so many moves are done; it stays until the next call. Throws cancelled.
-  const Stock& stock_after(std::size_t moves, Progress& progress = Progress::none());
-  /// The stock at a moment, in the middle of a move mostly. Throws cancelled.
-  Stock stock_at(double seconds, Progress& progress = Progress::none());
+  /// A stock as it was when so many moves were done.
+  struct Copy {
+    std::size_t moves = 0;
+    Stock stock;
+  };
+  /// The last copy that is no later.
+  [[nodiscard]] const Copy& nearest(std::size_t moves) const;
+  /// Adds the strokes that take material away while the tool of a move goes along `way`.
+  void add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const;
 
-  /// Remembers a move that is carried out now. `cut`: what samples remember of it; of its shank, one more.
-  void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t cut, std::span<const ToolPose> poses);
+  /// Remembers a move that is carried out now. `tip`: the number of its cut by the tool's cutting part.
+  void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t tip, std::span<const ToolPose> poses);
   /// Tells how the stock looks after all moves so far.
   void keep(const Stock& stock);
 
  private:
   struct Strokes {
     std::size_t first_pose = 0, poses = 0;
-    std::uint32_t tool = 0, cut = 0;
-  };
-  struct Copy {
-    std::size_t moves = 0;
-    Stock stock;
+    std::uint32_t tool = 0, tip = 0;
   };
   void thin_out();
-  void add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const;
 
   std::vector<Move> moves_;
   std::vector<Strokes> strokes_;  ///< of each move
@@ -74,11 +74,27 @@ class Playback {
   std::vector<Copy> copies_;  ///< by rising moves; the first one is the blank
   std::size_t apart_ = 0;     ///< moves between copies, at least
   std::uint64_t most_bytes_;
-  Copy shown_;
 };
 
-/// Adds the strokes of a tool's pieces with one role between two poses. They point into the tool.
-void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t cut, bool removes,
+/// A place in a playback, from where the next moment is not far.
+class Playhead {
+ public:
+  explicit Playhead(std::shared_ptr<const Playback> playback) : playback_(std::move(playback)), shown_(playback_->nearest(0)) {}
+  [[nodiscard]] const Playback& playback() const { return *playback_; }
+
+  /// The stock when so many moves are done; it stays until the next call. Throws cancelled.
+  const Stock& stock_after(std::size_t moves, Progress& progress = Progress::none());
+  /// The stock at a moment, in the middle of a move mostly. Throws cancelled.
+  Stock stock_at(double seconds, Progress& progress = Progress::none());
+
+ private:
+  std::shared_ptr<const Playback> playback_;
+  Playback::Copy shown_;
+};
+
+/// Adds the strokes of a tool's pieces with one role between two poses. They point into the tool. `tip`: the number of the cut by
+/// its cutting part.
+void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip, bool removes,
                  std::vector<Stroke>& strokes);
 
 }  // namespace fieldfab::cam

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "fieldfab/cam/simulate/simulation.h"
+#include "fieldfab/cam/simulate/report_json.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -9,10 +9,10 @@ nlohmann::ordered_json json_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
 }  // namespace
 
-std::string to_json(const SimulationReport& report, bool with_lines) {
+nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) {
   auto events = nlohmann::ordered_json::array();
   for (const SimulationEvent& e : report.events)
-    events.push_back({{"kind", to_string(e.kind)},
+    events.push_back({{"kind", name_of(e.kind)},
                       {"line", e.line},
                       {"tool", e.tool},
                       {"place", json_of(e.place)},
@@ -52,7 +52,12 @@ std::string to_json(const SimulationReport& report, bool with_lines) {
                        {"air", line.air}});
     json["lines"] = std::move(lines);
   }
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";  // programs may hold any bytes
+  return json;
+}
+
+std::string to_json(const SimulationReport& report, bool with_lines) {
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;  // programs may hold any bytes
+  return json_of(report, with_lines).dump(1, ' ', false, replace) + "\n";
 }
 
 }  // namespace fieldfab::cam
