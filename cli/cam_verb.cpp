@@ -1,8 +1,8 @@
 // cam: from a job file to a machine's program.
 #include <fmt/format.h>
 
-#include "fieldfab/cam/job.h"
-#include "fieldfab/cam/picture.h"
+#include "fieldfab/cam/job/job.h"
+#include "fieldfab/cam/job/picture.h"
 #include "fieldfab/core/error.h"
 #include "verbs.h"
 

@@ -5,10 +5,11 @@
 #include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_picture.h"
-#include "fieldfab/cam/stock_report.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/html_report.h"
+#include "fieldfab/cam/simulate/picture.h"
+#include "fieldfab/cam/simulate/report_json.h"
+#include "fieldfab/cam/simulate/simulate.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
@@ -68,16 +69,14 @@ class SimulateVerb final : public Verb {
     if (gouge_) setup.gouge = *gouge_;
     if (colours_ == "deviation" && !setup.target)
       throw Error(ErrorKind::bad_input, "--colours", "there is no target to tell deviations from");
-    cam::Simulation simulation(std::move(setup), progress);
-    if (!frames_.empty()) simulation.remember();
-    simulation.run(program_, progress);
-    simulation.finish(progress);
-    if (!output_.empty()) write_stock(simulation, progress);
+    const cam::SimulationOptions options{.remember = !frames_.empty()};
+    const cam::SimulationResult result = cam::simulate(std::move(setup), program_, options, progress);
+    if (!output_.empty()) write_stock(result, progress);
     if (!frames_.empty()) {
       look_from(frame_settings_);
-      cam::write_frames(simulation, frames_, frame_settings_, progress);
+      cam::write_frames(result, frames_, frame_settings_, progress);
     }
-    return report(simulation, progress);
+    return report(result, progress);
   }
 
  private:
@@ -94,28 +93,28 @@ class SimulateVerb final : public Verb {
       throw Error(ErrorKind::bad_input, picture_, "a picture of a stock is a .png");
   }
 
-  void write_stock(const cam::Simulation& simulation, Progress& progress) const {
-    if (extension_of(output_) != ".asdf") return cam::write_stock_mesh(simulation, output_, progress);
-    const FieldPtr solid = mesh_field(simulation.mesh(), progress);
-    const double cell = simulation.stock().lattice().spacing().minCoeff();
-    const auto asdf = Asdf::build(*solid, simulation.mesh().bounds().grown(2 * cell), {cell, -1, true}, progress);
+  void write_stock(const cam::SimulationResult& result, Progress& progress) const {
+    if (extension_of(output_) != ".asdf") return cam::write_stock_mesh(result, output_, progress);
+    const FieldPtr solid = mesh_field(result.surface().mesh, progress);
+    const double cell = result.stock().lattice().spacing().minCoeff();
+    const auto asdf = Asdf::build(*solid, result.surface().mesh.bounds().grown(2 * cell), {cell, -1, true}, progress);
     asdf->save(output_, {}, progress);
   }
 
-  [[nodiscard]] Outcome report(const cam::Simulation& simulation, Progress& progress) const {
-    const cam::SimulationReport& r = simulation.report();
+  [[nodiscard]] Outcome report(const cam::SimulationResult& result, Progress& progress) const {
+    const cam::SimulationReport& r = result.report();
     for (const cam::ReadingNote& note : r.notes)
       tell({"fieldfab: note: ", printable(fmt::format("{}:{}: {}", program_, note.line, note.message)), "\n"});
     for (const cam::SimulationEvent& e : r.events)
-      tell({"fieldfab: ", printable(fmt::format("{}:{}: {}: {}", program_, e.line, cam::to_string(e.kind), e.message)), "\n"});
+      tell({"fieldfab: ", printable(fmt::format("{}:{}: {}: {}", program_, e.line, cam::name_of(e.kind), e.message)), "\n"});
     Outcome outcome;
-    outcome.json = nlohmann::ordered_json::parse(cam::to_json(r, false));
+    outcome.json = cam::json_of(r, false);
     for (const std::string& path : reports_)
       if (extension_of(path) == ".html")
-        cam::write_html_report(simulation, path, progress);
+        cam::write_html_report(result, path, progress);
       else
         write_file(path, cam::to_json(r, true));
-    if (!picture_.empty()) write_picture(simulation, progress);
+    if (!picture_.empty()) write_picture(result, progress);
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
     outcome.line = fmt::format(
@@ -138,14 +137,14 @@ class SimulateVerb final : public Verb {
     if (beta_) view.beta = *beta_ * degree;
   }
 
-  void write_picture(const cam::Simulation& simulation, Progress& progress) const {
+  void write_picture(const cam::SimulationResult& result, Progress& progress) const {
     cam::StockPictureSettings view;
     look_from(view);
     if (!colours_.empty())
       view.colouring = colours_ == "deviation" ? cam::StockColouring::deviation
                        : colours_ == "tool"    ? cam::StockColouring::tool
                                                : cam::StockColouring::line;
-    cam::write_stock_picture(simulation, picture_, view, progress);
+    cam::write_stock_picture(result, picture_, view, progress);
   }
 
   std::string program_, setup_, dialect_, output_, target_, picture_, colours_, frames_;

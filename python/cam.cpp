@@ -1,10 +1,10 @@
 #include "bindings.h"
-#include "fieldfab/openscad/design.h"
-#include "fieldfab/cam/contour.h"
-#include "fieldfab/cam/distance.h"
-#include "fieldfab/cam/job.h"
-#include "fieldfab/cam/picture.h"
+#include "fieldfab/cam/job/job.h"
+#include "fieldfab/cam/job/picture.h"
+#include "fieldfab/cam/plan/contour.h"
+#include "fieldfab/cam/plan/distance.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/openscad/design.h"
 
 namespace fieldfab::python {
 namespace {
@@ -60,14 +60,17 @@ py::dict dict_of(const cam::OperationReport& r) {
 py::dict dict_of(const cam::Section& s) {
   py::dict d;
   d["name"] = s.name, d["tool"] = s.tool.number, d["tool_name"] = s.tool.name, d["spindle"] = s.spindle;
-  d["coolant"] = s.coolant, d["setup"] = s.setup, d["clearance"] = s.clearance, d["tilted"] = s.tilted();
+  d["coolant"] = s.coolant == cam::Coolant::none ? "" : cam::name_of(s.coolant), d["setup"] = s.setup,
+  d["clearance"] = s.clearance, d["tilted"] = s.tilted();
   return d;
 }
 
 void bind_job(py::module_& module) {
   py::class_<cam::Job>(module, "Job", "A part, a machine, tools and operations, as a job file says (docs/cam.md).")
       .def(py::init([](const std::filesystem::path& path, const py::object& progress) {
-             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::read(path, p, openscad::all_formats())); });
+             return long_work(progress, [&](Progress& p) {
+               return std::make_unique<cam::Job>(cam::Job::read(path, p, openscad::all_formats()));
+             });
            }),
            py::arg("filename"), py::arg("progress") = py::none())
       .def_static(
@@ -75,8 +78,9 @@ void bind_job(py::module_& module) {
           [](const std::string& text, const py::object& solid, const std::filesystem::path& filename,
              const py::object& progress) {
             const FieldPtr part = solid.is_none() ? nullptr : field_of(solid);
-            return long_work(progress,
-                             [&](Progress& p) { return std::make_unique<cam::Job>(cam::Job::parse(text, filename, part, p, openscad::all_formats())); });
+            return long_work(progress, [&](Progress& p) {
+              return std::make_unique<cam::Job>(cam::Job::parse(text, filename, part, p, openscad::all_formats()));
+            });
           },
           py::arg("text"), py::arg("solid") = py::none(), py::arg("filename") = "job", py::arg("progress") = py::none(),
           "The job of a file's text, with its part where that is given; `filename` is what messages call it.")

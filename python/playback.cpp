@@ -2,10 +2,10 @@
 #include <numbers>
 
 #include "bindings.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/playback.h"
-#include "fieldfab/cam/stock.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/playback.h"
+#include "fieldfab/cam/stock/stock.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/mesh/triangle_mesh.h"
@@ -75,36 +75,39 @@ void bind_surface(py::module_& module) {
 
 /// One number of each move.
 template <class Number, class Of>
-py::array_t<Number> of_moves(const cam::Playback& playback, const Of& of) {
+py::array_t<Number> of_moves(const cam::Playhead& head, const Of& of) {
+  const cam::Playback& playback = head.playback();
   py::array_t<Number> out(static_cast<py::ssize_t>(playback.moves()));
   for (std::size_t i = 0; i < playback.moves(); ++i) out.mutable_data()[i] = of(playback.move(i));
   return out;
 }
 
 void bind_moves(py::module_& module) {
-  py::class_<cam::Playback>(module, "Playback", "The moves of a program, and the stock at any moment.")
-      .def("__len__", &cam::Playback::moves)
+  py::class_<cam::Playhead>(module, "Playback", "The moves of a program, and the stock at any moment.")
+      .def("__len__", [](const cam::Playhead& head) { return head.playback().moves(); })
       .def_property_readonly(
-          "lines",
-          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.line; }); },
+          "lines", [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.line; }); },
           "The program's line of each move.")
       .def_property_readonly(
-          "tools",
-          [](const cam::Playback& playback) { return of_moves<int>(playback, [](const auto& move) { return move.tool; }); },
+          "tools", [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.tool; }); },
           "The tool of each move.")
       .def_property_readonly(
-          "rapid",
-          [](const cam::Playback& playback) { return of_moves<bool>(playback, [](const auto& move) { return move.rapid; }); })
+          "rapid", [](const cam::Playhead& head) { return of_moves<bool>(head, [](const auto& move) { return move.rapid; }); })
       .def_property_readonly(
           "seconds",
-          [](const cam::Playback& playback) { return of_moves<double>(playback, [](const auto& move) { return move.seconds; }); },
+          [](const cam::Playhead& head) { return of_moves<double>(head, [](const auto& move) { return move.seconds; }); },
           "Machine time at the end of each move.")
-      .def("done_after_line", &cam::Playback::done_after_line, py::arg("line"), "How many moves are done after a line.")
-      .def("done_after_seconds", &cam::Playback::done_after_seconds, py::arg("seconds"), "How many are done after a time.")
+      .def(
+          "done_after_line", [](const cam::Playhead& head, int line) { return head.playback().done_after_line(line); },
+          py::arg("line"), "How many moves are done after a line.")
+      .def(
+          "done_after_seconds",
+          [](const cam::Playhead& head, double seconds) { return head.playback().done_after_seconds(seconds); },
+          py::arg("seconds"), "How many are done after a time.")
       .def(
           "poses",
-          [](const cam::Playback& playback, std::size_t move) {
-            const auto way = playback.poses(move);
+          [](const cam::Playhead& head, std::size_t move) {
+            const auto way = head.playback().poses(move);
             py::array_t<double> out({static_cast<py::ssize_t>(way.size()), py::ssize_t{6}});
             auto rows = out.mutable_unchecked<2>();
             for (py::ssize_t i = 0; i < rows.shape(0); ++i)
@@ -117,7 +120,8 @@ void bind_moves(py::module_& module) {
           py::arg("move"), "Rows of tip and axis that a move's tool passes, part coordinates.")
       .def(
           "at",
-          [](const cam::Playback& playback, double seconds) {
+          [](const cam::Playhead& head, double seconds) {
+            const cam::Playback& playback = head.playback();
             if (playback.moves() == 0) throw Error(ErrorKind::bad_input, "playback", "nothing moves");
             const cam::Playback::Moment moment = playback.at(seconds);
             const cam::Playback::Move& move = playback.move(moment.move);
@@ -134,24 +138,24 @@ void bind_moves(py::module_& module) {
           "nine axes stand, mm and degrees.")
       .def(
           "tool_mesh",
-          [](const cam::Playback& playback, std::size_t move, const std::string& role) {
+          [](const cam::Playhead& head, std::size_t move, const std::string& role) {
             for (const auto& [name, which] : {std::pair{"cutting", cam::ToolRole::cutting},
                                               {"shank", cam::ToolRole::shank},
                                               {"holder", cam::ToolRole::holder}})
-              if (role == name) return cam::tool_mesh(playback.tool(move), which, {});
+              if (role == name) return cam::tool_mesh(head.playback().tool(move), which, {});
             throw Error(ErrorKind::bad_input, "role", "it is cutting, shank or holder");
           },
           py::arg("move"), py::arg("role"), "One part of a move's tool, its tip at the origin, its axis along z.")
       .def(
           "stock_at",
-          [](cam::Playback& playback, double seconds, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(playback.stock_at(seconds, p)); });
+          [](cam::Playhead& head, double seconds, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_at(seconds, p)); });
           },
           py::arg("seconds"), py::arg("progress") = py::none(), "The stock at a moment, in the middle of a move mostly.")
       .def(
           "stock_after",
-          [](cam::Playback& playback, std::size_t moves, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(playback.stock_after(moves, p)); });
+          [](cam::Playhead& head, std::size_t moves, const py::object& progress) {
+            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_after(moves, p)); });
           },
           py::arg("moves"), py::arg("progress") = py::none(), "The stock when so many moves are done.");
 }

@@ -1,15 +1,15 @@
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 
 #include <array>
 #include <cstring>
 #include <numbers>
 
 #include "bindings.h"
-#include "fieldfab/cam/frames.h"
-#include "fieldfab/cam/playback.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_picture.h"
-#include "fieldfab/cam/stock_report.h"
+#include "fieldfab/cam/simulate/frames.h"
+#include "fieldfab/cam/simulate/html_report.h"
+#include "fieldfab/cam/simulate/picture.h"
+#include "fieldfab/cam/simulate/playback.h"
+#include "fieldfab/cam/simulate/simulate.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/openscad/design.h"
@@ -42,7 +42,7 @@ cam::Tool tool_of(const py::dict& given) {
   for (const auto& [key, value] : given) {
     const auto name = key.cast<std::string>();
     if (name == "shape")
-      tool.shape = value.cast<std::string>();
+      tool.shape = cam::tool_shape_named(value.cast<std::string>(), "shape");
     else if (name == "diameter")
       tool.diameter = value.cast<double>();
     else if (name == "corner_radius")
@@ -113,16 +113,57 @@ cam::AxisValues axes_of(const std::array<double, 9>& given) {
   return axes;
 }
 
+/// A simulation in Python, and the place in its playback.
+struct Simulated {
+  cam::SimulationResult result;
+  std::optional<cam::Playhead> playhead;
+};
+
+Simulated simulated(cam::SimulationResult result) {
+  Simulated made{std::move(result), std::nullopt};
+  if (made.result.playback()) made.playhead.emplace(made.result.playback());
+  return made;
+}
+
 /// One number of each cut.
 template <class Of>
-py::array_t<int> of_cuts(const cam::Simulation& simulation, const Of& of) {
-  py::array_t<int> out(static_cast<py::ssize_t>(simulation.cuts()));
-  for (std::size_t i = 0; i < simulation.cuts(); ++i) out.mutable_data()[i] = of(static_cast<std::uint32_t>(i));
+py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
+  const cam::Cuts& cuts = result.cuts();
+  py::array_t<int> out(static_cast<py::ssize_t>(cuts.size()));
+  for (std::size_t i = 0; i < cuts.size(); ++i) out.mutable_data()[i] = of(cuts[static_cast<std::uint32_t>(i)]);
   return out;
 }
 
+/// A text that may hold bytes of programs: what is no UTF-8 becomes U+FFFD.
+py::str text_of(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
+}
+
+py::dict dict_of(const cam::SimulationReport& report) {
+  py::list events, notes, lines;
+  for (const cam::SimulationEvent& e : report.events)
+    events.append(py::dict(py::arg("kind") = cam::name_of(e.kind), py::arg("line") = e.line, py::arg("tool") = e.tool,
+                           py::arg("place") = std::array<double, 3>{e.place.x(), e.place.y(), e.place.z()},
+                           py::arg("amount") = e.amount, py::arg("message") = text_of(e.message)));
+  for (const cam::ReadingNote& note : report.notes)
+    notes.append(py::dict(py::arg("line") = note.line, py::arg("message") = text_of(note.message)));
+  for (const cam::LineRecord& line : report.lines)
+    lines.append(py::dict(py::arg("line") = line.line, py::arg("tool") = line.tool, py::arg("removed") = line.removed,
+                          py::arg("seconds") = line.seconds, py::arg("cut") = line.cut, py::arg("air") = line.air));
+  py::dict d;
+  d["good"] = report.good(), d["events"] = events, d["notes"] = notes, d["moves"] = report.moves, d["poses"] = report.poses;
+  d["seconds"] = report.seconds, d["rapid_seconds"] = report.rapid_seconds, d["cut"] = report.cut, d["air"] = report.air;
+  d["air_share"] = report.air_share(), d["rapid"] = report.rapid, d["removed"] = report.removed, d["left"] = report.left;
+  d["cells"] = report.stock.cells, d["splits"] = report.stock.splits, d["bytes"] = report.stock.bytes;
+  if (const auto& off = report.deviation)
+    d["deviation"] = py::dict(py::arg("deepest_gouge") = off->deepest, py::arg("highest_excess") = off->highest,
+                              py::arg("mean") = off->mean, py::arg("rms") = off->root_mean_square);
+  d["lines"] = lines;
+  return d;
+}
+
 void bind_simulation(py::module_& module) {
-  py::class_<cam::Simulation>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
+  py::class_<Simulated>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
       .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
                        std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
                        const py::object& progress) {
@@ -134,11 +175,7 @@ void bind_simulation(py::module_& module) {
                if (wanted) made.target = wanted;
                if (block) made.stock = block;
                if (cell) made.sampling.cell = *cell;
-               auto simulation = std::make_unique<cam::Simulation>(std::move(made), p);
-               if (remember) simulation->remember();
-               simulation->run(program, p);
-               simulation->finish(p);
-               return simulation;
+               return simulated(cam::simulate(std::move(made), program, {.remember = remember}, p));
              });
            }),
            py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
@@ -148,92 +185,93 @@ void bind_simulation(py::module_& module) {
            "of a "
            "job that names no model, as fieldfab.cam.Job.parse() takes it.")
       .def_property_readonly(
-          "playback", [](cam::Simulation& s) { return s.playback(); }, py::return_value_policy::reference_internal,
-          "Any moment of it; None where it was not to remember.")
+          "playback", [](Simulated& s) { return s.playhead ? &*s.playhead : nullptr; },
+          py::return_value_policy::reference_internal, "Any moment of it; None where it was not to remember.")
       .def(
           "frames",
-          [](cam::Simulation& s, const std::filesystem::path& folder, int count, int size, std::optional<double> alpha,
+          [](const Simulated& s, const std::filesystem::path& folder, int count, int size, std::optional<double> alpha,
              std::optional<double> beta, const py::object& progress) {
             cam::FrameSettings settings;
             settings.count = count, settings.size = size;
             if (alpha) settings.alpha = *alpha;
             if (beta) settings.beta = *beta;
-            long_work(progress, [&](Progress& p) { cam::write_frames(s, folder, settings, p); });
+            long_work(progress, [&](Progress& p) { cam::write_frames(s.result, folder, settings, p); });
           },
           py::arg("folder"), py::arg("count") = 100, py::arg("size") = 800, py::arg("alpha") = py::none(),
           py::arg("beta") = py::none(), py::arg("progress") = py::none(),
           "Writes pictures at even times, for a video; it has to remember.")
       .def_property_readonly(
-          "stock_box", [](const cam::Simulation& s) { return bounds_to_python(s.setup().stock_box); },
+          "stock_box", [](const Simulated& s) { return bounds_to_python(s.result.setup().stock_box); },
           "Of the material at first, part coordinates.")
       .def_property_readonly(
           "axes",
-          [](const cam::Simulation& s) {
+          [](const Simulated& s) {
             std::string letters = "XYZ";
-            for (const cam::RotaryAxis& axis : s.setup().machine.kinematics.axes) letters += axis.letter;
+            for (const cam::RotaryAxis& axis : s.result.setup().machine.kinematics.axes) letters += axis.letter;
             return letters;
           },
           "The letters of the machine's axes.")
       .def(
           "turn_of_work",
-          [](const cam::Simulation& s, const std::array<double, 9>& axes) {
-            const Eigen::Matrix4d turn = cam::turn_of_work(s.setup().machine, axes_of(axes)).matrix();
+          [](const Simulated& s, const std::array<double, 9>& axes) {
+            const Eigen::Matrix4d turn = cam::turn_of_work(s.result.setup().machine, axes_of(axes)).matrix();
             py::array_t<double> out({4, 4});
             for (int i = 0; i < 16; ++i) out.mutable_data()[i] = turn(i / 4, i % 4);
             return out;
           },
           py::arg("axes"), "The (4, 4) matrix from part coordinates to where the table has turned the part.")
       .def_property_readonly(
-          "lines_of_cuts", [](const cam::Simulation& s) { return of_cuts(s, [&](auto cut) { return s.line_of(cut); }); },
+          "lines_of_cuts", [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.line; }); },
           "The program's line of each cut that Surface.to_draw() tells.")
       .def_property_readonly(
-          "tools_of_cuts", [](const cam::Simulation& s) { return of_cuts(s, [&](auto cut) { return s.tool_of(cut); }); },
+          "tools_of_cuts", [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.tool; }); },
           "And its tool; 0 for the stock's first surface.")
       .def_property_readonly(
           "colours_of_tools",
-          [](const cam::Simulation& s) {
+          [](const Simulated& s) {
             std::map<int, std::array<std::uint8_t, 3>> colours{{0, channels_of(cam::colour_of_tool(0))}};
-            for (const auto& [number, tool] : s.setup().tools)
+            for (const auto& [number, tool] : s.result.setup().tools)
               colours.try_emplace(number, channels_of(cam::colour_of_tool(colours.size())));
             return colours;
           },
           "Red, green and blue by tool number, as pictures have them; 0: the stock's first surface.")
       .def_property_readonly(
           "deviation_scale",
-          [](const cam::Simulation& s) -> py::object {
-            if (!s.report().deviation) return py::none();
-            const auto scale = cam::DeviationScale::of(s);
+          [](const Simulated& s) -> py::object {
+            if (!s.result.report().deviation) return py::none();
+            const auto scale = cam::DeviationScale::of(s.result);
             return py::dict(py::arg("gouge") = scale.gouge, py::arg("excess") = scale.excess, py::arg("full") = scale.full);
           },
           "Tolerances, and from where on a colour is full, mm. None without a target.")
       .def(
           "colour_of_deviation",
-          [](const cam::Simulation& s, double deviation) { return channels_of(cam::DeviationScale::of(s).colour(deviation)); },
+          [](const Simulated& s, double deviation) { return channels_of(cam::DeviationScale::of(s.result).colour(deviation)); },
           py::arg("deviation"), "Red, green and blue.")
-      .def_property_readonly("good", [](const cam::Simulation& s) { return s.report().good(); })
+      .def_property_readonly("good", [](const Simulated& s) { return s.result.report().good(); })
       .def_property_readonly(
-          "report",
-          [](const cam::Simulation& s) { return py::module_::import("json").attr("loads")(cam::to_json(s.report(), true)); },
+          "report", [](const Simulated& s) { return dict_of(s.result.report()); },
           "Events, times, lengths and volumes, as the command's --report has them.")
       .def_property_readonly(
-          "mesh", [](const cam::Simulation& s) { return s.mesh(); }, "The surface of what is left, level flats merged.")
-      .def_property_readonly("stock", [](const cam::Simulation& s) { return cam::Stock(s.stock()); })
+          "mesh", [](const Simulated& s) { return s.result.surface().mesh; }, "The surface of what is left, level flats merged.")
+      .def_property_readonly("stock", [](const Simulated& s) { return cam::Stock(s.result.stock()); })
       .def_property_readonly(
           "lines_of_vertices",
-          [](const cam::Simulation& s) {
-            return py::array_t<int>(static_cast<py::ssize_t>(s.lines_of_vertices().size()), s.lines_of_vertices().data());
+          [](const Simulated& s) {
+            const std::vector<int> lines = s.result.lines_of_vertices();
+            return py::array_t<int>(static_cast<py::ssize_t>(lines.size()), lines.data());
           },
           "For each vertex of the mesh the program's line that made it; 0 for the stock's first surface.")
       .def_property_readonly(
           "tools_of_vertices",
-          [](const cam::Simulation& s) {
-            return py::array_t<int>(static_cast<py::ssize_t>(s.tools_of_vertices().size()), s.tools_of_vertices().data());
+          [](const Simulated& s) {
+            const std::vector<int> tools = s.result.tools_of_vertices();
+            return py::array_t<int>(static_cast<py::ssize_t>(tools.size()), tools.data());
           },
           "And the tool that did.")
       .def_property_readonly(
           "colours",
-          [](const cam::Simulation& s) {
-            const std::vector<Colour> colours = cam::vertex_colours(s, cam::default_colouring(s));
+          [](const Simulated& s) {
+            const std::vector<Colour> colours = cam::vertex_colours(s.result, cam::default_colouring(s.result));
             py::array_t<std::uint8_t> out({static_cast<py::ssize_t>(colours.size()), py::ssize_t{3}});
             if (!colours.empty()) std::memcpy(out.mutable_data(), colours.data(), 3 * colours.size());
             return out;
@@ -241,13 +279,13 @@ void bind_simulation(py::module_& module) {
           "Of each vertex, (n, 3) bytes: by its deviation from the target; without one, by its tool or line.")
       .def(
           "picture",
-          [](const cam::Simulation& s, int size, std::optional<double> alpha, std::optional<double> beta, bool marks,
+          [](const Simulated& s, int size, std::optional<double> alpha, std::optional<double> beta, bool marks,
              const py::object& progress) {
             cam::StockPictureSettings view;
             view.size = size, view.marks = marks;
             if (alpha) view.alpha = *alpha;
             if (beta) view.beta = *beta;
-            const Image image = long_work(progress, [&](Progress& p) { return cam::stock_picture(s, view, p).image; });
+            const Image image = long_work(progress, [&](Progress& p) { return cam::stock_picture(s.result, view, p).image; });
             py::array_t<std::uint8_t> out({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{3}});
             std::memcpy(out.mutable_data(), image.pixels8.data(), image.pixels8.size());
             return out;
@@ -258,22 +296,22 @@ void bind_simulation(py::module_& module) {
           "events numbered.")
       .def(
           "save",
-          [](const cam::Simulation& s, const std::filesystem::path& filename, const py::object& progress) {
-            long_work(progress, [&](Progress& p) { cam::write_stock_mesh(s, filename, p); });
+          [](const Simulated& s, const std::filesystem::path& filename, const py::object& progress) {
+            long_work(progress, [&](Progress& p) { cam::write_stock_mesh(s.result, filename, p); });
           },
           py::arg("filename"), py::arg("progress") = py::none(),
           "Writes what is left as a mesh; a .ply has colours, deviation, line and tool of its vertices.")
       .def(
           "html",
-          [](const cam::Simulation& s, const std::filesystem::path& filename, const py::object& progress) {
-            long_work(progress, [&](Progress& p) { cam::write_html_report(s, filename, p); });
+          [](const Simulated& s, const std::filesystem::path& filename, const py::object& progress) {
+            long_work(progress, [&](Progress& p) { cam::write_html_report(s.result, filename, p); });
           },
           py::arg("filename"), py::arg("progress") = py::none(), "Writes the report as one HTML page with pictures.")
       .def_property_readonly(
           "deviation",
-          [](const cam::Simulation& s) -> py::object {
-            if (!s.report().deviation) return py::none();
-            const auto& at = s.report().deviation->at_vertex;
+          [](const Simulated& s) -> py::object {
+            if (!s.result.report().deviation) return py::none();
+            const auto& at = s.result.report().deviation->at_vertex;
             return py::array_t<float>(static_cast<py::ssize_t>(at.size()), at.data());
           },
           "For each vertex its signed distance from the target, mm: above 0 where material is left over. None without a target.");

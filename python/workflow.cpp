@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "bindings.h"
-#include "fieldfab/cam/machine.h"
-#include "fieldfab/cam/stage.h"
+#include "fieldfab/cam/job/stage.h"
+#include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::python {
@@ -37,9 +37,10 @@ py::dict dict_of(const cam::Stage& stage) {
 
 py::dict dict_of(const cam::Machine& m) {
   py::dict d;
-  d["id"] = m.id, d["name"] = m.name, d["description"] = m.description, d["extension"] = m.extension, d["takes"] = m.takes;
+  d["id"] = m.id, d["name"] = m.name, d["description"] = m.description, d["extension"] = m.extension,
+  d["takes"] = cam::name_of(m.takes);
   d["unit"] = m.unit, d["travel"] = m.travel, d["max_feed"] = m.max_feed, d["max_spindle"] = m.max_spindle;
-  d["rapid"] = m.dynamics.rapid, d["kinematics"] = m.kinematics.kind, d["default_operation"] = m.default_operation;
+  d["rapid"] = m.dynamics.rapid, d["kinematics"] = cam::name_of(m.kinematics.kind), d["default_operation"] = m.default_operation;
   py::list axes;
   for (const cam::RotaryAxis& axis : m.kinematics.axes) axes.append(std::string(1, axis.letter));
   d["axes"] = axes, d["settings"] = list_of(m.settings);

@@ -3,6 +3,9 @@
 openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
 models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings a larger table of formats (openscad::all_formats()).
 
+In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the rooms' private
+headers, too, which nothing outside of cam includes.
+
 The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
 nor the Python module has an import cycle, imports inside functions included."""
 
@@ -25,6 +28,11 @@ BELOW["check"] = {"core", "field", "contour", "solid"} | SOURCES
 BELOW["cam"] = set(BELOW)
 BELOW["openscad"] = set(BELOW) - {"cam", "check"}
 BELOW["cli"] = BELOW["python"] = BELOW["meshlab_filter"] = set(BELOW)
+# The rooms of cam, the lowest first.
+CAM = {"base": set(), "gcode": {"base"}, "stock": {"base"}, "plan": {"base", "stock"}}
+CAM["machine"] = set(CAM)
+CAM["job"] = set(CAM)
+CAM["simulate"] = set(CAM)
 # FIELD-only rooms: the renderers, so that a new source of shape needs no change there.
 HEAVY = ("CGAL/", "openvdb/", "OpenMesh/", "itk", "asmjit/", "zip.h", "expat.h")
 HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask for it by name
@@ -45,6 +53,31 @@ def room_of(path):
     return "openscad" if parts[0] == "openscad_import" else parts[0]
 
 
+def cam_room_of(parts):
+    """The room of a file of cam, public or private; "" where it lies in none."""
+    parts = parts[4:] if parts[:4] == ("cam", "include", "fieldfab", "cam") else parts[1:]
+    return parts[0] if len(parts) == 2 and parts[0] in CAM else ""
+
+
+def cam_violation(path, name):
+    """What is wrong with an include that a file of cam has, or one of a header of cam; "" where nothing is."""
+    included = pathlib.PurePosixPath(name).parts
+    if included[:2] == ("fieldfab", "cam"):
+        other = included[2] if len(included) == 4 and included[2] in CAM else ""
+        if not other:
+            return f"{path}: no room of cam has the header {name}"
+    elif included[0] in CAM and len(included) == 2:
+        other = included[0]
+        if path.parts[0] != "cam" or "include" in path.parts:
+            return f"{path}: {name} is a private header of cam"
+    else:
+        return ""
+    if path.parts[0] != "cam":
+        return ""
+    room = cam_room_of(path.parts)
+    return "" if other == room or other in CAM.get(room, ()) else f"{path}: {room or 'no room'} must not include {other} ({name})"
+
+
 def is_of_meshlab(name):
     """Headers of MeshLab, VCG or Qt."""
     return name.startswith(("common/", "vcg/", "wrap/", "Q")) and not name.startswith("Qu")
@@ -58,6 +91,8 @@ def violations(path, text):
             other = name.split("/")[1]
             if other != room and other not in BELOW.get(room, set()):
                 found.append(f"{path}: {room} must not include {other} ({name})")
+        if wrong := cam_violation(path, name):
+            found.append(wrong)
         if path.suffix == ".h" and "include" in path.parts and str(path) not in HEAVY_ALLOWED and name.startswith(HEAVY):
             found.append(f"{path}: the heavy header {name} belongs into a .cpp file")
         if room == "meshlab_filter" and path.parts[2] != "meshlab_2020" and is_of_meshlab(name):
@@ -88,6 +123,27 @@ def test_planted_violations_are_caught():
     assert not violations(path("meshlab_filter/src/meshlab_2020/a.cpp"), "#include <QString>")
     assert not violations(path("kernel/src/check/a.cpp"), "#include <CGAL/Kernel.h>")
     assert not violations(path("cli/a.cpp"), '#include "fieldfab/render/render.h"')
+
+
+def test_every_file_of_cam_lies_in_a_room():
+    sources = [file.relative_to(ROOT) for file in files() if file.is_relative_to(ROOT / "cam")]
+    assert {cam_room_of(path.parts) for path in sources} == set(CAM)
+
+
+def test_planted_violations_of_cam_are_caught():
+    path = pathlib.PurePosixPath
+    public, private = "cam/include/fieldfab/cam", "cam"
+    for room, other in (("base", "plan"), ("gcode", "stock"), ("stock", "gcode"), ("plan", "gcode"), ("plan", "machine"),
+                        ("stock", "simulate"), ("machine", "job"), ("job", "simulate")):
+        for folder in (public, private):
+            assert violations(path(f"{folder}/{room}/a.h"), f'#include "fieldfab/cam/{other}/a.h"'), (room, other)
+        assert violations(path(f"{private}/{room}/a.cpp"), f'#include "{other}/a.h"'), (room, other)
+        assert not violations(path(f"{private}/simulate/a.cpp"), f'#include "{other}/a.h"')
+    assert violations(path(f"{public}/job/a.h"), '#include "base/toml_table.h"')
+    assert violations(path("cam/job/a.cpp"), '#include "fieldfab/cam/tool.h"')
+    assert violations(path("cam/a.cpp"), '#include "fieldfab/cam/base/tool.h"')
+    assert violations(path("cli/a.cpp"), '#include "base/toml_table.h"')
+    assert not violations(path("cli/a.cpp"), '#include "fieldfab/cam/simulate/simulate.h"')
 
 
 def layer_of(module):

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "expression.h"
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 
 namespace fieldfab::cam::gcode {
 

@@ -1,12 +1,9 @@
 #include "dialect.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <map>
 
-#include "fieldfab/core/error.h"
-#include "fieldfab/core/text.h"
+#include "base/names.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -17,12 +14,7 @@ constexpr std::array<std::string_view, 4> names{"linuxcnc", "fanuc", "grbl", "ma
 
 std::string_view name_of(Dialect dialect) { return names[static_cast<std::size_t>(dialect)]; }
 
-Dialect dialect_named(std::string_view name, const std::string& place) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == name) return static_cast<Dialect>(i);
-  throw Error(ErrorKind::bad_input, place,
-              fmt::format("there is no dialect '{:.40}'{} Known are {}", name, suggestion(name, names), fmt::join(names, ", ")));
-}
+Dialect dialect_named(std::string_view name, const std::string& place) { return named<Dialect>(name, names, "dialect", place); }
 
 namespace gcode {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 
 namespace fieldfab::cam::gcode {
 

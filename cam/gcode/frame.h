@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 
 namespace fieldfab::cam::gcode {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 
 namespace fieldfab::cam::gcode {
 

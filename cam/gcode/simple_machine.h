@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 #include "fieldfab/core/error.h"
 #include "refusal.h"
 

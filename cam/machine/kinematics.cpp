@@ -35,16 +35,16 @@ std::vector<double> solutions(double a, double b, double c) {
 // is a product of at most two rotations, the outer one first.
 
 Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
-  if (k_.kind == "head-head") {
+  if (k_.kind == Kinematics::Kind::head_head) {
     Vec3 v = k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], angles[1]) * Vec3::UnitZ()) : Vec3::UnitZ();
     return turn(k_.axes[0], angles[0]) * v;
   }
-  if (k_.kind == "table-table") {
+  if (k_.kind == Kinematics::Kind::table_table) {
     // The work stands on the second axis, which stands on the first: work to bed is R1 R2, so the tool in the work is R2' R1' z.
     Vec3 v = turn(k_.axes[0], -angles[0]) * Vec3::UnitZ();
     return k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], -angles[1]) * v) : v;
   }
-  if (k_.kind == "head-table") {
+  if (k_.kind == Kinematics::Kind::head_table) {
     Vec3 v = turn(k_.axes[0], angles[0]) * Vec3::UnitZ();
     return k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], -angles[1]) * v) : v;
   }
@@ -52,11 +52,11 @@ Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
 }
 
 std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) const {
-  if (k_.kind == "none")
+  if (k_.kind == Kinematics::Kind::none)
     return (axis - Vec3::UnitZ()).norm() < 1e-9 ? std::vector<std::array<double, 2>>{{0, 0}}
                                                 : std::vector<std::array<double, 2>>{};
   // axis = Outer(p) Inner(q) z with directions o and i, signs as the kind has them.
-  const bool head_outer = k_.kind == "head-head";
+  const bool head_outer = k_.kind == Kinematics::Kind::head_head;
   const bool single = k_.axes.size() == 1;
   const Vec3 inner = single || head_outer ? (single ? k_.axes[0].direction : k_.axes[1].direction) : k_.axes[0].direction;
   const Vec3 outer = single ? Vec3(Vec3::UnitZ()) : head_outer ? k_.axes[0].direction : k_.axes[1].direction;
@@ -72,9 +72,10 @@ std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) cons
     if (from.norm() > 1e-9 && to.norm() > 1e-9) p = std::atan2(outer.dot(from.cross(to)), from.dot(to));
     if (single && std::abs(p) > 1e-9) continue;  // nothing turns about z there
     // Signs and order of the machine's own axes.
-    if (k_.kind == "head-head") found.push_back(single ? std::array<double, 2>{q, 0} : std::array<double, 2>{p, q});
-    if (k_.kind == "table-table") found.push_back({-q, -p});
-    if (k_.kind == "head-table") found.push_back({q, -p});
+    if (k_.kind == Kinematics::Kind::head_head)
+      found.push_back(single ? std::array<double, 2>{q, 0} : std::array<double, 2>{p, q});
+    if (k_.kind == Kinematics::Kind::table_table) found.push_back({-q, -p});
+    if (k_.kind == Kinematics::Kind::head_table) found.push_back({q, -p});
   }
   return found;
 }
@@ -109,7 +110,10 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
 
 Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
-  for (std::size_t i = k_.kind == "head-head" ? 2 : k_.kind == "head-table" ? 1 : 0; i < k_.axes.size(); ++i)
+  for (std::size_t i = k_.kind == Kinematics::Kind::head_head    ? 2
+                       : k_.kind == Kinematics::Kind::head_table ? 1
+                                                                 : 0;
+       i < k_.axes.size(); ++i)
     turned = turned * turn_about(k_.axes[i], angles[i], k_.axes[i].centre.value_or(k_.centre));
   return turned;
 }
@@ -117,7 +121,7 @@ Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
 /// How far a head's turns take the tip of a tool from where it is when it points straight down.
 Vec3 PoseSolver::swing(const std::array<double, 2>& angles, double length) const {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
-  const std::size_t of_head = k_.kind == "head-head" ? 2 : k_.kind == "head-table" ? 1 : 0;
+  const std::size_t of_head = k_.kind == Kinematics::Kind::head_head ? 2 : k_.kind == Kinematics::Kind::head_table ? 1 : 0;
   for (std::size_t i = 0; i < std::min(of_head, k_.axes.size()); ++i)
     turned =
         turned * turn_about(k_.axes[i], angles[i], k_.axes[i].centre.value_or(k_.pivot * Vec3::UnitZ()) + length * Vec3::UnitZ());

@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "fieldfab/cam/machine.h"
+#include "fieldfab/cam/machine/machine.h"
 
 namespace fieldfab::cam {
 
@@ -19,7 +19,7 @@ struct AxisPose {
 class PoseSolver {
  public:
   explicit PoseSolver(const Kinematics& kinematics) : k_(kinematics) {}
-  [[nodiscard]] bool tilts() const { return k_.kind != "none"; }
+  [[nodiscard]] bool tilts() const { return k_.kind != Kinematics::Kind::none; }
   [[nodiscard]] const std::vector<RotaryAxis>& axes() const { return k_.axes; }
 
   /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge

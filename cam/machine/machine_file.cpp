@@ -2,17 +2,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
-#include "fieldfab/cam/machine.h"
+#include "base/names.h"
+#include "base/toml_table.h"
+#include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "workflow/toml_table.h"
 
 namespace fieldfab::cam {
 namespace {
 
-constexpr double degrees = std::numbers::pi / 180;
+constexpr std::array<std::string_view, 4> kind_names{"none", "head-head", "table-table", "head-table"};
+constexpr std::array<std::string_view, 4> takes_names{"paths", "flat paths", "height map", "mesh"};
+constexpr std::array<std::string_view, 5> format_names{"text", "dxf", "svg", "png", "stl"};
 
 std::optional<Vec3> read_centre(const TomlTable& table) {
   const auto centre = table.list("centre");
@@ -24,11 +26,7 @@ std::optional<Vec3> read_centre(const TomlTable& table) {
 Kinematics read_kinematics(const TomlTable& table) {
   table.only({"kind", "axis", "centre", "pivot", "tip_mode"});
   Kinematics k;
-  k.kind = table.text("kind").value_or("none");
-  const std::vector<std::string> kinds{"none", "head-head", "table-table", "head-table"};
-  if (std::find(kinds.begin(), kinds.end(), k.kind) == kinds.end())
-    throw Error(ErrorKind::bad_input, table.place("kind"),
-                fmt::format("kind is '{}'; it must be one of {}{}", k.kind, fmt::join(kinds, ", "), suggestion(k.kind, kinds)));
+  if (const auto kind = table.text("kind")) k.kind = named<Kinematics::Kind>(*kind, kind_names, "kind", table.place("kind"));
   for (const TomlTable& entry : table.tables("axis")) {
     entry.only({"letter", "direction", "limits", "centre"});
     RotaryAxis axis;
@@ -42,11 +40,11 @@ Kinematics read_kinematics(const TomlTable& table) {
     axis.direction = Vec3(direction[0], direction[1], direction[2]);
     if (!(axis.direction.norm() > 0)) throw Error(ErrorKind::bad_input, entry.place("direction"), "direction must not be zero");
     axis.direction.normalize();
-    if (limits) axis.lower = (*limits)[0] * degrees, axis.upper = (*limits)[1] * degrees;
+    if (limits) axis.lower = (*limits)[0] * radians_per_degree, axis.upper = (*limits)[1] * radians_per_degree;
     axis.centre = read_centre(entry);
     k.axes.push_back(axis);
   }
-  if (k.kind != "none" && (k.axes.empty() || k.axes.size() > 2))
+  if (k.kind != Kinematics::Kind::none && (k.axes.empty() || k.axes.size() > 2))
     throw Error(ErrorKind::bad_input, table.place(), "a machine that tilts has one or two [[kinematics.axis]]");
   k.centre = read_centre(table).value_or(Vec3::Zero());
   k.pivot = table.number("pivot").value_or(0);
@@ -71,6 +69,10 @@ Setting read_setting(const std::string& name, const TomlTable& table) {
 
 }  // namespace
 
+std::string_view name_of(Kinematics::Kind kind) { return kind_names[static_cast<std::size_t>(kind)]; }
+
+std::string_view name_of(MachineInput takes) { return takes_names[static_cast<std::size_t>(takes)]; }
+
 Machine read_machine(std::string_view toml, const std::string& file) {
   const TomlTable table = TomlTable::parse(toml, file);
   table.only({"name",     "description",  "format",    "extension", "takes",       "unit",       "tick",
@@ -88,13 +90,9 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   m.name = need("name");
   m.extension = need("extension");
   m.description = table.text("description").value_or("");
-  m.format = table.text("format").value_or("text");
-  m.takes = table.text("takes").value_or("paths");
-  const std::vector<std::string> takes{"paths", "flat paths", "height map", "mesh"};
-  if (std::find(takes.begin(), takes.end(), m.takes) == takes.end())
-    throw Error(
-        ErrorKind::bad_input, table.place("takes"),
-        fmt::format("takes is '{}'; it must be one of {}{}", m.takes, fmt::join(takes, ", "), suggestion(m.takes, takes)));
+  if (const auto format = table.text("format"))
+    m.format = named<FileFormat>(*format, format_names, "format", table.place("format"));
+  if (const auto takes = table.text("takes")) m.takes = named<MachineInput>(*takes, takes_names, "takes", table.place("takes"));
   m.unit = table.number("unit").value_or(1);
   m.tick = table.number("tick").value_or(0);
   m.decimals = static_cast<int>(table.number("decimals").value_or(4));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fieldfab/cam/machine.h"
+#include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/core/error.h"
 #include "kinematics.h"
 #include "writers.h"
@@ -118,6 +118,15 @@ class Templates {
   std::map<std::string, double> numbers_;
 };
 
+const char* coolant_template(Coolant coolant) {
+  switch (coolant) {
+    case Coolant::mist: return "coolant_mist";
+    case Coolant::flood: return "coolant_flood";
+    case Coolant::none: break;
+  }
+  return "coolant_off";
+}
+
 /// Writes one program.
 class TextWriter {
  public:
@@ -131,7 +140,7 @@ class TextWriter {
     out_ += templates_.fill("header");
     int tool = -1;
     double spindle = -1;
-    std::string coolant;
+    Coolant coolant = Coolant::none;
     for (const Section& section : program_.sections) {
       set_section(section);
       out_ += templates_.fill("section");
@@ -151,12 +160,12 @@ class TextWriter {
       }
       if (section.spindle != spindle && section.spindle > 0) out_ += templates_.fill("spindle_on");
       spindle = section.spindle;
-      if (section.coolant != coolant) out_ += templates_.fill("coolant_" + (section.coolant.empty() ? "off" : section.coolant));
+      if (section.coolant != coolant) out_ += templates_.fill(coolant_template(section.coolant));
       coolant = section.coolant;
       for (const Move& move : section.moves) add(move, section);
     }
     stop_cutting();
-    if (!coolant.empty()) out_ += templates_.fill("coolant_off");
+    if (coolant != Coolant::none) out_ += templates_.fill(coolant_template(Coolant::none));
     if (spindle > 0) out_ += templates_.fill("spindle_off");
     out_ += templates_.fill("footer");
     return std::move(out_);
@@ -198,7 +207,7 @@ class TextWriter {
     return text;
   }
 
-  [[nodiscard]] bool flat() const { return machine_.takes == "flat paths"; }
+  [[nodiscard]] bool flat() const { return machine_.takes == MachineInput::flat_paths; }
   [[nodiscard]] double coordinate_value(double mm) const {
     return machine_.tick > 0 ? std::round(mm / machine_.tick) : mm / machine_.unit;
   }

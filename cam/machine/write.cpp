@@ -7,12 +7,15 @@
 namespace fieldfab::cam {
 
 std::string write_program(const Program& program, const Machine& machine, const Values& values) {
-  if (machine.format == "text") return write_text(program, machine, values);
-  if (machine.format == "dxf") return write_dxf(program);
-  if (machine.format == "svg") return write_svg(program);
+  switch (machine.format) {
+    case FileFormat::text: return write_text(program, machine, values);
+    case FileFormat::dxf: return write_dxf(program);
+    case FileFormat::svg: return write_svg(program);
+    case FileFormat::png:
+    case FileFormat::stl: break;
+  }
   throw Error(ErrorKind::bad_input, machine.file,
-              fmt::format("there is no format '{}'; known are text, dxf, svg{}", machine.format,
-                          suggestion(machine.format, {"text", "dxf", "svg"})));
+              fmt::format("a machine that takes {} has the format text, dxf or svg", name_of(machine.takes)));
 }
 
 }  // namespace fieldfab::cam

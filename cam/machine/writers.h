@@ -1,7 +1,7 @@
 /// The writers behind write_program(), one a family of files.
 #pragma once
 
-#include "fieldfab/cam/machine.h"
+#include "fieldfab/cam/machine/machine.h"
 
 namespace fieldfab::cam {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "fieldfab/cam/distance.h"
-#include "fieldfab/cam/material.h"
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/distance.h"
+#include "fieldfab/cam/plan/material.h"
+#include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/core/error.h"
 #include "loop_path.h"
 

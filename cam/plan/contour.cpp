@@ -1,5 +1,5 @@
 // Marching squares over a quadtree of a Field.
-#include "fieldfab/cam/contour.h"
+#include "fieldfab/cam/plan/contour.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Meijster's distance transform, and a lattice as a Field.
-#include "fieldfab/cam/distance.h"
+#include "fieldfab/cam/plan/distance.h"
 
 #include <algorithm>
 #include <cmath>

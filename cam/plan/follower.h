@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "fieldfab/cam/surface.h"
+#include "fieldfab/cam/plan/surface.h"
 
 namespace fieldfab::cam {
 

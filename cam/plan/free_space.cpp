@@ -1,4 +1,4 @@
-#include "fieldfab/cam/free_space.h"
+#include "fieldfab/cam/plan/free_space.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "fieldfab/cam/plane.h"
+#include "fieldfab/cam/plan/plane.h"
 #include "fieldfab/field/field.h"
 
 namespace fieldfab::cam {

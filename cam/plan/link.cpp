@@ -4,9 +4,21 @@
 #include <numbers>
 #include <utility>
 
-#include "fieldfab/cam/program.h"
+#include "base/names.h"
+#include "fieldfab/cam/plan/program.h"
 
 namespace fieldfab::cam {
+namespace {
+
+constexpr std::array<std::string_view, 3> coolant_names{"none", "mist", "flood"};
+
+}  // namespace
+
+std::string_view name_of(Coolant coolant) { return coolant_names[static_cast<std::size_t>(coolant)]; }
+
+Coolant coolant_named(std::string_view name, const std::string& place) {
+  return named<Coolant>(name, coolant_names, "coolant", place);
+}
 
 bool Section::tilted() const {
   return std::any_of(moves.begin(), moves.end(), [](const Move& m) { return m.axis != Vec3::UnitZ(); });

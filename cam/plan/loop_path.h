@@ -1,7 +1,7 @@
 /// A contour as a path.
 #pragma once
 
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/operations.h"
 
 namespace fieldfab::cam {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "fieldfab/cam/plane.h"
+#include "fieldfab/cam/plan/plane.h"
 
 namespace fieldfab::cam {
 

@@ -1,4 +1,4 @@
-#include "fieldfab/cam/material.h"
+#include "fieldfab/cam/plan/material.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "fieldfab/cam/plane.h"
+#include "fieldfab/cam/plan/plane.h"
 #include "fieldfab/field/field.h"
 
 namespace fieldfab::cam {

@@ -1,5 +1,5 @@
 // Ordering: greedy with a grid, then Or-opt and 2-opt, all under "inside before outside".
-#include "fieldfab/cam/order.h"
+#include "fieldfab/cam/plan/order.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cmath>
 
-#include "fieldfab/cam/contour.h"
+#include "fieldfab/cam/plan/contour.h"
 #include "fieldfab/core/parallel.h"
 
 namespace fieldfab::cam {

@@ -1,5 +1,5 @@
 // Paths: arcs, lengths, and fitting lines and arcs to polylines.
-#include "fieldfab/cam/path.h"
+#include "fieldfab/cam/plan/path.h"
 
 #include <algorithm>
 #include <cmath>

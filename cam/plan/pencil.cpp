@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "follower.h"

@@ -1,4 +1,4 @@
-#include "fieldfab/cam/planes.h"
+#include "fieldfab/cam/plan/planes.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // The upper surface of a solid: a lattice of heights, finer where it has to be.
-#include "fieldfab/cam/surface.h"
+#include "fieldfab/cam/plan/surface.h"
 
 #include <fmt/format.h>
 

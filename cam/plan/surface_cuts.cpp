@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"

@@ -1,4 +1,4 @@
-#include "fieldfab/cam/tilt.h"
+#include "fieldfab/cam/plan/tilt.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -30,7 +30,7 @@ class Leaning {
  public:
   Leaning(const TipSurface& tips, const Tool& tool, const Plane& plane, const FreeSpace& space, const TiltSettings& settings)
       : tips_(tips), plane_(plane), space_(space), s_(settings) {
-    ball_ = tool.shape == "ball" ? tool.radius() : tool.corner_radius;
+    ball_ = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
     for (const Frustum& piece : pieces_of(tool, settings.clearance, space.bounds().diagonal())) {
       (piece.cuts ? cutter_ : body_).push_back(piece);
       if (piece.cuts)  // which touches the part where it cuts
@@ -206,10 +206,10 @@ void simplify(Path& path, double tolerance) {
 }  // namespace
 
 std::vector<Frustum> pieces_of(const Tool& tool, double clearance, double beyond) {
-  const double ball = tool.shape == "ball" ? tool.radius() : tool.corner_radius, radius = tool.radius();
+  const double ball = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius, radius = tool.radius();
   const double flute = tool.flute > 0 ? tool.flute : tool.length > 0 ? tool.length : 3 * tool.diameter;
   std::vector<Frustum> pieces;
-  const double taper = tool.shape == "tapered" ? std::tan(tool.angle / 2) : 0;
+  const double taper = tool.shape == ToolShape::tapered ? std::tan(tool.angle / 2) : 0;
   double at = ball;
   if (taper > 0) {
     const double widest = std::min(flute, ball + (radius - ball) / taper);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "fieldfab/cam/surface.h"
+#include "fieldfab/cam/plan/surface.h"
 #include "fieldfab/core/clones.h"
 
 namespace fieldfab::cam {

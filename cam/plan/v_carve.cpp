@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "cell.h"
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 #include "sweep.h"
 
 namespace fieldfab::cam {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <vector>
 
-#include "fieldfab/cam/stock_lattice.h"
+#include "fieldfab/cam/stock/lattice.h"
 
 namespace fieldfab::cam {
 

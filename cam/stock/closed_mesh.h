@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "deviation_gauge.h"
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 #include "surface_pieces.h"
 
 namespace fieldfab::cam {

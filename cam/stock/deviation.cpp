@@ -1,80 +1,60 @@
-#include <Eigen/Geometry>
+#include "fieldfab/cam/stock/deviation.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
-#include "deviation_gauge.h"
-#include "fieldfab/field/surface_distance.h"
-
 namespace fieldfab::cam {
-void DeviationGauge::measure(std::size_t piece, std::span<const SurfacePiece::Place> places) {
-  std::vector<float>& at = at_[piece];
-  const std::size_t first = at.size();
-  at.resize(first + places.size());
-  surface_distances(target_, places, std::span(at).subspan(first));
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (places[i][2] < floor_) at[first + i] = 0;
+namespace {
+
+constexpr double units = 4294967296.0;  // of a mm^2 or mm^3
+
+/// Upper bits of the number: the exponent and eleven binary digits. Values next to 0 share one bin.
+int index_of(double value) {
+  constexpr int digits = 23 - 11;
+  const int zero = std::bit_cast<int>(0x1p-20F) >> digits, at = std::bit_cast<int>(static_cast<float>(std::abs(value))) >> digits;
+  const int from_zero = std::max(at - zero, 0);
+  return value < 0 ? -from_zero : from_zero;
 }
 
-void DeviationGauge::look(std::size_t index, const SurfacePieces& pieces) {
-  const SurfacePiece& piece = pieces[index];
-  Sums& sums = sums_[index];
-  for (std::uint32_t v = 0; v < piece.size(); ++v) {
-    const Spot spot{at_[index][v], piece.cut(v), piece.place(v)};
-    if (spot.deviation > sums.highest.deviation) sums.highest = spot;
-    sums.deepest = std::max(sums.deepest, -spot.deviation);
-    if (!(spot.deviation < -gouge_)) continue;
-    const int line = line_of_cut_[std::min<std::size_t>(spot.cut, line_of_cut_.size() - 1)];
-    if (line < 0) continue;
-    const auto [found, fresh] = sums.gouges.try_emplace(line, spot);
-    if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
+}  // namespace
+
+AreaHistogram::Bin& AreaHistogram::bin(int index) {
+  if (bins_.empty()) first_ = index;
+  if (index < first_) {
+    bins_.insert(bins_.begin(), static_cast<std::size_t>(first_ - index), Bin{});
+    first_ = index;
   }
-  AreaHistogram areas;
-  for (const auto& t : piece.corners) {
-    std::array<Vec3, 3> p;
-    double mean = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t owner = pieces.owner(index, t[i]);
-      const std::uint32_t v = t[i] & SurfacePiece::own_part;
-      const SurfacePiece::Place& place = pieces[owner].place(v);
-      p[i] = {place[0], place[1], place[2]};
-      mean += at_[owner][v] / 3.0;
-    }
-    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    sums.area += area, sums.sum += area * mean, sums.squares += area * mean * mean;
-    areas.add(mean, area);
+  const auto at = static_cast<std::size_t>(index - first_);
+  if (at >= bins_.size()) bins_.resize(at + 1);
+  return bins_[at];
+}
+
+void AreaHistogram::add(double value, double area) {
+  Bin& to = bin(index_of(value));
+  to.area += std::llrint(area * units), to.moment += std::llrint(value * area * units);
+}
+
+void AreaHistogram::add(const AreaHistogram& other) {
+  if (other.bins_.empty()) return;
+  bin(other.first_);
+  bin(other.first_ + static_cast<int>(other.bins_.size()) - 1);
+  for (std::size_t i = 0; i < other.bins_.size(); ++i) {
+    Bin& to = bins_[static_cast<std::size_t>(other.first_ - first_) + i];
+    to.area += other.bins_[i].area, to.moment += other.bins_[i].moment;
   }
-  const std::scoped_lock alone(areas_alone_);
-  areas_.add(areas);
 }
 
-Deviation DeviationGauge::result() const {
-  Deviation result;
-  Sums all;
-  for (const Sums& piece : sums_) {
-    all.area += piece.area, all.sum += piece.sum, all.squares += piece.squares;
-    all.deepest = std::max(all.deepest, piece.deepest);
+std::vector<double> AreaHistogram::steps(double from, double to, std::size_t count) const {
+  std::vector<double> areas(count, 0);
+  for (const Bin& bin : bins_) {
+    if (bin.area == 0) continue;
+    const double mean = static_cast<double>(bin.moment) / static_cast<double>(bin.area);
+    const double step = std::floor((mean - from) / (to - from) * static_cast<double>(count));
+    areas[static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(count - 1)))] +=
+        static_cast<double>(bin.area) / units;
   }
-  result.deepest = all.deepest, result.highest = std::max(highest().deviation, 0.0F);
-  if (all.area > 0) result.mean = all.sum / all.area, result.root_mean_square = std::sqrt(all.squares / all.area);
-  result.areas = areas_;
-  return result;
-}
-
-std::map<int, DeviationGauge::Spot> DeviationGauge::gouges() const {
-  std::map<int, Spot> worst;
-  for (const Sums& piece : sums_)
-    for (const auto& [line, spot] : piece.gouges) {
-      const auto [found, fresh] = worst.try_emplace(line, spot);
-      if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
-    }
-  return worst;
-}
-
-DeviationGauge::Spot DeviationGauge::highest() const {
-  Spot highest = Sums{}.highest;
-  for (const Sums& piece : sums_)
-    if (piece.highest.deviation > highest.deviation) highest = piece.highest;
-  return highest;
+  return areas;
 }
 
 }  // namespace fieldfab::cam

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/stock/cuts.h"
+#include "fieldfab/cam/stock/deviation.h"
 #include "surface_pieces.h"
 
 namespace fieldfab::cam {
@@ -21,10 +22,10 @@ class DeviationGauge {
     SurfacePiece::Place place{};
   };
 
-  /// Deviations below the height `floor` count as 0; those below -`gouge` are kept by their lines. A cut whose line is negative
-  /// is no gouge. `fine` is how much deviations that are alike may differ, mm.
-  DeviationGauge(const Field& target, double floor, double gouge, std::span<const int> line_of_cut, double fine)
-      : target_(target), floor_(floor), gouge_(gouge), line_of_cut_(line_of_cut), fine_(fine) {}
+  /// Deviations below the height `floor` count as 0; those below -`gouge` are kept by their lines. What a shank has cut is no
+  /// gouge. `fine` is how much deviations that are alike may differ, mm.
+  DeviationGauge(const Field& target, double floor, double gouge, const Cuts& cuts, double fine)
+      : target_(target), floor_(floor), gouge_(gouge), cuts_(cuts), fine_(fine) {}
 
   /// Before any piece: how many there are.
   void begin(std::size_t pieces) { at_.resize(pieces), sums_.resize(pieces); }
@@ -55,7 +56,7 @@ class DeviationGauge {
 
   const Field& target_;
   double floor_, gouge_;
-  std::span<const int> line_of_cut_;
+  const Cuts& cuts_;
   double fine_;
   std::vector<std::vector<float>> at_;
   std::vector<Sums> sums_;

@@ -1,4 +1,4 @@
-#include "fieldfab/cam/drawn_surface.h"
+#include "fieldfab/cam/stock/drawn_surface.h"
 
 #include <Eigen/Geometry>
 #include <bit>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cell.h"
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 
 namespace fieldfab::cam {
 

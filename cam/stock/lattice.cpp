@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fieldfab/cam/stock_lattice.h"
+#include "fieldfab/cam/stock/lattice.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {

@@ -1,4 +1,4 @@
-#include "fieldfab/cam/stock.h"
+#include "fieldfab/cam/stock/stock.h"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "fieldfab/cam/stock_lattice.h"
-#include "fieldfab/cam/tool_solid.h"
+#include "fieldfab/cam/base/tool_solid.h"
+#include "fieldfab/cam/stock/lattice.h"
 
 namespace fieldfab::cam {
 

@@ -1,7 +1,7 @@
 /// Intervals of lines in simple solids, a row of a window at a time.
 #pragma once
 
-#include "fieldfab/cam/tool_solid.h"
+#include "fieldfab/cam/base/tool_solid.h"
 
 namespace fieldfab::cam {
 

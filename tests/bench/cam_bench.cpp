@@ -5,16 +5,16 @@
 #include <numbers>
 #include <random>
 
-#include "fieldfab/cam/contour.h"
-#include "fieldfab/cam/distance.h"
-#include "fieldfab/cam/operations.h"
-#include "fieldfab/cam/order.h"
-#include "fieldfab/cam/surface.h"
+#include "fieldfab/cam/plan/contour.h"
+#include "fieldfab/cam/plan/distance.h"
+#include "fieldfab/cam/plan/operations.h"
+#include "fieldfab/cam/plan/order.h"
+#include "fieldfab/cam/plan/surface.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/solid/open.h"
 
@@ -23,7 +23,9 @@ namespace {
 using namespace fieldfab;
 using namespace fieldfab::cam;
 
-FieldPtr circuit_board() { return scale(united(open_model(TEST_DATA "/frep/fab_ISP/fab_ISP_02.math")).field, Vec3::Constant(25.4)); }
+FieldPtr circuit_board() {
+  return scale(united(open_model(TEST_DATA "/frep/fab_ISP/fab_ISP_02.math")).field, Vec3::Constant(25.4));
+}
 const Rectangle board{{0, 0}, {0.805 * 25.4, 1.68 * 25.4}};
 
 /// The board's bitmap at so many dots an inch.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "fieldfab/cam/stock.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/stock/stock.h"
+#include "fieldfab/cam/stock/surface.h"
 
 using namespace fieldfab;
 using namespace fieldfab::cam;

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 #include "fieldfab/core/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {

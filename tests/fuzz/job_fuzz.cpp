@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "fieldfab/cam/job.h"
+#include "fieldfab/cam/job/job.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 

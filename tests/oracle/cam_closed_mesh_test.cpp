@@ -7,8 +7,8 @@
 #include <random>
 
 #include "closed.h"
-#include "fieldfab/cam/simulation.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/simulate/simulate.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/frep/frep_field.h"
@@ -48,7 +48,7 @@ struct Fine {
 Tool cutter(const std::string& shape) {
   Tool tool;
   tool.number = 1;
-  tool.shape = shape;
+  tool.shape = tool_shape_named(shape, "test");
   tool.diameter = 3;
   tool.flute = 20;
   tool.length = 30;
@@ -200,12 +200,10 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   }
   const auto path = std::filesystem::temp_directory_path() / fmt::format("fieldfab_closed_mesh_{}.nc", ::getpid());
   write_file(path, program + "M2\n");
-  Simulation simulation(setup);
-  simulation.run(path);
+  const SimulationResult result = simulate(setup, path);
   std::filesystem::remove(path);
-  simulation.finish();
 
-  const Fine fine(simulation.stock());
+  const Fine fine(result.stock());
   const auto deviation = [&](const Place& at) {
     return at[2] < setup.floor ? 0 : std::clamp(GetParam().distance(vector(at)), -10.0, 10.0);
   };
@@ -219,14 +217,14 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
     const double d = deviation(fine.mesh.vertices[v]);
     at_vertex.push_back(d);
     highest = std::max(highest, d), deepest = std::max(deepest, -d);
-    if (d < -setup.gouge) gouges[simulation.line_of(fine.cuts[v])] = std::max(gouges[simulation.line_of(fine.cuts[v])], -d);
+    if (d < -setup.gouge) gouges[result.cuts()[fine.cuts[v]].line] = std::max(gouges[result.cuts()[fine.cuts[v]].line], -d);
   }
-  const Deviation& said = *simulation.report().deviation;
+  const Deviation& said = *result.report().deviation;
   EXPECT_NEAR(said.highest, highest, 1e-4);
   EXPECT_NEAR(said.deepest, deepest, 1e-4);
   EXPECT_GT(gouges.size(), 5u);
   std::map<int, double> told;
-  for (const SimulationEvent& e : simulation.report().events) {
+  for (const SimulationEvent& e : result.report().events) {
     if (e.kind != SimulationEvent::Kind::gouge && e.kind != SimulationEvent::Kind::excess) continue;
     const Place place{static_cast<float>(e.place.x()), static_cast<float>(e.place.y()), static_cast<float>(e.place.z())};
     EXPECT_TRUE(std::find(fine.mesh.vertices.begin(), fine.mesh.vertices.end(), place) != fine.mesh.vertices.end());
@@ -266,9 +264,9 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   EXPECT_NEAR(ours, theirs, 1e-6 * area);
 
   // The merged mesh: each vertex has its own deviation, or that of its neighbours in a square that are alike.
-  const TriangleMesh& mesh = simulation.mesh();
+  const TriangleMesh& mesh = result.surface().mesh;
   ASSERT_EQ(said.at_vertex.size(), mesh.vertices.size());
-  ASSERT_EQ(simulation.lines_of_vertices().size(), mesh.vertices.size());
+  ASSERT_EQ(result.lines_of_vertices().size(), mesh.vertices.size());
   EXPECT_LT(mesh.vertices.size(), fine.mesh.vertices.size());
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
     EXPECT_NEAR(said.at_vertex[v], deviation(mesh.vertices[v]), setup.sampling.cell / 100);

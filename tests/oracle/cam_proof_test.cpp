@@ -6,7 +6,7 @@
 #include <random>
 
 #include "../cam_tools.h"
-#include "fieldfab/cam/operations.h"
+#include "fieldfab/cam/plan/operations.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/solid/open.h"
 
@@ -114,9 +114,10 @@ TEST_P(Finishing, NeverGouges) {
           std::sqrt(static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i]);
       if (const double depth = value[i] / std::max(slope, 1e-3); depth < deepest) deepest = depth, worst = i;
     }
-    RecordProperty(t.shape, std::to_string(deepest));
+    RecordProperty(std::string(name_of(t.shape)), std::to_string(deepest));
     // The surface's tolerance and the path's.
-    EXPECT_GT(deepest, -2 * tolerance) << part.name << " " << t.shape << " at " << x[worst] << " " << y[worst] << " " << z[worst];
+    EXPECT_GT(deepest, -2 * tolerance) << part.name << " " << name_of(t.shape) << " at " << x[worst] << " " << y[worst] << " "
+                                       << z[worst];
   }
 }
 
@@ -140,7 +141,7 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
   for (const Tool& t : {tool("ball", 3), tool("flat", 3)}) {
     const auto tips = std::make_shared<TipSurface>(surface, t.profile());
     constexpr double stepover = 0.3;
-    const double scallop = stepover * stepover / 8 * ((t.shape == "ball" ? 1 / 1.5 : 0) + 1 / part.sharpest);
+    const double scallop = stepover * stepover / 8 * ((t.shape == ToolShape::ball ? 1 / 1.5 : 0) + 1 / part.sharpest);
     std::vector<Vec3> cut, everywhere;
     for (const Path& path : all_finishes(tips, part.bounds, stepover, 0.01, stepover)) {
       const auto points = points_along(path, 0.05);
@@ -172,8 +173,8 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
           }
         most = std::max(most, (left.at(column, row) - target) / std::sqrt(1 + slope * slope));
       }
-    RecordProperty(t.shape, std::to_string(most));
-    EXPECT_LT(most, scallop + 0.03) << part.name << " " << t.shape;
+    RecordProperty(std::string(name_of(t.shape)), std::to_string(most));
+    EXPECT_LT(most, scallop + 0.03) << part.name << " " << name_of(t.shape);
   }
 }
 

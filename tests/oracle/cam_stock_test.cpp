@@ -17,8 +17,8 @@
 #include <random>
 
 #include "closed.h"
-#include "fieldfab/cam/stock.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/stock/stock.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/field/field.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
@@ -65,7 +65,7 @@ constexpr double flute = 6;
 
 Tool cutter(const std::string& shape) {
   Tool tool;
-  tool.shape = shape;
+  tool.shape = tool_shape_named(shape, "test");
   tool.diameter = 3;
   tool.flute = flute;
   tool.corner_radius = shape == "tapered" ? 0.6 : 0.5;

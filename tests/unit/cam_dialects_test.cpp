@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "cam_readings.h"
-#include "fieldfab/cam/machine.h"
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/cam/simulate/setup.h"
 #include "fieldfab/core/file.h"
 
 namespace fieldfab::cam {
@@ -167,9 +167,9 @@ TEST(Camotics, ProjectsAreSetups) {
   EXPECT_EQ(setup.stock_box.lower, Vec3(0, -1, -5));
   EXPECT_EQ(setup.stock_box.upper, Vec3(50, 60, 0));
   ASSERT_EQ(setup.tools.size(), 3U);
-  EXPECT_EQ(setup.tools.at(1).shape, "v");
+  EXPECT_EQ(setup.tools.at(1).shape, ToolShape::v);
   EXPECT_NEAR(setup.tools.at(1).angle, pi / 2, 1e-12);
-  EXPECT_EQ(setup.tools.at(2).shape, "ball");
+  EXPECT_EQ(setup.tools.at(2).shape, ToolShape::ball);
   EXPECT_DOUBLE_EQ(setup.tools.at(2).diameter, 6.35);
   EXPECT_DOUBLE_EQ(setup.tools.at(2).flute, 25.4);
   EXPECT_DOUBLE_EQ(setup.tools.at(3).tip_diameter, 4);

@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "cam_readings.h"
-#include "fieldfab/cam/machine.h"
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
+#include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 

@@ -14,7 +14,7 @@ Vec3 turned(const Vec3& p, const Vec3& on_line, const Vec3& direction, double an
   return on_line + Eigen::AngleAxisd(angle, direction) * (p - on_line);
 }
 
-class Kinds : public ::testing::TestWithParam<const char*> {};
+class Kinds : public ::testing::TestWithParam<Kinematics::Kind> {};
 
 TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
   std::mt19937 random(4);
@@ -38,7 +38,7 @@ TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
     EXPECT_LT((solver.position(tip, at.angles, length) - at.position).norm(), 1e-9);
     // By hand: the tool's tip and a point above it in the machine, the head's inner axis first; then both taken back to the part,
     // the table's outer axis first.
-    const bool head[2] = {k.kind != "table-table", k.kind == "head-head"};
+    const bool head[2] = {k.kind != Kinematics::Kind::table_table, k.kind == Kinematics::Kind::head_head};
     std::array<Vec3, 2> points{Vec3(0, 0, 0), Vec3(0, 0, 1)};
     for (Vec3& p : points) {
       for (int i = 1; i >= 0; --i)
@@ -56,11 +56,14 @@ TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Kinds, ::testing::Values("table-table", "head-head", "head-table"), [](const auto& test) {
-  std::string name = test.param;
-  for (char& c : name) c = c == '-' ? '_' : c;
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(All, Kinds,
+                         ::testing::Values(Kinematics::Kind::table_table, Kinematics::Kind::head_head,
+                                           Kinematics::Kind::head_table),
+                         [](const auto& test) {
+                           std::string name(name_of(test.param));
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace fieldfab::cam

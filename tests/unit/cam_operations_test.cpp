@@ -8,10 +8,10 @@
 #include <random>
 
 #include "../cam_tools.h"
-#include "fieldfab/cam/material.h"
-#include "fieldfab/cam/operations.h"
-#include "fieldfab/cam/planes.h"
-#include "fieldfab/cam/program.h"
+#include "fieldfab/cam/plan/material.h"
+#include "fieldfab/cam/plan/operations.h"
+#include "fieldfab/cam/plan/planes.h"
+#include "fieldfab/cam/plan/program.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "fieldfab/cam/contour.h"
-#include "fieldfab/cam/order.h"
+#include "fieldfab/cam/plan/contour.h"
+#include "fieldfab/cam/plan/order.h"
 
 namespace fieldfab::cam {
 namespace {

@@ -1,7 +1,7 @@
 // Colours of deviations: what they promise to the eye.
 #include <gtest/gtest.h>
 
-#include "fieldfab/cam/stock_picture.h"
+#include "fieldfab/cam/simulate/picture.h"
 
 namespace fieldfab::cam {
 namespace {

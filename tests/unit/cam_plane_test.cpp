@@ -5,8 +5,8 @@
 #include <numbers>
 #include <random>
 
-#include "fieldfab/cam/contour.h"
-#include "fieldfab/cam/distance.h"
+#include "fieldfab/cam/plan/contour.h"
+#include "fieldfab/cam/plan/distance.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
@@ -108,7 +108,8 @@ TEST(Contours, AreTheSameForAnyNumberOfThreadsAndHoldEveryIsland) {
 TEST(Contours, TellOfPartsNarrowerThanASquare) {
   const Rectangle region{{-6, -6}, {6, 6}};
   const FieldPtr wall = rotate(box_field({{-4, 0.101, -1}, {4, 0.111, 1}}), {0, 0, 1}, 0.3);
-  const FieldPtr thin = unite(wall, box_field({{-5, 2, -1}, {-1, 5, 1}})), slit = subtract(box_field({{-5, -5, -1}, {5, 5, 1}}), wall);
+  const FieldPtr thin = unite(wall, box_field({{-5, 2, -1}, {-1, 5, 1}})),
+                 slit = subtract(box_field({{-5, -5, -1}, {5, 5, 1}}), wall);
   MissedParts missed;
   for (const FieldPtr& solid : {thin, slit}) {
     (void)contours(*solid, region, {0.2}, missed);

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "fieldfab/cam/motion.h"
+#include "fieldfab/cam/gcode/motion.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {

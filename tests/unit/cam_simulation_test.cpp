@@ -1,12 +1,14 @@
 // Simulation: what it remembers, against programs that end early.
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/simulate/simulate.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
 #include <random>
 
-#include "fieldfab/cam/playback.h"
+#include "fieldfab/cam/simulate/playback.h"
 #include "fieldfab/core/file.h"
 
 namespace fieldfab::cam {
@@ -20,7 +22,7 @@ SimulationSetup setup() {
   for (const int number : {1, 2}) {
     Tool tool;
     tool.number = number;
-    tool.shape = number == 1 ? "flat" : "ball";
+    tool.shape = number == 1 ? ToolShape::flat : ToolShape::ball;
     tool.diameter = 3;
     tool.flute = 4;
     tool.length = 20;
@@ -63,16 +65,15 @@ std::vector<std::string> program(int moves) {
 
 TEST_F(SimulationFiles, AnyMomentIsWhatAProgramLeavesThatEndsThere) {
   const std::vector<std::string> lines = program(120);
-  Simulation simulation(setup());
-  Playback& playback = simulation.remember();
-  simulation.run(write("whole.nc", lines));
+  const SimulationResult result = simulate(setup(), write("whole.nc", lines), {.remember = true});
+  const Playback& playback = *result.playback();
+  Playhead head(result.playback());
   EXPECT_GT(playback.moves(), 120u);
-  EXPECT_EQ(playback.stock_after(playback.moves()).mesh().triangles, simulation.stock().mesh().triangles);
+  EXPECT_EQ(head.stock_after(playback.moves()).mesh().triangles, result.stock().mesh().triangles);
   for (const int line : {50, 4, 131, 62, 64, 130, 90, 7}) {
-    Simulation shorter(setup());
-    shorter.run(write("shorter.nc", {lines.begin(), lines.begin() + line}));
+    const SimulationResult shorter = simulate(setup(), write("shorter.nc", {lines.begin(), lines.begin() + line}));
     const std::size_t done = playback.done_after_line(line);
-    const TriangleMesh then = playback.stock_after(done).mesh(), ended = shorter.stock().mesh();
+    const TriangleMesh then = head.stock_after(done).mesh(), ended = shorter.stock().mesh();
     // Where strokes are put together otherwise, samples may be rounded otherwise.
     ASSERT_EQ(then.vertices.size(), ended.vertices.size()) << line;
     EXPECT_EQ(then.triangles, ended.triangles) << line;
@@ -83,7 +84,7 @@ TEST_F(SimulationFiles, AnyMomentIsWhatAProgramLeavesThatEndsThere) {
     EXPECT_NEAR(playback.move(done - 1).seconds, shorter.report().seconds, 1e-6);
     EXPECT_EQ(playback.done_after_seconds(playback.move(done - 1).seconds + 1e-9), done);
   }
-  EXPECT_EQ(playback.stock_after(0).volume(), Stock(setup().stock_box, setup().sampling).volume());
+  EXPECT_EQ(head.stock_after(0).volume(), Stock(setup().stock_box, setup().sampling).volume());
 }
 
 // Many copies, and room for few: any moment is still the right one.
@@ -97,7 +98,7 @@ TEST(Playback, IsRightHoweverFewCopiesItKeeps) {
   sampling.brick = 8;
   const Stock blank({{0, 0, -8}, {20, 20, 0}}, sampling);
   Stock stock = blank;
-  Playback plenty(blank), scarce(blank, 100'000);
+  const auto plenty = std::make_shared<Playback>(blank), scarce = std::make_shared<Playback>(blank, 100'000);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> across(0, 20), deep(-6, -1);
   std::vector<double> volumes{stock.volume()};
@@ -108,39 +109,87 @@ TEST(Playback, IsRightHoweverFewCopiesItKeeps) {
     std::vector<Stroke> strokes;
     add_strokes(*tool, ToolRole::cutting, at, to, cut, true, strokes);
     stock.cut(strokes);
-    for (Playback* p : {&plenty, &scarce}) {
+    for (Playback* p : {plenty.get(), scarce.get()}) {
       p->add({i + 1, 1, false, i + 1.0}, tool, cut, std::array{at, to});
       p->keep(stock);
     }
     volumes.push_back(stock.volume());
     at = to;
   }
+  Playhead head_of_plenty(plenty), head_of_scarce(scarce);
   for (int k = 0; k < 60; ++k) {
     const auto moment = static_cast<std::size_t>(std::uniform_int_distribution<int>(0, 300)(random));
-    EXPECT_NEAR(plenty.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;  // of 2000 mm3
-    EXPECT_NEAR(scarce.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;
+    EXPECT_NEAR(head_of_plenty.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;  // of 2000 mm3
+    EXPECT_NEAR(head_of_scarce.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;
   }
 }
 
 TEST_F(SimulationFiles, CancelledMomentsDoNoHarm) {
-  Simulation simulation(setup());
-  Playback& playback = simulation.remember();
-  simulation.run(write("whole.nc", program(60)));
+  const SimulationResult result = simulate(setup(), write("whole.nc", program(60)), {.remember = true});
+  Playhead head(result.playback());
   Progress stopped;
   stopped.cancel();
-  const double before = playback.stock_after(20).volume();
-  EXPECT_ANY_THROW(playback.stock_after(50, stopped));
-  EXPECT_EQ(playback.stock_after(20).volume(), before);
+  const double before = head.stock_after(20).volume();
+  EXPECT_ANY_THROW(head.stock_after(50, stopped));
+  EXPECT_EQ(head.stock_after(20).volume(), before);
 }
 
 TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   SimulationSetup limited = setup();
   limited.limits[0] = {0, 20};
-  Simulation simulation(limited);
-  simulation.run(write("far.nc", {"G21 G90", "T1 M6", "G0 X-5 Y3 Z5", "G1 X5 F100", "M2"}));
-  ASSERT_EQ(simulation.report().events.size(), 1u);
-  EXPECT_EQ(simulation.report().events[0].line, 3);
-  EXPECT_EQ(to_string(simulation.report().events[0].kind), "over-travel");
+  const SimulationResult result = simulate(limited, write("far.nc", {"G21 G90", "T1 M6", "G0 X-5 Y3 Z5", "G1 X5 F100", "M2"}));
+  ASSERT_EQ(result.events().size(), 1u);
+  EXPECT_EQ(result.events()[0].line, 3);
+  EXPECT_EQ(name_of(result.events()[0].kind), "over-travel");
+}
+
+// A result is a value: it outlives what it was made from, and two places in its playback do not disturb each other.
+TEST_F(SimulationFiles, ResultsAreValues) {
+  std::optional<SimulationResult> first = simulate(setup(), write("part.nc", program(40)), {.remember = true});
+  const SimulationResult copy = *first;
+  Playhead early(first->playback()), late(copy.playback());
+  first.reset();
+  const double left = late.stock_after(copy.playback()->moves()).volume(), blank = early.stock_after(0).volume();
+  EXPECT_GT(blank, left);
+  EXPECT_EQ(late.stock_after(copy.playback()->moves()).volume(), left);
+  EXPECT_EQ(left, copy.stock().volume());
+  EXPECT_EQ(copy.surface().cuts.size(), copy.surface().mesh.vertices.size());
+  EXPECT_EQ(simulate(setup(), write("part.nc", program(2))).playback(), nullptr);
+}
+
+// Tool 1 cuts 4 mm deep and its shank is as wide from there on: at 7 mm both have made the wall.
+TEST_F(SimulationFiles, TellsWhichPartOfTheToolHasCut) {
+  SimulationSetup wide = setup();
+  wide.tools[1].shank = 4;
+  const SimulationResult result =
+      simulate(wide, write("deep.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y10 Z5", "Z-7", "G1 X30 F600", "M2"}));
+  std::map<CutBy, double> highest, lowest;
+  for (std::size_t v = 0; v < result.surface().cuts.size(); ++v) {
+    const Cut cut = result.cuts()[result.surface().cuts[v]];
+    const double z = result.surface().mesh.vertices[v][2];
+    highest.try_emplace(cut.by, z).first->second = std::max(highest[cut.by], z);
+    lowest.try_emplace(cut.by, z).first->second = std::min(lowest[cut.by], z);
+    EXPECT_EQ(cut.line, cut.by == CutBy::nothing ? 0 : 6);
+    EXPECT_EQ(cut.tool, cut.by == CutBy::nothing ? 0 : 1);
+  }
+  EXPECT_EQ(lowest.size(), 3u);
+  EXPECT_NEAR(lowest[CutBy::tip], -7, 1e-3);
+  EXPECT_NEAR(lowest[CutBy::shank], -3, 1e-3);
+  EXPECT_NEAR(highest[CutBy::shank], 0, 1e-3);
+}
+
+TEST(Cuts, AreNumberedByMoveAndPartOfTheTool) {
+  Cuts cuts;
+  EXPECT_EQ(cuts.size(), 1u);
+  const std::uint32_t first = cuts.add(12, 3), second = cuts.add(13, 4);
+  EXPECT_EQ(cuts[0].by, CutBy::nothing);
+  EXPECT_EQ(cuts[first].by, CutBy::tip);
+  EXPECT_EQ(cuts[first].line, 12);
+  EXPECT_EQ(cuts[first].tool, 3);
+  EXPECT_EQ(cuts[cut_number(second, ToolRole::shank)].by, CutBy::shank);
+  EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].by, CutBy::holder);
+  EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].line, 13);
+  EXPECT_EQ(cuts[static_cast<std::uint32_t>(cuts.size())].by, CutBy::nothing);
 }
 
 }  // namespace

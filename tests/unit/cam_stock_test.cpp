@@ -7,8 +7,8 @@
 #include <random>
 #include <set>
 
-#include "fieldfab/cam/stock.h"
-#include "fieldfab/cam/stock_surface.h"
+#include "fieldfab/cam/stock/stock.h"
+#include "fieldfab/cam/stock/surface.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
@@ -19,7 +19,7 @@ namespace {
 
 Tool cutter(const std::string& shape) {
   Tool tool;
-  tool.shape = shape;
+  tool.shape = tool_shape_named(shape, "test");
   tool.diameter = 3;
   tool.flute = 9;
   tool.corner_radius = shape == "tapered" ? 0.6 : 0.8;
@@ -34,7 +34,7 @@ bool in_tool(const Tool& tool, const ToolPose& pose, const Vec3& p) {
   const Vec3 d = p - pose.tip;
   const double z = d.dot(pose.axis), r = (d - z * pose.axis).norm();
   if (z < 0 || z > tool.flute) return false;
-  if (tool.shape == "form") {
+  if (tool.shape == ToolShape::form) {
     // The outline's radius at that height: of several, the widest.
     double widest = -1;
     for (std::size_t i = 1; i < tool.points.size(); ++i) {

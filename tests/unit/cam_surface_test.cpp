@@ -6,11 +6,11 @@
 #include <random>
 
 #include "../cam_tools.h"
-#include "fieldfab/cam/contour.h"
-#include "fieldfab/cam/surface.h"
+#include "fieldfab/cam/plan/contour.h"
+#include "fieldfab/cam/plan/surface.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab::cam {
@@ -42,14 +42,14 @@ TEST(Profile, GrownIsTheMinkowskiSumWithABall) {
     Tool free = tool("profile", 0);
     free.points = points;
     const Profile sampled = free.profile().grown(0.4);
-    for (double d = 0; d < 2.95; d += 0.05) EXPECT_NEAR(grown.height(d), sampled.height(d), 0.02) << t.shape << " " << d;
+    for (double d = 0; d < 2.95; d += 0.05) EXPECT_NEAR(grown.height(d), sampled.height(d), 0.02) << name_of(t.shape) << " " << d;
   }
 }
 
 TEST(Profile, DistanceIsTheInverseOfHeight) {
   for (const Tool& t : {tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
     const Profile p = t.profile();
-    for (double d = 2.1; d < 2.99; d += 0.1) EXPECT_NEAR(p.distance(p.height(d)), d, 1e-9) << t.shape;
+    for (double d = 2.1; d < 2.99; d += 0.1) EXPECT_NEAR(p.distance(p.height(d)), d, 1e-9) << name_of(t.shape);
   }
 }
 
@@ -191,8 +191,8 @@ TEST(TipSurface, IsThatOfBruteForce) {
         for (int u = -80; u <= 80; ++u)
           if (const double away = profile.radius() * std::hypot(u, v) / 80; away <= profile.radius())
             dense = std::max(dense, surface->height(p + profile.radius() * Vec2(u, v) / 80) - profile.height(away));
-      EXPECT_GE(tips.tip(p), samples - 1e-6) << t.shape;
-      EXPECT_LE(tips.tip(p), std::max(samples, dense) + 0.1) << t.shape;
+      EXPECT_GE(tips.tip(p), samples - 1e-6) << name_of(t.shape);
+      EXPECT_LE(tips.tip(p), std::max(samples, dense) + 0.1) << name_of(t.shape);
     }
     for (int i = 0; i < 100; ++i) {
       const Vec2 low(x(random), y(random)), high = low + Vec2(1.3, 0.7) * static_cast<double>(i % 7);
@@ -201,7 +201,7 @@ TEST(TipSurface, IsThatOfBruteForce) {
         const Vec2 p =
             low + (high - low)
                       .cwiseProduct(Vec2(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random)));
-        EXPECT_TRUE(range.contains(static_cast<float>(tips.tip(p)))) << t.shape;
+        EXPECT_TRUE(range.contains(static_cast<float>(tips.tip(p)))) << name_of(t.shape);
       }
     }
   }
@@ -237,7 +237,7 @@ TEST(TipSurface, NeverCutsTheSolid) {
           deepest = std::min(deepest, static_cast<double>(c.solid->value(at)) / std::max(1.0, c.solid->gradient(at).norm()));
         }
       }
-      EXPECT_GT(deepest, -0.015) << t.shape;
+      EXPECT_GT(deepest, -0.015) << name_of(t.shape);
     }
   }
 }

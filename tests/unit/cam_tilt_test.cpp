@@ -7,8 +7,8 @@
 #include <random>
 
 #include "../cam_tools.h"
-#include "fieldfab/cam/operations.h"
-#include "fieldfab/cam/tilt.h"
+#include "fieldfab/cam/plan/operations.h"
+#include "fieldfab/cam/plan/tilt.h"
 #include "fieldfab/field/operations.h"
 
 namespace fieldfab::cam {
@@ -109,7 +109,7 @@ TEST(Tilted, TouchesThePartWithTheBallOnly) {
     const std::vector<Path> paths = tilted(upright, tips, c.tool, plane, space, settings, report);
     EXPECT_GT(report.leaning, 0.5 * (report.leaning + report.otherwise + report.left_out));
 
-    const double ball = c.tool.shape == "ball" ? c.tool.radius() : c.tool.corner_radius;
+    const double ball = c.tool.shape == ToolShape::ball ? c.tool.radius() : c.tool.corner_radius;
     const std::vector<Frustum> pieces = pieces_of(c.tool, settings.clearance, 60);
     double steepest = 0, length = 0;
     for (const Path& path : paths)

@@ -1,0 +1,293 @@
+// Running a job: each operation down its chain of stages, ordering, linking; and writing what comes out.
+#include "fieldfab/cam/job/job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fieldfab/contour/contour.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
+#include "fieldfab/field/operations.h"
+#include "fieldfab/mesh/triangle_mesh.h"
+#include "fieldfab/render/render.h"
+
+namespace fieldfab::cam {
+namespace {
+
+std::string text_of(const Value& value) {
+  if (const bool* const flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const double* const number = std::get_if<double>(&value))
+    return *number == unset ? "by itself" : fmt::format("{:.6g}", *number);
+  if (const auto* const text = std::get_if<std::string>(&value)) return *text;
+  return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
+}
+
+LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material) {
+  LinkSettings s;
+  const Values& v = op.values;
+  const double radius = op.tool.diameter / 2;
+  // Above the stock, and above what a height map may have higher than it.
+  double top = stock.upper.z();
+  for (const Path& path : cuts.paths)
+    for (const PathPoint& p : path.points) top = std::max(top, p.at.z());
+  // A leaning tool's holder hangs lower than its tip.
+  const double wide = std::max({op.tool.holder_diameter, op.tool.shank, op.tool.diameter}) / 2;
+  s.clearance = top + v.number("clearance") + wide * std::sin(cuts.leans);
+  s.helix_radius = op.tool.helix_radius();
+  s.feed = v.number("feed"), s.plunge = v.number("plunge");
+  s.link_feed = is_set(v, "link_feed") ? v.number("link_feed") : s.feed;
+  const std::string& entry = v.text("entry");
+  s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
+  s.ramp_angle = v.number("ramp_angle") * 3.14159265358979323846 / 180;
+  s.above = std::min(s.above, v.number("clearance"));
+  s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
+  s.may_stay_down = cuts.may_stay_down;
+  return s;
+}
+
+/// Neither shank nor holder may come down beside material that is higher; as it was before the operation.
+void check_depth(const PlannedOperation& op, const Section& section, const Material& material) {
+  const Tool& tool = op.tool;
+  const double cell = material.heights().cell, shank = 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter);
+  const auto check = [&](const Vec3& tip, double radius, double reach, const std::string& what) {
+    const double depth = material.highest(tip.head<2>(), std::max(0.0, radius - 2 * cell)) - tip.z();
+    if (reach > 0 && depth > reach + 1e-6)
+      throw Error(ErrorKind::bad_input, op.values.place("type"),
+                  fmt::format("{} goes {:.4g} mm deep at x {:.2f}, y {:.2f}; tool {} {}", op.name, depth, tip.x(), tip.y(),
+                              tool.number, what));
+  };
+  Vec3 last = Vec3::Constant(1e300);
+  for (const Move& move : section.moves) {
+    // Places that are close together see the same.
+    if (move.rapid() || ((move.to - last).head<2>().norm() < 0.25 * tool.diameter && move.to.z() >= last.z())) continue;
+    last = move.to;
+    check(move.to, shank, tool.flute, fmt::format("has flutes of {:.4g} mm", tool.flute));
+    check(move.to, std::max(shank, 0.5 * tool.holder_diameter), tool.length,
+          fmt::format("reaches {:.4g} mm out of its holder", tool.length));
+  }
+}
+
+}  // namespace
+
+std::string Job::plan() const {
+  std::string out = fmt::format("{}: {} -> {}\n", file_, name_of(static_cast<Kind>(input_.index())), machine_.name);
+  for (const PlannedOperation& op : operations_) {
+    out += fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>((op.own_input ? *op.own_input : input_).index())));
+    for (const Stage* stage : op.stages) out += fmt::format(" -> [{}] -> {}", stage->name, name_of(stage->makes));
+    out += fmt::format(" -> [order] -> [link] -> [{}]\n", machine_.name);
+    for (const auto& [name, given] : op.values.given)
+      out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), fmt::format("{} {}", given.from, given.place));
+  }
+  if (!machine_values_.given.empty()) out += fmt::format("\n{}\n", machine_.name);
+  for (const auto& [name, given] : machine_values_.given)
+    out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), given.from);
+  return out;
+}
+
+namespace {
+
+/// The input as a plane sees it.
+Artifact seen_from(const Artifact& input, const Plane& plane) {
+  const auto* const solid = std::get_if<Solid>(&input);
+  if (solid == nullptr || (plane.is_top() && !plane.to_the_middle)) return input;
+  Eigen::Affine3d back = Eigen::Affine3d::Identity();
+  back.linear() = plane.axes.transpose();
+  back.translation() = -plane.origin;
+  Box bounds = plane.into(*solid->bounds);
+  if (plane.to_the_middle) bounds.lower.z() = bounds.centre().z();
+  return solid_of(transform(solid->field, back), "part", bounds);
+}
+
+}  // namespace
+
+/// Runs one operation after the other; keeps what they share.
+class JobRunner {
+ public:
+  JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress) {}
+
+  void run() {
+    for (const PlannedOperation& op : job_.operations_) add(op);
+    job_.program_.stock = job_.stock_;
+    join_planes();
+  }
+
+ private:
+  /// Down the chain of stages; operations share what the first stages made, where their settings are the same.
+  Artifact through_stages(const PlannedOperation& op, Context& context) {
+    Artifact artifact = seen_from(op.own_input ? *op.own_input : job_.input_, op.plane);
+    std::string key = op.plane.name;
+    if (op.own_input) key += op.name;
+    for (const Stage* stage : op.stages) {
+      progress_.report(0, stage->name);
+      key += fmt::format("/{}/{:.17g}", stage->name, stage->operation ? 0.0 : op.tool.diameter);
+      for (const Setting& setting : stage->settings) {
+        const Value& value = op.values.given.at(setting.name).value;
+        const double* const exact = std::get_if<double>(&value);
+        key += exact != nullptr ? fmt::format("/{:.17g}", *exact) : fmt::format("/{}", text_of(value));
+      }
+      if (const auto known = made_.find(key); known != made_.end()) {
+        artifact = known->second;
+        continue;
+      }
+      try {
+        artifact = stage->run(artifact, op.values, context);
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::bad_input) throw;
+        throw Error(error.kind(), op.values.place("type"), fmt::format("{}: {}", op.name, error.what()));
+      }
+      if (!stage->operation) made_[key] = artifact;
+    }
+    return artifact;
+  }
+
+  void add(const PlannedOperation& op) {
+    const Box stock = op.plane.into(job_.stock_);
+    const auto* const solid = std::get_if<Solid>(op.own_input ? &*op.own_input : &job_.input_);
+    Material& material = material_of(op, stock);
+    for (const auto& [name, other] : materials_)
+      if (name != op.plane.name) take_away(material, op.plane, stock.lower.z(), other.material, other.plane);
+    Context context{op.tool,
+                    stock,
+                    op.plane,
+                    solid != nullptr ? solid->field : nullptr,
+                    [&]() -> const FreeSpace& { return space_about(*solid); },
+                    material,
+                    earlier_,
+                    progress_,
+                    job_.notes_};
+    Cuts cuts = std::get<Cuts>(through_stages(op, context));
+    OperationReport report;
+    report.name = op.name;
+    if (!cuts.ordered) {
+      OrderSettings settings;
+      settings.inside_first = cuts.inside_first;
+      settings.may_reverse = cuts.may_reverse;
+      report.air = order(cuts.paths, settings, progress_);
+    }
+    Section section;
+    section.name = op.name;
+    section.tool = op.tool;
+    section.spindle = op.values.number("spindle");
+    section.coolant = coolant_named(op.values.text("coolant"), op.values.place("coolant"));
+    const LinkSettings linking = link_settings(op, cuts, stock, material);
+    section.clearance = linking.clearance;
+    section.moves = link(cuts.paths, linking);
+    if (section.moves.empty()) {
+      job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
+      return;
+    }
+    if (cuts.leans == 0) check_depth(op, section, material);
+    if (op.plane.setup && op.plane.name != setup_)
+      section.setup = fmt::format(
+          "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "
+          "top",
+          op.plane.name, -stock.lower.x(), -stock.lower.y(), stock.upper.z());
+    setup_ = op.plane.setup ? op.plane.name : "";
+    if (op.tool.diameter > 0) material.cut(cuts.leans > 0 ? upright(section.moves, op.tool) : section.moves, op.tool.profile());
+    section.moves = placed(section.moves, op.plane, 0.005);
+    report.paths = cuts.paths.size();
+    report.length = lengths(section.moves);
+    report.seconds = duration(section.moves, job_.machine_.dynamics);
+    job_.reports_.push_back(report);
+    job_.program_.sections.push_back(std::move(section));
+    clearances_.push_back(op.values.number("clearance"));
+    if (cuts.finished) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
+  }
+
+  /// Moves of a ball that leans, as if it pointed straight down: the ball cuts the same.
+  static std::vector<Move> upright(std::vector<Move> moves, const Tool& tool) {
+    const double ball = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
+    for (Move& move : moves) move.to += ball * (move.axis - Vec3::UnitZ()), move.axis = Vec3::UnitZ();
+    return moves;
+  }
+
+  const FreeSpace& space_about(const Solid& solid) {
+    auto& space = spaces_[solid.field.get()];
+    if (!space) space = std::make_unique<FreeSpace>(solid.field, solid.bounds->grown(1e-3), progress_);
+    return *space;
+  }
+
+  /// What is left as the operation's plane sees it.
+  Material& material_of(const PlannedOperation& op, const Box& stock) {
+    const auto found = materials_.find(op.plane.name);
+    if (found != materials_.end()) return found->second.material;
+    // As fine as the smallest tool needs, as far as memory is not wasted on it.
+    double smallest = stock.size().head<2>().maxCoeff() / 100;
+    for (const PlannedOperation& other : job_.operations_)
+      if (other.tool.diameter > 0) smallest = std::min(smallest, other.tool.diameter / 8);
+    const double cell = std::max(smallest, stock.size().head<2>().maxCoeff() / 2000);
+    const Material block(Rectangle::of(stock), stock.upper.z(), std::max(cell, 1e-3));
+    return materials_.emplace(op.plane.name, Seen{op.plane, block}).first->second.material;
+  }
+
+  /// Algorithm 6.1 wherever the tool's direction changes; and upright at the end.
+  void join_planes() {
+    auto& sections = job_.program_.sections;
+    const Kinematics& k = job_.machine_.kinematics;
+    const auto arm = [&](const Section& s) { return k.kind == Kinematics::Kind::table_table ? 0.0 : k.pivot + s.tool.length; };
+    const auto high = [&](const Section& s, const Move& near) {
+      return Move{{near.to.x(), near.to.y(), job_.stock_.upper.z() + s.tool.length + 50}, 0, 0, Vec3::UnitZ()};
+    };
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      if (!sections[i].tilted() && (i == 0 || !sections[i - 1].tilted())) continue;
+      const Move from = i == 0 ? high(sections[0], sections[0].moves.front()) : sections[i - 1].moves.back();
+      const auto moves = transfer(from, sections[i].moves.front(), job_.stock_, clearances_[i], arm(sections[i]));
+      sections[i].moves.insert(sections[i].moves.begin(), moves.begin(), moves.end());
+    }
+    if (sections.empty() || !sections.back().tilted()) return;
+    Section& last = sections.back();
+    const Move end = last.moves.back();
+    const auto moves = transfer(end, high(last, end), job_.stock_, 5, arm(last));
+    last.moves.insert(last.moves.end(), moves.begin(), moves.end());
+  }
+
+  Job& job_;
+  Progress& progress_;
+  std::map<std::string, Artifact> made_;
+  /// What is left as a plane sees it.
+  struct Seen {
+    Plane plane;
+    Material material;
+  };
+  std::map<std::string, Seen> materials_;                      // by plane
+  std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
+  std::vector<Reached> earlier_;
+  std::vector<double> clearances_;  // of each section
+  std::string setup_;               // how the work lies
+};
+
+void Job::run(Progress& progress) {
+  program_.sections.clear();
+  reports_.clear();
+  JobRunner(*this, progress).run();
+}
+
+void Job::write(const std::filesystem::path& path, Progress& progress) const {
+  if (machine_.takes == MachineInput::mesh || machine_.takes == MachineInput::height_map) {
+    const Solid* const part = solid();
+    if (part == nullptr || part->flat)
+      throw Error(ErrorKind::bad_input, file_,
+                  fmt::format("{} takes a {}: the input must be a solid", machine_.name, name_of(machine_.takes)));
+    if (machine_.takes == MachineInput::height_map) {
+      RenderSettings settings;
+      settings.mode = RenderMode::height;
+      settings.size = 2048;
+      return write_png(render(*part->field, *part->bounds, settings, progress), path);
+    }
+    const double longest = part->bounds->size().maxCoeff(), voxel = machine_values_.number("voxel");
+    return write_mesh(contour(*part->field, part->bounds->grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
+                      path, progress);
+  }
+  std::string text;
+  try {
+    text = write_program(program_, machine_, machine_values_);
+  } catch (const Error& error) {
+    // What the machine cannot do is said at the line that chooses it.
+    if (error.place() != "machine") throw;
+    throw Error(error.kind(), machine_place_, error.what());
+  }
+  write_file(path, text);
+}
+
+}  // namespace fieldfab::cam

@@ -1,0 +1,272 @@
+#include "simulation_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fieldfab/core/error.h"
+
+namespace fieldfab::cam {
+
+using Kind = SimulationEvent::Kind;
+
+namespace {
+
+std::string tool_list(const std::map<int, Tool>& tools) {
+  std::vector<int> numbers;
+  numbers.reserve(tools.size());
+  for (const auto& [number, tool] : tools) numbers.push_back(number);
+  return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+}  // namespace
+
+SimulationRun::SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress)
+    : setup_(setup),
+      progress_(progress),
+      stock_(setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress)
+                         : Stock(setup.stock_box, setup.sampling)) {
+  if (setup.fixture) fixture_.emplace(*setup.fixture, setup.fixture_box, setup.sampling, progress);
+  if (options.remember) playback_ = std::make_shared<Playback>(stock_);
+}
+
+void SimulationRun::carry_out(const ProgramFile& program) {
+  program_ = &program;
+  poses_.emplace(setup_, program.path().string());
+  at_ = setup_.start;
+  placement_ = setup_.placement;
+  // Without any word about tools, the only one there is.
+  if (setup_.tools.size() == 1) mount(setup_.tools.begin()->second);
+  const std::vector<ReadingNote> notes = program.read(
+      setup_, [this](const Motion& motion) { take_motion(motion); }, progress_);
+  flush();
+  if (!spindle_turns_)
+    if (const int line = log_.forget(Kind::spindle_stopped); line > 0)
+      log_.note(line, "the spindle never turns while the program moves: it is taken as switched on by hand");
+  log_.add_first(notes);
+}
+
+SimulationResult::Parts SimulationRun::take() && {
+  log_.move_to(report_);
+  return {{}, {}, std::move(stock_), std::move(cuts_), {}, std::move(playback_), std::move(report_)};
+}
+
+void SimulationRun::take_motion(const Motion& motion) {
+  ++report_.moves;
+  spindle_turns_ = spindle_turns_ || motion.spindle != 0;
+  if (motion.tool != tool_number_ && motion.tool != 0 && !by_hand_) change_tool(motion.tool, motion.line);
+  switch (motion.kind) {
+    case Motion::Kind::rapid:
+    case Motion::Kind::feed:
+    case Motion::Kind::arc: move(motion); break;
+    case Motion::Kind::dwell:
+      record(motion.line).seconds += motion.seconds;
+      report_.seconds += motion.seconds;
+      break;
+    case Motion::Kind::stop: stop(motion); break;
+    case Motion::Kind::tool_change:
+    case Motion::Kind::end: break;
+  }
+}
+
+void SimulationRun::mount(const Tool& tool) {
+  flush();  // strokes point into the tool that was there
+  const auto mounted = std::make_shared<Mounted>();
+  mounted->tool = tool;
+  mounted->solid = tool_solid(tool);
+  mounted->inner = mounted->solid.shrunk(setup_.touch);
+  mounted_ = mounted;
+  tool_number_ = tool.number;
+  known_ = false;  // nor is it said how the machine got to where tools are changed and back
+}
+
+void SimulationRun::change_tool(int number, int line) {
+  const auto found = setup_.tools.find(number);
+  if (found == setup_.tools.end())
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_->path().string(), line),
+                fmt::format("tool {} is not in the set-up, which has {}", number, tool_list(setup_.tools)));
+  mount(found->second);
+}
+
+void SimulationRun::stop(const Motion& motion) {
+  if (stops_ >= setup_.stops.size()) return;
+  const StopAction& action = setup_.stops[stops_++];
+  if (action.placement) {
+    flush();
+    placement_ = *action.placement;
+    known_ = false;  // the part was turned: how the tool came to where it is means nothing
+  }
+  if (action.tool) change_tool(action.tool, motion.line), by_hand_ = true;
+}
+
+/// Takes the tool that a program begins with that names none.
+void SimulationRun::need_tool(const Motion& motion) {
+  if (setup_.tools.empty())
+    throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_->path().string(), motion.line),
+                "no tool is in the spindle; the set-up has none");
+  const auto first = setup_.tools.find(setup_.first_tool);
+  const Tool& tool = (first != setup_.tools.end() ? first : setup_.tools.begin())->second;
+  log_.note(motion.line, fmt::format("the program names no tool: number {} is taken", tool.number));
+  mount(tool);
+}
+
+void SimulationRun::move(const Motion& motion) {
+  poses_->check(motion);
+  const bool rapid = motion.kind == Motion::Kind::rapid;
+  if (!mounted_ && setup_.first_tool == 0 && rapid) {
+    at_ = motion.end;  // an empty spindle
+    return;
+  }
+  if (!mounted_) need_tool(motion);
+  const Tool& tool = mounted_->tool;
+  const double tolerance = stock_.tolerance();
+  // The axes stand where they were, whatever the control now takes for the tool's length.
+  AxisValues start = known_ ? at_ : motion.end;
+  for (std::size_t a = 0; known_ && a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    start.at[a] += offset_[i] - motion.tool_offset[i];
+  }
+  const std::vector<AxisValues> stations = poses_->places(start, motion, tolerance);
+  check_limits(motion, stations);
+  const double lengthened = motion.tool_offset != Vec3::Zero() ? motion.tool_offset.z() - tool.length : 0;
+  std::vector<ToolPose> way =
+      poses_->along(stations, motion.mode, lengthened, tool.length, placement_, mounted_->solid.length(), tolerance);
+  if (!known_) way.erase(way.begin(), way.end() - 1);
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i].tip - way[i - 1].tip).norm();
+  const double seconds = duration_of(motion, length);
+  record(motion.line).seconds += seconds;
+  report_.seconds += seconds;
+  if (rapid) report_.rapid_seconds += seconds, report_.rapid += length;
+  const std::uint32_t tip = cuts_.add(motion.line, tool.number);
+  if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
+  for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
+  if (playback_)
+    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end}, {mounted_, &mounted_->solid}, tip, way);
+  report_.poses += way.size() - 1;
+  at_ = motion.end;
+  offset_ = motion.tool_offset;
+  known_ = true;
+  if (strokes_.size() >= 4096) {
+    flush();
+    progress_.report(std::min(1.0, static_cast<double>(motion.line) / program_->lines()), fmt::format("line {}", motion.line));
+    progress_.check();
+  }
+}
+
+void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length) {
+  const bool rapid = motion.kind == Motion::Kind::rapid;
+  Purpose purpose{Purpose::What::cut, record_, motion.line, mounted_->tool.number, length, motion.spindle == 0};
+  const auto stroke = [&](const ToolSolid& tool, ToolRole role, Purpose::What what, bool removes) {
+    purpose.what = what;
+    add_strokes(tool, role, from, to, tip, removes, strokes_);
+    for (; purposes_.size() < strokes_.size(); purpose.length = 0) purposes_.push_back(purpose);  // the way counts once
+  };
+  const ToolSolid &solid = mounted_->solid, &inner = mounted_->inner;
+  // First what lies inside the tool, for rapids; then the cut; then what must not touch what is left.
+  if (rapid) stroke(inner, ToolRole::cutting, Purpose::What::rapid, false), purpose.length = length;
+  stroke(solid, ToolRole::cutting, rapid ? Purpose::What::rapid : Purpose::What::cut, true);
+  stroke(inner, ToolRole::shank, Purpose::What::shank, false);
+  stroke(inner, ToolRole::holder, Purpose::What::holder, false);
+  // A shank that was told of takes away what it met: what is left where it went is no further fault.
+  stroke(solid, ToolRole::shank, Purpose::What::shank, true);
+  if (!fixture_) return;
+  purpose.what = Purpose::What::fixture;
+  for (const ToolRole role : {ToolRole::cutting, ToolRole::shank, ToolRole::holder})
+    add_strokes(inner, role, from, to, tip, false, fixture_strokes_);
+  fixture_purposes_.resize(fixture_strokes_.size(), purpose);
+}
+
+/// Carries out what was collected.
+void SimulationRun::flush() {
+  if (strokes_.empty()) return;
+  const std::vector<StrokeResult> results = stock_.cut(strokes_, progress_);
+  for (std::size_t i = 0; i < results.size(); ++i) judge(strokes_[i], purposes_[i], results[i]);
+  strokes_.clear();
+  purposes_.clear();
+  if (playback_) playback_->keep(stock_);
+  if (fixture_strokes_.empty()) return;
+  const std::vector<StrokeResult> touched = fixture_->cut(fixture_strokes_, progress_);
+  for (std::size_t i = 0; i < touched.size(); ++i) judge(fixture_strokes_[i], fixture_purposes_[i], touched[i]);
+  fixture_strokes_.clear();
+  fixture_purposes_.clear();
+}
+
+void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
+  const auto told = [&](Kind kind, const char* what) {
+    if (!result.points) return;
+    log_.add({kind, purpose.line, purpose.tool, result.place, result.volume,
+              fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
+                          result.place.z())});
+  };
+  LineRecord& line = report_.lines[purpose.record];
+  switch (purpose.what) {
+    case Purpose::What::cut:
+      line.removed += result.volume, report_.removed += result.volume;
+      // Rubbing along what is there is air: less than a chip of a hundredth by a hundredth of a millimetre.
+      (result.volume > 1e-4 * purpose.length ? line.cut : line.air) += purpose.length;
+      (result.volume > 1e-4 * purpose.length ? report_.cut : report_.air) += purpose.length;
+      if (purpose.stopped) told(Kind::spindle_stopped, "it cuts while the spindle stands");
+      break;
+    case Purpose::What::rapid:
+      if (stroke.removes)
+        line.removed += result.volume, report_.removed += result.volume;
+      else
+        told(Kind::rapid_contact, "a rapid goes through material");
+      break;
+    case Purpose::What::shank:
+      if (!stroke.removes) told(Kind::shank_contact, "the shank meets material");
+      break;
+    case Purpose::What::holder: told(Kind::holder_contact, "the holder meets material"); break;
+    case Purpose::What::fixture: told(Kind::fixture_contact, "the tool meets a fixture"); break;
+  }
+}
+
+/// Arcs may leave the limits between their ends. Coming back from beyond a limit is no further fault.
+void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisValues>& stations) {
+  for (std::size_t axis = 0; axis < 9; ++axis) {
+    const auto& [low, high] = setup_.limits[axis];
+    const auto beyond = [&](const AxisValues& place) { return std::max(low - place.at[axis], place.at[axis] - high); };
+    const double before = beyond(stations.front());
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const double excess = beyond(stations[i]);
+      const bool end = i + 1 == stations.size();
+      if (excess <= 1e-6 || (!end && excess <= before)) continue;
+      const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
+      log_.add({Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
+                fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
+                            stations[i].at[axis] * unit, low * unit, high * unit)});
+    }
+  }
+}
+
+/// Of a motion whose tip goes `length` mm on the part.
+double SimulationRun::duration_of(const Motion& motion, double length) const {
+  if (motion.seconds > 0) return motion.seconds;
+  double linear = 0, turned = 0;
+  for (std::size_t a = 0; a < 3; ++a) linear += std::pow(motion.end.at[a] - at_.at[a], 2);
+  for (std::size_t a = 3; a < 6; ++a) turned = std::max(turned, std::abs(motion.end.at[a] - at_.at[a]));
+  linear = motion.kind == Motion::Kind::arc ? length : std::sqrt(linear);
+  if (!known_) return 0;
+  if (motion.kind == Motion::Kind::rapid) {
+    constexpr double turning = 3600 * std::numbers::pi / 180;  // radians/min, where nothing is said about it
+    return 60 * std::max(linear / std::max(setup_.machine.dynamics.rapid, 1.0), turned / turning);
+  }
+  if (motion.feed <= 0) return 0;
+  return 60 * (linear > 1e-9 ? linear : turned) / motion.feed;
+}
+
+LineRecord& SimulationRun::record(int line) {
+  auto& lines = report_.lines;
+  if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_) {
+    const auto [at, fresh] = record_of_line_.try_emplace({line, tool_number_}, lines.size());
+    if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0});
+    record_ = at->second;
+  } else
+    record_ = lines.size() - 1;
+  return lines[record_];
+}
+
+}  // namespace fieldfab::cam
