@@ -19,13 +19,9 @@ class BlockInspector {
   }
 
   std::vector<UnclearCell> run(const Field& field) {
-    if (!field.affine()) {
-      std::vector<std::uint32_t> points(samples_.points.size());
-      for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
-      inspect({0, 0, 0}, block_side, field, points);
-    } else {
-      known_ = true;
-    }
+    std::vector<std::uint32_t> points(samples_.points.size());
+    for (std::uint32_t i = 0; i < points.size(); ++i) points[i] = i;
+    inspect({0, 0, 0}, block_side, field, points);
     if (failures_ > rough)
       for (UnclearCell& cell : unclear_) cell.field.reset(), cell.folded = false;
     return std::move(unclear_);
@@ -65,6 +61,10 @@ class BlockInspector {
   }
 
   void inspect(const Corner& at, int side, const Field& field, std::span<const std::uint32_t> points) {
+    if (field.affine()) {
+      known_ = true;
+      return;
+    }
     if (field.smooth()) return inspect_samples(at, side, field);
     if (failures_ > rough) return leave_open_cells(at, side);
     const Box box = cube(at, side);

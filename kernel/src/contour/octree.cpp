@@ -102,7 +102,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   std::atomic<bool> known{false};
   std::atomic<std::size_t> crossed{0}, folded{0};
   std::vector<char> complete(open.size());
-  parallel_for(open.size(), [&](std::size_t i) {
+  const auto look = [&](std::size_t i) {
     progress.check();
     BlockView view = view_block(*open[i]->field, lattice_, open[i]->lower, settings, sampled[i]);
     if (view.known) known.store(true, std::memory_order_relaxed);
@@ -117,6 +117,16 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
     }
     if (const std::size_t count = ++done; count % 256 == 0)
       progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
+  };
+  // Of a thin sheet a few blocks tell that the voxel is too large.
+  constexpr std::size_t step = 8, enough = 32;
+  const std::size_t first_ones = (open.size() + step - 1) / step;
+  parallel_for(first_ones, [&](std::size_t i) { look(step * i); });
+  if (first_ones >= enough && 2 * folded > crossed)
+    wants_half_voxel_ = known && half_voxel_pays(step * folded, step * crossed, open.size(), settings);
+  if (wants_half_voxel_) return;
+  parallel_for(open.size(), [&](std::size_t i) {
+    if (i % step != 0) look(i);
   });
   certainty_.doubt = known ? Doubt::finest_size : Doubt::slopes_unknown;
   wants_half_voxel_ = known && half_voxel_pays(folded, crossed, open.size(), settings);
