@@ -336,17 +336,26 @@ class ConvertVerb final : public Verb {
       Resolution wanted = options_.wanted();
       wanted.exact = false;
       std::vector<MeshPart> parts;
-      for (const Solid& part : model.parts) parts.push_back({surface(part, wanted, progress).mesh, part.name, part.colour});
+      Certainty certainty;
+      for (const Solid& part : model.parts) {
+        ContourMesh mesh = surface(part, wanted, progress).mesh;
+        certainty.add(mesh.certainty);
+        parts.push_back({std::move(mesh), part.name, part.colour});
+      }
       write_mesh_parts(parts, options_.output, progress);
+      outcome.line += ", " + certainty.text();
+      tell_certainty(certainty, outcome);
       return outcome;
     }
     const Solid solid = options_.open_solid(progress);
     const Box bounds = working_bounds(solid, options_.region(), progress);
-    const double cell = options_.cell(bounds, solid);
+    const auto [cell, certainty] = options_.lattice_cells(bounds, solid, progress);
     if (to == ".vdb")
       write_vdb(*solid.field, bounds, cell, options_.output, progress);
     else
       Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)->save(options_.output);
+    outcome.line += ", " + certainty.text();
+    tell_certainty(certainty, outcome);
     return outcome;
   }
 

@@ -5,6 +5,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/bounds.h"
+#include "json.h"
 #include "verbs.h"
 
 namespace fieldfab::cli {
@@ -19,9 +20,7 @@ double positive(const std::optional<double>& value, const char* option) {
 }  // namespace
 
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
-  verb.add_option("MODEL", model,
-                  "the solid: " + openscad::all_formats().readable())
-      ->required();
+  verb.add_option("MODEL", model, "the solid: " + openscad::all_formats().readable())->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
   auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
   verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")
@@ -96,8 +95,19 @@ Resolution ModelOptions::wanted() const {
   return wanted;
 }
 
+LatticeCells ModelOptions::lattice_cells(const Box& region, const Solid& solid, Progress& progress) const {
+  const std::optional<double> cell = wanted().cell;
+  if (!cell) return fieldfab::lattice_cells(solid, region, progress);
+  return {*cell, certainty_of_cells(*solid.field, region, *cell, progress)};
+}
+
 double ModelOptions::cell(const Box& region, const Solid& solid) const {
   return wanted().voxel.value_or(default_voxel(solid, region));
+}
+
+void tell_certainty(const Certainty& certainty, Outcome& outcome) {
+  outcome.json["certain"] = certainty.certain();
+  if (!certainty.certain()) outcome.json["uncertain"] = json_of(certainty);
 }
 
 }  // namespace fieldfab::cli

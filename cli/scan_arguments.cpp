@@ -52,8 +52,13 @@ void ScanArguments::declare(CLI::App& verb) {
 
 std::vector<frep::OpenOption> ScanArguments::options() const {
   std::vector<frep::OpenOption> given;
-  for (const auto& [name, text] : {std::pair("threshold", &threshold), {"dims", &size}, {"type", &type},
-                                   {"byte_order", &byte_order}, {"spacing", &spacing}, {"series", &series}, {"crop", &crop},
+  for (const auto& [name, text] : {std::pair("threshold", &threshold),
+                                   {"dims", &size},
+                                   {"type", &type},
+                                   {"byte_order", &byte_order},
+                                   {"spacing", &spacing},
+                                   {"series", &series},
+                                   {"crop", &crop},
                                    {"denoise", &denoise}}) {
     if (text->empty()) continue;
     double number = 0;  // a plain number stays one in texts

@@ -27,13 +27,6 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Adds to the answer whether it shows all of the solid; `wanted`: it has to.
-void tell_certainty(const Certainty& certainty, bool wanted, Outcome& outcome) {
-  outcome.json["certain"] = certainty.certain();
-  if (!certainty.certain()) outcome.json["uncertain"] = json_of(certainty);
-  if (wanted && !certainty.certain()) outcome.code = 1;
-}
-
 class BuildVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
@@ -50,9 +43,8 @@ class BuildVerb final : public Verb {
     const Stopwatch clock;
     const Solid solid = options_.open_solid(progress);
     const Box bounds = working_bounds(solid, options_.region(), progress);
-    const auto asdf =
-        Asdf::build(*solid.field, bounds, {options_.cell(bounds, solid), options_.max_error.value_or(-1), true}, progress);
-    const Certainty certainty = certainty_of_cells(*solid.field, bounds, asdf->voxel(), progress);
+    const auto [voxel, certainty] = options_.lattice_cells(bounds, solid, progress);
+    const auto asdf = Asdf::build(*solid.field, bounds, {voxel, options_.max_error.value_or(-1), true}, progress);
     asdf->save(options_.output, file_, progress);
     const AsdfStatistics counts = asdf->statistics();
     const auto& n = asdf->lattice();
@@ -66,7 +58,8 @@ class BuildVerb final : public Verb {
                     {"leafs", counts.leafs},     {"filled", counts.filled},
                     {"empty", counts.empty},     {"branches", counts.branches},
                     {"bytes", counts.bytes},     {"seconds", clock.seconds()}};
-    tell_certainty(certainty, certain_, outcome);
+    tell_certainty(certainty, outcome);
+    if (certain_ && !certainty.certain()) outcome.code = 1;
     return outcome;
   }
 
@@ -187,7 +180,8 @@ class MeshVerb final : public Verb {
                     {"exact", exact},
                     {"bounds", json_of(bounds)}};
     if (model.parts.size() > 1) outcome.json["parts"] = described;
-    tell_certainty(certainty, certain_, outcome);
+    tell_certainty(certainty, outcome);
+    if (certain_ && !certainty.certain()) outcome.code = 1;
     return parts;
   }
 
@@ -252,7 +246,7 @@ class CheckVerb final : public Verb {
           {{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
     }
     outcome.json["rows"] = rows;
-    tell_certainty(report.certainty, false, outcome);
+    tell_certainty(report.certainty, outcome);
     outcome.line += fmt::format("the mesh is {}\n", report.certainty.text());
     outcome.json["measures"] = json_of(report.measures);
     outcome.line += fmt::format("the solid has {}\n", report.measures.text());

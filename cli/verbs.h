@@ -24,6 +24,9 @@ struct Outcome {
   int code = 0;
 };
 
+/// Adds to the answer as JSON whether it shows all of the solid.
+void tell_certainty(const Certainty& certainty, Outcome& outcome);
+
 /// How to take a volume: options of every verb on a MODEL.
 struct ScanArguments {
   std::string threshold, size, type, byte_order, spacing, series, crop, denoise, memory = "512M";
@@ -62,6 +65,8 @@ struct ModelOptions {
   [[nodiscard]] Resolution wanted() const;
   /// The smallest cell, mm: as asked for, or the solid's default.
   [[nodiscard]] double cell(const Box& bounds, const Solid& solid) const;
+  /// The cells of a lattice, as asked for or lattice_cells(), and whether they show all of the solid.
+  [[nodiscard]] LatticeCells lattice_cells(const Box& bounds, const Solid& solid, Progress& progress) const;
   /// Whether the model is a volume to be taken sample by sample: no other lattice was asked for.
   [[nodiscard]] bool takes_samples() const;
   /// Throws bad_input unless `output` is given.

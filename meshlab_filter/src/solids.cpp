@@ -205,7 +205,8 @@ std::optional<Layer> layer_of(const ExactSolid& solid, std::string name) {
 
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
                std::vector<std::string>& log, Progress& progress) {
-  ContourMesh mesh = contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp}, progress);
+  ContourMesh mesh =
+      contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp, depth_for(*field)}, progress);
   if (mesh.triangles.empty())
     throw Error(ErrorKind::bad_input, "result",
                 fmt::format("there is nothing left that is as thick as a voxel of {:.3g} mm", fineness.voxel));

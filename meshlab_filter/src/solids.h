@@ -41,6 +41,9 @@ TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log)
 /// Whether the solid's Field is exact, with edges to be kept.
 inline bool is_sharp(const Solid& solid) { return !solid.field->sampled(); }
 
+/// How often contour() may halve cells: what was sampled from a layer shows nothing more of it in smaller ones.
+inline int depth_for(const Field& field) { return field.sampled() ? 0 : ContourSettings{}.depth; }
+
 /// The layer as a solid with bounds: what its triangles wind around, holes closed by lids. Within `reach` mm of the surface its
 /// values are distances (0: only next to it), as offsets and walls need. Exact where triangles are larger than a few voxels or
 /// edges are to be kept, else sampled on a lattice. Throws bad_input, too_large (before anything is begun, with how much it would

@@ -62,15 +62,29 @@ def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
 
 def test_certainty_of_a_distance_field(ball, tmp_path):
     assert summary("build", ball, "-o", tmp_path / "ball.asdf", "--certain")["certain"]
-    (tmp_path / "plate.frep").write_text("box(100, 80, 0.3)")
+    (tmp_path / "plate.frep").write_text("box(100, 80, 0.3)")  # default cells are as small as that takes, to a quarter
+    assert summary("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")["certain"]
+    made = summary("mesh", tmp_path / "plate.asdf", "-o", tmp_path / "plate.stl", "--voxel", 0.1)
+    assert made["volume"] == pytest.approx(2400, rel=0.01)
+    assert summary("convert", tmp_path / "plate.frep", "-o", tmp_path / "plate.vdb")["certain"]
+    (tmp_path / "plate.frep").write_text("box(100, 80, 0.1)")
     done = run("--json", "build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")
     assert done.returncode == 1, done.stderr
     told = json.loads(done.stdout)
     assert not told["certain"] and told["uncertain"]["count"] == 1
     lower, upper = told["uncertain"]["places"][0]["bounds"][:3], told["uncertain"]["places"][0]["bounds"][3:]
-    assert all(a < -s and b > s for a, b, s in zip(lower, upper, (49, 39, 0.1), strict=True))
-    line = run("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--voxel", 0.1).stdout
+    assert all(a < -s and b > s for a, b, s in zip(lower, upper, (49, 39, 0.04), strict=True))
+    line = run("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--voxel", 0.04).stdout
     assert "certain" in line and "not certain" not in line
+
+
+def test_scans_are_certain_in_their_own_cells(tmp_path):
+    scan = DATA / "ct/engine.nii.gz"
+    made = summary("mesh", scan, "-o", tmp_path / "engine.ply", "--certain", "--threshold", 80)
+    assert made["certain"] and made["voxel"] == pytest.approx(1)
+    assert summary("build", scan, "-o", tmp_path / "engine.asdf", "--certain", "--threshold", 80)["certain"]
+    coarse = run("mesh", scan, "-o", tmp_path / "coarse.ply", "--certain", "--threshold", 80, "--voxel", 3)
+    assert coarse.returncode == 1 and "it was not looked" in coarse.stdout
 
 
 def test_info_and_check_give_bounds_of_volume_and_area(ball, tmp_path):

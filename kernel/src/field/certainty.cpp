@@ -217,6 +217,19 @@ class CellInspector {
   bool known_ = false;
 };
 
+/// Whether the planes of a lattice pass through all samples of a Field: its cells then have all that is known.
+bool divides_samples(const Field& field, const Box& region, const std::array<std::int32_t, 3>& counts) {
+  const std::optional<Sampling> samples = field.sampling();
+  if (!samples) return false;
+  const auto is_whole = [](double number) { return std::abs(number - std::round(number)) < 1e-6 && std::abs(number) < 1e9; };
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double cell = region.size()[axis] / counts[static_cast<std::size_t>(axis)];
+    const double parts = samples->spacing[axis] / cell;
+    if (parts < 0.5 || !is_whole(parts) || !is_whole((region.lower[axis] - samples->origin[axis]) / cell)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Certainty certainty_of_cells(const Field& field, const Box& region, double voxel, Progress& progress) {
@@ -229,9 +242,11 @@ Certainty certainty_of_cells(const Field& field, const Box& region, double voxel
     if (cells > (1 << 24)) throw Error(ErrorKind::too_large, "voxel", "divides the region into more than 2^24 cells a side");
     counts[axis] = std::max(1, static_cast<std::int32_t>(cells));
   }
-  Certainty certainty;
-  certainty.doubt = Doubt::not_looked;
-  if (field.sampled()) return certainty;
+  if (field.sampled()) {
+    Certainty certainty;
+    if (!divides_samples(field, region, counts)) certainty.doubt = Doubt::not_looked;
+    return certainty;
+  }
   progress.report(0, "looking for thin parts");
   CellInspector inspector(region, counts, progress);
   const Restriction here = field.restricted(region.grown(sheet_overlap * voxel));

@@ -245,7 +245,8 @@ class Linear final : public Field {
     return {std::make_shared<Linear>(std::move(inner.field), factor_, shift_), inner.axes, inner.origin};
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
-  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return a_->sampling(); }
+  // An offset moves the ends of a scan off its samples.
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return shift_ == 0 ? a_->sampling() : std::nullopt; }
   [[nodiscard]] bool corners_tell(const Box& box) const noexcept override { return shift_ == 0 && a_->corners_tell(box); }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }

@@ -36,6 +36,18 @@ double default_voxel(const Solid& solid, const Box& region, double cells) {
   return solid.voxel.value_or(region.size().maxCoeff() / cells);
 }
 
+LatticeCells lattice_cells(const Solid& solid, const Box& region, Progress& progress) {
+  LatticeCells cells;
+  cells.voxel = default_voxel(solid, region);
+  cells.certainty = certainty_of_cells(*solid.field, region, cells.voxel, progress);
+  for (const double part : {0.5, 0.25}) {
+    if (cells.certainty.certain() || cells.certainty.doubt != Doubt::finest_size) break;
+    const double voxel = part * default_voxel(solid, region);
+    if (certainty_of_cells(*solid.field, region, voxel, progress).certain()) return {voxel, {}};
+  }
+  return cells;
+}
+
 std::vector<Colour> vertex_colours(const TriangleMesh& mesh, const Model& model) {
   std::vector<Colour> colours;
   if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))

@@ -111,7 +111,7 @@ Result run(const Values& values, Progress& progress) {
   if (wall < fineness.voxel)
     result.log.push_back(fmt::format("the wall is {:.2g} voxels thick: it may have holes", wall / fineness.voxel));
   if (holes > 0) {
-    const ContourMesh hollow = contour(*inner, *solid.bounds, {fineness.voxel, -1, false}, progress);
+    const ContourMesh hollow = contour(*inner, *solid.bounds, {fineness.voxel, -1, false, depth_for(*inner)}, progress);
     int made = 0;
     for (const std::vector<Vec3>& piece : pieces_of(hollow)) {
       for (const Drain& drain : drains_of(piece, holes))

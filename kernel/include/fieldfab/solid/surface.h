@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/field/certainty.h"
 #include "fieldfab/solid/solid.h"
 
 namespace fieldfab {
@@ -36,6 +37,16 @@ Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progres
 /// side. Throws bad_input unless `cells` is positive.
 constexpr double default_cells = 128;
 double default_voxel(const Solid& solid, const Box& region, double cells = default_cells);
+
+/// Cells of a lattice, and whether they show all of a solid.
+struct LatticeCells {
+  double voxel = 0;  ///< mm
+  Certainty certainty;
+};
+
+/// The cells for what has no smaller ones where the solid is thin, such as a distance field: default_voxel(), or the half or the
+/// quarter of it where only that shows all of the solid. Throws as certainty_of_cells() does.
+LatticeCells lattice_cells(const Solid& solid, const Box& region, Progress& progress = Progress::none());
 
 /// The colour of each vertex of a mesh of all parts together: that of the part with the least value there, light grey where it
 /// has none. Empty where no part has a colour.
