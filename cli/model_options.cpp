@@ -96,7 +96,7 @@ Resolution ModelOptions::wanted() const {
 }
 
 LatticeCells ModelOptions::lattice_cells(const Box& region, const Solid& solid, Progress& progress) const {
-  const std::optional<double> cell = wanted().cell;
+  const std::optional<double> cell = wanted().voxel;
   if (!cell) return fieldfab::lattice_cells(solid, region, progress);
   return {*cell, certainty_of_cells(*solid.field, region, *cell, progress)};
 }
