@@ -21,7 +21,7 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 ToolSolid ball(double radius) {
   Tool tool;
-  tool.shape = "ball";
+  tool.shape = ToolShape::ball;
   tool.diameter = 2 * radius;
   tool.flute = 5;
   return tool_solid(tool);
@@ -190,7 +190,7 @@ void time_and_memory(double density) {
 }
 
 /// cutsim's job: 7381 poses of a 6 mm cutter that leans, in rows 1 mm apart over a block of 60 x 60 x 20 mm.
-Stock milled(const std::string& shape, double cell, double& cutting, double& meshing) {
+Stock milled(ToolShape shape, double cell, double& cutting, double& meshing) {
   Tool tool;
   tool.shape = shape;
   tool.diameter = 6;
@@ -220,15 +220,15 @@ Stock milled(const std::string& shape, double cell, double& cutting, double& mes
 
 void tilted() {
   struct Rival {
-    std::string shape;
+    ToolShape shape;
     double cell, seconds, bytes;
   };
   fmt::print("7381 poses of a leaning 6 mm cutter, cutsim's job\n{:6}{:>8}{:>8}{:>8}{:>10}{:>9}{:>15}{:>10}{:>15}\n", "", "cell",
              "cut s", "mesh s", "cutsim s", "ratio", "bytes", "cutsim", "cutsim / ours");
-  for (const Rival& rival : {Rival{"flat", 0.156, 31, 2.9e9}, Rival{"ball", 0.313, 9.2, 0.74e9}}) {
+  for (const Rival& rival : {Rival{ToolShape::flat, 0.156, 31, 2.9e9}, Rival{ToolShape::ball, 0.313, 9.2, 0.74e9}}) {
     double cutting = 0, meshing = 0;
     const auto bytes = static_cast<double>(milled(rival.shape, rival.cell, cutting, meshing).statistics().bytes);
-    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", rival.shape, rival.cell, cutting, meshing,
+    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting, meshing,
                rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
   }
 }
@@ -240,7 +240,7 @@ void growth() {
   double last_time = 0, last_bytes = 0;
   for (const double cell : {0.8, 0.4, 0.2, 0.1, 0.05}) {
     double cutting = 0, meshing = 0;
-    const auto bytes = static_cast<double>(milled("flat", cell, cutting, meshing).statistics().bytes);
+    const auto bytes = static_cast<double>(milled(ToolShape::flat, cell, cutting, meshing).statistics().bytes);
     const auto times = [](double now, double before) { return before > 0 ? fmt::format("{:.2f}", now / before) : ""; };
     fmt::print("{:>8}{:>9.3f}{:>9.3f}{:>12}{:>9}{:>12}\n", cell, cutting, meshing, bytes, times(cutting + meshing, last_time),
                times(bytes, last_bytes));
