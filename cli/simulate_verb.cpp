@@ -25,7 +25,10 @@ class SimulateVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
-    verb_->add_option("PROGRAM", program_, "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt")->required();
+    verb_->add_option(
+        "PROGRAM", programs_,
+        "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt; several are carried out one after the "
+        "other, none: those that the set-up names");
     verb_
         ->add_option(
             "--setup", setup_,
@@ -70,7 +73,8 @@ class SimulateVerb final : public Verb {
     if (colours_ == "deviation" && !setup.target)
       throw Error(ErrorKind::bad_input, "--colours", "there is no target to tell deviations from");
     const cam::SimulationOptions options{.remember = !frames_.empty()};
-    const cam::SimulationResult result = cam::simulate(std::move(setup), program_, options, progress);
+    const cam::SimulationResult result = cam::simulate(
+        std::move(setup), std::vector<std::filesystem::path>(programs_.begin(), programs_.end()), options, progress);
     if (!output_.empty()) write_stock(result, progress);
     if (!frames_.empty()) {
       look_from(frame_settings_);
@@ -103,10 +107,14 @@ class SimulateVerb final : public Verb {
 
   [[nodiscard]] Outcome report(const cam::SimulationResult& result, Progress& progress) const {
     const cam::SimulationReport& r = result.report();
-    for (const cam::ReadingNote& note : r.notes)
-      tell({"fieldfab: note: ", printable(fmt::format("{}:{}: {}", program_, note.line, note.message)), "\n"});
+    const auto name = [&](int program) { return r.programs[static_cast<std::size_t>(program)].string(); };
+    std::vector<std::string> names;
+    for (const std::filesystem::path& program : r.programs) names.push_back(program.string());
+    for (const cam::SimulationNote& note : r.notes)
+      tell({"fieldfab: note: ", printable(fmt::format("{}:{}: {}", name(note.program), note.line, note.message)), "\n"});
     for (const cam::SimulationEvent& e : r.events)
-      tell({"fieldfab: ", printable(fmt::format("{}:{}: {}: {}", program_, e.line, cam::name_of(e.kind), e.message)), "\n"});
+      tell({"fieldfab: ",
+            printable(fmt::format("{}:{}: {}: {}", name(e.move.program), e.move.line, cam::name_of(e.kind), e.message)), "\n"});
     Outcome outcome;
     outcome.json = cam::json_of(r, false);
     for (const std::string& path : reports_)
@@ -118,8 +126,8 @@ class SimulateVerb final : public Verb {
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
     outcome.line = fmt::format(
-        "{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}", program_, r.moves, seconds / 60,
-        seconds % 60, r.removed, 100 * r.air_share(),
+        "{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}", fmt::join(names, ", "), r.moves,
+        seconds / 60, seconds % 60, r.removed, 100 * r.air_share(),
         r.good() ? "nothing is wrong" : fmt::format("{} thing{} wrong", r.events.size(), r.events.size() == 1 ? "" : "s"));
     if (r.deviation)
       outcome.line +=
@@ -147,8 +155,8 @@ class SimulateVerb final : public Verb {
     cam::write_stock_picture(result, picture_, view, progress);
   }
 
-  std::string program_, setup_, dialect_, output_, target_, picture_, colours_, frames_;
-  std::vector<std::string> reports_;
+  std::string setup_, dialect_, output_, target_, picture_, colours_, frames_;
+  std::vector<std::string> programs_, reports_;
   cam::FrameSettings frame_settings_;
   std::optional<int> size_;
   std::optional<double> cell_, gouge_, alpha_, beta_;

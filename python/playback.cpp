@@ -98,8 +98,9 @@ void bind_moves(py::module_& module) {
           [](const cam::Playhead& head) { return of_moves<double>(head, [](const auto& move) { return move.seconds; }); },
           "Machine time at the end of each move.")
       .def(
-          "done_after_line", [](const cam::Playhead& head, int line) { return head.playback().done_after_line(line); },
-          py::arg("line"), "How many moves are done after a line.")
+          "done_after_line",
+          [](const cam::Playhead& head, int line, int program) { return head.playback().done_after_line(line, program); },
+          py::arg("line"), py::arg("program") = 0, "How many moves are done after a line.")
       .def(
           "done_after_seconds",
           [](const cam::Playhead& head, double seconds) { return head.playback().done_after_seconds(seconds); },

@@ -113,6 +113,15 @@ cam::AxisValues axes_of(const std::array<double, 9>& given) {
   return axes;
 }
 
+/// One program, several, or those of the set-up.
+using Programs = std::optional<std::variant<std::filesystem::path, std::vector<std::filesystem::path>>>;
+
+std::vector<std::filesystem::path> paths_of(const Programs& programs) {
+  if (!programs) return {};
+  if (const auto* const one = std::get_if<std::filesystem::path>(&*programs)) return {*one};
+  return std::get<std::vector<std::filesystem::path>>(*programs);
+}
+
 /// A simulation in Python, and the place in its playback.
 struct Simulated {
   cam::SimulationResult result;
@@ -142,14 +151,18 @@ py::str text_of(const std::string& bytes) {
 py::dict dict_of(const cam::SimulationReport& report) {
   py::list events, notes, lines;
   for (const cam::SimulationEvent& e : report.events)
-    events.append(py::dict(py::arg("kind") = cam::name_of(e.kind), py::arg("line") = e.line, py::arg("tool") = e.tool,
+    events.append(py::dict(py::arg("kind") = cam::name_of(e.kind), py::arg("line") = e.move.line,
+                           py::arg("first_line") = e.first_line, py::arg("last_line") = e.last_line,
+                           py::arg("tool") = e.move.tool, py::arg("program") = e.move.program,
                            py::arg("place") = std::array<double, 3>{e.place.x(), e.place.y(), e.place.z()},
                            py::arg("amount") = e.amount, py::arg("message") = text_of(e.message)));
-  for (const cam::ReadingNote& note : report.notes)
-    notes.append(py::dict(py::arg("line") = note.line, py::arg("message") = text_of(note.message)));
+  for (const cam::SimulationNote& note : report.notes)
+    notes.append(
+        py::dict(py::arg("line") = note.line, py::arg("program") = note.program, py::arg("message") = text_of(note.message)));
   for (const cam::LineRecord& line : report.lines)
-    lines.append(py::dict(py::arg("line") = line.line, py::arg("tool") = line.tool, py::arg("removed") = line.removed,
-                          py::arg("seconds") = line.seconds, py::arg("cut") = line.cut, py::arg("air") = line.air));
+    lines.append(py::dict(py::arg("line") = line.line, py::arg("tool") = line.tool, py::arg("program") = line.program,
+                          py::arg("removed") = line.removed, py::arg("seconds") = line.seconds, py::arg("cut") = line.cut,
+                          py::arg("air") = line.air));
   py::dict d;
   d["good"] = report.good(), d["events"] = events, d["notes"] = notes, d["moves"] = report.moves, d["poses"] = report.poses;
   d["seconds"] = report.seconds, d["rapid_seconds"] = report.rapid_seconds, d["cut"] = report.cut, d["air"] = report.air;
@@ -158,32 +171,36 @@ py::dict dict_of(const cam::SimulationReport& report) {
   if (const auto& off = report.deviation)
     d["deviation"] = py::dict(py::arg("deepest_gouge") = off->deepest, py::arg("highest_excess") = off->highest,
                               py::arg("mean") = off->mean, py::arg("rms") = off->root_mean_square);
-  d["lines"] = lines;
+  d["lines"] = lines, d["programs"] = report.programs;
   return d;
 }
 
 void bind_simulation(py::module_& module) {
   py::class_<Simulated>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
-      .def(py::init([](const std::filesystem::path& setup, const std::filesystem::path& program, const py::object& target,
-                       std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
-                       const py::object& progress) {
-             const FieldPtr of_job = part.is_none() ? nullptr : field_of(part);
-             const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
-             const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
-             return long_work(progress, [&](Progress& p) {
-               cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p, openscad::all_formats());
-               if (wanted) made.target = wanted;
-               if (block) made.stock = block;
-               if (cell) made.sampling.cell = *cell;
-               return simulated(cam::simulate(std::move(made), program, {.remember = remember}, p));
-             });
-           }),
-           py::arg("setup"), py::arg("program"), py::arg("target") = py::none(), py::arg("cell") = py::none(),
-           py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("part") = py::none(),
-           py::arg("progress") = py::none(),
-           "`target` and `stock` take the place of the set-up's; the stock's shape counts within the set-up's stock box. `part`: "
-           "of a "
-           "job that names no model, as fieldfab.cam.Job.parse() takes it.")
+      .def(
+          py::init([](const std::filesystem::path& setup, const Programs& program, const py::object& target,
+                      std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
+                      const py::object& progress, const std::optional<std::string>& dialect) {
+            const FieldPtr of_job = part.is_none() ? nullptr : field_of(part);
+            const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
+            const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
+            return long_work(progress, [&](Progress& p) {
+              cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p, openscad::all_formats());
+              if (wanted) made.target = wanted;
+              if (block) made.stock = block;
+              if (cell) made.sampling.cell = *cell;
+              if (dialect) made.machine.dialect = cam::dialect_named(*dialect, "dialect");
+              return simulated(cam::simulate(std::move(made), paths_of(program), {.remember = remember}, p));
+            });
+          }),
+          py::arg("setup"), py::arg("program") = py::none(), py::arg("target") = py::none(), py::arg("cell") = py::none(),
+          py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("part") = py::none(),
+          py::arg("progress") = py::none(), py::arg("dialect") = py::none(),
+          "`program`: a file, or several that are carried out one after the other; None: those that the set-up names. `dialect`: "
+          "\"linuxcnc\", \"fanuc\", \"grbl\" or \"mach3\", instead of the set-up's. `target` and `stock` take the place of the "
+          "set-up's; the stock's shape counts within the set-up's stock box. `part`: "
+          "of a "
+          "job that names no model, as fieldfab.cam.Job.parse() takes it.")
       .def_property_readonly(
           "playback", [](Simulated& s) { return s.playhead ? &*s.playhead : nullptr; },
           py::return_value_policy::reference_internal, "Any moment of it; None where it was not to remember.")
@@ -221,10 +238,12 @@ void bind_simulation(py::module_& module) {
           },
           py::arg("axes"), "The (4, 4) matrix from part coordinates to where the table has turned the part.")
       .def_property_readonly(
-          "lines_of_cuts", [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.line; }); },
+          "lines_of_cuts",
+          [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.move.line; }); },
           "The program's line of each cut that Surface.to_draw() tells.")
       .def_property_readonly(
-          "tools_of_cuts", [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.tool; }); },
+          "tools_of_cuts",
+          [](const Simulated& s) { return of_cuts(s.result, [](const cam::Cut& cut) { return cut.move.tool; }); },
           "And its tool; 0 for the stock's first surface.")
       .def_property_readonly(
           "colours_of_tools",

@@ -7,13 +7,13 @@
 
 #include "fieldfab/cam/base/tool_solid.h"
 #include "fieldfab/core/error.h"
+#include "tool_library.h"
 
 namespace fieldfab::cam {
 
-Tool read_tool(const TomlTable& table, int number) {
-  table.only({"number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute", "length",
-              "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
-  Tool tool;
+Tool read_tool(const TomlTable& table, Tool tool) {
+  table.only({"library", "number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute",
+              "length", "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
   const auto get = [&](const char* key, double& into) {
     if (const auto value = table.number(key)) {
       if (!(*value >= 0) || !std::isfinite(*value))
@@ -21,15 +21,14 @@ Tool read_tool(const TomlTable& table, int number) {
       into = *value;
     }
   };
-  tool.number = static_cast<int>(table.number("number").value_or(number));
-  tool.name = table.text("name").value_or("");
-  tool.shape = tool_shape_named(table.text("shape").value_or("flat"), table.place("shape"));
-  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("angle", tool.angle),
-      get("tip_diameter", tool.tip_diameter);
+  tool.number = static_cast<int>(table.number("number").value_or(tool.number));
+  tool.name = table.text("name").value_or(tool.name);
+  if (const auto shape = table.text("shape")) tool.shape = tool_shape_named(*shape, table.place("shape"));
+  get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("tip_diameter", tool.tip_diameter);
+  if (double angle = 0; table.has("angle")) get("angle", angle), tool.angle = angle * std::numbers::pi / 180;
   get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
   get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
-  tool.angle *= std::numbers::pi / 180;
-  tool.flutes = static_cast<int>(table.number("flutes").value_or(2));
+  tool.flutes = static_cast<int>(table.number("flutes").value_or(tool.flutes));
   for (const auto& row : table.rows("profile")) {
     if (row.size() != 2)
       throw Error(ErrorKind::bad_input, table.place("profile"), "a profile is [[distance from the axis, height], ...]");
@@ -50,16 +49,42 @@ Tool read_tool(const TomlTable& table, int number) {
   return tool;
 }
 
-std::vector<Tool> read_tools(const TomlTable& file) {
+namespace {
+
+/// The tools of a library that a table names: all of them, or the one whose number it says, with what it says of that.
+std::vector<Tool> tools_of_library(const TomlTable& table, const std::filesystem::path& path, int next) {
+  std::vector<Tool> tools = read_tool_library(path);
+  const auto number = table.number("number");
+  if (path.extension() == ".fctb") {
+    tools.front().number = next;
+  } else if (number) {
+    std::erase_if(tools, [&](const Tool& tool) { return tool.number != *number; });
+    if (tools.empty())
+      throw Error(ErrorKind::bad_input, table.place("number"), fmt::format("{} has no tool {:g}", path.string(), *number));
+  } else {
+    table.only({"library"});
+    return tools;
+  }
+  return {read_tool(table, tools.front())};
+}
+
+}  // namespace
+
+std::vector<Tool> read_tools(const TomlTable& file, const std::filesystem::path& folder) {
   std::vector<Tool> tools;
-  int next = 1;
   for (const TomlTable& table : file.tables("tool")) {
-    Tool tool = read_tool(table, next);
-    next = tool.number + 1;
-    for (const Tool& other : tools)
-      if (other.number == tool.number)
-        throw Error(ErrorKind::bad_input, table.place("number"), fmt::format("there are two tools with number {}", tool.number));
-    tools.push_back(std::move(tool));
+    Tool fresh;
+    fresh.number = tools.empty() ? 1 : tools.back().number + 1;
+    const auto library = table.text("library");
+    const std::vector<Tool> read =
+        library ? tools_of_library(table, folder / *library, fresh.number) : std::vector<Tool>{read_tool(table, fresh)};
+    for (const Tool& tool : read) {
+      for (const Tool& other : tools)
+        if (other.number == tool.number)
+          throw Error(ErrorKind::bad_input, table.place("number"),
+                      fmt::format("there are two tools with number {}", tool.number));
+      tools.push_back(tool);
+    }
   }
   return tools;
 }

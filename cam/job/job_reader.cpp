@@ -49,7 +49,7 @@ class JobReader {
     read_machine();
     read_input();
     read_stock();
-    tools_ = read_tools(table_);
+    tools_ = read_tools(table_, path_.parent_path());
     read_operations();
     return std::move(job_);
   }

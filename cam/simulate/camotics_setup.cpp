@@ -24,6 +24,7 @@ class CamoticsReader {
     setup_.file = path_.string();
     setup_.name = path_.stem().string();
     setup_.inch = unit_of(project) != 1;
+    read_programs(project);
     read_tools(project);
     read_workpiece(project);
     const double resolution = number(project, "resolution", 0);
@@ -54,6 +55,15 @@ class CamoticsReader {
     if (units == "metric" || units == "mm") return 1;
     if (units == "imperial" || units == "inch") return 25.4;
     throw refuse(fmt::format("units are '{:.40}'; known are metric and imperial", units));
+  }
+
+  void read_programs(const Json& project) {
+    const auto files = project.find("files");
+    if (files == project.end() || !files->is_array()) return;
+    for (const Json& file : *files) {
+      if (!file.is_string()) throw refuse("'files' are names");
+      setup_.programs.push_back(path_.parent_path() / file.get<std::string>());
+    }
   }
 
   void read_tools(const Json& project) {
@@ -103,7 +113,7 @@ class CamoticsReader {
     if (workpiece == project.end() || !workpiece->is_object()) throw refuse("has no workpiece");
     const auto automatic = workpiece->find("automatic");
     if (automatic != workpiece->end() && automatic->is_boolean() && automatic->get<bool>()) {
-      setup_.stock_box = box_of_programs(project, number(*workpiece, "margin", 5));
+      setup_.stock_box = box_of_programs(number(*workpiece, "margin", 5));
       return;
     }
     const auto bounds = workpiece->find("bounds");
@@ -125,28 +135,24 @@ class CamoticsReader {
 
   /// What the feeds of the project's programs reach, and so much of `margin` percent around it, as CAMotics takes it; its top is
   /// z = 0 where they begin below that.
-  [[nodiscard]] Box box_of_programs(const Json& project, double margin) const {
+  [[nodiscard]] Box box_of_programs(double margin) const {
     Box box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
-    const auto files = project.find("files");
-    if (files != project.end() && files->is_array())
-      for (const Json& file : *files) {
-        if (!file.is_string()) throw refuse("'files' are names");
-        const std::filesystem::path program = path_.parent_path() / file.get<std::string>();
-        if (program.extension() == ".tpl")
-          throw refuse(fmt::format("{}: programs in JavaScript (TPL) are not run", program.string()));
-        ReadingOptions options;
-        options.inch = setup_.inch;
-        for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3::Zero(), tool.diameter};
-        Vec3 at = Vec3::Zero();
-        const auto take = [&](const Vec3& place) { box = {box.lower.cwiseMin(place), box.upper.cwiseMax(place)}; };
-        (void)read_gcode(
-            read_file(program, 1 << 30), program.string(), options,
-            [&](const Motion& motion) {
-              if (motion.kind == Motion::Kind::feed || motion.kind == Motion::Kind::arc) take(at), take(motion.end.xyz());
-              at = motion.end.xyz();
-            },
-            progress_);
-      }
+    for (const std::filesystem::path& program : setup_.programs) {
+      if (program.extension() == ".tpl")
+        throw refuse(fmt::format("{}: programs in JavaScript (TPL) are not run", program.string()));
+      ReadingOptions options;
+      options.inch = setup_.inch;
+      for (const auto& [number, tool] : setup_.tools) options.tools[number] = {Vec3::Zero(), tool.diameter};
+      Vec3 at = Vec3::Zero();
+      const auto take = [&](const Vec3& place) { box = {box.lower.cwiseMin(place), box.upper.cwiseMax(place)}; };
+      (void)read_gcode(
+          read_file(program, 1 << 30), program.string(), options,
+          [&](const Motion& motion) {
+            if (motion.kind == Motion::Kind::feed || motion.kind == Motion::Kind::arc) take(at), take(motion.end.xyz());
+            at = motion.end.xyz();
+          },
+          progress_);
+    }
     if (!box.valid()) throw refuse("the workpiece is to be as large as the programs' paths, and no program cuts");
     const double around = margin / 100 * box.size().maxCoeff();
     box.upper.z() = std::min(box.upper.z(), 0.0);

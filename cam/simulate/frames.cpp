@@ -73,7 +73,7 @@ class Film {
     std::vector<Colour> colours;
     colours.reserve(mesh.vertices.size());
     for (const std::uint32_t cut : cuts) {
-      const auto found = colour_of_.find(result_.cuts()[cut].tool);
+      const auto found = colour_of_.find(result_.cuts()[cut].move.tool);
       colours.push_back(found == colour_of_.end() ? colour_of_tool(0) : found->second);
     }
     add_tool(seconds, mesh, colours);

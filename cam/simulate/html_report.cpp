@@ -79,7 +79,7 @@ std::string tool_text(const Tool& tool) {
 class HtmlReport {
  public:
   HtmlReport(const SimulationResult& result, Progress& progress)
-      : result_(result), report_(result.report()), setup_(result.setup()), program_(result.program()), progress_(progress) {
+      : result_(result), report_(result.report()), setup_(result.setup()), progress_(progress) {
     const std::vector<std::size_t> marked = worst_events(result);
     marked_.insert(marked.begin(), marked.end());
   }
@@ -98,7 +98,9 @@ class HtmlReport {
 
  private:
   void add_heading() {
-    out_ = html_start("Simulation of " + program_.filename().string()) + style;
+    std::vector<std::string> names;
+    for (const std::filesystem::path& program : report_.programs) names.push_back(program.filename().string());
+    out_ = html_start(fmt::format("Simulation of {}", fmt::join(names, ", "))) + style;
     out_ += fmt::format("<p>Set-up {}{}{}, samples every {:.4g} mm</p>\n", html_text(setup_.name),
                         setup_.file.empty() ? "" : " (" + html_text(std::filesystem::path(setup_.file).filename().string()) + ")",
                         setup_.machine.name.empty() ? "" : ", " + html_text(setup_.machine.name), setup_.sampling.cell);
@@ -154,7 +156,7 @@ class HtmlReport {
         // What stood at a contact's place may be gone by now, and nothing is there to be seen.
         Vec3 before = event.place;
         before -= pictures[v].turn.transpose() * Vec3(0, 0, reach / 2);
-        if (shows_event(result_, pictures[v], {event.kind, 0, 0, before, 0, ""})) continue;
+        if (shows_event(result_, pictures[v], {event.kind, {}, before, 0, ""})) continue;
         const Vec3 at = pictures[v].turn * event.place;
         StockPictureSettings near = views[v];
         near.size = 440;
@@ -200,11 +202,13 @@ class HtmlReport {
       out_ += "<p>Nothing.</p>\n";
       return;
     }
-    std::set<int> wanted;
     const std::size_t rows = std::min(report_.events.size(), most_rows);
-    for (std::size_t i = 0; i < rows; ++i) wanted.insert(report_.events[i].line);
-    wanted.erase(wanted.begin(), wanted.lower_bound(1));
-    std::map<int, std::string> lines = quoted(program_, wanted);
+    std::vector<std::set<int>> wanted(report_.programs.size());
+    for (std::size_t i = 0; i < rows; ++i)
+      if (const CutMove& move = report_.events[i].move; move.line > 0)
+        wanted[static_cast<std::size_t>(move.program)].insert(move.line);
+    std::vector<std::map<int, std::string>> lines;
+    for (std::size_t i = 0; i < wanted.size(); ++i) lines.push_back(quoted(report_.programs[i], wanted[i]));
     out_ +=
         "<table>\n<tr><th>No.</th><th>What</th><th>Line</th><th>Program</th><th>Tool</th><th>Place</th><th "
         "class=\"n\">Amount</th></tr>\n";
@@ -215,11 +219,19 @@ class HtmlReport {
           "<td><code>{}</code></td><td class=\"n\">{}</td><td class=\"place\">{:.3f}, {:.3f}, {:.3f}</td><td "
           "class=\"n\">{}</td></tr>\n",
           marked_.contains(i) ? " marked" : "", i + 1, name_of(e.kind), html_text(e.message),
-          e.line > 0 ? fmt::format("{}", e.line) : "&ndash;", e.line > 0 ? html_text(lines[e.line]) : "",
-          e.tool > 0 ? fmt::format("{}", e.tool) : "&ndash;", e.place.x(), e.place.y(), e.place.z(), amount_text(e));
+          line_text(e.move.line, e.move.program, "&ndash;"),
+          e.move.line > 0 ? html_text(lines[static_cast<std::size_t>(e.move.program)][e.move.line]) : "",
+          e.move.tool > 0 ? fmt::format("{}", e.move.tool) : "&ndash;", e.place.x(), e.place.y(), e.place.z(), amount_text(e));
     }
     out_ += "</table>\n";
     if (rows < report_.events.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.events.size() - rows);
+  }
+
+  /// A line's number, with its program where there are several; `none` for 0.
+  [[nodiscard]] std::string line_text(int line, int program, const char* none) const {
+    if (line == 0) return none;
+    if (report_.programs.size() == 1) return fmt::format("{}", line);
+    return fmt::format("{}:{}", html_text(report_.programs[static_cast<std::size_t>(program)].filename().string()), line);
   }
 
   void add_row(const char* name, const std::string& value) {
@@ -287,14 +299,14 @@ class HtmlReport {
     out_ += "<h2>Notes</h2>\n";
     const std::size_t rows = std::min(report_.notes.size(), most_rows);
     for (std::size_t i = 0; i < rows; ++i)
-      out_ += fmt::format("<p class=\"note\">Line {}: {}</p>\n", report_.notes[i].line, html_text(report_.notes[i].message));
+      out_ += fmt::format("<p class=\"note\">Line {}: {}</p>\n", line_text(report_.notes[i].line, report_.notes[i].program, "0"),
+                          html_text(report_.notes[i].message));
     if (rows < report_.notes.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.notes.size() - rows);
   }
 
   const SimulationResult& result_;
   const SimulationReport& report_;
   const SimulationSetup& setup_;
-  const std::filesystem::path& program_;
   Progress& progress_;
   std::set<std::size_t> marked_;
   std::string out_;

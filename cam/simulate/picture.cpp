@@ -169,7 +169,7 @@ Box frame_of(const SimulationResult& result, const StockPictureSettings& setting
 StockColouring default_colouring(const SimulationResult& result) {
   if (result.report().deviation) return StockColouring::deviation;
   std::set<int> cutting;
-  for (const std::uint32_t cut : result.surface().cuts) cutting.insert(result.cuts()[cut].tool);
+  for (const std::uint32_t cut : result.surface().cuts) cutting.insert(result.cuts()[cut].move.tool);
   cutting.erase(0);
   return cutting.size() > 1 ? StockColouring::tool : StockColouring::line;
 }
@@ -201,7 +201,7 @@ Colour colour_of_tool(std::size_t place_in_set_up) {
 Colour colour_of_line(double share) { return along(violet_to_yellow, share); }
 
 std::vector<Colour> vertex_colours(const SimulationResult& result, StockColouring colouring) {
-  const auto cut_of = [&](std::size_t vertex) { return result.cuts()[result.surface().cuts[vertex]]; };
+  const auto cut_of = [&](std::size_t vertex) { return result.cuts()[result.surface().cuts[vertex]].move; };
   std::vector<Colour> colours(result.surface().mesh.vertices.size(), first_surface);
   switch (colouring) {
     case StockColouring::deviation: {
@@ -219,12 +219,12 @@ std::vector<Colour> vertex_colours(const SimulationResult& result, StockColourin
     }
     case StockColouring::line: {
       // By their order in time, evenly: programs that jump about are no different.
-      std::map<int, double> order;
+      std::map<std::pair<int, int>, double> order;  // by program and line
       for (const LineRecord& record : result.report().lines)
-        if (record.removed > 0) order.try_emplace(record.line, static_cast<double>(order.size()));
+        if (record.removed > 0) order.try_emplace({record.program, record.line}, static_cast<double>(order.size()));
       const double last = std::max(1.0, static_cast<double>(order.size()) - 1);
       for (std::size_t i = 0; i < colours.size(); ++i)
-        if (const auto found = order.find(cut_of(i).line); found != order.end())
+        if (const auto found = order.find({cut_of(i).program, cut_of(i).line}); found != order.end())
           colours[i] = colour_of_line(found->second / last);
       break;
     }

@@ -19,11 +19,13 @@ std::size_t Playback::done_after_seconds(double seconds) const {
   return static_cast<std::size_t>(std::upper_bound(moves_.begin(), moves_.end(), seconds, later) - moves_.begin());
 }
 
-std::size_t Playback::done_after_line(int line) const {
+std::size_t Playback::done_after_line(int line, int program) const {
   int nearest = 0;
-  std::size_t done = 0;
+  const auto earlier = [&](const Move& move) { return move.program < program; };
+  auto done = static_cast<std::size_t>(std::count_if(moves_.begin(), moves_.end(), earlier));
   for (std::size_t i = 0; i < moves_.size(); ++i)
-    if (moves_[i].line <= line && moves_[i].line >= nearest) nearest = moves_[i].line, done = i + 1;
+    if (moves_[i].program == program && moves_[i].line <= line && moves_[i].line >= nearest)
+      nearest = moves_[i].line, done = i + 1;
   return done;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "fieldfab/core/error.h"
+
 namespace fieldfab::cam {
 namespace {
 
@@ -28,9 +30,15 @@ ReadingOptions reading_options(const SimulationSetup& setup, int lines) {
   return options;
 }
 
+MappedFile opened(const std::filesystem::path& path) {
+  if (lower_case(path.extension().string()) == ".tpl")
+    throw Error(ErrorKind::bad_input, path.string(), "programs in JavaScript (TPL) are not run");
+  return MappedFile(path);
+}
+
 }  // namespace
 
-ProgramFile::ProgramFile(const std::filesystem::path& path) : path_(path), file_(path) {
+ProgramFile::ProgramFile(const std::filesystem::path& path) : path_(path), file_(opened(path)) {
   const std::string_view text = text_of(file_);
   lines_ = static_cast<int>(std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2'000'000'000));
 }

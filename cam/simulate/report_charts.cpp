@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace fieldfab::cam {
@@ -85,15 +86,22 @@ std::string deviation_chart(const SimulationResult& result, const DeviationScale
 }
 
 std::string lines_chart(const SimulationReport& report) {
-  int last = 1;
-  for (const LineRecord& record : report.lines) last = std::max(last, record.line);
+  // Programs in a row stand side by side.
+  std::vector<int> before(report.programs.size() + 1, 0);
+  for (const LineRecord& record : report.lines) {
+    int& lines = before[static_cast<std::size_t>(record.program) + 1];
+    lines = std::max(lines, record.line);
+  }
+  std::partial_sum(before.begin(), before.end(), before.begin());
+  const int last = std::max(1, before.back());
   const auto bins = static_cast<std::size_t>(std::min(last, 140));
   std::vector<double> removed(bins, 0), cut(bins, 0), air(bins, 0);
-  const auto bin_of = [&](int line) {
+  const auto bin_of = [&](int program, int line) {
+    line += before[static_cast<std::size_t>(program)];
     return std::min(bins - 1, static_cast<std::size_t>(std::max(line - 1, 0)) * bins / static_cast<std::size_t>(last));
   };
   for (const LineRecord& record : report.lines) {
-    const std::size_t i = bin_of(record.line);
+    const std::size_t i = bin_of(record.program, record.line);
     removed[i] += record.removed, cut[i] += record.cut, air[i] += record.air;
   }
   const double wide = (width - left - right) / static_cast<double>(bins);
@@ -129,7 +137,7 @@ std::string lines_chart(const SimulationReport& report) {
   out += text((left + width - right) / 2, height - 8, "middle", "line of the program");
   std::set<std::size_t> wrong;
   for (const SimulationEvent& e : report.events)
-    if (e.line > 0) wrong.insert(bin_of(e.line));
+    if (e.move.line > 0) wrong.insert(bin_of(e.move.program, e.move.line));
   for (const std::size_t i : wrong) {
     const double x = x_of(i) + wide / 2, y = second_top + panel + 3;
     out += fmt::format("<path d=\"M{:.2f} {:.1f}l4 8h-8z\" fill=\"#b2182b\"/>\n", x, y);

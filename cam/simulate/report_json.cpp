@@ -10,16 +10,24 @@ nlohmann::ordered_json json_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 }  // namespace
 
 nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) {
+  // Which program a line belongs to is said where there are several.
+  const auto with_program = [&](int program, nlohmann::ordered_json row) {
+    if (report.programs.size() > 1) row["program"] = program;
+    return row;
+  };
   auto events = nlohmann::ordered_json::array();
   for (const SimulationEvent& e : report.events)
-    events.push_back({{"kind", name_of(e.kind)},
-                      {"line", e.line},
-                      {"tool", e.tool},
-                      {"place", json_of(e.place)},
-                      {"amount", e.amount},
-                      {"message", e.message}});
+    events.push_back(with_program(e.move.program, {{"kind", name_of(e.kind)},
+                                                   {"line", e.move.line},
+                                                   {"first_line", e.first_line},
+                                                   {"last_line", e.last_line},
+                                                   {"tool", e.move.tool},
+                                                   {"place", json_of(e.place)},
+                                                   {"amount", e.amount},
+                                                   {"message", e.message}}));
   auto notes = nlohmann::ordered_json::array();
-  for (const ReadingNote& note : report.notes) notes.push_back({{"line", note.line}, {"message", note.message}});
+  for (const SimulationNote& note : report.notes)
+    notes.push_back(with_program(note.program, {{"line", note.line}, {"message", note.message}}));
   nlohmann::ordered_json json{{"good", report.good()},
                               {"events", events},
                               {"notes", notes},
@@ -36,6 +44,11 @@ nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) 
                               {"cells", report.stock.cells},
                               {"splits", report.stock.splits},
                               {"bytes", report.stock.bytes}};
+  if (report.programs.size() > 1) {
+    auto programs = nlohmann::ordered_json::array();
+    for (const std::filesystem::path& program : report.programs) programs.push_back(program.string());
+    json["programs"] = std::move(programs);
+  }
   if (report.deviation) {
     const Deviation& d = *report.deviation;
     json["deviation"] = {
@@ -44,12 +57,12 @@ nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) 
   if (with_lines) {
     auto lines = nlohmann::ordered_json::array();
     for (const LineRecord& line : report.lines)
-      lines.push_back({{"line", line.line},
-                       {"tool", line.tool},
-                       {"removed", line.removed},
-                       {"seconds", line.seconds},
-                       {"cut", line.cut},
-                       {"air", line.air}});
+      lines.push_back(with_program(line.program, {{"line", line.line},
+                                                  {"tool", line.tool},
+                                                  {"removed", line.removed},
+                                                  {"seconds", line.seconds},
+                                                  {"cut", line.cut},
+                                                  {"air", line.air}}));
     json["lines"] = std::move(lines);
   }
   return json;

@@ -50,10 +50,11 @@ class SetupReader {
       read_job();
     } else {
       table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero",
-                   "start", "home", "second_home", "work", "limits", "stop", "dialect"});
+                   "start", "home", "second_home", "work", "limits", "stop", "dialect", "programs"});
+      for (const std::string& program : table_.texts("programs")) setup_.programs.push_back(beside(program));
       read_machine();
       if (const auto dialect = table_.text("dialect")) setup_.machine.dialect = dialect_named(*dialect, table_.place("dialect"));
-      for (Tool& tool : read_tools(table_)) setup_.tools.emplace(tool.number, std::move(tool));
+      for (Tool& tool : read_tools(table_, path_.parent_path())) setup_.tools.emplace(tool.number, std::move(tool));
       read_stock();
       read_target();
       read_fixture();

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fieldfab/core/error.h"
 #include "fieldfab/field/certainty.h"
 #include "simulation_run.h"
 #include "stock/closed_mesh.h"
@@ -20,26 +21,29 @@ void note_thin_parts(const SimulationSetup& setup, const Stock& stock, EventLog&
   const Certainty thin = certainty_of_cells(*setup.target, setup.stock_box, cell, progress);
   if (thin.places.empty() || thin.doubt == Doubt::slopes_unknown) return;
   const Vec3 p = thin.places.front().box.centre();
-  log.note(0, fmt::format("the target may have parts thinner than a cell of {:.3g} mm at {} places, the largest {:.3g} mm, about "
-                          "({:.3f}, {:.3f}, {:.3f}): cuts into them may not be seen",
-                          cell, thin.count, thin.largest, p.x(), p.y(), p.z()));
+  log.note(
+      {0, fmt::format("the target may have parts thinner than a cell of {:.3g} mm at {} places, the largest {:.3g} mm, about "
+                      "({:.3f}, {:.3f}, {:.3f}): cuts into them may not be seen",
+                      cell, thin.count, thin.largest, p.x(), p.y(), p.z())});
 }
 
 /// Tells where the surface is off the target by more than is allowed.
 void log_deviations(const SimulationSetup& setup, const DeviationGauge& gauge, const Cuts& cuts, EventLog& log) {
-  const auto add = [&](SimulationEvent::Kind kind, const DeviationGauge::Spot& spot, const auto& message) {
+  const auto event = [&](SimulationEvent::Kind kind, const DeviationGauge::Spot& spot, const auto& message) {
     const Vec3 p(spot.place[0], spot.place[1], spot.place[2]);
     const double amount = std::abs(spot.deviation);
-    const Cut cut = cuts[spot.cut];
-    log.add({kind, cut.line, cut.tool, p, amount, fmt::format(fmt::runtime(message), amount, p.x(), p.y(), p.z())});
+    return SimulationEvent{kind, cuts[spot.cut].move, p, amount, fmt::format(fmt::runtime(message), amount, p.x(), p.y(), p.z())};
   };
-  for (const auto& [line, spot] : gauge.gouges())
-    add(SimulationEvent::Kind::gouge, spot,
-        line ? "it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})"
-             : "the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})");
+  for (const auto& [pass, gouge] : gauge.gouges()) {
+    SimulationEvent made = event(SimulationEvent::Kind::gouge, gouge.deepest,
+                                 pass ? "it cuts {:.3f} mm into the target at ({:.3f}, {:.3f}, {:.3f})"
+                                      : "the stock lacks {:.3f} mm of the target at ({:.3f}, {:.3f}, {:.3f})");
+    made.first_line = gouge.first_line, made.last_line = gouge.last_line;
+    log.add(std::move(made));
+  }
   const DeviationGauge::Spot highest = gauge.highest();
   if (setup.excess > 0 && highest.deviation > setup.excess)
-    add(SimulationEvent::Kind::excess, highest, "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})");
+    log.add(event(SimulationEvent::Kind::excess, highest, "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})"));
 }
 
 }  // namespace
@@ -47,21 +51,23 @@ void log_deviations(const SimulationSetup& setup, const DeviationGauge& gauge, c
 std::vector<int> SimulationResult::lines_of_vertices() const {
   std::vector<int> lines;
   lines.reserve(surface().cuts.size());
-  for (const std::uint32_t cut : surface().cuts) lines.push_back(cuts()[cut].line);
+  for (const std::uint32_t cut : surface().cuts) lines.push_back(cuts()[cut].move.line);
   return lines;
 }
 
 std::vector<int> SimulationResult::tools_of_vertices() const {
   std::vector<int> tools;
   tools.reserve(surface().cuts.size());
-  for (const std::uint32_t cut : surface().cuts) tools.push_back(cuts()[cut].tool);
+  for (const std::uint32_t cut : surface().cuts) tools.push_back(cuts()[cut].move.tool);
   return tools;
 }
 
-SimulationResult simulate(SimulationSetup setup, const std::filesystem::path& program, const SimulationOptions& options,
+SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::path> programs, const SimulationOptions& options,
                           Progress& progress) {
+  if (programs.empty()) programs = setup.programs;
+  if (programs.empty()) throw Error(ErrorKind::bad_input, setup.file, "neither this set-up nor the call names a program");
   SimulationRun run(setup, options, progress);
-  run.carry_out(ProgramFile(program));
+  for (const std::filesystem::path& program : programs) run.carry_out(ProgramFile(program));
   const Stock& stock = run.stock();
   std::optional<DeviationGauge> gauge;
   if (setup.target) gauge.emplace(*setup.target, setup.floor, setup.gouge, run.cuts(), 0.5 * stock.tolerance());
@@ -79,7 +85,6 @@ SimulationResult simulate(SimulationSetup setup, const std::filesystem::path& pr
   parts.report.stock = statistics;
   parts.report.deviation = std::move(deviation);
   parts.surface = {std::move(closed.mesh), std::move(closed.cuts)};
-  parts.program = program;
   parts.setup = std::move(setup);
   return SimulationResult(std::move(parts));
 }

@@ -30,27 +30,31 @@ SimulationRun::SimulationRun(const SimulationSetup& setup, const SimulationOptio
                          : Stock(setup.stock_box, setup.sampling)) {
   if (setup.fixture) fixture_.emplace(*setup.fixture, setup.fixture_box, setup.sampling, progress);
   if (options.remember) playback_ = std::make_shared<Playback>(stock_);
+  placement_ = setup_.placement;
 }
 
 void SimulationRun::carry_out(const ProgramFile& program) {
   program_ = &program;
+  ++program_number_;
+  report_.programs.push_back(program.path());
   poses_.emplace(setup_, program.path().string());
-  at_ = setup_.start;
-  placement_ = setup_.placement;
+  at_ = setup_.start, offset_ = Vec3::Zero(), known_ = false;
+  spindle_turns_ = by_hand_ = false;
+  ++pass_;
   // Without any word about tools, the only one there is.
-  if (setup_.tools.size() == 1) mount(setup_.tools.begin()->second);
+  if (!mounted_ && setup_.tools.size() == 1) mount(setup_.tools.begin()->second);
   const std::vector<ReadingNote> notes = program.read(
       setup_, [this](const Motion& motion) { take_motion(motion); }, progress_);
   flush();
   if (!spindle_turns_)
-    if (const int line = log_.forget(Kind::spindle_stopped); line > 0)
-      log_.note(line, "the spindle never turns while the program moves: it is taken as switched on by hand");
-  log_.add_first(notes);
+    if (const int line = log_.forget(Kind::spindle_stopped, program_number_); line > 0)
+      log_.note({line, "the spindle never turns while the program moves: it is taken as switched on by hand", program_number_});
+  log_.add_first(notes, program_number_);
 }
 
 SimulationResult::Parts SimulationRun::take() && {
   log_.move_to(report_);
-  return {{}, {}, std::move(stock_), std::move(cuts_), {}, std::move(playback_), std::move(report_)};
+  return {{}, std::move(stock_), std::move(cuts_), {}, std::move(playback_), std::move(report_)};
 }
 
 void SimulationRun::take_motion(const Motion& motion) {
@@ -80,6 +84,7 @@ void SimulationRun::mount(const Tool& tool) {
   mounted_ = mounted;
   tool_number_ = tool.number;
   known_ = false;  // nor is it said how the machine got to where tools are changed and back
+  ++pass_;
 }
 
 void SimulationRun::change_tool(int number, int line) {
@@ -108,7 +113,7 @@ void SimulationRun::need_tool(const Motion& motion) {
                 "no tool is in the spindle; the set-up has none");
   const auto first = setup_.tools.find(setup_.first_tool);
   const Tool& tool = (first != setup_.tools.end() ? first : setup_.tools.begin())->second;
-  log_.note(motion.line, fmt::format("the program names no tool: number {} is taken", tool.number));
+  log_.note({motion.line, fmt::format("the program names no tool: number {} is taken", tool.number), program_number_});
   mount(tool);
 }
 
@@ -120,6 +125,8 @@ void SimulationRun::move(const Motion& motion) {
     return;
   }
   if (!mounted_) need_tool(motion);
+  if (rapid != pass_is_rapid_) ++pass_;
+  pass_is_rapid_ = rapid;
   const Tool& tool = mounted_->tool;
   const double tolerance = stock_.tolerance();
   // The axes stand where they were, whatever the control now takes for the tool's length.
@@ -140,11 +147,12 @@ void SimulationRun::move(const Motion& motion) {
   record(motion.line).seconds += seconds;
   report_.seconds += seconds;
   if (rapid) report_.rapid_seconds += seconds, report_.rapid += length;
-  const std::uint32_t tip = cuts_.add(motion.line, tool.number);
+  const std::uint32_t tip = cuts_.add(cut_move(motion));
   if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
   for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
   if (playback_)
-    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end}, {mounted_, &mounted_->solid}, tip, way);
+    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end, program_number_}, {mounted_, &mounted_->solid},
+                   tip, way);
   report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;
@@ -158,7 +166,7 @@ void SimulationRun::move(const Motion& motion) {
 
 void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length) {
   const bool rapid = motion.kind == Motion::Kind::rapid;
-  Purpose purpose{Purpose::What::cut, record_, motion.line, mounted_->tool.number, length, motion.spindle == 0};
+  Purpose purpose{Purpose::What::cut, record_, cut_move(motion), length, motion.spindle == 0};
   const auto stroke = [&](const ToolSolid& tool, ToolRole role, Purpose::What what, bool removes) {
     purpose.what = what;
     add_strokes(tool, role, from, to, tip, removes, strokes_);
@@ -197,7 +205,7 @@ void SimulationRun::flush() {
 void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const StrokeResult& result) {
   const auto told = [&](Kind kind, const char* what) {
     if (!result.points) return;
-    log_.add({kind, purpose.line, purpose.tool, result.place, result.volume,
+    log_.add({kind, purpose.move, result.place, result.volume,
               fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
                           result.place.z())});
   };
@@ -235,7 +243,7 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
       const bool end = i + 1 == stations.size();
       if (excess <= 1e-6 || (!end && excess <= before)) continue;
       const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
-      log_.add({Kind::over_travel, motion.line, tool_number_, stations[i].xyz() - setup_.zero, excess * unit,
+      log_.add({Kind::over_travel, cut_move(motion), stations[i].xyz() - setup_.zero, excess * unit,
                 fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
                             stations[i].at[axis] * unit, low * unit, high * unit)});
     }
@@ -260,12 +268,13 @@ double SimulationRun::duration_of(const Motion& motion, double length) const {
 
 LineRecord& SimulationRun::record(int line) {
   auto& lines = report_.lines;
-  if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_) {
-    const auto [at, fresh] = record_of_line_.try_emplace({line, tool_number_}, lines.size());
-    if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0});
+  record_ = lines.size() - 1;
+  if (lines.empty() || lines.back().line != line || lines.back().tool != tool_number_ ||
+      lines.back().program != program_number_) {
+    const auto [at, fresh] = record_of_line_.try_emplace({program_number_, line, tool_number_}, lines.size());
+    if (fresh) lines.push_back({line, tool_number_, 0, 0, 0, 0, program_number_});
     record_ = at->second;
-  } else
-    record_ = lines.size() - 1;
+  }
   return lines[record_];
 }
 

@@ -1,6 +1,7 @@
 /// A program being carried out: its motions become strokes, and what these meet becomes events.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,7 +18,8 @@ namespace fieldfab::cam {
 class SimulationRun {
  public:
   SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress);
-  /// Carries out a program from its beginning to its end.
+  /// Carries out a program from its beginning to its end, on what earlier ones have left. Tools stay in the spindle, and the part
+  /// lies as the last one left it; how the axes come to where the program starts is not known.
   void carry_out(const ProgramFile& program);
 
   [[nodiscard]] const Stock& stock() const { return stock_; }
@@ -31,7 +33,7 @@ class SimulationRun {
   struct Purpose {
     enum class What : std::uint8_t { cut, rapid, shank, holder, fixture } what;
     std::size_t record;
-    int line, tool;
+    CutMove move;
     double length;  ///< of the way, mm
     bool stopped;
   };
@@ -49,6 +51,8 @@ class SimulationRun {
 
   void move(const Motion& motion);
   void add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length);
+  /// A motion as cuts remember it.
+  [[nodiscard]] CutMove cut_move(const Motion& motion) const { return {motion.line, tool_number_, program_number_, pass_}; }
   void check_limits(const Motion& motion, const std::vector<AxisValues>& stations);
   [[nodiscard]] double duration_of(const Motion& motion, double length) const;
 
@@ -64,15 +68,18 @@ class SimulationRun {
   Cuts cuts_;
   SimulationReport report_;
   EventLog log_;
-  std::map<std::pair<int, int>, std::size_t> record_of_line_;  ///< and tool
+  std::map<std::array<int, 3>, std::size_t> record_of_line_;  ///< by program, line and tool
 
   const ProgramFile* program_ = nullptr;
+  int program_number_ = -1;
   std::optional<PoseMaker> poses_;
   std::shared_ptr<const Mounted> mounted_;
   int tool_number_ = 0;
   AxisValues at_;
   Vec3 offset_ = Vec3::Zero();  ///< the length compensation that was in force there
-  bool known_ = false;          ///< whether the way to the next place is known: not before the first motion
+  std::uint32_t pass_ = 0;
+  bool pass_is_rapid_ = false;
+  bool known_ = false;  ///< whether the way to the next place is known: not before the first motion
   Placement placement_;
   bool spindle_turns_ = false;  ///< at any place of the program
   bool by_hand_ = false;        ///< tools are changed at stops, whatever the program's numbers are

@@ -2,16 +2,15 @@
 
 namespace fieldfab::cam {
 
-std::uint32_t Cuts::add(int line, int tool) {
-  moves_.push_back({line, tool});
+std::uint32_t Cuts::add(const CutMove& move) {
+  moves_.push_back(move);
   return cut_number(static_cast<std::uint32_t>(size() - parts), ToolRole::cutting);
 }
 
 Cut Cuts::operator[](std::uint32_t number) const {
   if (number == 0 || number >= size()) return {};
-  const Move& move = moves_[(number - 1) / parts];
   constexpr CutBy by[parts]{CutBy::tip, CutBy::shank, CutBy::holder};
-  return {by[(number - 1) % parts], move.line, move.tool};
+  return {by[(number - 1) % parts], moves_[(number - 1) / parts]};
 }
 
 }  // namespace fieldfab::cam

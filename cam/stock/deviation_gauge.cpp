@@ -25,8 +25,9 @@ void DeviationGauge::look(std::size_t index, const SurfacePieces& pieces) {
     if (!(spot.deviation < -gouge_)) continue;
     const Cut cut = cuts_[spot.cut];
     if (cut.by == CutBy::shank) continue;
-    const auto [found, fresh] = sums.gouges.try_emplace(cut.line, spot);
-    if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
+    const Gouge gouge{spot, cut.move.line, cut.move.line};
+    const auto [found, fresh] = sums.gouges.try_emplace(cut.move.pass, gouge);
+    if (!fresh) found->second.add(gouge);
   }
   AreaHistogram areas;
   for (const auto& t : piece.corners) {
@@ -60,12 +61,17 @@ Deviation DeviationGauge::result() const {
   return result;
 }
 
-std::map<int, DeviationGauge::Spot> DeviationGauge::gouges() const {
-  std::map<int, Spot> worst;
+void DeviationGauge::Gouge::add(const Gouge& other) {
+  if (other.deepest.deviation < deepest.deviation) deepest = other.deepest;
+  first_line = std::min(first_line, other.first_line), last_line = std::max(last_line, other.last_line);
+}
+
+std::map<std::uint32_t, DeviationGauge::Gouge> DeviationGauge::gouges() const {
+  std::map<std::uint32_t, Gouge> worst;
   for (const Sums& piece : sums_)
-    for (const auto& [line, spot] : piece.gouges) {
-      const auto [found, fresh] = worst.try_emplace(line, spot);
-      if (!fresh && spot.deviation < found->second.deviation) found->second = spot;
+    for (const auto& [pass, gouge] : piece.gouges) {
+      const auto [found, fresh] = worst.try_emplace(pass, gouge);
+      if (!fresh) found->second.add(gouge);
     }
   return worst;
 }

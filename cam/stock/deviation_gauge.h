@@ -22,7 +22,7 @@ class DeviationGauge {
     SurfacePiece::Place place{};
   };
 
-  /// Deviations below the height `floor` count as 0; those below -`gouge` are kept by their lines. What a shank has cut is no
+  /// Deviations below the height `floor` count as 0; those below -`gouge` are kept by their passes. What a shank has cut is no
   /// gouge. `fine` is how much deviations that are alike may differ, mm.
   DeviationGauge(const Field& target, double floor, double gouge, const Cuts& cuts, double fine)
       : target_(target), floor_(floor), gouge_(gouge), cuts_(cuts), fine_(fine) {}
@@ -42,8 +42,14 @@ class DeviationGauge {
 
   /// Of all pieces; without `at_vertex`.
   [[nodiscard]] Deviation result() const;
-  /// The deepest place of each line, where it is a gouge.
-  [[nodiscard]] std::map<int, Spot> gouges() const;
+  /// A pass that cuts too deep: its deepest place, and the lines from first to last that do so.
+  struct Gouge {
+    Spot deepest;
+    int first_line = 0, last_line = 0;
+    void add(const Gouge& other);
+  };
+  /// By pass; 0: the stock's first surface.
+  [[nodiscard]] std::map<std::uint32_t, Gouge> gouges() const;
   [[nodiscard]] Spot highest() const;
 
  private:
@@ -51,7 +57,7 @@ class DeviationGauge {
     double area = 0, sum = 0, squares = 0;
     float deepest = 0;
     Spot highest{-std::numeric_limits<float>::infinity(), 0, {}};
-    std::map<int, Spot> gouges;
+    std::map<std::uint32_t, Gouge> gouges;
   };
 
   const Field& target_;

@@ -182,5 +182,6 @@ def test_faults_of_the_laser(tmp_path):
     wide = tmp_path / "wide.toml"
     wide.write_text(sheet.job_text.replace("[setting]", "[setting]\nkerf = 0.8"))
     result = sheet.simulate(sheet.lines, "_w", wide)
-    assert only(result, "gouge") and set(where(result, "gouge")) >= {i + 1 for i in sheet.outlines}
+    told = {line for e in result["events"] for line in range(e["first_line"], e["last_line"] + 1)}
+    assert only(result, "gouge") and told >= {i + 1 for i in sheet.outlines}
     assert all(0.25 < e["amount"] < 0.35 for e in result["events"])

@@ -320,7 +320,8 @@ def test_a_stopped_spindle_is_found(program):
     lines = list(program.lines)
     lines[i] = "M5"
     result = program.simulate(lines, program.job, "_m5")
-    assert only(result, "spindle stopped") and len(result["events"]) > 20
+    passes = [(e["first_line"], e["last_line"]) for e in result["events"]]
+    assert only(result, "spindle stopped") and sum(last - first + 1 for first, last in passes) > 20
 
 
 def test_a_wrong_length_offset_is_found(program):
@@ -503,3 +504,47 @@ def test_reports_are_the_same_for_any_number_of_threads(program):
         run("simulate", program.folder / "threads.nc", "--setup", program.job, "--report", report, "--threads", threads)
         reports.append(report.read_text())
     assert len(set(reports)) == 1
+
+
+HARMLESS = "%\nO1000\nG0 G80 G40 G90 G54\nT1 M6\nS1000 M3 M8\nG187 P2\nG0 X-8 Y5 Z5\nG1 Z-1 F300\nG1 X28\nG0 Z5\nM30\n%\n"
+BLOCK = "cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 10, 0]\n[[tool]]\nnumber = 1\ndiameter = 4\nflute = 8\n"
+
+
+def test_python_takes_dialects_and_several_programs(tmp_path):
+    """A Fanuc header is refused as LinuxCNC's, and the second of two programs goes on with what the first has left."""
+    import fieldfab as ff
+    setup, first, second = tmp_path / "setup.toml", tmp_path / "first.nc", tmp_path / "second.nc"
+    setup.write_text('programs = ["first.nc", "second.nc"]\n' + BLOCK)
+    first.write_text(HARMLESS)
+    second.write_text(HARMLESS.replace("Z-1", "Z-2"))
+    with pytest.raises(ff.Error, match="first.nc:"):
+        ff.stock.Simulation(setup, first)
+    with pytest.raises(ff.Error, match="dialect is 'fanucc'"):
+        ff.stock.Simulation(setup, first, dialect="fanucc")
+    one = ff.stock.Simulation(setup, first, dialect="fanuc")
+    both = ff.stock.Simulation(setup, [first, second], dialect="fanuc")
+    assert both.good and both.report["removed"] == pytest.approx(2 * one.report["removed"], rel=0.02)
+    assert [pathlib.Path(p).name for p in both.report["programs"]] == ["first.nc", "second.nc"]
+    assert {line["program"] for line in both.report["lines"]} == {0, 1}
+    named = ff.stock.Simulation(setup, dialect="fanuc")
+    assert named.report["removed"] == both.report["removed"]
+
+
+def test_the_command_carries_out_what_the_set_up_names(tmp_path):
+    (tmp_path / "first.nc").write_text(HARMLESS)
+    (tmp_path / "second.nc").write_text(HARMLESS.replace("G1 X28", "G0 X28"))
+    (tmp_path / "setup.toml").write_text('dialect = "fanuc"\nprograms = ["first.nc", "second.nc"]\n' + BLOCK)
+    (tmp_path / "none.toml").write_text(BLOCK)
+    report = tmp_path / "report.json"
+    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report, "--report", tmp_path / "page.html"], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    told = json.loads(report.read_text())
+    assert [pathlib.Path(p).name for p in told["programs"]] == ["first.nc", "second.nc"] and told["good"]
+    assert "Simulation of first.nc, second.nc" in (tmp_path / "page.html").read_text()
+    (tmp_path / "second.nc").write_text(HARMLESS.replace("G1 Z-1 F300\nG1 X28", "G0 Z-2\nG0 X28"))
+    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "setup.toml", "--report", report], capture_output=True, text=True)
+    assert done.returncode == 1 and "second.nc:9: rapid contact" in done.stderr
+    event = json.loads(report.read_text())["events"][0]
+    assert event["program"] == 1 and event["first_line"] <= event["line"] <= event["last_line"]
+    done = subprocess.run([COMMAND, "simulate", "--setup", tmp_path / "none.toml"], capture_output=True, text=True)
+    assert done.returncode == 2 and "names a program" in done.stderr

@@ -1,10 +1,19 @@
 // What files name by words: tools' shapes, kinds of machines and of files.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "../../cam/base/toml_table.h"
+#include "../../cam/base/tool_table.h"
 #include "fieldfab/cam/base/tool.h"
 #include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/cam/plan/program.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/file.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -49,6 +58,104 @@ TEST(Names, OfMachineFiles) {
             "m.toml:3: takes is 'path'; it must be one of paths, flat paths, height map, mesh; did you mean 'paths'?");
   EXPECT_EQ(read("[kinematics]\nkind = \"table\"\n"),
             "m.toml:4: kind is 'table'; it must be one of none, head-head, table-table, head-table");
+}
+
+/// Files in a folder of their own.
+class ToolLibraries : public ::testing::Test {
+ protected:
+  ToolLibraries() { std::filesystem::create_directories(folder_); }
+  ~ToolLibraries() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    write_file(folder_ / name, text);
+    return folder_ / name;
+  }
+  std::vector<Tool> tools(const std::string& toml) { return read_tools(TomlTable::parse(toml, "job.toml"), folder_); }
+  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / fmt::format("fieldfab_tools_{}", ::getpid());
+};
+
+std::string bit(const std::string& shape, const std::string& parameters) {
+  return fmt::format(R"({{"version": 2, "name": "a tool", "shape": "{}.fcstd", "parameter": {{{}}}, "attribute": {{}}}})", shape,
+                     parameters);
+}
+
+TEST_F(ToolLibraries, OfFreeCad) {
+  write("Bit/end.fctb", bit("endmill", R"("CuttingEdgeHeight": "30.0000 mm", "Diameter": "1/4 in", "Length": "50.0000 mm",
+    "ShankDiameter": "3.0000 mm")"));
+  write("Bit/bull.fctb", bit("bullnose", R"("Diameter": "6.0000 mm", "FlatRadius": "1.0000 mm", "CuttingEdgeHeight": "20 mm")"));
+  write("Bit/v.fctb", bit("v-bit", R"("Diameter": "10.0000 mm", "TipDiameter": "1.0000 mm", "CuttingEdgeAngle": "60.0000 \u00b0",
+    "CuttingEdgeHeight": "1.0000 mm")"));
+  write("Bit/probe.fctb", bit("probe", R"("Diameter": "6.0000 mm")"));
+  write("Library/all.fctl", R"({"version": 1, "tools": [{"nr": 1, "path": "end.fctb"}, {"nr": 4, "path": "bull.fctb"},
+    {"nr": 7, "path": "v.fctb"}, {"nr": 8, "path": "probe.fctb"}]})");
+  const std::vector<Tool> all = tools("[[tool]]\nlibrary = \"Library/all.fctl\"\n");
+  ASSERT_EQ(all.size(), 3u);  // a probe cuts nothing
+  EXPECT_EQ(all[0].shape, ToolShape::flat);
+  EXPECT_DOUBLE_EQ(all[0].diameter, 6.35);
+  EXPECT_DOUBLE_EQ(all[0].flute, 30);
+  EXPECT_DOUBLE_EQ(all[0].length, 50);
+  EXPECT_DOUBLE_EQ(all[0].shank, 3);
+  EXPECT_EQ(all[1].number, 4);
+  EXPECT_EQ(all[1].shape, ToolShape::bull);
+  EXPECT_DOUBLE_EQ(all[1].corner_radius, 2);
+  EXPECT_EQ(all[2].shape, ToolShape::v);
+  EXPECT_NEAR(all[2].angle, std::numbers::pi / 3, 1e-12);
+  EXPECT_NEAR(all[2].flute, 4.5 / std::tan(std::numbers::pi / 6), 1e-9);  // as far as its edge goes
+  // One of them, with words of its own; and a tool by itself, with the next number.
+  const std::vector<Tool> some =
+      tools("[[tool]]\nlibrary = \"Library/all.fctl\"\nnumber = 4\nlength = 33\n[[tool]]\nlibrary = \"Bit/end.fctb\"\n");
+  ASSERT_EQ(some.size(), 2u);
+  EXPECT_EQ(some[0].number, 4);
+  EXPECT_DOUBLE_EQ(some[0].length, 33);
+  EXPECT_DOUBLE_EQ(some[0].corner_radius, 2);
+  EXPECT_EQ(some[1].number, 5);
+}
+
+TEST_F(ToolLibraries, OfFusion) {
+  write("tools.json", R"({"version": 1, "data": [
+    {"type": "bull nose end mill", "unit": "millimeters", "description": "10 mm", "post-process": {"number": 2},
+     "geometry": {"DC": 10, "LB": 50, "LCF": 35, "NOF": 3, "OAL": 80, "SFDM": 12, "RE": 1.5},
+     "holder": {"unit": "millimeters", "segments": [{"height": 4, "lower-diameter": 38, "upper-diameter": 50},
+                                                    {"height": 21, "lower-diameter": 50, "upper-diameter": 50}]},
+     "start-values": {"presets": [{"n": 12000, "v_f": 3600, "v_f_plunge": 200}]}},
+    {"type": "chamfer mill", "unit": "inches", "post-process": {"number": 3},
+     "geometry": {"DC": 0.5, "LCF": 0.25, "TA": 45, "tip-diameter": 0.1}},
+    {"type": "probe", "unit": "millimeters", "post-process": {"number": 9}, "geometry": {"DC": 6}}]})");
+  const std::vector<Tool> all = tools("[[tool]]\nlibrary = \"tools.json\"\n");
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0].number, 2);
+  EXPECT_EQ(all[0].name, "10 mm");
+  EXPECT_EQ(all[0].shape, ToolShape::bull);
+  EXPECT_DOUBLE_EQ(all[0].corner_radius, 1.5);
+  EXPECT_DOUBLE_EQ(all[0].length, 50);
+  EXPECT_DOUBLE_EQ(all[0].holder_diameter, 50);
+  EXPECT_DOUBLE_EQ(all[0].holder_length, 25);
+  EXPECT_EQ(all[0].flutes, 3);
+  EXPECT_DOUBLE_EQ(all[0].feed, 3600);
+  EXPECT_DOUBLE_EQ(all[1].diameter, 12.7);
+  EXPECT_DOUBLE_EQ(all[1].tip_diameter, 2.54);
+  EXPECT_NEAR(all[1].angle, std::numbers::pi / 2, 1e-12);
+}
+
+TEST_F(ToolLibraries, RefuseNonsense) {
+  write("end.fctb", bit("endmill", R"("Diameter": "6 mm")"));
+  write("number.fctb", bit("endmill", R"("Diameter": "six mm")"));
+  write("unit.fctb", bit("endmill", R"("Diameter": "6 parsec")"));
+  write("probe.fctb", bit("probe", R"("Diameter": "6 mm")"));
+  write("text.json", "tools");
+  write("list.json", "{\"tools\": 3}");
+  write("wrong.json", R"({"data": [{"type": "drill", "geometry": {"DC": "x"}}]})");
+  write("one.fctl", R"({"tools": [{"nr": 1, "path": "end.fctb"}]})");
+  const auto said = [&](const std::string& rest) { return refusal([&] { (void)tools("[[tool]]\nlibrary = " + rest); }); };
+  EXPECT_NE(said("\"number.fctb\"").find("Diameter is 'six mm'"), std::string::npos);
+  EXPECT_NE(said("\"unit.fctb\"").find("a number with a unit"), std::string::npos);
+  EXPECT_NE(said("\"probe.fctb\"").find("shape 'probe.fcstd'"), std::string::npos);
+  EXPECT_NE(said("\"text.json\"").find("no tool library"), std::string::npos);
+  EXPECT_NE(said("\"list.json\"").find("no tool library"), std::string::npos);
+  EXPECT_NE(said("\"wrong.json\"").find("'DC' is no number"), std::string::npos);
+  EXPECT_NE(said("\"one.fctl\"\nnumber = 3").find("has no tool 3"), std::string::npos);
+  EXPECT_NE(said("\"one.fctl\"\nlength = 3").find("length"), std::string::npos);  // of which of them?
+  EXPECT_NE(said("\"one.fctl\"\n[[tool]]\nlibrary = \"one.fctl\"").find("two tools with number 1"), std::string::npos);
 }
 
 }  // namespace

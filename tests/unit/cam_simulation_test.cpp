@@ -9,7 +9,9 @@
 #include <random>
 
 #include "fieldfab/cam/simulate/playback.h"
+#include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
+#include "fieldfab/field/operations.h"
 
 namespace fieldfab::cam {
 namespace {
@@ -139,8 +141,76 @@ TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   limited.limits[0] = {0, 20};
   const SimulationResult result = simulate(limited, write("far.nc", {"G21 G90", "T1 M6", "G0 X-5 Y3 Z5", "G1 X5 F100", "M2"}));
   ASSERT_EQ(result.events().size(), 1u);
-  EXPECT_EQ(result.events()[0].line, 3);
+  EXPECT_EQ(result.events()[0].move.line, 3);
   EXPECT_EQ(name_of(result.events()[0].kind), "over-travel");
+}
+
+// The shank meets the wall on the lines of two passes, the deeper ones last: two events, each with its lines and worst place.
+TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {
+  SimulationSetup wide = setup();
+  wide.tools[1].shank = 4;
+  const SimulationResult result =
+      simulate(wide, write("two.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-4.5", "G1 X8 F600", "X12 Z-5", "X30 Z-6",
+                                      "G0 Z5", "X-5 Y14", "Z-5", "G1 X30", "G0 Z5", "M2"}));
+  ASSERT_EQ(result.events().size(), 2u);
+  const SimulationEvent &first = result.events()[0], &second = result.events()[1];
+  EXPECT_EQ(first.kind, SimulationEvent::Kind::shank_contact);
+  EXPECT_EQ(first.first_line, 6);
+  EXPECT_EQ(first.last_line, 8);
+  EXPECT_EQ(first.move.line, 8);  // the longest and deepest
+  EXPECT_GT(first.place.x(), 11);
+  EXPECT_NE(first.message.find("; it is the worst of lines 6 to 8"), std::string::npos) << first.message;
+  EXPECT_EQ(second.first_line, 12);
+  EXPECT_EQ(second.last_line, 12);
+  EXPECT_EQ(second.message.find("worst of"), std::string::npos);
+}
+
+// Gouges are found at the end: they belong to the passes that cut them all the same.
+TEST_F(SimulationFiles, GougesOfOnePassAreOne) {
+  SimulationSetup aimed = setup();
+  aimed.target = box_field({{0, 0, -8}, {20, 20, -2}});
+  const SimulationResult result =
+      simulate(aimed, write("deep.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-2.2", "G1 X8 F600", "X12 Z-3", "X30",
+                                        "G0 Z5", "X-5 Y14", "Z-2.5", "G1 X30", "M2"}));
+  ASSERT_EQ(result.events().size(), 2u);
+  EXPECT_EQ(result.events()[0].first_line, 6);
+  EXPECT_EQ(result.events()[0].last_line, 8);
+  EXPECT_NEAR(result.events()[0].amount, 1, 1e-3);
+  EXPECT_EQ(result.events()[1].move.line, 12);
+  EXPECT_NEAR(result.events()[1].amount, 0.5, 1e-3);
+}
+
+// Two programs in a row leave what one program of both leaves, and say which of them it was.
+TEST_F(SimulationFiles, ProgramsInARow) {
+  const std::vector<std::string> head{"G21 G90", "T1 M6", "S1000 M3"};
+  const std::vector<std::string> one{"G0 X-5 Y4 Z5", "Z-3", "G1 X30 F600", "G0 Z5"}, two{"G0 X-5 Y14 Z5", "Z-3", "G0 X30", "Z5"};
+  const auto joined = [&](std::vector<std::string> lines, const std::vector<std::string>& more) {
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+  };
+  SimulationSetup both = setup();
+  both.programs = {write("one.nc", joined(head, one)), write("two.nc", joined({"G21 G90", "S1000 M3"}, two))};  // the tool stays
+  const SimulationResult row = simulate(both, std::vector<std::filesystem::path>{}, {.remember = true});
+  const SimulationResult whole = simulate(setup(), write("whole.nc", joined(joined(head, one), two)));
+  EXPECT_EQ(row.stock().volume(), whole.stock().volume());
+  EXPECT_EQ(row.surface().mesh.triangles, whole.surface().mesh.triangles);
+  EXPECT_EQ(row.report().programs, both.programs);
+  ASSERT_EQ(row.events().size(), 1u);  // the rapid through material
+  EXPECT_EQ(row.events()[0].move.program, 1);
+  EXPECT_EQ(row.events()[0].move.line, 5);
+  const Playback& playback = *row.playback();
+  EXPECT_EQ(playback.done_after_line(7, 0), 4u);
+  EXPECT_EQ(playback.done_after_line(1, 1), 4u);
+  EXPECT_EQ(playback.done_after_line(5, 1), 7u);
+  EXPECT_EQ(row.report().lines.back().program, 1);
+  EXPECT_THROW((void)simulate(setup(), std::vector<std::filesystem::path>{}), Error);
+  // Programs in JavaScript are named as such, whether they are there or not.
+  try {
+    (void)simulate(setup(), "missing.tpl");
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::bad_input);
+  }
 }
 
 // A result is a value: it outlives what it was made from, and two places in its playback do not disturb each other.
@@ -169,8 +239,8 @@ TEST_F(SimulationFiles, TellsWhichPartOfTheToolHasCut) {
     const double z = result.surface().mesh.vertices[v][2];
     highest.try_emplace(cut.by, z).first->second = std::max(highest[cut.by], z);
     lowest.try_emplace(cut.by, z).first->second = std::min(lowest[cut.by], z);
-    EXPECT_EQ(cut.line, cut.by == CutBy::nothing ? 0 : 6);
-    EXPECT_EQ(cut.tool, cut.by == CutBy::nothing ? 0 : 1);
+    EXPECT_EQ(cut.move.line, cut.by == CutBy::nothing ? 0 : 6);
+    EXPECT_EQ(cut.move.tool, cut.by == CutBy::nothing ? 0 : 1);
   }
   EXPECT_EQ(lowest.size(), 3u);
   EXPECT_NEAR(lowest[CutBy::tip], -7, 1e-3);
@@ -181,14 +251,16 @@ TEST_F(SimulationFiles, TellsWhichPartOfTheToolHasCut) {
 TEST(Cuts, AreNumberedByMoveAndPartOfTheTool) {
   Cuts cuts;
   EXPECT_EQ(cuts.size(), 1u);
-  const std::uint32_t first = cuts.add(12, 3), second = cuts.add(13, 4);
+  const std::uint32_t first = cuts.add({12, 3}), second = cuts.add({13, 4, 1, 7});
   EXPECT_EQ(cuts[0].by, CutBy::nothing);
   EXPECT_EQ(cuts[first].by, CutBy::tip);
-  EXPECT_EQ(cuts[first].line, 12);
-  EXPECT_EQ(cuts[first].tool, 3);
+  EXPECT_EQ(cuts[first].move.line, 12);
+  EXPECT_EQ(cuts[first].move.tool, 3);
   EXPECT_EQ(cuts[cut_number(second, ToolRole::shank)].by, CutBy::shank);
   EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].by, CutBy::holder);
-  EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].line, 13);
+  EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].move.line, 13);
+  EXPECT_EQ(cuts[cut_number(second, ToolRole::holder)].move.program, 1);
+  EXPECT_EQ(cuts[second].move.pass, 7u);
   EXPECT_EQ(cuts[static_cast<std::uint32_t>(cuts.size())].by, CutBy::nothing);
 }
 

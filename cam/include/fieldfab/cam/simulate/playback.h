@@ -19,6 +19,7 @@ class Playback {
     bool rapid = false;
     double seconds = 0;  ///< on the machine, from the program's beginning to this move's end
     AxisValues axes{};   ///< where the machine's axes stand at its end
+    int program = 0;     ///< of several in a row
   };
   /// What the machine does at a moment.
   struct Moment {
@@ -33,10 +34,10 @@ class Playback {
 
   [[nodiscard]] std::size_t moves() const { return moves_.size(); }
   [[nodiscard]] const Move& move(std::size_t index) const { return moves_.at(index); }
-  /// How many moves are done after so many seconds, and after the program's last word of a line; where it has no moves, of the
-  /// one before it.
+  /// How many moves are done after so many seconds, and after a program's last word of a line; where it has no moves, of the one
+  /// before it.
   [[nodiscard]] std::size_t done_after_seconds(double seconds) const;
-  [[nodiscard]] std::size_t done_after_line(int line) const;
+  [[nodiscard]] std::size_t done_after_line(int line, int program = 0) const;
   /// The poses that a move's tool passes, evenly from one to the next; the first one is where it comes from, where that is known.
   [[nodiscard]] std::span<const ToolPose> poses(std::size_t index) const;
   /// The whole tool of a move.

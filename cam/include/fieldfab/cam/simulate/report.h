@@ -2,18 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "fieldfab/cam/gcode/motion.h"
+#include "fieldfab/cam/stock/cuts.h"
 #include "fieldfab/cam/stock/deviation.h"
 #include "fieldfab/cam/stock/stock.h"
 
 namespace fieldfab::cam {
 
-/// Something that should not happen.
+/// Something that should not happen. Those of one kind along one pass are one event.
 struct SimulationEvent {
   enum class Kind : std::uint8_t {
     rapid_contact,    ///< a rapid goes through material
@@ -26,14 +27,21 @@ struct SimulationEvent {
     excess,           ///< more is left than allowed
   };
   Kind kind = Kind::rapid_contact;
-  int line = 0;  ///< of the program
-  int tool = 0;
-  Vec3 place = Vec3::Zero();  ///< part coordinates
-  double amount = 0;          ///< mm of depth, mm^3 of material, or mm (degrees) beyond a limit, by its kind
+  CutMove move;               ///< where it is worst
+  Vec3 place = Vec3::Zero();  ///< there, part coordinates
+  double amount = 0;          ///< there: mm of depth, mm^3 of material, or mm (degrees) beyond a limit, by its kind
   std::string message;
+  int first_line = 0, last_line = 0;  ///< of the pass's lines where it happens
 };
 /// "rapid contact" and so on.
 std::string_view name_of(SimulationEvent::Kind kind);
+
+/// Something about a program that its reader should know and that is no fault.
+struct SimulationNote {
+  int line = 0;
+  std::string message;
+  int program = 0;  ///< of several in a row
+};
 
 /// What one line of a program did with one tool.
 struct LineRecord {
@@ -41,11 +49,13 @@ struct LineRecord {
   double removed = 0;  ///< mm^3
   double seconds = 0;
   double cut = 0, air = 0;  ///< mm of feed with and without material
+  int program = 0;          ///< of several in a row
 };
 
 struct SimulationReport {
+  std::vector<std::filesystem::path> programs;  ///< as they were carried out
   std::vector<SimulationEvent> events;
-  std::vector<ReadingNote> notes;
+  std::vector<SimulationNote> notes;
   std::vector<LineRecord> lines;  ///< in the order in which they were first carried out
   std::optional<Deviation> deviation;
   std::uint64_t moves = 0, poses = 0;

@@ -40,9 +40,10 @@ struct StopAction {
 /// Everything about a simulation but the program.
 struct SimulationSetup {
   std::string name;
-  std::string file;   ///< where it was read from, for messages
-  Machine machine;    ///< its kinematics, speeds, units of files and dialect
-  bool inch = false;  ///< what programs count in before G20 and G21
+  std::string file;                             ///< where it was read from, for messages
+  std::vector<std::filesystem::path> programs;  ///< that it is the set-up of, in their order; may be empty
+  Machine machine;                              ///< its kinematics, speeds, units of files and dialect
+  bool inch = false;                            ///< what programs count in before G20 and G21
   std::map<int, Tool> tools;
   int first_tool = 0;  ///< what a program starts with that names no tool; 0: the lowest number
   Box stock_box;       ///< of the material, in the part's coordinates, mm

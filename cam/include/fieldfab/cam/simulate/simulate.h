@@ -32,9 +32,8 @@ class SimulationResult {
  public:
   struct Parts {
     SimulationSetup setup;
-    std::filesystem::path program;  ///< the file that was carried out
-    Stock stock;                    ///< what is left
-    Cuts cuts;                      ///< that its samples remember
+    Stock stock;  ///< what is left
+    Cuts cuts;    ///< that its samples remember
     LeftSurface surface;
     std::shared_ptr<const Playback> playback;  ///< null where nothing was remembered
     SimulationReport report;
@@ -42,7 +41,6 @@ class SimulationResult {
   explicit SimulationResult(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
 
   [[nodiscard]] const SimulationSetup& setup() const { return parts_->setup; }
-  [[nodiscard]] const std::filesystem::path& program() const { return parts_->program; }
   [[nodiscard]] const Stock& stock() const { return parts_->stock; }
   [[nodiscard]] const Cuts& cuts() const { return parts_->cuts; }
   [[nodiscard]] const LeftSurface& surface() const { return parts_->surface; }
@@ -57,9 +55,14 @@ class SimulationResult {
   std::shared_ptr<const Parts> parts_;
 };
 
-/// Carries out a program file on a set-up's stock and compares what is left with the target, where there is one: G-code, .sbp,
-/// .rml or .hpgl, by the set-up's machine or the file's extension. Throws bad_input with FILE:LINE, io, cancelled.
-SimulationResult simulate(SimulationSetup setup, const std::filesystem::path& program, const SimulationOptions& options = {},
-                          Progress& progress = Progress::none());
+/// Carries out program files one after the other on a set-up's stock and compares what is left with the target, where there is
+/// one: G-code, .sbp, .rml or .hpgl, by the set-up's machine or the file's extension. Without programs those that the set-up
+/// names. Throws bad_input with FILE:LINE, io, cancelled.
+SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::path> programs,
+                          const SimulationOptions& options = {}, Progress& progress = Progress::none());
+inline SimulationResult simulate(SimulationSetup setup, const std::filesystem::path& program,
+                                 const SimulationOptions& options = {}, Progress& progress = Progress::none()) {
+  return simulate(std::move(setup), std::vector{program}, options, progress);
+}
 
 }  // namespace fieldfab::cam

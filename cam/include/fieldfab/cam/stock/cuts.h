@@ -16,11 +16,18 @@ enum class CutBy : std::uint8_t {
   holder,
 };
 
-/// One cut: a move of a program with one part of its tool.
+/// A move of a program.
+struct CutMove {
+  int line = 0;            ///< of the program; 0: none
+  int tool = 0;            ///< its number; 0: none
+  int program = 0;         ///< of several in a row, from 0
+  std::uint32_t pass = 0;  ///< feeds without a rapid between them are one pass, rapids without a feed alike; from 1
+};
+
+/// One cut: a move with one part of its tool.
 struct Cut {
   CutBy by = CutBy::nothing;
-  int line = 0;  ///< of the program; 0: none
-  int tool = 0;  ///< its number; 0: none
+  CutMove move;
 };
 
 /// The number that samples remember of a part of the tool, where `tip` is that of its cutting part.
@@ -30,7 +37,7 @@ constexpr std::uint32_t cut_number(std::uint32_t tip, ToolRole role) { return ti
 class Cuts {
  public:
   /// Adds a move and returns the number of its tool's cutting part.
-  std::uint32_t add(int line, int tool);
+  std::uint32_t add(const CutMove& move);
   /// Numbers given so far, 0 among them.
   [[nodiscard]] std::size_t size() const { return 1 + parts * moves_.size(); }
   /// The first surface for numbers that were never given.
@@ -38,10 +45,7 @@ class Cuts {
 
  private:
   static constexpr std::uint32_t parts = 3;  ///< of a tool: its roles
-  struct Move {
-    int line, tool;
-  };
-  std::vector<Move> moves_;
+  std::vector<CutMove> moves_;
 };
 
 }  // namespace fieldfab::cam
