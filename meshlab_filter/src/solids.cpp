@@ -229,7 +229,7 @@ Layer layer_of(const Model& model, const std::optional<Box>& bounds, double voxe
     log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", name, solid.kind,
                               mesh.triangles.size(), mesh.volume(), mesh.area(), voxel));
   }
-  std::vector<Colour> colours = colours_of(mesh, model);
+  std::vector<Colour> colours = vertex_colours(mesh, model);
   return {std::move(name), std::move(mesh), std::move(colours)};
 }
 

@@ -68,21 +68,4 @@ Surface surface(const Solid& solid, const Resolution& resolution, Progress& prog
   return made;
 }
 
-std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model) {
-  std::vector<Colour> colours;
-  if (std::none_of(model.parts.begin(), model.parts.end(), [](const Solid& part) { return part.colour.has_value(); }))
-    return colours;
-  constexpr Colour plain{204, 204, 204};
-  colours.assign(mesh.vertices.size(), plain);
-  std::vector<float> x, y, z;
-  for (const auto& v : mesh.vertices) x.push_back(v[0]), y.push_back(v[1]), z.push_back(v[2]);
-  std::vector<float> least(colours.size(), std::numeric_limits<float>::infinity()), value(colours.size());
-  for (const Solid& part : model.parts) {
-    part.field->values({x.data(), y.data(), z.data(), x.size()}, value.data());
-    for (std::size_t i = 0; i < colours.size(); ++i)
-      if (value[i] < least[i]) least[i] = value[i], colours[i] = part.colour.value_or(plain);
-  }
-  return colours;
-}
-
 }  // namespace fieldfab

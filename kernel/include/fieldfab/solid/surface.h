@@ -45,8 +45,4 @@ std::vector<Colour> vertex_colours(const TriangleMesh& mesh, const Model& model)
 Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress = Progress::none(),
                 EmptySolid empty = EmptySolid::refused);
 
-/// The colour of each vertex of the surface of a model's parts together: that of the part with the least value there, light grey
-/// where it has none. Empty where no part has one.
-std::vector<Colour> colours_of(const TriangleMesh& mesh, const Model& model);
-
 }  // namespace fieldfab
