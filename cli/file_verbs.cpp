@@ -25,10 +25,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-bool is_one_of(const std::string& extension, std::initializer_list<const char*> known) {
-  return std::find(known.begin(), known.end(), extension) != known.end();
-}
-
 class RenderVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
@@ -50,6 +46,7 @@ class RenderVerb final : public Verb {
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
     RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
     const Model model = options_.open(progress);
+    tell_empty_parts(model, options_.model, progress);
     const Solid solid = united(model);
     std::vector<ColouredPart> parts;
     for (const Solid& part : model.parts) parts.push_back({part.field, part.colour});
@@ -96,14 +93,14 @@ class InfoVerb final : public Verb {
     scan_.declare(*verb_);
   }
   Outcome run(Progress& progress) override {
-    const std::string extension = extension_of(file_);
-    if (is_mesh_extension(extension)) return mesh_info(progress);
-    if (extension == ".png") return image_info();
-    if (extension == ".asdf") return asdf_info(*Asdf::load(file_));
-    if (is_volume_path(file_)) return volume_info(progress);
+    if (extension_of(file_) == ".png") return image_info();
+    const Formats& formats = openscad::all_formats();
+    if (formats.is_read_as(FormatKind::mesh, file_)) return mesh_info(progress);
+    if (formats.is_read_as(FormatKind::distances, file_)) return asdf_info(*Asdf::load(file_));
+    if (formats.is_read_as(FormatKind::volume, file_)) return volume_info(progress);
     OpenSettings settings;
     settings.scripts = Scripts::run;
-    settings.formats = &openscad::all_formats();
+    settings.formats = &formats;
     const Model model = open_model(file_, settings, progress);
     print_notes(model.notes);
     if (model.parts.size() > 1 || !model.parts.front().name.empty()) return parts_info(model, progress);
@@ -113,13 +110,14 @@ class InfoVerb final : public Verb {
 
  private:
   Outcome parts_info(const Model& model, Progress& progress) const {
-    Outcome outcome{fmt::format("{}: {} parts", file_, model.parts.size()), {{"file", file_}, {"kind", "parts"}}, 0};
+    const std::size_t count = model.parts.size();
+    Outcome outcome{fmt::format("{}: {} part{}", file_, count, count == 1 ? "" : "s"), {{"file", file_}, {"kind", "parts"}}, 0};
     auto parts = nlohmann::ordered_json::array();
     for (const Solid& solid : model.parts) {
       Outcome part;
       const SolidBounds found = solid_bounds(*solid.field, progress);
       const std::string bounds = tell_bounds(found, part);
-      part.line = fmt::format("\n  {}: {}{}", solid.name, solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
+      part.line = fmt::format("\n  {}: {}{}", printable(solid.name), solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
       tell_measures(*solid.field, found, part, progress);
       part.json["name"] = solid.name;
       part.json["colour"] = solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr;
@@ -293,73 +291,69 @@ class ConvertVerb final : public Verb {
   void declare(CLI::App& app) override {
     verb_ =
         app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
-    options_.declare(*verb_,
-                     "the file to write: .math .vm .frep .dot (Graphviz) .asdf .vdb .stl .ply .off .obj .3mf .glb; a volume also "
-                     "as .nrrd .mha .nii .nii.gz");
+    const Formats& formats = openscad::all_formats();
+    options_.declare(*verb_, fmt::format("the file to write: {}; a volume also as {}",
+                                         formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
+                                         formats.writable({FormatKind::volume})));
   }
   Outcome run(Progress& progress) override {
-    const std::string from = extension_of(options_.model), to = extension_of(options_.output);
+    const Formats& formats = openscad::all_formats();
+    const std::optional<FormatKind> to = formats.written(options_.output);
+    if (!to)
+      throw Error(ErrorKind::bad_input, options_.output,
+                  fmt::format("there is no writer for '{}'; known are {}, and {} for volumes", extension_of(options_.output),
+                              formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
+                              formats.writable({FormatKind::volume})));
     Outcome outcome{
         fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
-    if (is_mesh_extension(from) && is_mesh_extension(to)) {  // as it is; `fieldfab mesh` makes it anew
-      std::vector<std::string> notes;
-      std::vector<MeshPart> parts = load_mesh_parts(options_.model, progress, notes);
-      print_notes(notes);
-      if (!options_.part.empty()) parts = {part_of(std::move(parts), options_.part)};
-      write_mesh_parts(parts, options_.output, progress);
-      return outcome;
-    }
-    if (is_one_of(to, {".nrrd", ".mha", ".nii", ".nii.gz"})) {
-      if (!is_volume_path(options_.model))
-        throw Error(ErrorKind::bad_input, options_.output,
-                    fmt::format("only a volume can be written as '{}', and {} is none", to, options_.model));
-      const ScanOptions scan = options_.scan.parsed();
-      VolumePtr volume = open_volume(options_.model, scan.file, progress);
-      write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
-      return outcome;
-    }
-    const bool to_text = is_one_of(to, {".math", ".vm", ".frep", ".dot"});
-    if (to_text) {
-      if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
-      write_file(options_.output,
-                 text_of(is_one_of(from, {".scad", ".csg"}) ? design_as_formula(progress) : options_.open(progress), to));
-      return outcome;
-    }
-    const Formats& formats = openscad::all_formats();
-    if (to != ".vdb" && to != ".asdf" && !is_mesh_extension(to))
-      throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}'; known are {} .asdf .vdb {}, and .nrrd .mha .nii .nii.gz for volumes",
-                              to, formats.writable(FormatKind::formula), formats.writable(FormatKind::mesh)));
-    if (to != ".asdf" && to != ".vdb") {
-      Model model = options_.open(progress);
-      if (!formats.find(options_.output)->parts) model = {{united(model)}, {}};
-      Resolution wanted = options_.wanted();
-      wanted.exact = false;
-      std::vector<MeshPart> parts;
-      Certainty certainty;
-      for (const Solid& part : model.parts) {
-        ContourMesh mesh = surface(part, wanted, progress).mesh;
-        certainty.add(mesh.certainty);
-        parts.push_back({std::move(mesh), part.name, part.colour});
-      }
-      write_mesh_parts(parts, options_.output, progress);
-      outcome.line += ", " + certainty.text();
-      tell_certainty(certainty, outcome);
-      return outcome;
-    }
-    const Solid solid = options_.open_solid(progress);
-    const Box bounds = working_bounds(solid, options_.region(), progress);
-    const auto [cell, certainty] = options_.lattice_cells(bounds, solid, progress);
-    if (to == ".vdb")
-      write_vdb(*solid.field, bounds, cell, options_.output, progress);
-    else
-      Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)->save(options_.output);
-    outcome.line += ", " + certainty.text();
-    tell_certainty(certainty, outcome);
+    write(*to, outcome, progress);
     return outcome;
   }
 
  private:
+  void write(FormatKind to, Outcome& outcome, Progress& progress) const {
+    const Formats& formats = openscad::all_formats();
+    if (to == FormatKind::mesh) {
+      // A mesh as it is; `fieldfab mesh` makes it anew.
+      if (formats.is_read_as(FormatKind::mesh, options_.model)) return rewrite_mesh(progress);
+      const Outcome made = write_surface(options_, progress);
+      for (const char* const key : {"certain", "uncertain"})
+        if (made.json.contains(key)) outcome.json[key] = made.json[key];
+    } else if (to == FormatKind::volume) {
+      if (!formats.is_read_as(FormatKind::volume, options_.model))
+        throw Error(
+            ErrorKind::bad_input, options_.output,
+            fmt::format("only a volume can be written as '{}', and {} is none", extension_of(options_.output), options_.model));
+      const ScanOptions scan = options_.scan.parsed();
+      VolumePtr volume = open_volume(options_.model, scan.file, progress);
+      write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
+    } else if (to == FormatKind::formula) {
+      if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
+      write_file(options_.output, text_of(formats.is_read_as(FormatKind::design, options_.model) ? design_as_formula(progress)
+                                                                                                 : options_.open(progress),
+                                          progress));
+    } else {
+      const Solid solid = options_.open_solid(progress);
+      const Box bounds = working_bounds(solid, options_.region(), progress);
+      const auto [cell, certainty] = options_.lattice_cells(bounds, solid, progress);
+      if (extension_of(options_.output) == ".vdb")
+        write_vdb(*solid.field, bounds, cell, options_.output, progress);
+      else
+        Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)->save(options_.output);
+      outcome.line += ", " + certainty.text();
+      tell_certainty(certainty, outcome);
+    }
+  }
+
+  void rewrite_mesh(Progress& progress) const {
+    std::vector<std::string> notes;
+    std::vector<MeshPart> parts = load_mesh_parts(options_.model, progress, notes);
+    print_notes(notes);
+    if (!options_.part.empty()) parts = {part_of(std::move(parts), options_.part)};
+    if (!openscad::all_formats().find(options_.output)->parts) tell_parts_lost(parts.size(), options_.output);
+    write_mesh_parts(parts, options_.output, progress);
+  }
+
   static MeshPart part_of(std::vector<MeshPart> parts, const std::string& name) {
     for (MeshPart& part : parts)
       if (part.name == name) return std::move(part);
@@ -368,10 +362,11 @@ class ConvertVerb final : public Verb {
     throw Error(ErrorKind::bad_input, "--part", fmt::format("there is no part '{:.60}'{}", name, suggestion(name, names)));
   }
 
-  [[nodiscard]] std::string text_of(const Model& model, const std::string& form) const {
+  [[nodiscard]] std::string text_of(const Model& model, Progress& progress) const {
+    const std::string form = extension_of(options_.output);
     const std::filesystem::path folder = std::filesystem::absolute(options_.output).parent_path();
     if (form == ".frep") return print_model(model, folder);
-    const frep::Expression expression = united(model).expression;
+    const frep::Expression expression = options_.as_one(model, progress).expression;
     if (frep::has_opened(expression))
       throw Error(
           ErrorKind::bad_input, options_.model,

@@ -68,6 +68,30 @@ Model ModelOptions::open(Progress& progress) const {
   return opened;
 }
 
+Solid ModelOptions::as_one(const Model& opened, Progress& progress) const {
+  tell_empty_parts(opened, model, progress);
+  tell_parts_lost(opened.parts.size(), output);
+  return united(opened);
+}
+
+void tell_parts_lost(std::size_t parts, const std::string& output) {
+  if (parts < 2) return;
+  const bool coloured = extension_of(output) == ".ply";
+  print_notes({fmt::format("{}: {} parts are one there, without their names{}", output, parts, coloured ? "" : " and colours")});
+}
+
+std::string place_of(const Solid& part, const Model& model, const std::string& file) {
+  const std::string& place = part.place.empty() ? file : part.place;
+  return model.parts.size() > 1 ? fmt::format("{}: part '{}'", place, part.name) : place;
+}
+
+void tell_empty_parts(const Model& model, const std::string& file, Progress& progress) {
+  if (model.parts.size() < 2) return;
+  for (const Solid& part : model.parts)
+    if (!part.bounds && solid_bounds(*part.field, progress).empty)
+      print_notes({place_of(part, model, file) + ": the solid is empty"});
+}
+
 std::optional<double> ModelOptions::make_plate_if_flat(Solid& solid, Progress& progress) {
   if (thickness || !bounds.empty() || (solid.voxel && !solid.flat)) return std::nullopt;
   const SolidBounds found = solid_bounds(*solid.field, progress);
@@ -81,7 +105,7 @@ std::optional<double> ModelOptions::make_plate_if_flat(Solid& solid, Progress& p
 }
 
 bool ModelOptions::takes_samples() const {
-  return is_volume_path(model) && !voxel && !resolution && bounds.empty() && !thickness;
+  return openscad::all_formats().is_read_as(FormatKind::volume, model) && !voxel && !resolution && bounds.empty() && !thickness;
 }
 
 Resolution ModelOptions::wanted() const {

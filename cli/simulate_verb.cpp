@@ -37,7 +37,7 @@ class SimulateVerb final : public Verb {
         ->required();
     verb_->add_option("--dialect", dialect_,
                       "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
-    verb_->add_option("-o,--output", output_, "the stock that is left: .stl, .ply, .off, .obj, .3mf, .glb or .asdf");
+    verb_->add_option("-o,--output", output_, "the stock that is left: " + stock_formats());
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
@@ -84,12 +84,14 @@ class SimulateVerb final : public Verb {
   }
 
  private:
+  static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf"; }
+
   /// What is to be written, before the work: a wrong name is told of at once.
   void check_outputs() const {
-    if (!output_.empty() && extension_of(output_) != ".asdf" && !is_mesh_extension(extension_of(output_)))
-      throw Error(
-          ErrorKind::bad_input, output_,
-          fmt::format("cannot write a stock as '{}'; known are .stl .ply .off .obj .3mf .glb .asdf", extension_of(output_)));
+    const std::optional<FormatKind> written = openscad::all_formats().written(output_);
+    if (!output_.empty() && written != FormatKind::mesh && extension_of(output_) != ".asdf")
+      throw Error(ErrorKind::bad_input, output_,
+                  fmt::format("cannot write a stock as '{}'; known are {}", extension_of(output_), stock_formats()));
     for (const std::string& path : reports_)
       if (extension_of(path) != ".json" && extension_of(path) != ".html")
         throw Error(ErrorKind::bad_input, path, "a report is a .html or a .json file");

@@ -7,6 +7,7 @@
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/core/error.h"
+#include "fieldfab/core/text.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/mesh/mesh_parts.h"
 #include "fieldfab/mesh/ply.h"
@@ -26,6 +27,54 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
+std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& options, Outcome& outcome, Progress& progress) {
+  const Resolution wanted = options.wanted();
+  std::vector<MeshPart> parts;
+  std::size_t triangles = 0, vertices = 0;
+  double volume = 0, area = 0;
+  bool exact = true;
+  Certainty certainty;
+  Box bounds;
+  double voxel = 0;
+  auto described = nlohmann::ordered_json::array();
+  for (const Solid& solid : model.parts) {
+    Surface made = surface(solid, wanted, progress, model.parts.size() > 1 ? EmptySolid::allowed : EmptySolid::refused);
+    const TriangleMesh& mesh = made.mesh;
+    const std::string place = place_of(solid, model, options.model);
+    if (mesh.triangles.empty() && !wanted.region) {
+      const std::string found = made.mesh.certainty.certain() ? "the solid is empty" : "no surface was found";
+      const std::string more = made.mesh.certainty.certain() ? "" : "; " + made.mesh.certainty.text();
+      if (model.parts.size() == 1) throw Error(ErrorKind::bad_input, place, found + ", and no mesh was written" + more);
+      print_notes({place + ": " + found + more});
+      continue;
+    }
+    described.push_back({{"name", solid.name},
+                         {"colour", solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr},
+                         {"triangles", mesh.triangles.size()},
+                         {"volume", mesh.volume()},
+                         {"area", mesh.area()},
+                         {"bounds", json_of(mesh.bounds())},
+                         {"certain", made.mesh.certainty.certain()}});
+    triangles += mesh.triangles.size(), vertices += mesh.vertices.size();
+    volume += mesh.volume(), area += mesh.area();
+    exact = exact && made.exact;
+    bounds = parts.empty() ? made.region : hull(bounds, made.region);
+    voxel = parts.empty() ? made.voxel : std::min(voxel, made.voxel);
+    certainty.add(made.mesh.certainty);
+    parts.push_back({std::move(made.mesh), solid.name, solid.colour});
+  }
+  if (parts.empty()) throw Error(ErrorKind::bad_input, options.model, "all parts are empty, and no mesh was written");
+  outcome.line = fmt::format("{} triangles, {} vertices, volume {:.6g} mm3, {}", triangles, vertices, volume,
+                             exact ? "exact faces" : certainty.text());
+  outcome.json = {
+      {"output", options.output}, {"triangles", triangles}, {"vertices", vertices},     {"volume", volume}, {"area", area},
+      {"voxel", voxel},           {"exact", exact},         {"bounds", json_of(bounds)}};
+  if (model.parts.size() > 1) outcome.json["parts"] = described;
+  tell_certainty(certainty, outcome);
+  return parts;
+}
 
 class BuildVerb final : public Verb {
  public:
@@ -100,91 +149,21 @@ class MeshVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("mesh", "make a watertight triangle mesh of a solid");
-    options_.declare(*verb_, "the mesh to write: " + openscad::all_formats().writable(FormatKind::mesh));
+    options_.declare(*verb_, "the mesh to write: " + openscad::all_formats().writable({FormatKind::mesh}));
     verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
   }
   Outcome run(Progress& progress) override {
     const Formats& formats = openscad::all_formats();
-    const Format* const format = formats.find(options_.output);
-    if (format == nullptr || format->kind != FormatKind::mesh || !format->writes)
+    if (formats.written(options_.output) != FormatKind::mesh)
       throw Error(ErrorKind::bad_input, options_.output,
                   fmt::format("cannot write a mesh as '{}'; known are {}", extension_of(options_.output),
-                              formats.writable(FormatKind::mesh)));
-    const Stopwatch clock;
-    Model model = options_.open(progress);
-    const Model parts_of_model = model;
-    // Other formats get one mesh of all, so that it is valid where parts touch or overlap.
-    if (model.parts.size() > 1 && !format->parts) model = {{united(model)}, {}};
-    Outcome outcome;
-    const std::vector<MeshPart> parts = surfaces_of(model, outcome, progress);
-    if (extension_of(options_.output) == ".ply" && parts_of_model.parts.size() > 1)
-      write_ply(parts.front().mesh, options_.output, {vertex_colours(parts.front().mesh, parts_of_model)}, progress);
-    else if (parts.size() == 1 && parts.front().name.empty() && !parts.front().colour)
-      write_mesh(parts.front().mesh, options_.output, progress);
-    else
-      write_mesh_parts(parts, options_.output, progress);
-    outcome.line = fmt::format("{}: {}{}, {:.2f} s", options_.output,
-                               parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", outcome.line, clock.seconds());
-    outcome.json["seconds"] = clock.seconds();
+                              formats.writable({FormatKind::mesh})));
+    Outcome outcome = write_surface(options_, progress);
+    if (certain_ && !outcome.json["certain"]) outcome.code = 1;
     return outcome;
   }
 
  private:
-  /// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
-  std::vector<MeshPart> surfaces_of(const Model& model, Outcome& outcome, Progress& progress) const {
-    const Resolution wanted = options_.wanted();
-    std::vector<MeshPart> parts;
-    std::size_t triangles = 0, vertices = 0;
-    double volume = 0, area = 0;
-    bool exact = true;
-    Certainty certainty;
-    Box bounds;
-    double voxel = 0;
-    auto described = nlohmann::ordered_json::array();
-    for (const Solid& solid : model.parts) {
-      Surface made = surface(solid, wanted, progress, model.parts.size() > 1 ? EmptySolid::allowed : EmptySolid::refused);
-      const TriangleMesh& mesh = made.mesh;
-      const std::string place =
-          model.parts.size() > 1 ? fmt::format("{}: part '{}'", options_.model, solid.name) : options_.model;
-      if (mesh.triangles.empty() && !wanted.region) {
-        const std::string found = made.mesh.certainty.certain() ? "the solid is empty" : "no surface was found";
-        const std::string more = made.mesh.certainty.certain() ? "" : "; " + made.mesh.certainty.text();
-        if (model.parts.size() == 1) throw Error(ErrorKind::bad_input, place, found + ", and no mesh was written" + more);
-        print_notes({place + ": " + found + more});
-        continue;
-      }
-      described.push_back({{"name", solid.name},
-                           {"colour", solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr},
-                           {"triangles", mesh.triangles.size()},
-                           {"volume", mesh.volume()},
-                           {"area", mesh.area()},
-                           {"bounds", json_of(mesh.bounds())},
-                           {"certain", made.mesh.certainty.certain()}});
-      triangles += mesh.triangles.size(), vertices += mesh.vertices.size();
-      volume += mesh.volume(), area += mesh.area();
-      exact = exact && made.exact;
-      bounds = parts.empty() ? made.region : hull(bounds, made.region);
-      voxel = parts.empty() ? made.voxel : std::min(voxel, made.voxel);
-      certainty.add(made.mesh.certainty);
-      parts.push_back({std::move(made.mesh), solid.name, solid.colour});
-    }
-    if (parts.empty()) throw Error(ErrorKind::bad_input, options_.model, "all parts are empty, and no mesh was written");
-    outcome.line = fmt::format("{} triangles, {} vertices, volume {:.6g} mm3, {}", triangles, vertices, volume,
-                               exact ? "exact faces" : certainty.text());
-    outcome.json = {{"output", options_.output},
-                    {"triangles", triangles},
-                    {"vertices", vertices},
-                    {"volume", volume},
-                    {"area", area},
-                    {"voxel", voxel},
-                    {"exact", exact},
-                    {"bounds", json_of(bounds)}};
-    if (model.parts.size() > 1) outcome.json["parts"] = described;
-    tell_certainty(certainty, outcome);
-    if (certain_ && !certainty.certain()) outcome.code = 1;
-    return parts;
-  }
-
   ModelOptions options_;
   bool certain_ = false;
 };
@@ -206,7 +185,7 @@ class CheckVerb final : public Verb {
     for (Solid& solid : model.parts) {
       const Outcome of_part = check_solid(solid, progress);
       passed = passed && of_part.code == 0;
-      if (model.parts.size() > 1) outcome.line += fmt::format("part '{}'\n", solid.name);
+      if (model.parts.size() > 1) outcome.line += fmt::format("part '{}'\n", printable(solid.name));
       outcome.line += of_part.line;
       described.push_back(of_part.json);
       described.back()["name"] = solid.name;
@@ -267,7 +246,8 @@ class CheckVerb final : public Verb {
         const Measures shared = measure(*intersect(model.parts[i].field, model.parts[j].field), common, {}, progress);
         if (!(shared.volume.lower > 0)) continue;
         const std::string &a = model.parts[i].name, &b = model.parts[j].name;
-        outcome.line += fmt::format("parts '{}' and '{}' overlap by at least {:.4g} mm3\n", a, b, shared.volume.lower);
+        outcome.line +=
+            fmt::format("parts '{}' and '{}' overlap by at least {:.4g} mm3\n", printable(a), printable(b), shared.volume.lower);
         overlaps.push_back({{"parts", {a, b}}, {"volume", {shared.volume.lower, shared.volume.upper}}});
       }
     outcome.json["overlaps"] = overlaps;
@@ -278,6 +258,24 @@ class CheckVerb final : public Verb {
 };
 
 }  // namespace
+
+Outcome write_surface(const ModelOptions& options, Progress& progress) {
+  const Stopwatch clock;
+  const Model model = options.open(progress);
+  // Other formats get one mesh of all, so that it is valid where parts touch or overlap.
+  const bool one = model.parts.size() > 1 && !openscad::all_formats().find(options.output)->parts;
+  Outcome outcome;
+  const std::vector<MeshPart> parts =
+      surfaces_of(one ? Model{{options.as_one(model, progress)}} : model, options, outcome, progress);
+  if (one && extension_of(options.output) == ".ply")
+    write_ply(parts.front().mesh, options.output, {vertex_colours(parts.front().mesh, model)}, progress);
+  else
+    write_mesh_parts(parts, options.output, progress);
+  outcome.line = fmt::format("{}: {}{}, {:.2f} s", options.output,
+                             parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", outcome.line, clock.seconds());
+  outcome.json["seconds"] = clock.seconds();
+  return outcome;
+}
 
 std::unique_ptr<Verb> build_verb() { return std::make_unique<BuildVerb>(); }
 std::unique_ptr<Verb> mesh_verb() { return std::make_unique<MeshVerb>(); }

@@ -56,8 +56,10 @@ struct ModelOptions {
   [[nodiscard]] std::optional<Box> region() const;
   /// Opens the model, or runs it where it is a script; keeps the part wanted; flat ones are given --thickness.
   [[nodiscard]] Model open(Progress& progress) const;
-  /// The same as one solid.
-  [[nodiscard]] Solid open_solid(Progress& progress) const { return united(open(progress)); }
+  /// The same as one solid, for a file that holds one.
+  [[nodiscard]] Solid open_solid(Progress& progress) const { return as_one(open(progress), progress); }
+  /// A model as one solid, for a file that holds one: tells what that leaves out of several parts.
+  [[nodiscard]] Solid as_one(const Model& opened, Progress& progress) const;
   /// Makes a plate of a solid that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
   /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the solid was left alone.
   std::optional<double> make_plate_if_flat(Solid& solid, Progress& progress);
@@ -75,6 +77,18 @@ struct ModelOptions {
 
 /// Tells what a reader or a planner noticed, a line each, on stderr.
 void print_notes(const std::vector<std::string>& notes);
+
+/// Writes the surface of a model, as `fieldfab mesh` does: `options.output` is a mesh file's name. The outcome tells of it.
+Outcome write_surface(const ModelOptions& options, Progress& progress);
+
+/// The place of a part for messages: where its text makes it, or else `file`; with its name where the model has several.
+std::string place_of(const Solid& part, const Model& model, const std::string& file);
+
+/// Tells that a file holds several parts as one.
+void tell_parts_lost(std::size_t parts, const std::string& output);
+
+/// Tells which of several parts are empty, as far as intervals show.
+void tell_empty_parts(const Model& model, const std::string& file, Progress& progress);
 
 /// A verb: declared on the command line, then run.
 class Verb {

@@ -73,6 +73,12 @@ class SolidValue {
   mutable std::shared_ptr<const Solid> made_;
 };
 
+/// .frep text in Python: bytes of file names that are no UTF-8 are surrogates, as in Python's own names of files.
+inline py::str python_text(const std::string& text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
+}
+
 /// The Solid of a Python object: a Solid, or a number. Throws TypeError for any other.
 std::shared_ptr<const Solid> solid_of(const py::object& solid);
 /// Its Field.

@@ -157,7 +157,7 @@ SolidValue make_part(const SolidValue& shape, const std::string& name, const py:
   if (name.empty()) throw py::value_error("a part needs a name");
   for (const frep::TextPart& part : parts_made())
     if (part.name == name) throw Error(ErrorKind::bad_input, "", fmt::format("two parts are called '{:.60}'", name));
-  parts_made().push_back({shape.value.expression, name, colour_of(colour)});
+  parts_made().push_back({shape.value.expression, name, colour_of(colour), {}});
   return Value{shape.value.expression, true};
 }
 
@@ -198,7 +198,8 @@ SolidValue parse_any(const std::string& text, const std::optional<std::filesyste
 template <class Function>
 void define_number(py::module_& module, const char* name, Function function) {
   module.def(
-      name, [function](const SolidValue& value) { return SolidValue(Value{function(value.value.expression)}); }, py::arg("value"));
+      name, [function](const SolidValue& value) { return SolidValue(Value{function(value.value.expression)}); },
+      py::arg("value"));
 }
 
 /// What a file holds, and what else its reader knows.
@@ -222,7 +223,7 @@ py::list describe_formats() {
     about["extensions"] = format.extensions;
     about["kind"] = std::string(name_of(format.kind));
     about["reads"] = format.read != nullptr;
-    about["writes"] = format.writes;
+    about["writes"] = format.written.has_value();
     about["parts"] = format.parts;
     about["help"] = format.help;
     all.append(about);
@@ -257,9 +258,10 @@ void bind_language(py::module_& module) {
   module.attr("X") = SolidValue(Value{Expression::x()});
   module.attr("Y") = SolidValue(Value{Expression::y()});
   module.attr("Z") = SolidValue(Value{Expression::z()});
-  module.def("parse", parse_any, py::arg("text"), py::arg("folder") = py::none(),
-             "Reads .frep text or a prefix math string; several parts as one solid. open() in it takes names relative to `folder`, "
-             "and is refused without one.");
+  module.def(
+      "parse", parse_any, py::arg("text"), py::arg("folder") = py::none(),
+      "Reads .frep text or a prefix math string; several parts as one solid. open() in it takes names relative to `folder`, "
+      "and is refused without one.");
   module.def(
       "parse_parts",
       [](const std::string& text, const std::optional<std::filesystem::path>& folder) {
@@ -268,11 +270,23 @@ void bind_language(py::module_& module) {
       py::arg("text"), py::arg("folder") = py::none(),
       "The parts of .frep text: (solid, name, colour) each; one without a name and a colour where it names none.");
   module.def(
-      "parse_math", [](const std::string& text) { return SolidValue(Value{frep::parse_math(text), true}); }, py::arg("text"));
+      "parse_math",
+      [](const std::string& text) {
+        return SolidValue(Value{frep::parse_math(text), true});
+      },
+      py::arg("text"));
   module.def(
-      "parse_vm", [](const std::string& text) { return SolidValue(Value{frep::parse_vm(text), true}); }, py::arg("text"));
+      "parse_vm",
+      [](const std::string& text) {
+        return SolidValue(Value{frep::parse_vm(text), true});
+      },
+      py::arg("text"));
   module.def(
-      "parse_infix", [](const std::string& text) { return SolidValue(Value{frep::parse_infix(text), true}); }, py::arg("text"));
+      "parse_infix",
+      [](const std::string& text) {
+        return SolidValue(Value{frep::parse_infix(text), true});
+      },
+      py::arg("text"));
   module.def("open", open_file, py::arg("filename"),
              "The solid of a file of any kind, to be used like any shape. Options by name: threshold = 300, part = \"lid\", "
              "smooth = True ... (docs/frep-language.md). Scripts are refused.");
@@ -282,14 +296,14 @@ void bind_language(py::module_& module) {
   module.def("parts_made", parts_to_python, "The parts that part() has made so far: (solid, name, colour) each.");
   module.def(
       "load",
-      [](const std::filesystem::path& path) {
-        return as_value(united(open_model(path, settings_for(Scripts::refused, true))));
-      },
-      py::arg("filename"), "The solid of a file of any kind; scripts are refused, several parts are one solid. See open() for options.");
+      [](const std::filesystem::path& path) { return as_value(united(open_model(path, settings_for(Scripts::refused, true)))); },
+      py::arg("filename"),
+      "The solid of a file of any kind; scripts are refused, several parts are one solid. See open() for options.");
   module.def(
       "load_parts",
       [](const std::filesystem::path& path, const py::object& progress) {
-        return parts_of(long_work(progress, [&](Progress& p) { return open_model(path, settings_for(Scripts::refused, true), p); }));
+        return parts_of(
+            long_work(progress, [&](Progress& p) { return open_model(path, settings_for(Scripts::refused, true), p); }));
       },
       py::arg("filename"), py::arg("progress") = py::none(), "The parts of a file: (solid, name, colour) each.");
   py::class_<OpenedModel>(module, "Model", "What a file holds: one solid, or several parts.")
@@ -318,8 +332,8 @@ void bind_language(py::module_& module) {
       [](const py::iterable& parts, const std::filesystem::path& folder) {
         std::vector<frep::TextPart> texts;
         for (const PythonPart& part : parts_given(parts))
-          texts.push_back({part.what.cast<SolidValue>().value.expression, part.name, part.colour});
-        return frep::print_parts(texts, folder);
+          texts.push_back({part.what.cast<SolidValue>().value.expression, part.name, part.colour, {}});
+        return python_text(frep::print_parts(texts, folder));
       },
       py::arg("parts"), py::arg("folder") = "",
       "Parts, (solid, name, colour) each, as .frep text, which parse_parts() reads back; files are named as by Solid.frep().");
@@ -369,8 +383,8 @@ void bind_language(py::module_& module) {
   }
 
   module.def("library", describe_library, "The functions of the design language, with their parameters, meanings and examples.");
-  bind_library(module.def_submodule(
-      "shapes", "Shapes and what is done with them. Lengths in mm, angles in radians. See docs/shapes.md."));
+  bind_library(
+      module.def_submodule("shapes", "Shapes and what is done with them. Lengths in mm, angles in radians. See docs/shapes.md."));
 }
 
 }  // namespace fieldfab::python

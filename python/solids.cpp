@@ -127,20 +127,24 @@ SolidValue scaled(const SolidValue& solid, const Vec3& factors) {
 SolidValue in_memory(FieldPtr field, const char* kind) { return SolidValue(fieldfab::solid_of(std::move(field), kind)); }
 
 /// Without the newline that ends a file.
-std::string text_of(const SolidValue& solid, const std::filesystem::path& folder) {
+py::str text_of(const SolidValue& solid, const std::filesystem::path& folder) {
   std::string text = frep::print_infix(solid.value.expression, folder);
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
+  return python_text(text);
 }
 
 template <char sign>
 void define_operator(py::class_<SolidValue, std::shared_ptr<SolidValue>>& solid, const char* name, const char* reflected) {
   solid.def(
-      name, [](const SolidValue& a, const SolidValue& b) { return SolidValue(frep::joined(sign, a.value, b.value, frep::Making::folded)); },
+      name,
+      [](const SolidValue& a, const SolidValue& b) {
+        return SolidValue(frep::joined(sign, a.value, b.value, frep::Making::folded));
+      },
       py::is_operator());
   if (reflected != nullptr)
     solid.def(
-        reflected, [](const SolidValue& a, double b) { return SolidValue(frep::joined(sign, Value{b}, a.value, frep::Making::folded)); },
+        reflected,
+        [](const SolidValue& a, double b) { return SolidValue(frep::joined(sign, Value{b}, a.value, frep::Making::folded)); },
         py::is_operator());
 }
 
@@ -224,9 +228,16 @@ void bind_solids(py::module_& module) {
   define_operator<'^'>(solid, "__pow__", "__rpow__");
   define_operator<'|'>(solid, "__or__", nullptr);
   define_operator<'&'>(solid, "__and__", nullptr);
-  solid.def("__neg__", [](const SolidValue& a) { return SolidValue(Value{-a.value.expression, a.value.solid}); })
+  solid.def("__neg__",
+            [](const SolidValue& a) {
+              return SolidValue(Value{-a.value.expression, a.value.solid});
+            })
       .def(
-          "__invert__", [](const SolidValue& a) { return SolidValue(Value{-a.value.expression, true}); }, "complement")
+          "__invert__",
+          [](const SolidValue& a) {
+            return SolidValue(Value{-a.value.expression, true});
+          },
+          "complement")
       .def(
           "__mod__",
           [](const SolidValue& a, const SolidValue& b) {
@@ -269,7 +280,9 @@ void bind_solids(py::module_& module) {
           [](const SolidValue& a, const std::filesystem::path& path) { write_file(path, frep::print_dot(a.value.expression)); },
           py::arg("filename"), "Writes the formula as a graph for Graphviz.")
       .def("simplified",
-           [](const SolidValue& a) { return SolidValue(Value{frep::simplify(a.value.expression), a.value.solid}); })
+           [](const SolidValue& a) {
+             return SolidValue(Value{frep::simplify(a.value.expression), a.value.solid});
+           })
       .def("node_count", [](const SolidValue& a) { return frep::node_count(a.value.expression); })
       .def(
           "map",
@@ -278,17 +291,20 @@ void bind_solids(py::module_& module) {
             const auto or_axis = [](const std::optional<SolidValue>& given, const Expression& axis) {
               return given ? given->value.expression : axis;
             };
-            return SolidValue(Value{remap(a.value.expression, or_axis(x, Expression::x()), or_axis(y, Expression::y()),
-                                          or_axis(z, Expression::z())),
-                                    a.value.solid});
+            return SolidValue(Value{
+                remap(a.value.expression, or_axis(x, Expression::x()), or_axis(y, Expression::y()), or_axis(z, Expression::z())),
+                a.value.solid});
           },
           py::arg("x") = py::none(), py::arg("y") = py::none(), py::arg("z") = py::none(),
           "With x, y and z replaced; None leaves a coordinate as it is.")
       .def("__call__", evaluate, py::arg("x"), py::arg("y"), py::arg("z"),
            "Values at points, in single precision; arrays broadcast as NumPy's do.")
       .def(
-          "value", [](const SolidValue& a, double x, double y, double z) { return a.field().value({x, y, z}); }, py::arg("x"),
-          py::arg("y"), py::arg("z"), "The value at one point.")
+          "value",
+          [](const SolidValue& a, double x, double y, double z) {
+            return a.field().value({x, y, z});
+          },
+          py::arg("x"), py::arg("y"), py::arg("z"), "The value at one point.")
       .def("values", values, py::arg("points"), "Values at an (n, 3) array of points.")
       .def("gradients", gradients, py::arg("points"), "Values and (n, 3) gradients at an (n, 3) array of points.")
       .def("surface_distances", surface_distances_of, py::arg("points"),
@@ -325,7 +341,10 @@ void bind_solids(py::module_& module) {
           "The cell, mm, that mesh(), build() and others take where none is given: its own resolution, else so many along the "
           "longest side of the bounds, which are found where not given.")
       .def(
-          "offset", [](const SolidValue& a, double d) { return SolidValue(Value{a.value.expression - d, true}); },
+          "offset",
+          [](const SolidValue& a, double d) {
+            return SolidValue(Value{a.value.expression - d, true});
+          },
           py::arg("distance"))
       .def(
           "shell",
@@ -379,8 +398,11 @@ void bind_solids(py::module_& module) {
           },
           py::arg("dx"), py::arg("dy"), py::arg("dz"))
       .def(
-          "scale", [](const SolidValue& a, double x, double y, double z) { return scaled(a, {x, y, z}); }, py::arg("sx"),
-          py::arg("sy"), py::arg("sz"))
+          "scale",
+          [](const SolidValue& a, double x, double y, double z) {
+            return scaled(a, {x, y, z});
+          },
+          py::arg("sx"), py::arg("sy"), py::arg("sz"))
       .def("rotate", turned, py::arg("axis"), py::arg("angle"), "Turned about an axis through the origin, in radians.")
       .def("mirror", mirrored, py::arg("normal"));
   py::implicitly_convertible<double, SolidValue>();

@@ -112,6 +112,14 @@ def test_includes_go_downwards():
     assert [v for f in checked for v in violations(f.relative_to(ROOT), f.read_text())] == []
 
 
+def test_the_architecture_has_every_room():
+    told = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    folders = [folder for part in ("kernel/src", "cam") for folder in sorted((ROOT / part).iterdir())]
+    rooms = {str(folder.relative_to(ROOT)).removeprefix("kernel/src/") for folder in folders if list(folder.glob("*.cpp"))}
+    rooms |= {path.parent.name for path in ROOT.glob("*/CMakeLists.txt")} - {"kernel", "cam", "tests", "build"}
+    assert [room for room in sorted(rooms) if f"`{room}`" not in told and f"/{room}`" not in told] == []
+
+
 def test_planted_violations_are_caught():
     path = pathlib.PurePosixPath
     assert violations(path("kernel/src/core/a.cpp"), '#include "fieldfab/field/field.h"')

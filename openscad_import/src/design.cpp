@@ -111,7 +111,7 @@ const Formats& all_formats() {
   static const Formats formats = kernel_formats().with(
       {{{".scad", ".csg"},
         FormatKind::design,
-        false,
+        std::nullopt,
         "an OpenSCAD design; .scad needs OpenSCAD installed",
         [](const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
           const bool smooth = option_number(settings.options, "smooth", 0) != 0;

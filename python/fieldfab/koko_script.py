@@ -178,10 +178,10 @@ def handles_of(header):
 # The modules
 
 
-def _modules():
+def _modules(python2_math):
     """kokopelli's modules by their names, as far as scripts use them."""
     shapes = {name: getattr(kokopelli, name) for name in kokopelli.__all__}
-    shapes.update(X=MathTree.X(), Y=MathTree.Y(), Z=MathTree.Z(), math=math)
+    shapes.update(X=MathTree.X(), Y=MathTree.Y(), Z=MathTree.Z(), math=python2_math)
     flat = {name: value for name, value in shapes.items() if name != "text"}
     boards = {name: value for name, value in vars(kokopelli_pcb).items() if isinstance(value, type)}
     boards.update({name: getattr(math, name) for name in ("cos", "sin", "atan2", "radians", "degrees", "sqrt")},
@@ -239,13 +239,14 @@ def run(path):
     raises."""
     text = python2.read(path).replace("\r\n", "\n")
     header = HEADER.match(text)
-    modules = _modules()
+    older = python2_names.modules()
+    modules = _modules(older["math"])
     given = handles_of(header.group(1)) if header else {}
     if header:
         text = "\n" * header.group().count("\n") + text[header.end():]
     names = {"__name__": "__main__", "__file__": path, "__builtins__": python2_names.builtins_of_python2(_execute),
              "cad": Cad(), **given}
-    with _in_place({**python2_names.modules(), **modules}):
+    with _in_place({**older, **modules}):
         exec(python2.compiled(text, path), names)
     cad = names.get("cad")
     if not isinstance(cad, Cad):

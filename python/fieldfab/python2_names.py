@@ -9,6 +9,7 @@ import functools
 import importlib
 import io
 import itertools
+import math
 import numbers
 import operator
 import random
@@ -58,6 +59,9 @@ def compare(a, operation, b):
     try:
         return ORDERS[operation](a, b)
     except TypeError:
+        for value, other, sign in ((a, b, 1), (b, a, -1)):
+            if hasattr(value, "__cmp__") and (order := value.__cmp__(other)) is not NotImplemented:
+                return ORDERS[operation](sign * order, 0)
         return ORDERS[operation](_rank(a), _rank(b))
 
 
@@ -129,6 +133,7 @@ DICTIONARY = {
     "iteritems": lambda d: lambda: iter(d.items())}
 LIST = {"sort": lambda items: lambda *how, **named: items.__setitem__(slice(None), sorted_(items, *how, **named))}
 TEXT = {"decode": lambda text: lambda *_: text}
+ERROR_OBJECT = {"message": lambda error: error.args[0] if len(error.args) == 1 else ""}
 FUNCTION = {"func_name": "__name__", "func_code": "__code__", "func_defaults": "__defaults__",
             "func_globals": "__globals__", "func_doc": "__doc__", "im_func": "__func__", "im_self": "__self__"}
 
@@ -151,13 +156,14 @@ MODULES = {
                  lambda value: isinstance(value, collections.abc.Sequence)},
     "sys": {"maxint": sys.maxsize},
 }
-ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, FUNCTION, *MODULES.values())
+MATH = {name: lambda value, of=getattr(math, name): float(of(value)) for name in ("floor", "ceil")}
+ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, ERROR_OBJECT, FUNCTION, *MODULES.values())
 
 
 def attribute(value, name):
     """An attribute as Python 2 has it."""
-    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT)):
-        if isinstance(value, kind) and name in known:
+    for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT), (BaseException, ERROR_OBJECT)):
+        if isinstance(value, kind) and name in known and not (kind is BaseException and hasattr(value, name)):
             return known[name](value)
     if name == "next" and not hasattr(value, "next") and hasattr(value, "__next__"):
         return value.__next__
@@ -174,9 +180,10 @@ def modules():
     made = {old: importlib.import_module(new) for old, new in renamed.items()}
     made["StringIO"] = made["cStringIO"] = io
     numbers_ = Random()
-    for name in ("random", "string", "itertools", "operator"):  # copies, for `from string import letters`, too
+    for name in ("random", "string", "itertools", "operator", "math"):  # copies, for `from string import letters`, too
         made[name] = types.ModuleType(name)
         vars(made[name]).update({**MODULES.get(name, {}), **vars(importlib.import_module(name))})
+    vars(made["math"]).update(MATH)
     public = [name for name in dir(numbers_) if not name.startswith("_")]
     vars(made["random"]).update({name: getattr(numbers_, name) for name in public}, Random=Random)
     return made

@@ -65,29 +65,12 @@ def _listed(names):
 
 
 def text_of_parts(parts):
-    """The .frep text of parts: the lines of each formula, its last one in `part(...)` where it has a name or a colour.
-
-    Raises NoSolid if two parts have one name."""
+    """The .frep text of parts, (formula, name, colour) each. Raises NoSolid if two parts have one name."""
     names = [name for _, name, _ in parts if name is not None]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
         raise NoSolid(f"two parts are called '{twice[0]}'")
-    several, lines = len(parts) > 1, []
-    for i, (expression, name, colour) in enumerate(parts):
-        *bindings, result = str(Solid(expression)).splitlines()
-        if name is None and (several or colour is not None):
-            name = _free(f"part {i + 1}", names)
-        if name is not None:
-            text = "".join(c if c.isprintable() and c not in '"\\' else "'" for c in str(name))
-            result = f'part({result}, "{text}"' + (f', "{colour}")' if colour is not None else ")")
-        lines += [*bindings, result]
-    return "".join(line + "\n" for line in lines)
-
-
-def _free(name, names):
-    while name in names:
-        name += "'"
-    return name
+    return _core.frep_text([(Solid(formula), name and str(name), colour) for formula, name, colour in parts])
 
 
 def where(error, path):
@@ -120,6 +103,14 @@ def answer(path):
         return f"error {line} {'' if plain else type(error).__name__ + ': '}{' '.join(str(message).split())}"
 
 
+def bytes_of(text):
+    """UTF-8, with the bytes that names of files have; other surrogates as escapes."""
+    try:
+        return text.encode("utf-8", "surrogateescape")
+    except UnicodeEncodeError:
+        return text.encode("utf-8", "backslashreplace")
+
+
 def end_with_parent():
     """Has this process killed when the one that started it ends, even if that is killed itself."""
     PR_SET_PDEATHSIG = 1
@@ -128,8 +119,8 @@ def end_with_parent():
 
 if __name__ == "__main__":
     end_with_parent()
-    with os.fdopen(os.dup(1), "w", encoding="utf-8", errors="backslashreplace") as out:
+    with os.fdopen(os.dup(1), "wb") as out:
         os.dup2(2, 1)
         sys.path.insert(0, os.path.dirname(os.path.abspath(sys.argv[1])))
         sys.argv = sys.argv[1:]
-        out.write(answer(sys.argv[0]))
+        out.write(bytes_of(answer(sys.argv[0])))

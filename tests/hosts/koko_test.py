@@ -166,6 +166,10 @@ STATEMENTS = {
         "1 a \n(1, 2)\n",
     "class C:\n  def next(self): return 3\n  def __iter__(self): return self\n  def __nonzero__(self): return False\n"
     "  def __div__(self, o): return 'div'\nx = iter(C()).next(), bool(C()), C() / 2": (3, False, "div"),
+    "import math\nfrom koko.lib.shapes import math as m\nx = math.floor(3) / 2, m.ceil(3.) / 2": (1.5, 1.5),
+    "class C:\n  def __init__(self, n): self.n = n\n  def __cmp__(self, o): return cmp(self.n, o.n)\n"
+    "x = C(2) < C(1), C(2) >= C(1), cmp(C(1), C(2)), [c.n for c in sorted([C(2), C(1)])]": (False, True, -1, [1, 2]),
+    "try: raise ValueError, 'bad'\nexcept ValueError, e: x = e.message": "bad",
     "nonlocal = 1; async = 2\nx = nonlocal + async": 3,
     "f = lambda: 1; x = f()": 1,
     "import os\nx = os.environ.keys()[:0], os.environ.has_key('no such name')": ([], False),
@@ -425,7 +429,7 @@ def test_parts_have_names_of_their_own():
     assert text_of_parts([(ball, None, None)]) == str(ball) + "\n"
     text = text_of_parts([(ball, 'a "b" \\', "#010203"), (box, None, None), (box, "part 2", None)])
     assert [part[1:] for part in parts_in("ok\n" + text)] == [
-        ("a 'b' '", "#010203"), ("part 2'", None), ("part 2", None)]
+        ('a "b" \\', "#010203"), ("part 2'", None), ("part 2", None)]
     with pytest.raises(NoSolid, match="two parts are called 'a'"):
         text_of_parts([(ball, "a", None), (box, "a", None)])
     turned = s.rotate_z(s.union(box, ball), 0.3)

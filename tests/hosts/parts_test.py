@@ -2,6 +2,7 @@
 
 import json
 import math
+import os
 import re
 import resource
 import struct
@@ -48,13 +49,58 @@ def test_bad_models_are_refused_with_file_line_and_column(tmp_path, model, text,
 
 def test_an_empty_part_is_told_and_the_others_are_kept(tmp_path, model):
     done = run("--json", "mesh", model, "-o", tmp_path / "out.3mf", "--voxel", 0.3)
-    assert done.returncode == 0 and f"{model}: part 'none': the solid is empty" in done.stderr
+    assert done.returncode == 0 and f"{model}:4:1: part 'none': the solid is empty" in done.stderr
     parts = {part["name"]: part for part in json.loads(done.stdout)["parts"]}
     assert {name: part["volume"] for name, part in parts.items()} == pytest.approx(VOLUMES, rel=0.01)
     assert {name: part["colour"] for name, part in parts.items()} == {"ball": "#ff6347", "cube": "#204060", "plain": None}
     (tmp_path / "none.frep").write_text("".join(f'part(intersection(sphere(1), move(sphere(1), 9)), "{name}")\n' for name in "ab"))
     done = run("mesh", tmp_path / "none.frep", "-o", tmp_path / "none.3mf")
     assert done.returncode == 2 and "all parts are empty" in done.stderr and not (tmp_path / "none.3mf").exists()
+
+
+@pytest.mark.parametrize("words, keeps", [
+    ("mesh model.frep -o out.stl", False), ("mesh model.frep -o out.ply", False), ("mesh model.frep -o out.glb", True),
+    ("convert model.frep -o out.3mf", True), ("convert model.frep -o out.off", False), ("convert model.frep -o out.vdb", False),
+    ("convert model.frep -o out.asdf", False), ("convert model.frep -o out.vm", False), ("build model.frep -o out.asdf", False),
+    ("render model.frep -o out.png --size 32", True),
+])
+def test_each_verb_tells_what_is_left_out_of_parts(tmp_path, model, words, keeps):
+    """Empty parts with file, line and column, and that several become one."""
+    voxel = [] if words.startswith("render") else ["--voxel", 0.5]
+    done = run(*words.split(), *voxel, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    notes = [line.removeprefix("fieldfab: note: ") for line in done.stderr.splitlines()]
+    out = words.split()[3]
+    lost = f"{out}: 4 parts are one there, without their names" + ("" if out.endswith("ply") else " and colours")
+    assert notes == ["model.frep:4:1: part 'none': the solid is empty"] + ([] if keeps else [lost])
+
+
+NAMES = ['6" pipe', "back\\slash\\", "two\nlines", "it's \\n", "\\\""]
+
+
+def test_names_of_parts_may_have_quotes_backslashes_and_line_ends(tmp_path):
+    """In texts, in files that are opened by them, and in scripts."""
+    (tmp_path / "model.py").write_text(f"import fieldfab as ff\nfor i, name in enumerate({NAMES!r}): ff.part(ff.shapes.sphere(i + 1), name)\n")
+    for there, back in (("model.py", "model.frep"), ("model.frep", "again.frep")):
+        run("convert", tmp_path / there, "-o", tmp_path / back, check=True)
+        assert [part["name"] for part in summary("info", tmp_path / back)["parts"]] == NAMES
+    assert "  two lines: x" in run("info", tmp_path / "model.frep").stdout
+    assert (tmp_path / "model.frep").read_text() == (tmp_path / "again.frep").read_text()
+    assert (tmp_path / "model.frep").read_text().startswith("part(sqrt((square(x) + square(y)) + square(z)) - 1, \"6\\\" pipe\")\n")
+    summary("mesh", tmp_path / "model.frep", "-o", tmp_path / 'of "all".3mf', "--voxel", 0.5)
+    (tmp_path / "one.frep").write_text(r'open("of \"all\".3mf", part = "6\" pipe") | move(sphere(1), 9)')
+    run("convert", tmp_path / "one.frep", "-o", tmp_path / "two.frep", check=True)
+    for name in ("one", "two"):
+        assert summary("info", tmp_path / f"{name}.frep")["bounds"] == [pytest.approx(b, abs=0.1) for b in ([-1, 10], [-1, 1], [-1, 1])]
+    (tmp_path / "bad.frep").write_text('part(sphere(1), "a\\")')
+    assert "bad.frep:1:17: the quotes opened here are not closed on this line" in refused("info", tmp_path / "bad.frep")
+
+
+def test_a_script_opens_a_file_whose_name_is_no_utf8(tmp_path, model):
+    name = b"n\xff.stl"
+    run("mesh", model, "-o", tmp_path / os.fsdecode(name), "--part", "cube", check=True)
+    (tmp_path / "model.py").write_text(f"import fieldfab as ff, os\nsolid = ff.open(os.fsdecode({name!r}))\n")
+    assert summary("info", tmp_path / "model.py")["volume"][1] == pytest.approx(64, rel=0.05)
 
 
 def test_names_and_colours_are_in_each_format(tmp_path, model):

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -9,6 +11,7 @@
 #include <thread>
 
 #include "fieldfab/core/colour.h"
+#include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/progress.h"
@@ -98,6 +101,26 @@ TEST(ProgressOf, WorkThatOnlyChecksCanBeCancelledByItsListener) {
       },
       Error);
   EXPECT_EQ(told, 3);
+}
+
+TEST(CopyOfProcess, EndsInThePlaceOfThisOne) {
+  int made = 0;
+  EXPECT_TRUE(ends_by_itself([&] { ++made; }, Progress::none()));
+  EXPECT_EQ(made, 0);
+  EXPECT_TRUE(ends_by_itself([] { throw Error(ErrorKind::bad_input, "a", "b"); }, Progress::none()));
+  EXPECT_FALSE(ends_by_itself([] { std::abort(); }, Progress::none()));
+  EXPECT_FALSE(ends_by_itself([] { std::raise(SIGSEGV); }, Progress::none()));
+}
+
+TEST(CopyOfProcess, IsKilledWhenTheWorkIsCancelled) {
+  Progress progress;
+  std::thread canceller([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    progress.cancel();
+  });
+  const auto sleep = [] { std::this_thread::sleep_for(std::chrono::minutes(1)); };
+  EXPECT_THROW((void)ends_by_itself(sleep, progress), Error);
+  canceller.join();
 }
 
 TEST(Memory, RefusesWhatIsNotThere) {

@@ -128,13 +128,22 @@ TEST(Formats, AreOneTable) {
   const Formats& all = openscad::all_formats();
   for (const Format& row : all.rows()) {
     EXPECT_FALSE(row.extensions.empty() || row.help.empty());
-    EXPECT_TRUE(row.writes || row.read != nullptr);
+    EXPECT_TRUE(row.written || row.read != nullptr);
+    // The readers and writers of the rooms below know the same.
+    for (const std::string& extension : row.extensions)
+      EXPECT_EQ(is_mesh_extension(extension), row.kind == FormatKind::mesh) << extension;
     for (const std::string& extension : row.extensions) EXPECT_EQ(all.find("part" + extension), &row) << extension;
   }
   EXPECT_EQ(all.find("scan.NII.GZ")->kind, FormatKind::volume);
   EXPECT_EQ(all.find("part.xyz"), nullptr);
   EXPECT_EQ(kernel_formats().find("part.scad"), nullptr);
   EXPECT_EQ(all.find("part.scad")->kind, FormatKind::design);
+  EXPECT_TRUE(all.is_read_as(FormatKind::design, "part.SCAD"));
+  EXPECT_FALSE(all.is_read_as(FormatKind::mesh, "part.glb"));  // is written only
+  EXPECT_EQ(all.written("part.glb"), FormatKind::mesh);
+  EXPECT_EQ(all.written("scan.vdb"), FormatKind::distances);
+  EXPECT_EQ(all.written("scan.dcm"), std::nullopt);
+  EXPECT_EQ(all.writable({FormatKind::distances}), ".asdf .vdb");
 }
 
 }  // namespace

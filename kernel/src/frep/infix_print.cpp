@@ -18,10 +18,7 @@ std::string text_of(const Source& source, const std::filesystem::path& folder) {
   std::filesystem::path path = source.path;
   if (!folder.empty())
     if (const auto inner = path.lexically_relative(folder); !inner.empty() && *inner.begin() != "..") path = inner;
-  const std::string name = path.generic_string();
-  if (name.find_first_of("\"\n") != std::string::npos)
-    throw Error(ErrorKind::bad_input, name, "a name with quotes or line ends cannot stand in a text");
-  return fmt::format("open(\"{}\"{}{})", name, source.options.empty() ? "" : ", ", source.options);
+  return fmt::format("open({}{}{})", in_quotes(path.generic_string()), source.options.empty() ? "" : ", ", source.options);
 }
 
 Printed printed(const Expression& expression, const std::filesystem::path& folder) {
@@ -87,7 +84,23 @@ Printed printed(const Expression& expression, const std::filesystem::path& folde
   return {std::move(bindings), std::move(text.back())};
 }
 
+/// "part 3", or with a prime where another part has that name.
+std::string free_name(std::ptrdiff_t number, std::span<const TextPart> parts) {
+  std::string name = fmt::format("part {}", number);
+  while (std::ranges::any_of(parts, [&](const TextPart& other) { return other.name == name; })) name += '\'';
+  return name;
+}
+
 }  // namespace
+
+std::string in_quotes(std::string_view words) {
+  std::string text = "\"";
+  for (const char c : words) {
+    if (c == '"' || c == '\\' || c == '\n') text += '\\';
+    text += c == '\n' ? 'n' : c;
+  }
+  return text + '"';
+}
 
 std::string print_infix(const Expression& expression, const std::filesystem::path& folder) {
   const Printed all = printed(expression, folder);
@@ -98,11 +111,11 @@ std::string print_parts(std::span<const TextPart> parts, const std::filesystem::
   std::string out;
   for (const TextPart& part : parts) {
     const Printed shape = printed(part.shape, folder);
-    std::string name = part.name.empty() && parts.size() > 1 ? fmt::format("part {}", &part - parts.data() + 1) : part.name;
-    for (char& c : name)
-      if (c == '"' || c == '\n') c = '\'';
-    const std::string colour = part.colour ? fmt::format(", \"{}\"", text_of(*part.colour)) : "";
-    out += shape.bindings + (name.empty() ? shape.result : fmt::format("part({}, \"{}\"{})", shape.result, name, colour)) + "\n";
+    std::string name = part.name;
+    if (name.empty() && (parts.size() > 1 || part.colour)) name = free_name(&part - parts.data() + 1, parts);
+    const std::string colour = part.colour ? ", " + in_quotes(text_of(*part.colour)) : "";
+    out += shape.bindings + (name.empty() ? shape.result : fmt::format("part({}, {}{})", shape.result, in_quotes(name), colour)) +
+           "\n";
   }
   return out;
 }

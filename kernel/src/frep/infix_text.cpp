@@ -75,7 +75,7 @@ class InfixParser {
       return std::move(parts_);
     }
     if (!result) report(source_.text().size(), "the text has no result: its last statement is the solid");
-    return {{result.value_or(unknown_value()).expression, {}, {}}};
+    return {{result.value_or(unknown_value()).expression, {}, {}, {}}};
   }
 
  private:
@@ -244,7 +244,7 @@ class InfixParser {
     std::string_view name;  // empty where positional
     std::size_t token;
     Named value;
-    std::optional<std::string_view> words;
+    std::optional<std::string> words;
   };
   struct Call {
     std::size_t token;
@@ -301,7 +301,7 @@ class InfixParser {
       Call& call = calls.back();
       const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
       call.arguments.push_back({call.next_name, call.next_token, std::move(values.back()), {}});
-      if (first.kind == InfixToken::words) call.arguments.back().words = first.text;
+      if (first.kind == InfixToken::words) call.arguments.back().words = unquoted(first.text);
       values.pop_back();
     };
     const auto end_call = [&] {
@@ -489,7 +489,7 @@ class InfixParser {
       if (!argument.words && !argument.value.unknown && value.opcode() != Opcode::constant)
         source_.fail(tokens_[argument.token].at, fmt::format("'{}' of 'open' must be a plain number or words", argument.name));
       if (argument.words)
-        options.push_back({std::string(argument.name), std::string(*argument.words)});
+        options.push_back({std::string(argument.name), *argument.words});
       else if (!argument.value.unknown)
         options.push_back({std::string(argument.name), value.constant()});
     }
@@ -523,7 +523,7 @@ class InfixParser {
     const std::size_t at = tokens_[call.token].at;
     if (given[0] == nullptr || given[1] == nullptr || given[1]->words->empty())
       source_.fail(at, "'part' lacks its shape or its name: part(SHAPE, \"NAME\", \"COLOUR\")");
-    TextPart part{given[0]->value.expression, std::string(*given[1]->words), {}};
+    TextPart part{given[0]->value.expression, *given[1]->words, {}, source_.place(at)};
     if (given[2] != nullptr) {
       try {
         part.colour = colour_named(*given[2]->words);
@@ -572,18 +572,19 @@ class InfixParser {
         source_.fail(tokens_[argument.token].at,
                      fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place] : "?"));
       given.values[place] = argument.value;
-      if (argument.words) given.words = place, given.text = unescaped(*argument.words);
+      if (argument.words) given.words = place, given.text = *argument.words;
     }
     return given;
   }
 
-  /// "\n" is a new line.
-  static std::string unescaped(std::string_view words) {
+  /// \n is a new line, \" quotes, \\ a backslash; any other backslash is one.
+  static std::string unquoted(std::string_view words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const bool new_line = words.substr(i, 2) == "\\n";
-      text += new_line ? '\n' : words[i];
-      i += new_line;
+      const char next = words[i] == '\\' && i + 1 < words.size() ? words[i + 1] : '\0';
+      const bool escape = next == 'n' || next == '"' || next == '\\';
+      text += !escape ? words[i] : next == 'n' ? '\n' : next;
+      i += escape;
     }
     return text;
   }

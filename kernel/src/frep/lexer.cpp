@@ -29,10 +29,7 @@ std::optional<Token> Lexer::next() noexcept {
   };
   if (c == '#' || (c == '/' && byte(first + 1) == '/'))
     return token(TokenKind::comment, end_of([](char d) { return d != '\n'; }));
-  if (c == '"') {
-    const std::size_t end = end_of([](char d) { return d != '"' && d != '\n'; });
-    return token(TokenKind::string, byte(end) == '"' ? end + 1 : end);
-  }
+  if (c == '"') return token(TokenKind::string, string_end());
   if (is_digit(c) || (c == '.' && is_digit(byte(first + 1)))) return token(TokenKind::number, number_end());
   if (is_letter(c)) return token(TokenKind::name, end_of([](char d) { return is_letter(d) || is_digit(d); }));
   if (std::string_view("+-*/^(),=|&!;").find(c) != std::string_view::npos) return token(TokenKind::sign, first + 1);
@@ -53,6 +50,21 @@ std::size_t Lexer::number_end() const noexcept {
     if (const std::size_t after = digits_from(exponent); after > exponent) end = after;
   }
   return end;
+}
+
+/// After the closing quotes, or where the line ends before them. Quotes after a backslash do not close.
+std::size_t Lexer::string_end() const noexcept {
+  std::size_t end = at_ + 1;
+  while (end < text_.size() && text_[end] != '"' && text_[end] != '\n')
+    end += text_[end] == '\\' && end + 1 < text_.size() && text_[end + 1] != '\n' ? 2 : 1;
+  return end < text_.size() && text_[end] == '"' ? end + 1 : end;
+}
+
+bool is_closed(std::string_view string) noexcept {
+  if (string.size() < 2 || string.back() != '"') return false;
+  std::size_t backslashes = 0;
+  while (string[string.size() - 2 - backslashes] == '\\') ++backslashes;
+  return backslashes % 2 == 0;
 }
 
 }  // namespace fieldfab::frep

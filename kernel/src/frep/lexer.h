@@ -17,6 +17,7 @@ class Lexer {
 
  private:
   [[nodiscard]] std::size_t number_end() const noexcept;
+  [[nodiscard]] std::size_t string_end() const noexcept;
 
   std::string_view text_;
   std::size_t at_;
@@ -25,6 +26,6 @@ class Lexer {
 };
 
 /// Whether a string token has its closing quotes.
-inline bool is_closed(std::string_view string) { return string.size() > 1 && string.back() == '"'; }
+bool is_closed(std::string_view string) noexcept;
 
 }  // namespace fieldfab::frep

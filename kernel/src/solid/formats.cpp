@@ -57,32 +57,45 @@ std::string Formats::readable() const {
   return list_of(rows_, [](const Format& row) { return row.read != nullptr; }) + ", folders of TIFF, PNG or DICOM slices";
 }
 
-std::string Formats::writable(FormatKind kind) const {
-  return list_of(rows_, [kind](const Format& row) { return row.writes && row.kind == kind; });
+std::string Formats::writable(std::initializer_list<FormatKind> kinds) const {
+  return list_of(rows_, [&](const Format& row) {
+    return row.written && std::find(kinds.begin(), kinds.end(), *row.written) != kinds.end();
+  });
+}
+
+std::optional<FormatKind> Formats::written(const std::filesystem::path& path) const {
+  const Format* const format = find(path);
+  return format == nullptr ? std::nullopt : format->written;
+}
+
+bool Formats::is_read_as(FormatKind kind, const std::filesystem::path& path) const {
+  const Format* const format = find(path);
+  return format != nullptr && format->read != nullptr && format->kind == kind;
 }
 
 const Formats& kernel_formats() {
   using Kind = FormatKind;
+  constexpr std::optional<Kind> none;
   static const Formats formats({
-      {{".math"}, Kind::formula, true, "prefix math string, as kokopelli's", read_math},
-      {{".vm"}, Kind::formula, true, "one operation a line, as Fidget's", read_vm},
-      {{".frep"}, Kind::formula, true, "the design language: formulas, shapes, opened files, parts", read_frep, true},
-      {{".dot"}, Kind::formula, true, "the formula as a graph, for Graphviz", nullptr},
-      {{".py"}, Kind::script, false, "a Python script that makes solids", read_script},
-      {{".ko"}, Kind::script, false, "a script of kokopelli", read_script},
-      {{".asdf"}, Kind::distances, true, "adaptively sampled distance field", read_asdf},
-      {{".stl"}, Kind::mesh, true, "triangles", read_mesh_file},
-      {{".ply"}, Kind::mesh, true, "triangles; colours", read_mesh_file},
-      {{".off"}, Kind::mesh, true, "triangles", read_mesh_file},
-      {{".obj"}, Kind::mesh, true, "triangles; parts, and colours in an .mtl file", read_mesh_file, true},
-      {{".3mf"}, Kind::mesh, true, "triangles for printing; parts with names and colours", read_mesh_file, true},
-      {{".glb"}, Kind::mesh, true, "glTF binary, for viewers; parts with names and colours", nullptr, true},
-      {{".raw", ".vol", ".vgi"}, Kind::volume, false, "samples without a header; sizes from the name or a .vgi file", read_volume},
-      {{".tif", ".tiff"}, Kind::volume, false, "a stack of pictures", read_volume},
-      {{".mha", ".nrrd", ".nii", ".nii.gz"}, Kind::volume, true, "MetaImage, NRRD, NIfTI", read_volume},
-      {{".mhd", ".nhdr"}, Kind::volume, false, "MetaImage and NRRD with samples beside the header", read_volume},
-      {{".dcm", ".dicom", ".ima"}, Kind::volume, false, "DICOM", read_volume},
-      {{".vdb"}, Kind::volume, true, "OpenVDB level set or fog", read_volume},
+      {{".math"}, Kind::formula, Kind::formula, "prefix math string, as kokopelli's", read_math},
+      {{".vm"}, Kind::formula, Kind::formula, "one operation a line, as Fidget's", read_vm},
+      {{".frep"}, Kind::formula, Kind::formula, "the design language: formulas, shapes, opened files, parts", read_frep, true},
+      {{".dot"}, Kind::formula, Kind::formula, "the formula as a graph, for Graphviz", nullptr},
+      {{".py"}, Kind::script, none, "a Python script that makes solids", read_script},
+      {{".ko"}, Kind::script, none, "a script of kokopelli", read_script},
+      {{".asdf"}, Kind::distances, Kind::distances, "adaptively sampled distance field", read_asdf},
+      {{".stl"}, Kind::mesh, Kind::mesh, "triangles", read_mesh_file},
+      {{".ply"}, Kind::mesh, Kind::mesh, "triangles; colours", read_mesh_file},
+      {{".off"}, Kind::mesh, Kind::mesh, "triangles", read_mesh_file},
+      {{".obj"}, Kind::mesh, Kind::mesh, "triangles; parts, and colours in an .mtl file", read_mesh_file, true},
+      {{".3mf"}, Kind::mesh, Kind::mesh, "triangles for printing; parts with names and colours", read_mesh_file, true},
+      {{".glb"}, Kind::mesh, Kind::mesh, "glTF binary, for viewers; parts with names and colours", nullptr, true},
+      {{".raw", ".vol", ".vgi"}, Kind::volume, none, "samples without a header; sizes from the name or a .vgi file", read_volume},
+      {{".tif", ".tiff"}, Kind::volume, none, "a stack of pictures", read_volume},
+      {{".mha", ".nrrd", ".nii", ".nii.gz"}, Kind::volume, Kind::volume, "MetaImage, NRRD, NIfTI", read_volume},
+      {{".mhd", ".nhdr"}, Kind::volume, none, "MetaImage and NRRD with samples beside the header", read_volume},
+      {{".dcm", ".dicom", ".ima"}, Kind::volume, none, "DICOM", read_volume},
+      {{".vdb"}, Kind::volume, Kind::distances, "OpenVDB level set or fog", read_volume},
   });
   return formats;
 }

@@ -49,7 +49,7 @@ std::string text_of(std::span<const frep::OpenOption> options) {
     if (const double* number = std::get_if<double>(&option.value))
       text += fmt::format("{}", *number);
     else
-      text += fmt::format("\"{}\"", std::get<std::string>(option.value));
+      text += frep::in_quotes(std::get<std::string>(option.value));
   }
   return text;
 }
@@ -221,6 +221,7 @@ Model parse_model(std::string_view text, std::string_view name, const std::files
     model.parts.push_back(solid_of(std::move(part.shape)));
     model.parts.back().name = std::move(part.name);
     model.parts.back().colour = part.colour;
+    model.parts.back().place = std::move(part.place);
   }
   if (first) model.notes = std::move(inner.files->notes);
   return model;
@@ -242,7 +243,7 @@ Model model_of(const std::shared_ptr<const OpenedSolid>& opened) {
 
 std::string print_model(const Model& model, const std::filesystem::path& folder) {
   std::vector<frep::TextPart> parts;
-  for (const Solid& solid : model.parts) parts.push_back({solid.expression, solid.name, solid.colour});
+  for (const Solid& solid : model.parts) parts.push_back({solid.expression, solid.name, solid.colour, {}});
   return frep::print_parts(parts, folder);
 }
 
@@ -259,7 +260,9 @@ Model read_frep(const std::filesystem::path& path, const OpenSettings& settings,
 }
 
 Model read_script(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
-  return parse_model(run_script(path, progress), path.string(), path.parent_path(), settings, progress);
+  Model model = parse_model(run_script(path, progress), path.string(), path.parent_path(), settings, progress);
+  for (Solid& part : model.parts) part.place.clear();  // in a text that nobody sees
+  return model;
 }
 
 Model read_asdf(const std::filesystem::path& path, const OpenSettings& settings, Progress& /*progress*/) {

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
 #include "readers.h"
 
@@ -361,7 +362,9 @@ VolumePtr open_with_itk(const Path& path) {
   return read_whole(*io, path, header.units());
 }
 
-VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
+namespace {
+
+VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress& progress) {
   if (!std::filesystem::is_directory(path)) {
     const auto io = opened<itk::GDCMImageIO>(path, "DICOM");
     return read_whole(*io, path);
@@ -430,6 +433,29 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
   std::vector<Path> paths;
   for (Placed& here : placed) slices.push_back(std::move(here.slice)), paths.push_back(here.path);
   return stack_of(std::move(slices), paths, lattice);
+}
+
+/// Whether GDCM reads all of it, and be it with an Error: Debian's has assertions in its readers, which would end this process.
+bool is_safe_dicom(const Path& path, const std::string& series, Progress& progress) {
+  return ends_by_itself(
+      [&] {
+        const VolumePtr volume = open_sound_dicom(path, series, Progress::none());
+        std::vector<float> slice(volume->lattice().slice());
+        for (int k = 0; k < volume->lattice().size[2]; ++k) volume->read(k, 1, slice.data());
+      },
+      progress);
+}
+
+}  // namespace
+
+VolumePtr open_dicom(const Path& path, const std::string& series, Progress& progress) {
+  progress.report(0, "reading DICOM files");
+  if (is_safe_dicom(path, series, progress)) return open_sound_dicom(path, series, progress);
+  constexpr const char* damaged = "is damaged: GDCM, which reads DICOM, gives up at it";
+  if (std::filesystem::is_directory(path))
+    for (const auto& entry : std::filesystem::directory_iterator(path))
+      if (entry.is_regular_file() && !is_safe_dicom(entry.path(), "", progress)) refuse(entry.path(), damaged);
+  refuse(path, std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
 }
 
 namespace {

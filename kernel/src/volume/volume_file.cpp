@@ -144,18 +144,6 @@ VolumePtr open_as_is(const Path& path, const VolumeFileOptions& options, Progres
 
 }  // namespace
 
-bool is_volume_path(const Path& path) {
-  if (std::filesystem::is_directory(path)) return true;
-  const std::string extension = extension_of(path);
-  return is_one_of(extension, {".raw", ".vol", ".vgi", ".tif", ".tiff", ".mha", ".mhd", ".nrrd", ".nhdr", ".nii", ".dcm",
-                               ".dicom", ".ima", ".vdb"}) ||
-         (extension == ".gz" && extension_of(path.stem()) == ".nii");
-}
-
-std::string_view volume_extensions() {
-  return ".raw .vol .vgi .tif .mha .mhd .nrrd .nhdr .nii .nii.gz .dcm .vdb, folders of TIFF, PNG or DICOM slices";
-}
-
 VolumePtr open_volume(const Path& path, const VolumeFileOptions& options, Progress& progress) {
   VolumePtr volume = open_as_is(path, options, progress);
   if (options.spacing) volume = respaced(std::move(volume), *options.spacing);

@@ -43,11 +43,12 @@ struct TextPart {
   Expression shape;
   std::string name;  ///< empty where the text makes one solid and gives it no name
   std::optional<Colour> colour;
+  std::string place = {};  ///< of its part(...): NAME:LINE:COLUMN
 };
 
-/// Infix text a person writes; docs/frep-language.md is its manual. Gives the parts that the text names with part(...), or its last
-/// statement. Values are solids or numbers: `-` is the set difference of two solids, and arithmetic otherwise. Without an opener
-/// open() is refused. Throws bad_input as all parsers here do, and what the opener throws, with the place of the call.
+/// Infix text a person writes; docs/frep-language.md is its manual. Gives the parts that the text names with part(...), or its
+/// last statement. Values are solids or numbers: `-` is the set difference of two solids, and arithmetic otherwise. Without an
+/// opener open() is refused. Throws bad_input as all parsers here do, and what the opener throws, with the place of the call.
 std::vector<TextPart> parse_parts(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
 /// The same as one expression: the union of its parts.
 Expression parse_infix(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
@@ -57,6 +58,9 @@ Expression parse_infix(std::string_view text, std::string_view name = "frep text
 std::string print_infix(const Expression& expression, const std::filesystem::path& folder = {});
 /// The text of several parts, or of one that may have no name: parse_parts() reads them back.
 std::string print_parts(std::span<const TextPart> parts, const std::filesystem::path& folder = {});
+
+/// Words in quotes, as a text has them: quotes, backslashes and line ends have a backslash before them.
+std::string in_quotes(std::string_view words);
 
 /// The expression as a graph in Graphviz's language: `dot -Tsvg` draws it. Shared parts are drawn once. Write only.
 std::string print_dot(const Expression& expression);

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +24,11 @@ using ModelReader = std::function<Model(const std::filesystem::path& path, const
 
 struct Format {
   std::vector<std::string> extensions;  ///< in lower case, with the dot
-  FormatKind kind;
-  bool writes;       ///< whether there is a writer
-  std::string help;  ///< one line
-  ModelReader read;  ///< null where it is only written
-  bool parts = false;  ///< whether several parts stay apart in it, with their names
+  FormatKind kind;                      ///< what it is read as
+  std::optional<FormatKind> written;    ///< what is written to it; nothing where there is no writer
+  std::string help;                     ///< one line
+  ModelReader read;                     ///< null where it is only written
+  bool parts = false;                   ///< whether several parts stay apart in it, with their names
 };
 
 /// A table of formats, as a value: the kernel's own, or those with what libraries above it can read.
@@ -41,8 +43,12 @@ class Formats {
   [[nodiscard]] Formats with(std::vector<Format> more) const;
   /// ".math .vm .frep ..." of all formats that are read; for messages and help.
   [[nodiscard]] std::string readable() const;
-  /// Extensions of all formats of a kind that are written.
-  [[nodiscard]] std::string writable(FormatKind kind) const;
+  /// The extensions of all formats that what is of these kinds is written to.
+  [[nodiscard]] std::string writable(std::initializer_list<FormatKind> kinds) const;
+  /// What is written to a file of that name; nothing where there is no writer for it.
+  [[nodiscard]] std::optional<FormatKind> written(const std::filesystem::path& path) const;
+  /// Whether a file of that name is read as that kind.
+  [[nodiscard]] bool is_read_as(FormatKind kind, const std::filesystem::path& path) const;
 
  private:
   std::vector<Format> rows_;

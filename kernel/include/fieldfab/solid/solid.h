@@ -41,6 +41,7 @@ struct Solid {
   bool flat = false;                  ///< known to be 2D: without ends along z
   std::string name;                   ///< of a part; may be empty
   std::optional<Colour> colour;
+  std::string place = {};  ///< of a part in the text that makes it: FILE:LINE:COLUMN; empty where there is none
 };
 
 /// What a file or a text makes: one solid, or several parts with names of their own.

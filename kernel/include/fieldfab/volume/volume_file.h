@@ -20,11 +20,6 @@ struct VolumeFileOptions {
   std::string series;                      ///< of a DICOM folder with several: the identifier, a part of it, or its number from 1
 };
 
-/// Whether a path names a volume: by its extension, or because it is a folder.
-bool is_volume_path(const std::filesystem::path& path);
-/// The extensions that are known, for messages.
-std::string_view volume_extensions();
-
 /// Opens a volume. Raw files, TIFF and PNG stacks and DICOM series are read slice by slice when they are asked for;
 /// the rest comes through ITK or OpenVDB into memory. Places are as in the file: for NIfTI and DICOM in LPS coordinates (x to the
 /// left, y to the back, z up), as ITK has them. Throws io, bad_input or too_large with one line that says what is wrong.

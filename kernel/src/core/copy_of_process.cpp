@@ -1,0 +1,69 @@
+#include "fieldfab/core/copy_of_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+
+namespace fieldfab {
+namespace {
+
+/// The copy: silent, without handlers of its own, without a core file, and gone with the process that it is a copy of.
+[[noreturn]] void run_as_copy(const std::function<void()>& work, pid_t original, int told) noexcept {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != original) _exit(1);
+  for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM}) std::signal(signal, SIG_DFL);
+  std::signal(SIGINT, SIG_IGN);  // of a terminal it goes to both; the original answers it
+  const rlimit none{0, 0};
+  setrlimit(RLIMIT_CORE, &none);
+  if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) dup2(nothing, STDOUT_FILENO), dup2(nothing, STDERR_FILENO);
+  try {
+    work();
+  } catch (...) {  // the original will meet it, too
+  }
+  [[maybe_unused]] const ssize_t written = write(told, "+", 1);
+  _exit(0);
+}
+
+/// Kills the copy where it is not through, and waits for its end.
+struct Copy {
+  ~Copy() {
+    kill(process, SIGKILL);
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    close(told);
+  }
+  pid_t process;
+  int told;  ///< reads what it writes when it is through
+};
+
+}  // namespace
+
+bool ends_by_itself(const std::function<void()>& work, Progress& progress) {
+  progress.check();
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) return true;
+  const pid_t original = getpid(), process = fork();
+  if (process == 0) run_as_copy(work, original, ends[1]);
+  close(ends[1]);
+  if (process < 0) {
+    close(ends[0]);
+    return true;
+  }
+  const Copy copy{process, ends[0]};
+  for (char byte = 0;;) {
+    progress.check();
+    pollfd waiting{copy.told, POLLIN, 0};
+    if (poll(&waiting, 1, 50) <= 0) continue;
+    const ssize_t got = ::read(copy.told, &byte, 1);
+    if (got >= 0 || errno != EINTR) return got == 1;
+  }
+}
+
+}  // namespace fieldfab
