@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "fieldfab/cam/simulation.h"
+#include "fieldfab/cam/simulate/setup.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 
