@@ -117,7 +117,7 @@ def test_the_architecture_has_every_room():
     folders = [folder for part in ("kernel/src", "cam") for folder in sorted((ROOT / part).iterdir())]
     rooms = {str(folder.relative_to(ROOT)).removeprefix("kernel/src/") for folder in folders if list(folder.glob("*.cpp"))}
     rooms |= {path.parent.name for path in ROOT.glob("*/CMakeLists.txt")} - {"kernel", "cam", "tests", "build"}
-    assert [room for room in sorted(rooms) if f"`{room}`" not in told and f"/{room}`" not in told] == []
+    assert [room for room in sorted(rooms) if f"`{room.removeprefix('cam/')}`" not in told and f"/{room}`" not in told] == []
 
 
 def test_planted_violations_are_caught():

@@ -62,10 +62,10 @@ def test_build_mesh_of_asdf_and_convert(ball, tmp_path):
 
 def test_certainty_of_a_distance_field(ball, tmp_path):
     assert summary("build", ball, "-o", tmp_path / "ball.asdf", "--certain")["certain"]
-    (tmp_path / "plate.frep").write_text("box(100, 80, 0.3)")  # default cells are as small as that takes, to a quarter
+    (tmp_path / "plate.frep").write_text("box(100, 80, 0.5)")  # default cells are as small as that takes, to a quarter
     assert summary("build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")["certain"]
     made = summary("mesh", tmp_path / "plate.asdf", "-o", tmp_path / "plate.stl", "--voxel", 0.1)
-    assert made["volume"] == pytest.approx(2400, rel=0.01)
+    assert made["volume"] == pytest.approx(4000, rel=0.01)
     assert summary("convert", tmp_path / "plate.frep", "-o", tmp_path / "plate.vdb")["certain"]
     (tmp_path / "plate.frep").write_text("box(100, 80, 0.1)")
     done = run("--json", "build", tmp_path / "plate.frep", "-o", tmp_path / "plate.asdf", "--certain")

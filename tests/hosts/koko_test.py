@@ -18,7 +18,7 @@ from fieldfab import koko_script, kokopelli_pcb, python2
 from fieldfab import shapes as s
 
 INCH = 25.4
-PART = re.compile(r'part\(([^"]*), "([^"]*)"(?:, "(#[0-9a-f]{6})")?\)')
+PART = re.compile(r'part\(([^"]*), "((?:[^"\\]|\\.)*)"(?:, "(#[0-9a-f]{6})")?\)')
 
 
 def answer_of(path):
@@ -45,6 +45,7 @@ def parts_in(answer):
             continue
         found = PART.fullmatch(line)
         result, name, colour = found.groups() if found else (line, None, None)
+        name = name and re.sub(r"\\(.)", r"\1", name)
         parts.append((ff.parse("\n".join([*bindings, result])), name, colour))
         bindings = []
     assert bindings == []

@@ -96,13 +96,6 @@ def test_names_of_parts_may_have_quotes_backslashes_and_line_ends(tmp_path):
     assert "bad.frep:1:17: the quotes opened here are not closed on this line" in refused("info", tmp_path / "bad.frep")
 
 
-def test_a_script_opens_a_file_whose_name_is_no_utf8(tmp_path, model):
-    name = b"n\xff.stl"
-    run("mesh", model, "-o", tmp_path / os.fsdecode(name), "--part", "cube", check=True)
-    (tmp_path / "model.py").write_text(f"import fieldfab as ff, os\nsolid = ff.open(os.fsdecode({name!r}))\n")
-    assert summary("info", tmp_path / "model.py")["volume"][1] == pytest.approx(64, rel=0.05)
-
-
 def test_names_and_colours_are_in_each_format(tmp_path, model):
     for extension in ("3mf", "obj", "glb", "ply"):
         summary("mesh", model, "-o", tmp_path / f"out.{extension}", "--voxel", 0.3)
