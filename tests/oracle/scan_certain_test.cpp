@@ -116,5 +116,16 @@ TEST(ScanCertain, LargerCellsAndTurnedScansAreToldOf) {
   EXPECT_TRUE(contour(*mirrored, mirrored->known_bounds().grown(1), {1, -1, true}).certainty.certain());
 }
 
+TEST(ScanCertain, AreCutWhereTheRegionEnds) {
+  SampleLattice lattice;
+  lattice.size = {9, 9, 9};
+  const FieldPtr field = volume_field(*volume_of(std::vector<float>(lattice.count(), 100), lattice), {50, false, 0.01});
+  const ContourMesh whole = contour(*field, lattice.box(), {1, -1, true});
+  EXPECT_TRUE(whole.certainty.certain());
+  EXPECT_NEAR(whole.volume(), 8 * 8 * 8, 2);
+  for (const double inside : {0.1, 0.4, 0.7})
+    EXPECT_NEAR(contour(*field, lattice.box().grown(-inside), {1, -1, true}).bounds().size().x(), 8 - 2 * inside, 0.01) << inside;
+}
+
 }  // namespace
 }  // namespace fieldfab

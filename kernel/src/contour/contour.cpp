@@ -44,7 +44,8 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   constexpr double steep = 8;
   FieldPtr solid = field.shared_from_this();
   const Box known = field.known_bounds();
-  const Box region = samples ? bounds.grown(0.5 * samples->spacing.minCoeff()) : bounds;
+  constexpr double at_the_end = 0.01;  // of a sample's distance: a scan ends a little behind its outermost samples
+  const Box region = samples ? bounds.grown(at_the_end * samples->spacing.minCoeff()) : bounds;
   if (!samples || !region.contains(known.lower) || !region.contains(known.upper))
     solid = intersect(solid, scaled_values(box_field(bounds), steep));
 
