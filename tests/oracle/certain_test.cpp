@@ -11,12 +11,13 @@
 #include <random>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
+#include "fieldfab/mesh/mesh_field.h"
 #include "thin_solid.h"
 
 namespace fieldfab {
@@ -146,6 +147,52 @@ TEST(Certain, PointsEdgesAndTouchingBallsAreThereOrAreTold) {
 }
 
 /// A cubic lattice of n^3 nodes with square bars between neighbours has a handle for each bar more than a tree needs.
+/// The mesh of a box about zero.
+TriangleMesh box_mesh(const Vec3& size, const Eigen::Matrix3d& turn) {
+  TriangleMesh mesh;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at = turn * (size / 2).cwiseProduct(Vec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+    mesh.vertices.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())});
+  }
+  const std::array<std::array<std::uint32_t, 4>, 6> faces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  for (const auto& face : faces) {
+    mesh.triangles.push_back({face[0], face[1], face[2]});
+    mesh.triangles.push_back({face[0], face[2], face[3]});
+  }
+  return mesh;
+}
+
+TEST(Certain, MeshesOfThinPlatesAreWhole) {
+  int certain = 0;
+  for (const double t : {0.5, 0.1})
+    for (int n = 0; n <= 5; ++n) {
+      const Eigen::Matrix3d turn =
+          (Eigen::AngleAxisd(0.3 * n, Vec3::UnitX()) * Eigen::AngleAxisd(0.4 * n, Vec3::UnitZ())).toRotationMatrix();
+      const TriangleMesh plate = box_mesh({9, 7, t}, turn);
+      const ContourMesh mesh = contour(*mesh_field(plate), cube_about_zero(8.3), {1});
+      const std::string name = fmt::format("{} mm, turned {} times: {}", t, n, mesh.certainty.text());
+      certain += mesh.certainty.certain();
+      EXPECT_TRUE(inspect(mesh).valid()) << name;
+      EXPECT_EQ(euler(mesh), 2) << name;
+      EXPECT_NEAR(inspect(mesh).volume, 63 * t, 0.01 * 63 * t) << name;
+    }
+  EXPECT_GE(certain, 10);
+}
+
+/// The mesh of a contour has notches at its edges, of which nothing is proved; but all of it is found.
+TEST(Certain, MeshesOfContoursLoseNoThinParts) {
+  for (const Hard& hard : family(0.3)) {
+    const ContourMesh drawn = contour(*solid_of(hard.text), hard.bounds, {hard.voxel});
+    if (!drawn.certainty.certain()) continue;
+    const ContourMesh mesh = contour(*mesh_field(drawn), hard.bounds, {hard.voxel});
+    EXPECT_TRUE(inspect(mesh).valid()) << hard.name;
+    EXPECT_NEAR(inspect(mesh).volume, inspect(drawn).volume, 0.06 * inspect(drawn).volume)
+        << hard.name << ": " << mesh.certainty.text();
+    EXPECT_TRUE(!mesh.certainty.certain() || euler(mesh) == hard.euler) << hard.name;
+  }
+}
+
 TEST(Certain, LatticesHaveAllTheirHandles) {
   for (const int n : {2, 3, 4})
     for (const double bar : {1.2, 0.5, 0.2}) {

@@ -6,11 +6,12 @@
 #include <numbers>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
+#include "fieldfab/frep/text.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab {
@@ -169,6 +170,47 @@ TEST(MeshField, IntervalsHoldEveryValue) {
             box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))))));
     }
     EXPECT_GT(decided, 500);
+  }
+}
+
+/// On ways along the normals that facing() gives, and between them, the solid is left at most; of set operations and moves, too.
+TEST(MeshField, WaysAlongItsNormalsDoNotEnterTheSolid) {
+  const TriangleMesh ball = ball_mesh();
+  TriangleMesh two = ball;
+  append(two, ball_mesh(0.7, {0.8, 0.3, 0}));
+  EXPECT_FALSE(mesh_field(two)->faceted());  // what is wound around twice may be left and still be inside
+  EXPECT_FALSE(mesh_field(inside_out(ball))->faceted());
+  const FieldPtr mesh = mesh_field(ball);
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).scale(Vec3(1, 0.6, 1.3));
+  const FieldPtr bar = frep::make_field(frep::parse_infix("box(0.5, 0.5, 3)"));
+  std::mt19937 random(3);
+  for (const FieldPtr& solid :
+       {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
+    ASSERT_TRUE(solid->faceted());
+    int told = 0, crossed = 0;
+    for (int n = 0; n < 1500; ++n) {
+      const double reach = std::pow(10.0, uniform(random, -2, 0.3));
+      const Vec3 lower(uniform(random, -1.5, 1.2), uniform(random, -1.5, 1.2), uniform(random, -1.5, 1.2));
+      const Box box{lower, lower + reach * Vec3(uniform(random, 0.1, 1), uniform(random, 0.1, 1), uniform(random, 0.1, 1))};
+      std::vector<Eigen::Vector3f> normals;
+      if (!solid->facing(box, normals)) continue;
+      ++told;
+      for (int m = 0; m < 60; ++m) {
+        const auto place = [&] {
+          return Vec3(box.lower +
+                      box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))));
+        };
+        const Vec3 from = place(), to = place();
+        bool along = true;
+        for (const Eigen::Vector3f& normal : normals) along = along && normal.dot((to - from).cast<float>()) >= 0;
+        const float before = solid->value(from), after = solid->value(to);
+        crossed += along && before < 0 && after > 0;
+        EXPECT_FALSE(along && before > 1e-5F && after < -1e-5F) << from.transpose() << " to " << to.transpose();
+      }
+    }
+    EXPECT_GT(told, 200);
+    EXPECT_GT(crossed, 10);
   }
 }
 

@@ -46,6 +46,13 @@ class BlockInspector {
     unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field), folded});
   }
 
+  /// Edges of triangles that the corners show are left as they are: scans consist of them.
+  void add_faceted(const Corner& at, const Field& field, bool folded) {
+    const bool hidden = folded || is_uniform(samples_.corners[Block::cell(at[0], at[1], at[2])]) || is_ambiguous(at);
+    failures_ += hidden;
+    add(at, hidden ? field.shared_from_this() : nullptr, hidden);
+  }
+
   /// Whether a cell's corners show several patches, or a face that could be joined in two ways.
   [[nodiscard]] bool is_ambiguous(const Corner& at) const {
     const std::uint8_t corners = samples_.corners[Block::cell(at[0], at[1], at[2])];
@@ -76,6 +83,7 @@ class BlockInspector {
     if (proof.known) close_far_cells(at, side, proof.change);
     if (side == 1) {
       if (!open_[Block::cell(at[0], at[1], at[2])]) return;
+      if (field.faceted()) return add_faceted(at, field, proof.folded);
       // Where it has been to no avail often, it is not worth much more.
       constexpr int patience = 24;
       const SurfaceProof closer = prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);

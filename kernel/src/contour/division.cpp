@@ -73,6 +73,10 @@ void BlockRefiner::advance() {
         if (boxes[child].contains(crossing.point.position.cast<double>())) add_normal(crossing.point, normals);
       const SurfaceProof proof = prove_sheet(part, boxes[child], normals, side, halvings);
       if (proof.one_sheet || (is_uniform(corners) && least_value(child) > proof.change)) continue;
+      if (part.faceted() && !proof.folded && !is_uniform(corners) && !ambiguous) {
+        given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
+        continue;
+      }
       const SurfaceProof closer = prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
       const bool folded = closer.folded || ambiguous;

@@ -1,6 +1,8 @@
 #include "fieldfab/field/field.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace fieldfab {
 
@@ -10,6 +12,23 @@ void Field::restrict_all(std::span<const Box> boxes, Purpose /*purpose*/, std::s
 
 void Field::slopes(const Box& /*box*/, std::span<const Vec3> directions, std::span<Interval> out) const noexcept {
   std::fill_n(out.begin(), directions.size(), Interval::unknown());
+}
+
+bool Field::facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept {
+  // Differences are weighted sums of those along the axes: no corner of the box of slopes is passed by.
+  const std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  std::array<Interval, 3> slope;
+  slopes(box, axes, slope);
+  for (const Interval& along : slope)
+    if (along.maybe_nan || std::isinf(along.lower) || std::isinf(along.upper)) return false;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3f direction;
+    for (unsigned axis = 0; axis < 3; ++axis)
+      direction[axis] = (corner >> axis & 1U) != 0 ? slope[axis].upper : slope[axis].lower;
+    if (direction.isZero(0)) return false;
+    directions.push_back(direction.normalized());
+  }
+  return true;
 }
 
 Restriction Field::restricted(const Box& box, Purpose purpose) const {

@@ -17,6 +17,10 @@ class Forwarding : public Field {
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     field_->slopes(box, directions, out);
   }
+  [[nodiscard]] bool faceted() const noexcept override { return field_->faceted(); }
+  bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
+    return field_->facing(box, directions);
+  }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     field_->restrict_all(boxes, purpose, out);
   }

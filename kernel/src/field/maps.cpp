@@ -131,6 +131,14 @@ class Affine final : public Moved<AffineMap> {
     samples->spacing = (to_outer.linear() * samples->spacing).cwiseAbs();
     return samples;
   }
+  [[nodiscard]] bool faceted() const noexcept override { return a_->faceted(); }
+  bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
+    const std::size_t first = directions.size();
+    const bool known = a_->facing(map_.box(box), directions);
+    for (std::size_t i = first; i < directions.size(); ++i)
+      directions[i] = map_.slope(Eigen::Vector3f::Zero(), directions[i]).normalized();
+    return known;
+  }
   [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
     return a_->affine() || (keeps_axes() && a_->corners_tell(map_.box(box)));
   }

@@ -171,6 +171,16 @@ class Combined final : public Field {
     });
   }
 
+  // The surface of a union or an intersection is that of its arguments.
+  [[nodiscard]] bool faceted() const noexcept override { return Rule::signs_are_enough && (a_->faceted() || b_->faceted()); }
+  bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
+    if (!Rule::signs_are_enough) return Field::facing(box, directions);
+    const Interval a = a_->interval(box), b = b_->interval(box);
+    Only only = Only::both;
+    if (!a.maybe_nan && !b.maybe_nan) only = rule_.decides(a, b);
+    return (only == Only::second || a_->facing(box, directions)) && (only == Only::first || b_->facing(box, directions));
+  }
+
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     // The arguments' signs alone do not give the sign of a blend or a morph: there values are asked for.
     const Purpose inner = Rule::signs_are_enough ? purpose : Purpose::value;
@@ -226,6 +236,15 @@ class Linear final : public Field {
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     a_->slopes(box, directions, out);
     for (Interval& slope : out.first(directions.size())) slope = times(slope, factor_);
+  }
+  [[nodiscard]] bool faceted() const noexcept override { return shift_ == 0 && a_->faceted(); }
+  bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
+    if (shift_ != 0) return Field::facing(box, directions);
+    const std::size_t first = directions.size();
+    const bool known = a_->facing(box, directions);
+    if (factor_ < 0)
+      for (std::size_t i = first; i < directions.size(); ++i) directions[i] = -directions[i];
+    return known;
   }
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
     a_->restrict_all(boxes, shift_ == 0 ? purpose : Purpose::value, out);

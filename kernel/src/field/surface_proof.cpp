@@ -144,9 +144,27 @@ void add_gradients_where_undecided(const Field& field, const Box& box, int depth
     if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth - 1, normals);
 }
 
+/// prove_sheet() from Field::facing(). Edges of triangles are not folded unless they are sharper than 30 degrees: those of scans
+/// are too many, and are seen all the same.
+SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
+  static thread_local std::vector<Eigen::Vector3f> directions;
+  directions.clear();
+  SurfaceProof proof;
+  proof.known = true;
+  proof.change = std::numeric_limits<double>::infinity();
+  const float least = Wanted(halvings).least_cosine();
+  constexpr float rounding = 1e-5F, opposite = -0.866F;
+  proof.one_sheet = field.facing(box, directions) && cone_about(directions, least).cosine >= least + rounding;
+  if (proof.one_sheet || directions.empty()) return proof;
+  const Eigen::Vector3f& one = farthest_from(directions.front(), directions);
+  proof.folded = one.dot(farthest_from(one, directions)) < opposite;
+  return proof;
+}
+
 }  // namespace
 
 SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings) {
+  if (field.faceted()) return prove_by_facing(field, box, halvings);
   const std::size_t given = normals.size();
   add_gradients(field, box, normals);
   const Wanted wanted(halvings);
@@ -189,6 +207,7 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
 
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings,
                                   int deep) {
+  if (field.faceted()) return prove_by_facing(field, box, halvings);
   const Wanted wanted(halvings);
   const std::array<Box, 8> parts = halves(box);
   std::array<Restriction, 8> here;

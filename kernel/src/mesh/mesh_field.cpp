@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 
 #include "fieldfab/core/error.h"
+#include "fieldfab/mesh/exact_solid.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "triangle_tree.h"
 #include "winding.h"
@@ -110,14 +112,58 @@ class MeshField final : public Field {
     const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
     const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
     if (beyond > 0) return {std::max(least, beyond), most, false};
-    if (!(least > 0)) return {-most, most, false};
+    if (!(least > 0)) {
+      const double margin = slack(box);
+      if (!inside_.closed() || any_in(box.grown(margin))) return {-most, most, false};
+      const auto nearest = static_cast<float>(margin / 2);
+      return inside_.at(centre) ? Interval{-most, -nearest, false} : Interval{nearest, most, false};
+    }
     if (!inside_.same_within(centre, reach)) return {-most, most, false};
     return inside_.at(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
+  }
+  /// Where triangles neither cross nor touch each other a way leaves the solid at each that faces along it, and enters it at no
+  /// other.
+  [[nodiscard]] bool faceted() const noexcept override {
+    std::call_once(looked_, [&] { simple_ = inside_.closed() && bounds_a_solid(to_polyhedron(mesh_)); });
+    return simple_;
+  }
+  bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
+    if (!faceted()) return false;
+    constexpr std::size_t few = 256;
+    const std::size_t first = directions.size();
+    bool one_way = true;
+    tree_.visit_in(box.grown(slack(box)), [&](std::uint32_t triangle) {
+      const auto& [a, b, c] = tree_.corners(triangle);
+      const Vec3 across = (b - a).cross(c - a);
+      if (!(across.squaredNorm() > 0)) return true;  // its edges are others', too
+      const Eigen::Vector3f normal = across.normalized().cast<float>();
+      for (std::size_t i = directions.size(); i-- > first;) {
+        if (directions[i] == normal) return true;
+        constexpr float opposite = -0.999F;
+        if (directions[i].dot(normal) < opposite) one_way = false;
+      }
+      directions.push_back(normal);
+      return one_way && directions.size() < first + few;
+    });
+    return one_way && directions.size() < first + few;
   }
   [[nodiscard]] Box known_bounds() const noexcept override { return bounds_; }
   [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }
 
  private:
+  /// How far beside a box triangles are taken to be in it, for rounding, mm.
+  [[nodiscard]] double slack(const Box& box) const {
+    return 1e-6 * (bounds_.diagonal() + box.lower.cwiseAbs().maxCoeff() + box.upper.cwiseAbs().maxCoeff());
+  }
+  [[nodiscard]] bool any_in(const Box& box) const {
+    bool any = false;
+    tree_.visit_in(box, [&](std::uint32_t) {
+      any = true;
+      return false;
+    });
+    return any;
+  }
+
   /// Looks at a point, from what was found at another, near it as a rule.
   [[nodiscard]] Look look(const Vec3& p, const Look& last = {}) const {
     if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
@@ -140,6 +186,8 @@ class MeshField final : public Field {
   Inside inside_;
   Box bounds_;
   double touching_;  ///< mm; what is as near to a triangle is on it
+  mutable std::once_flag looked_;
+  mutable bool simple_ = false;  ///< once looked_: closed, outward, and no triangles cross or touch but at common edges
 };
 
 }  // namespace

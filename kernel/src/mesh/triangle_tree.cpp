@@ -7,7 +7,6 @@ namespace fieldfab {
 namespace {
 
 constexpr std::uint32_t most_in_leaf = 4;
-constexpr std::size_t deepest = 64;  // halves of 2^32 triangles
 
 Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
 
@@ -25,6 +24,23 @@ std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh) {
     all.push_back(corners);
   }
   return all;
+}
+
+bool meet(const std::array<Vec3, 3>& triangle, const Box& box) {
+  const Vec3 centre = box.centre(), half = box.size() / 2;
+  const std::array<Vec3, 3> at{triangle[0] - centre, triangle[1] - centre, triangle[2] - centre};
+  const auto parted_along = [&](const Vec3& way) {
+    const double a = way.dot(at[0]), b = way.dot(at[1]), c = way.dot(at[2]), reach = way.cwiseAbs().dot(half);
+    return std::min({a, b, c}) > reach || std::max({a, b, c}) < -reach;
+  };
+  const std::array<Vec3, 3> edge{at[1] - at[0], at[2] - at[1], at[0] - at[2]};
+  if (parted_along(edge[0].cross(edge[1]))) return false;
+  for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(Vec3::UnitY()), Vec3(Vec3::UnitZ())}) {
+    if (parted_along(axis)) return false;
+    for (const Vec3& along : edge)
+      if (parted_along(axis.cross(along))) return false;
+  }
+  return true;
 }
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangles_(corners_of_all(mesh)) {

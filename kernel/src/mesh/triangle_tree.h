@@ -15,6 +15,9 @@ namespace fieldfab {
 /// The corners of each triangle.
 std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh);
 
+/// Whether a triangle and a box have a point in common: no plane that a face or edges of them span parts them.
+bool meet(const std::array<Vec3, 3>& triangle, const Box& box);
+
 class TriangleTree {
  public:
   /// A place of a triangle; the triangle counts in the tree's own order.
@@ -34,9 +37,32 @@ class TriangleTree {
   /// mesh are as good.
   [[nodiscard]] int turns(const Vec3& point, bool from_above) const;
 
+  /// Calls visit(triangle) for each triangle that meets a box, until it returns false.
+  template <class Visit>
+  void visit_in(const Box& box, const Visit& visit) const {
+    std::array<std::uint32_t, deepest> open;
+    std::size_t count = 0;
+    for (open[count++] = 0; count > 0;) {
+      const Node& node = nodes_[open[--count]];
+      bool apart = false;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<Eigen::Index>(axis);
+        apart = apart || node.lower[axis] > box.upper[a] || node.upper[axis] < box.lower[a];
+      }
+      if (apart) continue;
+      for (std::uint32_t triangle = node.first; triangle < node.first + node.count; ++triangle)
+        if (meet(triangles_[triangle], box) && !visit(triangle)) return;
+      if (node.count > 0) continue;
+      open[count++] = node.first;
+      open[count++] = node.first + 1;
+    }
+  }
+
   [[nodiscard]] const std::array<Vec3, 3>& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
 
  private:
+  static constexpr std::size_t deepest = 64;  // halves of 2^32 triangles
+
   /// Its two halves are at `first` and the one after, or its triangles from `first` on, where it has a count of them.
   struct Node {
     std::array<float, 3> lower, upper;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "fieldfab/core/geometry.h"
 #include "fieldfab/core/interval.h"
@@ -78,6 +79,15 @@ class Field : public std::enable_shared_from_this<Field> {
   /// derivatives, so that it holds across creases. Interval::unknown() where nothing is known, as by default, where the value
   /// jumps or may be NaN. Value per mm where d is a unit vector.
   virtual void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept;
+
+  /// Whether facing() proves more than slopes() does, as for meshes: the distance to triangles has creases everywhere, while its
+  /// sign changes at the triangles alone.
+  [[nodiscard]] virtual bool faceted() const noexcept { return false; }
+
+  /// Adds directions (of length 1) to `directions` such that the solid is left at most, and never entered, on any straight way
+  /// through `box` that has no negative component along any of them: the outward normals of all of its surface in the box.
+  /// Returns false, with any directions added, where they are unknown or more than a few. By default they follow from slopes().
+  virtual bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept;
 
   /// For each box the interval over it and a Field that gives the same answers at every point of it (see Purpose); outside of its
   /// box that Field means nothing. `out` has one place for each box. Several boxes, such as the children of a cell, may cost
