@@ -88,6 +88,8 @@ def inputs(folder):
     """Small files for each verb."""
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "ball.frep").write_text("sphere(5)")
+    (folder / "two_parts.frep").write_text('part(box(3, 3, 3), "a", "red")\npart(move(sphere(1), dx = 4), "b", "blue")')
+    (folder / "plate.csg").write_text("difference() { cube(size = [8, 6, 1], center = true); cylinder(h = 3, r1 = 1, r2 = 1, center = true, $fn = 12); }")
     (folder / "part.frep").write_text("max(max(max(abs(x) - 9, abs(y) - 9), max(z, -z - 8)), 4 - sqrt(x*x + y*y))")
     (folder / "job.toml").write_text(JOB)
     (folder / "program.nc").write_text(PROGRAM)
