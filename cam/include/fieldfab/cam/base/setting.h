@@ -39,7 +39,7 @@ struct Given {
   std::string place;  ///< FILE:LINE if known, otherwise empty
 };
 
-/// Values by name. Getters throw Error(internal) for an undeclared name, and std::bad_variant_access for another type.
+/// Values by name. Getters throw Error(internal) for an undeclared name or a value of another type.
 class Values {
  public:
   std::map<std::string, Given> given;
@@ -57,7 +57,8 @@ inline bool is_set(const Values& values, const std::string& name) { return value
 /// Error(bad_input) at `place`.
 Value checked(const Setting& setting, const Value& value, const std::string& place);
 
-/// Returns ", did you mean 'x'?" with the known names most similar to a misspelled one, or an empty string.
+/// Returns "; did you mean 'x'?" with the known name of least edit distance from a misspelled one, or an empty string
+/// if none is similar.
 std::string suggestion(const std::string& wrong, const std::vector<std::string>& known);
 
 }  // namespace fieldfab::cam
