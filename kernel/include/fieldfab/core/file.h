@@ -48,7 +48,8 @@ class PendingFile {
   /// require_room() detects one.
   [[noreturn]] void refuse_partial(std::uintmax_t size) const;
   /// Flushes and syncs the file, renames it onto the target and syncs the folder. Keeps the permissions of an existing
-  /// target. Throws Error(io); the target is then unchanged unless it is a device or a pipe.
+  /// target. Throws Error(io). The target is then unchanged, unless it is a device or a pipe, or only the sync of the
+  /// folder failed.
   void commit();
 
  private:

@@ -54,7 +54,7 @@ FieldPtr box_field(const Box& box);
 
 /// Perspective view of a solid from an eye `distance` mm above `centre`. A point at height z above the centre is
 /// magnified by distance / (distance - z) and keeps its height. Valid below the eye. Throws Error(bad_input) unless
-/// distance > 0.
+/// distance > 0 and the centre is finite.
 FieldPtr seen_from_near(FieldPtr a, const Vec3& centre, double distance);
 
 }  // namespace fieldfab

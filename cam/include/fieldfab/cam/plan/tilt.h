@@ -28,7 +28,7 @@ struct TiltReport {
 /// path, so that the surface stays the same. Cutter, shank and holder are clear of the part at each pose. Poses are
 /// dense enough that the tool is clear between them as well (for the cutter's side up to a second-order error). Paths
 /// without such a pose are omitted. `space` is in part coordinates. The holder extends beyond its length, because the
-/// spindle is there. Throws Error(bad_input) for other tools, Error(cancelled).
+/// spindle is there. Throws Error(cancelled).
 std::vector<Path> tilted(const std::vector<Path>& paths, const TipSurface& tips, const Tool& tool, const Plane& plane,
                          const FreeSpace& space, const TiltSettings& settings, TiltReport& report,
                          Progress& progress = Progress::none());

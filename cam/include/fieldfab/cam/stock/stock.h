@@ -73,7 +73,7 @@ class Stock {
  public:
   /// A solid box.
   explicit Stock(const Box& box, const StockSettings& settings = {});
-  /// The part of a Field inside a box; NaN is outside. Throws Error(cancelled).
+  /// The part of a Field inside a box. Throws Error(cancelled).
   Stock(const Field& field, const Box& box, const StockSettings& settings = {}, Progress& progress = Progress::none());
   Stock(const Stock&);
   Stock(Stock&&) noexcept;
