@@ -48,7 +48,8 @@ def manual():
             lines += ["", f"## {group}", "", "| | | |", "|---|---|---|"]
         about = " · ".join(filter(None, [f["meaning"], DISTANCES[f["distance"]]]))
         picture = f"![{f['name']}](figures/shapes/{f['name']}.png)"
-        lines.append(f"| {picture} | `{f['signature']}` | {about}<br>`{f['example']}` |".replace(" | b`", " \\| b`"))
+        told = f"{about}<br>`{f['example']}`".replace("|", r"\|")  # a bar ends a cell, also in code
+        lines.append(f"| {picture} | `{f['signature']}` | {told} |")
     return "\n".join(lines) + "\n"
 
 

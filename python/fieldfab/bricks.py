@@ -21,7 +21,7 @@ def open_volume(task):
 
 
 def make_part(task, part):
-    """Runs in a worker: writes one part, and returns its name."""
+    """Writes one share of an import; runs in a worker. Returns the name of its file."""
     import fieldfab as ff
 
     ff.set_threads(task["threads"])
@@ -31,7 +31,7 @@ def make_part(task, part):
 
 
 def build(volume, output, threshold=None, workers=2, parts=None, scheduler=None, file=None, **surface):
-    """Imports `volume` into the .asdf file `output`. Returns what save_asdf() does."""
+    """Imports the volume file `volume` into the .asdf file `output`. Returns the result of save_asdf()."""
     import fieldfab as ff
     from dask.distributed import Client, LocalCluster
 

@@ -1,7 +1,8 @@
-"""The live view of a model file: `fieldfab edit MODEL`. The file is edited elsewhere; every save shows at once.
+"""Live view of a model file: `fieldfab edit MODEL`. The file is edited elsewhere; each save updates the view.
 
-Wheel: zoom about the pointer. Left drag: turn (pan, where the model is flat). Right or middle drag: pan. F: fit. P: perspective.
-S: save the picture. The parameters of a .frep text (`width = 20  # 5 to 40`) have sliders. Whatever is seen is evaluated for the window's own pixels; a coarse picture comes first.
+Wheel: zoom about the pointer. Left drag: rotate (pan if the model is flat). Right or middle drag: pan. F: fit.
+P: perspective. S: save the picture. The parameters of a .frep text (`width = 20  # 5 to 40`) have sliders. The view
+evaluates the model for the window's own pixels; a coarse picture comes first.
 """
 
 import math
@@ -20,11 +21,11 @@ FLAT, SOLID = "bitmap", "shaded"
 
 
 class Stale(Exception):
-    """Raised inside work whose result nobody wants any more."""
+    """Raised inside a job whose result is no longer needed."""
 
 
 class Worker(QtCore.QObject):
-    """Runs the latest job of a kind on a thread; an older one is stopped."""
+    """Runs the latest job of its kind on a thread and cancels older ones."""
 
     done = QtCore.Signal(object)
 
@@ -34,7 +35,7 @@ class Worker(QtCore.QObject):
         threading.Thread(target=self._run, daemon=True).start()
 
     def start(self, job):
-        """`job(progress)` yields results; each is emitted while the job is still the latest."""
+        """Starts `job(progress)`, a generator. Emits each result unless a later job has started."""
         with self._wake:
             self._latest += 1
             self._job = (self._latest, job)
@@ -68,7 +69,7 @@ class Worker(QtCore.QObject):
 
 
 class Model:
-    """A solid and where it is."""
+    """A solid with its bounds."""
 
     def __init__(self, field):
         self.field = field
@@ -85,7 +86,7 @@ class Model:
 
 
 def text_of(path):
-    """The bytes of a .frep text; empty for another file, and for one that cannot be read now."""
+    """Returns the bytes of a .frep text; empty for another file type, and for a file that cannot be read now."""
     if not path.endswith(".frep"):
         return b""
     try:
@@ -96,7 +97,9 @@ def text_of(path):
 
 
 def read(path, values, progress):
-    """The Model of a file; of a .frep text with these numbers for its parameters. Raises ff.Error with all mistakes of a text, a line each."""
+    """Returns the Model of a file; the given numbers replace the parameters of a .frep text. Raises ff.Error with
+    all errors of a text, one per line.
+    """
     text, folder = text_of(path), os.path.dirname(path)
     try:
         if values:
@@ -113,7 +116,7 @@ def read(path, values, progress):
 
 
 class Sliders(QtWidgets.QDockWidget):
-    """The parameters of a .frep text, each with a slider. The file is written only by the button."""
+    """Sliders for the parameters of a .frep text. Only the button writes the file."""
 
     STEPS = 1000
 
@@ -125,7 +128,7 @@ class Sliders(QtWidgets.QDockWidget):
         self.values, self._parameters, self._rows = {}, {}, {}
 
     def follow(self, text):
-        """Shows the parameters of a text, at the text's own numbers."""
+        """Shows the parameters of a text, with the numbers of the text."""
         self._parameters = {each.name: each for each in ff.language.parameters(text)}
         self.values, self._rows = {}, {}
         inside = QtWidgets.QWidget()
@@ -151,7 +154,9 @@ class Sliders(QtWidgets.QDockWidget):
 
     @staticmethod
     def _range(parameter):
-        """The text's range, or up to twice the value; wider where the value is beyond."""
+        """Returns the limits of a slider: those of the text, or 0 and twice the value; extended to include the
+        value.
+        """
         value = parameter.value
         low, high = parameter.range or (min(0, 2 * value), max(0, 2 * value) or (0 if value else 1))
         return min(low, value), max(high, value)
@@ -168,7 +173,7 @@ class Sliders(QtWidgets.QDockWidget):
 
 
 class View(QtWidgets.QWidget):
-    """The picture, and what is wrong with the file."""
+    """The picture, and the error message of the file."""
 
     shown = QtCore.Signal(bool)  # whether it was the fine picture
 
@@ -202,7 +207,7 @@ class View(QtWidgets.QWidget):
         self.render()
 
     def centre(self):
-        """The middle of the solid in the picture's plane."""
+        """The centre of the solid in the picture's plane."""
         low, high = self.model.bounds[:3], self.model.bounds[3:]
         x, y, z = ((a + b) / 2 for a, b in zip(low, high))
         if self.model.flat:
@@ -211,7 +216,7 @@ class View(QtWidgets.QWidget):
         return x, math.cos(self.beta) * y - math.sin(self.beta) * z
 
     def window(self):
-        """x0, y0, x1, y1 of the widget in the picture's plane."""
+        """x0, y0, x1, y1 of the widget in the picture's plane, mm."""
         if self.scale is None:
             low, high = self.model.bounds[:3], self.model.bounds[3:]
             sides = [b - a for a, b in zip(low, high)]
@@ -312,7 +317,7 @@ class View(QtWidgets.QWidget):
             super().keyPressEvent(event)
 
     def save(self, name):
-        """Writes the picture as PNG, whole or not at all."""
+        """Writes the picture as PNG, completely or not at all."""
         buffer = QtCore.QBuffer()
         buffer.open(QtCore.QIODevice.WriteOnly)
         self.image.save(buffer, "PNG")
@@ -323,7 +328,7 @@ class View(QtWidgets.QWidget):
 
 
 class Window(QtWidgets.QMainWindow):
-    """The view of one file, which is read again whenever it changes."""
+    """The view of one file, which is read again after each change."""
 
     loaded = QtCore.Signal()
 
@@ -348,7 +353,7 @@ class Window(QtWidgets.QMainWindow):
         self.look()
 
     def look(self):
-        """Reads the file where it is another than before."""
+        """Reads the file if it has changed."""
         try:
             found = os.stat(self.path)
             seen = (found.st_mtime_ns, found.st_size, found.st_ino)

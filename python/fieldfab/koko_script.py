@@ -1,4 +1,4 @@
-"""Runs kokopelli's own scripts (.ko, Keeter 4.3): Python 2, with `cad` for what they make, and modules of `koko`."""
+"""Runs kokopelli's scripts (.ko, Keeter 4.3): Python 2 with a variable `cad` for results, and modules of `koko`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ AXES = "xyz"
 
 
 class Cad:
-    """The shapes of a script (`cad.shapes`, `cad.shape` or `cad.function`), mm_per_unit, render_mode, and bounds."""
+    """Results of a script: shapes (`cad.shapes`, `cad.shape` or `cad.function`), mm_per_unit, render_mode and
+    bounds.
+    """
 
     def __init__(self):
         self._shapes, self._render_mode, self._mm_per_unit = None, None, 25.4
@@ -74,7 +76,7 @@ class Cad:
         self._render_mode = value
 
     def _limit(self, axis, side):
-        """A bound of all shapes with its border, unless the script has set it."""
+        """A bound of all shapes with a margin, unless the script has set it."""
         if (axis, side) in self._set_bounds:
             return self._set_bounds[axis, side]
         if not self._shapes:
@@ -107,7 +109,7 @@ for _i, _name in enumerate(AXES):
 
 
 def _checked(value):
-    """A shape of cad.shapes. Raises TypeError for other things."""
+    """Returns a shape of cad.shapes. Raises TypeError for another type."""
     if not isinstance(value, (MathTree, Solid, str, int, float)):
         found = "None" if value is None else f"a {type(value).__name__}"
         raise TypeError(f"cad.shapes takes shapes, and this is {found}")
@@ -120,7 +122,7 @@ HEADER = re.compile(r"\A\s*##    Geometry header    ##\n(.*?)\n##    End of geom
 
 
 class Handle:
-    """A handle with formulas for its parameters, which may name other handles."""
+    """A handle of the geometry header. Its parameters are formulas, which may refer to other handles."""
 
     DEFAULTS = {"x": 0, "y": 0}
 
@@ -161,7 +163,7 @@ HANDLES = {"koko.prims.points.Point": Point, "koko.prims.utils.Slider": Slider, 
 
 
 def handles_of(header):
-    """The handles of a geometry header by their names. It is read, not run."""
+    """Returns the handles of a geometry header by name. Parses the header; does not execute it."""
     made = {}
     try:
         for pair in ast.parse(header.strip(), mode="eval").body.elts:
@@ -179,7 +181,7 @@ def handles_of(header):
 
 
 def _modules(python2_math):
-    """kokopelli's modules by their names, as far as scripts use them."""
+    """Returns those of kokopelli's modules that scripts use, by name."""
     shapes = {name: getattr(kokopelli, name) for name in kokopelli.__all__}
     shapes.update(X=MathTree.X(), Y=MathTree.Y(), Z=MathTree.Z(), math=python2_math)
     flat = {name: value for name, value in shapes.items() if name != "text"}
@@ -210,7 +212,7 @@ def _modules(python2_math):
 
 @contextlib.contextmanager
 def _in_place(modules):
-    """The modules in sys.modules, for a while."""
+    """Context manager that installs modules in sys.modules."""
     before = {name: sys.modules.get(name) for name in modules}
     sys.modules.update(modules)
     try:
@@ -224,7 +226,7 @@ def _in_place(modules):
 
 
 def _execute(code, names=None, local_names=None):
-    """Python 2's exec statement: of a text, or of code that is compiled."""
+    """Implements Python 2's exec statement, for a text or compiled code."""
     if isinstance(code, tuple):  # exec(code, globals, locals)
         code, names, local_names = (*code, None)[:3]
     names.setdefault("__builtins__", python2_names.builtins_of_python2(_execute))
@@ -235,8 +237,7 @@ def _execute(code, names=None, local_names=None):
 
 
 def run(path):
-    """The variables of a script that has been run, without those of its loops, and its Cad. Raises what the script
-    raises."""
+    """Runs a script. Returns its variables, except loop variables, and its Cad. Raises what the script raises."""
     text = python2.read(path).replace("\r\n", "\n")
     header = HEADER.match(text)
     older = python2_names.modules()
@@ -257,7 +258,7 @@ def run(path):
 
 
 def parts(path):
-    """The parts of a script: (formula in mm, name, colour) each."""
+    """Returns the parts of a script, each (formula in mm, name, colour)."""
     variables, cad = run(path)
     if cad.shapes is None:
         raise ValueError("the script sets neither cad.shape nor cad.shapes")
@@ -274,8 +275,9 @@ def _in_mm(shape, cad):
 
 
 def _within(shape, cad):
-    """The formula; where the shape has no end that can be found, what lies inside the bounds that it has from its
-    making, or from the script."""
+    """Returns the formula; if no bounds can be found, its intersection with the bounds known by construction or set
+    by the script.
+    """
     formula = Solid(shape)
     limits = shape.known_bounds or [cad._set_bounds.get((i // 2, i % 2)) for i in range(6)]
     if None in limits[:4] or _ends_at(formula, limits):
@@ -287,8 +289,9 @@ def _within(shape, cad):
 
 
 def _ends_at(formula, limits):
-    """Whether intervals prove that a shape has no part outside of its bounds, to a thousand times its size; much
-    faster than a search."""
+    """Whether intervals prove that a shape lies within its bounds, searched up to a thousand times its size. Much
+    faster than a search for bounds.
+    """
     field = Solid(formula)
     size = max(limits[1] - limits[0], limits[3] - limits[2])
     for i, limit in enumerate(limits):
@@ -305,8 +308,9 @@ def _colour(rgb):
 
 
 def _names(shapes, variables):
-    """A name for each shape: of the variable that it is, of the list that it is in, or of its place; each once. None
-    for a shape that is alone and has neither."""
+    """Returns a unique name for each shape, from its variable, its list or its index; None for a single shape
+    without either.
+    """
     known = {id(value): name for name, value in reversed(variables.items()) if isinstance(value, Solid)}
     for name, value in variables.items():
         if isinstance(value, (list, tuple)):

@@ -32,7 +32,7 @@ torus loft loft_xy_z revolve_y revolve_x rotate_x rotate_y rotate_z blend morph 
 
 
 def _shape(expression, *bounds):
-    """A shape; `bounds` are xmin, xmax, ymin, ymax and, unless it is flat, zmin, zmax."""
+    """Returns a shape; `bounds` are xmin, xmax, ymin, ymax and, unless it is flat, zmin, zmax."""
     made = MathTree(expression, shape=True)
     if bounds:
         made.bounds = [*bounds, None, None][:6]
@@ -40,7 +40,7 @@ def _shape(expression, *bounds):
 
 
 def _about(expression, x0, y0, z0, change):
-    """`change` as seen from a point."""
+    """Applies `change` in coordinates relative to a point."""
     return _s.move(change(_s.move(_plain(expression), -x0, -y0, -z0)), x0, y0, z0)
 
 
@@ -58,7 +58,7 @@ def triangle(x0, y0, x1, y1, x2, y2):
 
 
 def right_triangle(x0, y0, h):
-    """The right angle at (x0, y0), both legs h long."""
+    """A right triangle with the right angle at (x0, y0) and both legs of length h."""
     return triangle(x0, y0, x0 + h, y0, x0, y0 + h)
 
 
@@ -67,7 +67,7 @@ def rectangle(x0, x1, y0, y1):
 
 
 def rounded_rectangle(x0, x1, y0, y1, r):
-    """r is a share of half the shorter side, 0 to 1."""
+    """A rectangle; r is the corner radius as a fraction of half the shorter side, 0 to 1."""
     radius = r * min(x1 - x0, y1 - y0) / 2
     rounded = _s.rounded_rectangle(x1 - x0, y1 - y0, radius)
     return _shape(_s.move(rounded, (x0 + x1) / 2, (y0 + y1) / 2), x0, x1, y0, y1)
@@ -78,21 +78,21 @@ def polygon(*points):
 
 
 def tab(x, y, width, height, angle=0, chamfer=0.2):
-    """Stands on (x, y); its upper corners are cut by a share of the height."""
+    """A tab that stands on (x, y); its upper corners are chamfered by a fraction of the height."""
     corner = triangle(width / 2 - chamfer * height, height, width / 2, height, width / 2, height - chamfer * height)
     upright = rectangle(-width / 2, width / 2, 0, height) - (corner + reflect_x(corner))
     return move(rotate(upright, angle), x, y)
 
 
 def slot(x, y, width, height, angle=0, chamfer=0.2):
-    """Hangs from (x, y); its mouth is wider by a share of the height on each side."""
+    """A slot that hangs from (x, y); its opening is widened on both sides by a fraction of the height."""
     mouth = triangle(width / 2, 0, width / 2 + chamfer * height, 0, width / 2, -chamfer * height)
     upright = rectangle(-width / 2, width / 2, -height, 0) + mouth + reflect_x(mouth)
     return move(rotate(upright, angle), x, y)
 
 
 def _ink(drawn, cells=32):
-    """From where to where a letter 1 high may have ink along x, or None: by intervals over cells."""
+    """Returns the range of x in which a letter of height 1 may have strokes, or None. Uses intervals over cells."""
     field, size = _Solid(drawn), 1 / cells
     found = [i for i in range(-cells // 4, cells * 5 // 4) if any(
         field.interval((i * size, j * size, 0, (i + 1) * size, (j + 1) * size, 0))[0] <= 0
@@ -102,7 +102,7 @@ def _ink(drawn, cells=32):
 
 @_functools.lru_cache(maxsize=None)
 def _letter(letter):
-    """A letter 1 high on the base line, as wide as kokopelli's; None where there is no ink."""
+    """Returns a letter of height 1 on the base line with kokopelli's width; None for a letter without strokes."""
     drawn = _s.text(letter, h=1, weight=1 / 7)
     ink, wide = _ink(drawn), _widths.width_of(letter)
     if ink is None:
@@ -112,7 +112,7 @@ def _letter(letter):
 
 
 def text(text, x, y, height=1, align="CC"):
-    """`align`: L, C or R, then T, C or B. None where there is no letter."""
+    """Returns text; `align` is L, C or R, then T, C or B. None for text without strokes."""
     lines = text.split("\n")
     tall = 1 + _widths.LINE * (len(lines) - 1)
     base = {"T": -1.0, "C": tall / 2 - 1, "B": tall - 1}[align[1]]
@@ -158,7 +158,7 @@ box = cube
 
 
 def cone(x0, y0, z0, z1, r):
-    """Its base of radius r at z0, its tip at z1."""
+    """A cone with its base of radius r at z0 and its tip at z1."""
     return _shape(_s.move(_s.cone(r, z1 - z0), x0, y0, (z0 + z1) / 2), x0 - r, x0 + r, y0 - r, y0 + r, z0, z1)
 
 
@@ -180,7 +180,7 @@ loft = loft_xy_z
 
 
 def revolve_y(part):
-    """The half x > 0 turned about the y axis."""
+    """Revolves the half x > 0 about the y axis."""
     def turned(b):
         r = None if b[0] is None else max(abs(b[0]), abs(b[1]))
         return [r if r is None else -r, r, b[2], b[3], r if r is None else -r, r]
@@ -188,7 +188,7 @@ def revolve_y(part):
 
 
 def revolve_x(part):
-    """The half y > 0 turned about the x axis."""
+    """Revolves the half y > 0 about the x axis."""
     def turned(b):
         r = None if b[2] is None else max(abs(b[2]), abs(b[3]))
         return [b[0], b[1], r if r is None else -r, r, r if r is None else -r, r]
@@ -207,7 +207,7 @@ def subtract(a, b):
 
 
 def color(part, rgb):
-    """A copy in another colour."""
+    """Returns a copy in another colour."""
     painted = part.clone()
     painted.color = rgb
     return painted
@@ -224,7 +224,7 @@ translate = move
 
 
 def _turned(angle, a, b):
-    """The coordinates a and b, turned by an angle in degrees."""
+    """Returns the coordinates a and b, rotated by an angle in degrees."""
     cos, sin = _math.cos(_math.radians(angle)), _math.sin(_math.radians(angle))
     return cos * a - sin * b, sin * a + cos * b
 
@@ -247,7 +247,7 @@ def rotate_x(part, angle, y0=0, z0=0):
 
 
 def rotate_y(part, angle, x0=0, z0=0):
-    """Turns x to z, as kokopelli does: against the right-hand rule."""
+    """Rotates x towards z, as kokopelli does: opposite to the right-hand rule."""
     def forward(x, y, z):
         u, v = _turned(angle, x - x0, z - z0)
         return x0 + u, y, z0 + v
@@ -279,8 +279,7 @@ def reflect_yz(part):
 
 
 def _scaled(part, origin, sizes):
-    """The part scaled about a point; the sizes are numbers, or functions of a point and formulas of X, Y and Z
-    alike."""
+    """Scales the part about a point. The factors are numbers, or functions of a point and formulas of X, Y and Z."""
     def sizes_at(x, y, z):
         return [size(x, y, z) if callable(size) else size for size in sizes]
 
@@ -310,7 +309,7 @@ def scale_xyz(part, x0, y0, z0, sxyz):
 
 
 def _between(at, low, high, first, last):
-    """From `first` where a coordinate is `low` to `last` where it is `high`."""
+    """Interpolates from `first` where a coordinate is `low` to `last` where it is `high`."""
     return first + (last - first) * (at - low) / (high - low)
 
 
@@ -339,7 +338,7 @@ def shear_x_z(part, z0, z1, dx0, dx1):
 
 
 def _wave(at, low, high, amplitude, offset, first, last):
-    """Scale by a cosine whose phase runs from `first` to `last` degrees."""
+    """Returns a scale factor that follows a cosine with a phase from `first` to `last` degrees."""
     return offset + amplitude * _cos(_between(at, low, high, _math.radians(first), _math.radians(last)))
 
 
@@ -357,7 +356,7 @@ def coscale_xy_z(part, x0, y0, z0, z1, phi0, phi1, amp, off):
 
 
 def twist_xy_z(part, x0, y0, z0, z1, t0, t1):
-    """Turned by t0 degrees at z0, by t1 at z1."""
+    """Twists about z: by t0 degrees at z0, by t1 degrees at z1."""
     angle = _between(Z, z0, z1, _math.radians(t0), _math.radians(t1))
     return _kept(_about(part, x0, y0, 0, lambda s: _s.rotate_z(s, angle)), part)
 

@@ -34,7 +34,7 @@ class Point:
 
 
 class Pin:
-    """A pad at (x, y) of its component; `shape` is about the origin."""
+    """A pad at (x, y) of its component; `shape` is relative to the pad's centre."""
 
     def __init__(self, x, y, shape, name=""):
         self.x, self.y, self.shape, self.name = x, y, shape, name
@@ -45,7 +45,7 @@ class Pin:
 
 
 class BoundPin:
-    """A pin at its place on the board."""
+    """A pin at its position on the board."""
 
     def __init__(self, pin, component):
         self.pin, self.component = pin, component
@@ -59,8 +59,9 @@ class BoundPin:
 
 
 class Component:
-    """A component at (x, y), turned by `rot`; its class has the `pins`. component["GND"] is a pin by name,
-    component[1] the first."""
+    """A component at (x, y), rotated by `rot` degrees; its class defines `pins`. component["GND"] is a pin by name,
+    component[1] the first pin.
+    """
 
     pins: list = []
     prefix = ""
@@ -93,8 +94,7 @@ class Component:
 
 
 class Connection:
-    """A trace through pins and points; each piece goes half a width beyond its end, to make the corner, but for the
-    last."""
+    """A trace through pins and points. Each segment except the last is extended by half a width, to fill the corner."""
 
     def __init__(self, width, *points):
         self.width = width
@@ -111,7 +111,7 @@ class Connection:
 
 
 class PCB:
-    """A board with its lower left corner at (x0, y0)."""
+    """A board with its lower left corner at (x0, y0), inches."""
 
     def __init__(self, x0, y0, width, height):
         self.x0, self.y0, self.width, self.height = x0, y0, width, height
@@ -128,7 +128,7 @@ class PCB:
         return self
 
     def _connect(self, points, width, corner):
-        """A trace; `corner` makes the point between two."""
+        """Returns a trace; `corner` computes the point between two pins."""
         points = [each if isinstance(each, BoundPin) else Point(*each) for each in points]
         through = []
         for a, b in zip(points[:-1], points[1:]):
@@ -141,11 +141,11 @@ class PCB:
         self.connections.append(Connection(width, *through))
 
     def connectH(self, *points, width=WIDTH):
-        """Connects pins or points: first along x, then along y."""
+        """Connects pins or points, first along x, then along y."""
         self._connect(points, width, lambda a, b: (b.x, a.y))
 
     def connectV(self, *points, width=WIDTH):
-        """Connects pins or points: first along y, then along x."""
+        """Connects pins or points, first along y, then along x."""
         self._connect(points, width, lambda a, b: (a.x, b.y))
 
     @property
@@ -175,7 +175,7 @@ class PCB:
 
     @property
     def layout(self):
-        """Labels, labels of pins and traces, each in its colour."""
+        """Labels of parts and pins, and traces, each in its colour."""
         layers = ((self.part_labels, (125, 200, 60)), (self.pin_labels, (255, 90, 60)), (self.traces, (125, 90, 60)))
         return [k.color(shape, rgb) for shape, rgb in layers if shape is not None]
 
@@ -192,7 +192,7 @@ def _pins(pad, *places):
 
 
 def _row(pad, x, y, dx, dy, names):
-    """Pins from (x, y) on, in steps of (dx, dy)."""
+    """Returns pins from (x, y) on, in steps of (dx, dy)."""
     return [Pin(x + i * dx, y + i * dy, pad, name) for i, name in enumerate(names.split())]
 
 

@@ -19,21 +19,22 @@ UNKNOWN = [None] * 6
 
 
 def plain(value):
-    """The formula: arithmetic on it is not set algebra."""
+    """Returns the formula as a number: arithmetic on it is not set algebra."""
     return Solid(MathTree.wrap(value))
 
 
 class _Text(str):
-    """A math string: kokopelli's attribute, and a method in fieldfab."""
+    """A math string: an attribute in kokopelli, and a method in fieldfab."""
 
     def __call__(self):
         return str(self)
 
 
 class MathTree(Solid):
-    """A formula. On a shape (`shape` is true) + is union, & intersection, - difference, ~ the complement; on other
-    formulas they are arithmetic, as * and / are on both. `math` is a number, a formula of fieldfab (a shape, unless
-    told otherwise) or a math string."""
+    """A formula. For shapes (`shape` is true) + is union, & intersection, - difference and ~ complement; for other
+    formulas they are arithmetic. * and / are arithmetic for both. `math` is a number, a math string or a formula
+    of fieldfab (a shape by default).
+    """
 
     def __init__(self, math=0.0, shape=None, color=None):
         super().__init__(_core.parse_math(math) if isinstance(math, str) else math)
@@ -43,7 +44,7 @@ class MathTree(Solid):
 
     @staticmethod
     def wrap(value):
-        """A MathTree of a number, a formula or a math string; None stays None."""
+        """Returns a MathTree of a number, a formula or a math string; None stays None."""
         if value is None or isinstance(value, MathTree):
             return value
         if not isinstance(value, (str, int, float, Solid)):
@@ -77,8 +78,9 @@ class MathTree(Solid):
 
     @property
     def bounds(self):
-        """xmin, xmax, ymin, ymax, zmin, zmax; None where there is no bound. Sets keep those of kokopelli (a difference
-        those of its left side); of other shapes they are searched for, and may be a little wide."""
+        """xmin, xmax, ymin, ymax, zmin, zmax; None for an unbounded side. Sets keep kokopelli's bounds (a difference
+        those of its left operand); for other shapes the bounds are searched, and may be slightly too large.
+        """
         if self._bounds is None:
             self._bounds = _searched(self)
         return list(self._bounds)
@@ -96,19 +98,19 @@ class MathTree(Solid):
 
     @property
     def known_bounds(self):
-        """The bounds as far as they are known without a search, or None."""
+        """The bounds known without a search, or None."""
         return self._bounds
 
     # Formulas
 
     def map(self, X=None, Y=None, Z=None, **lower):
-        """The same formula of other coordinates (formulas, numbers, math strings)."""
+        """Returns the formula with other coordinates (formulas, numbers, math strings)."""
         others = {name: each for name, each in (("x", X), ("y", Y), ("z", Z)) if each is not None} | lower
         return MathTree(plain(self).map(**{name: plain(each) for name, each in others.items()}), self.shape,
                         self._color)
 
     def map_bounds(self, X=None, Y=None, Z=None):
-        """The bounds after a map, from its inverse."""
+        """Returns the bounds after a map, computed from its inverse."""
         bounds, found = self.bounds, []
         known = [bounds[2 * i] is not None for i in range(3)]
         box = [bounds[2 * i + side] if known[i] else 0.0 for side in (0, 1) for i in range(3)]
@@ -232,7 +234,9 @@ def _of_shapes(a, b, operator):
 
 
 def matching(function):
-    """Of a function of shapes: its result gets the one colour that they have. Raises ValueError if there are two."""
+    """Decorator for functions of shapes: the result has the common colour of the arguments. Raises ValueError for
+    two colours.
+    """
     @functools.wraps(function)
     def matched(*arguments, **named):
         given = [*arguments, *named.values()]
@@ -253,7 +257,7 @@ def _set(expression, bounds):
 
 
 def _joined(a, b, lower, upper):
-    """The bounds of a union or an intersection; None where one of them is not known."""
+    """Returns the bounds of a union or an intersection; None if those of an argument are unknown."""
     if a.known_bounds is None or b.known_bounds is None:
         return None
     found = []
@@ -279,7 +283,7 @@ def _difference(a, b):
 
 
 def kept(expression, part, bounds=None):
-    """A shape made of `part`, with its colour; `bounds` makes the new bounds of its own."""
+    """Returns a shape derived from `part` with its colour; `bounds` computes its bounds from those of `part`."""
     made = MathTree(expression, getattr(part, "shape", True), getattr(part, "color", None))
     if bounds is not None and getattr(part, "known_bounds", None) is not None:
         made._bounds = bounds(part.known_bounds)
@@ -287,8 +291,9 @@ def kept(expression, part, bounds=None):
 
 
 def placed(expression, part, forward):
-    """A shape made of `part` by a map of space; `forward` maps a point of the part, and is linear in each
-    coordinate."""
+    """Returns a shape derived from `part` by a map of space; `forward` maps a point of the part and is linear in
+    each coordinate.
+    """
     def corners(bounds):
         axes = [bounds[i:i + 2] if None not in bounds[i:i + 2] else [math.nan] for i in (0, 2, 4)]
         found = []

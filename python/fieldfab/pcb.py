@@ -16,7 +16,9 @@ from . import shapes as s
 
 
 class Part:
-    """A footprint: `copper` and `holes` as flat shapes about the origin (None where there are none), `pads` from names to (x, y)."""
+    """A footprint: flat shapes `copper` and `holes` about the origin (None if absent), and `pads`, a map from names
+    to (x, y), mm.
+    """
 
     def __init__(self, name, copper, pads, holes=None):
         self.name, self.copper, self.pads, self.holes = name, copper, dict(pads), holes
@@ -32,12 +34,12 @@ def chip_1206(name="1206"):
 
 
 def chip_0805(name="0805"):
-    """The same in size 0805."""
+    """A resistor, capacitor or LED of size 0805."""
     return _two_pads(name, 1.3, 1.5, 2.1)
 
 
 def soic(name="SOIC", pins=8, pitch=1.27, span=5.4, pad=(1.6, 0.6)):
-    """Pins counted anticlockwise from the upper left."""
+    """A small-outline package; pins are numbered counter-clockwise from the upper left."""
     rows = pins // 2
     copper = s.footprint_soic(pins, pitch, span, *pad)
     top = pitch * (rows - 1) / 2
@@ -47,20 +49,20 @@ def soic(name="SOIC", pins=8, pitch=1.27, span=5.4, pad=(1.6, 0.6)):
 
 
 def header(name="header", columns=2, rows=3, pitch=2.54, pad=1.7, hole=1.0):
-    """Pins counted row by row from the upper left."""
+    """A pin header; pins are numbered row by row from the upper left."""
     left, top = -pitch * (columns - 1) / 2, pitch * (rows - 1) / 2
     pads = {str(r * columns + c + 1): (left + c * pitch, top - r * pitch) for r in range(rows) for c in range(columns)}
     return Part(name, s.footprint_header(columns, rows, pitch, pad), pads, s.footprint_header(columns, rows, pitch, hole))
 
 
 def placed_point(point, x, y, angle):
-    """A point of a part whose origin lies at (x, y), turned by an angle in radians."""
+    """Returns a point of a part placed at (x, y) and rotated by an angle in radians."""
     cos, sin = math.cos(angle), math.sin(angle)
     return (x + cos * point[0] - sin * point[1], y + sin * point[0] + cos * point[1])
 
 
 class Placed:
-    """A part on a board; part["1"] is where its pad 1 is."""
+    """A part on a board; part["1"] is the position of its pad 1."""
 
     def __init__(self, part, x, y, angle):
         self.part, self.x, self.y, self.angle = part, x, y, math.radians(angle)
@@ -75,7 +77,7 @@ class Placed:
 
 
 class Board:
-    """A board of width x height mm, its lower left corner at the origin."""
+    """A board of width x height mm with its lower left corner at the origin."""
 
     def __init__(self, width, height, corner=0.0, trace=0.4):
         self.width, self.height, self.corner, self.trace_width = width, height, corner, trace
@@ -87,12 +89,12 @@ class Board:
         return placed
 
     def connect(self, *points, width=None):
-        """A trace through points: pads of placed parts, or (x, y)."""
+        """Adds a trace through points: pads of placed parts, or (x, y)."""
         self._traces.append(s.trace(self.trace_width if width is None else width, *points))
 
     @property
     def copper(self):
-        """Pads and traces, less the holes."""
+        """Pads and traces without the holes."""
         shapes = self._traces + [p.placed(p.part.copper) for p in self.parts]
         if not shapes:
             raise ValueError("the board has neither parts nor traces")
@@ -107,7 +109,7 @@ class Board:
 
     @property
     def outline(self):
-        """The board itself."""
+        """The outline of the board."""
         return s.move(s.rounded_rectangle(self.width, self.height, self.corner), self.width / 2, self.height / 2)
 
     @property

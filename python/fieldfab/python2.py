@@ -52,8 +52,9 @@ def _tokens(text):
 
 
 def _string(text):
-    """A string literal without the prefixes b and u; a plain one has no escapes of Unicode, so \\u is two
-    characters."""
+    r"""Returns a string literal without the prefixes b and u. A plain one has no Unicode escapes: \u stands for two
+    characters.
+    """
     quote = min(at for at in (text.find("'"), text.find('"')) if at >= 0)
     prefix, body = text[:quote].lower(), text[quote:]
     if "u" not in prefix and "r" not in prefix:
@@ -67,7 +68,7 @@ def _number(text):
 
 
 class _Statement:
-    """The tokens of one simple statement, or of a compound one up to and with its colon."""
+    """The tokens of a simple statement, or of a compound one up to its colon."""
 
     def __init__(self, tokens):
         self.tokens = tokens
@@ -77,7 +78,7 @@ class _Statement:
         return self.tokens[self.words[0]].text if self.words else ""
 
     def top(self, text):
-        """The places of a token outside of all brackets and after the first word."""
+        """Returns the indices of a token outside all brackets and after the first word."""
         depth, found = 0, []
         for i in self.words[1:]:
             here = self.tokens[i].text
@@ -87,8 +88,9 @@ class _Statement:
         return found
 
     def call(self, head, first, last):
-        """Makes a call of the tokens from `first` to `last`: what stands before them is replaced by `head` and a
-        parenthesis."""
+        """Turns the tokens from `first` to `last` into a call: replaces the tokens before them by `head` and a
+        parenthesis.
+        """
         self.tokens[self.words[0]].text = head + "("
         for i in range(self.words[0] + 1, first):
             if self.tokens[i].kind not in BLANK:
@@ -97,7 +99,7 @@ class _Statement:
 
 
 def _print(statement):
-    """print a, b / print >>f, a / print a, (a comma at the end: no new line)."""
+    """Rewrites print a, b / print >>f, a / print a, (a trailing comma suppresses the line end)."""
     tokens, words = statement.tokens, statement.words
     if len(words) == 1:
         tokens[words[0]].text = f"{names.PRINT}(None, False)"
@@ -118,7 +120,7 @@ def _print(statement):
 
 
 def _exec(statement):
-    """exec code / exec code in globals, locals."""
+    """Rewrites exec code / exec code in globals, locals."""
     tokens, words = statement.tokens, statement.words
     inside = statement.top("in")
     for i in inside[:1]:
@@ -129,13 +131,13 @@ def _exec(statement):
 
 
 def _raise(statement):
-    """raise E, value / raise E, value, traceback."""
+    """Rewrites raise E, value / raise E, value, traceback."""
     if statement.top(","):
         statement.call(f"raise {names.ERROR}", statement.words[1], statement.words[-1])
 
 
 def _except(statement):
-    """except E, e:"""
+    """Rewrites except E, e:"""
     for i in statement.top(",")[-1:]:
         statement.tokens[i].text = " as "
 
@@ -144,7 +146,7 @@ REWRITTEN = {"print": _print, "exec": _exec, "raise": _raise, "except": _except}
 
 
 def _statements(tokens):
-    """The tokens in statements."""
+    """Returns the tokens grouped by statement."""
     current, depth, lambdas = [], 0, 0
     head = ""
     for token in tokens:
@@ -165,7 +167,7 @@ def _statements(tokens):
 
 
 def _ended(statement):
-    """A statement without its ';', ':' or new line, which stays where it is."""
+    """Returns a statement without its ';', ':' or line end, which keeps its place."""
     words = statement.words
     if words and statement.tokens[words[-1]].text in (";", ":"):
         return _Statement(statement.tokens[:words[-1]])
@@ -173,7 +175,7 @@ def _ended(statement):
 
 
 def _tuple_parameters(tokens, taken):
-    """Gives tuples among parameters a name; `taken` gets what they were."""
+    """Replaces tuples among parameters by names; `taken` receives the tuples."""
     words = [i for i, token in enumerate(tokens) if token.kind not in BLANK]
     lists = []  # of the parameter lists that are open: the depth inside them
     depth, previous, waits, skip = 0, "", False, -1
@@ -207,7 +209,7 @@ def _tuple_parameters(tokens, taken):
 
 
 def rewritten(text):
-    """The text with Python 3's grammar, its lines where they were, and its tuples among parameters by their names."""
+    """Returns the text in Python 3's grammar with unchanged line numbers, and its tuple parameters by name."""
     text = text.replace("\r\n", "\n").replace("\r", "\n")
     tokens = _tokens(text if text.endswith("\n") else text + "\n")
     names_only = [token.text for token in tokens if token.kind == "name"]
@@ -247,12 +249,12 @@ def _call(word, *arguments):
 
 
 def _at(node, made):
-    """`made` where `node` was."""
+    """Returns the node `made` at the position of `node`."""
     return ast.fix_missing_locations(ast.copy_location(made, node))
 
 
 class _Tree(ast.NodeTransformer):
-    """Python 2's meaning for a tree of Python 3."""
+    """Gives a syntax tree of Python 3 the meaning of Python 2."""
 
     def __init__(self, divides, taken):
         self.divides, self.taken = divides, taken
@@ -264,7 +266,7 @@ class _Tree(ast.NodeTransformer):
         return _at(node, _call(names.DIVIDE, node.left, node.right))
 
     def visit_Compare(self, node):
-        """Values of unlike types have an order; chains of comparisons are left alone."""
+        """Orders values of different types; leaves chained comparisons alone."""
         self.generic_visit(node)
         operation = type(node.ops[0]).__name__
         if len(node.ops) > 1 or operation not in names.ORDERS:
@@ -290,7 +292,7 @@ class _Tree(ast.NodeTransformer):
         return node
 
     def visit_ExceptHandler(self, node):
-        """The name of an exception outlives the handler."""
+        """Keeps the name of an exception after the handler."""
         self.generic_visit(node)
         if node.name:
             node.body.insert(0, ast.Assign([ast.Name(node.name, ast.Store())], _name("_caught")))
@@ -298,7 +300,7 @@ class _Tree(ast.NodeTransformer):
         return node
 
     def visit_ClassDef(self, node):
-        """next, __nonzero__ and __div__ have other names now."""
+        """Renames next, __nonzero__ and __div__."""
         self.generic_visit(node)
         made = {each.name for each in node.body if isinstance(each, ast.FunctionDef)}
         node.body += [ast.Assign([ast.Name(new, ast.Store())], _name(old)) for old, new in names.METHODS.items()
@@ -313,7 +315,7 @@ class _Tree(ast.NodeTransformer):
         return node
 
     def visit_Lambda(self, node):
-        """`lambda (a, b): c` is `lambda t: [c for (a, b) in [t]][0]`."""
+        """Rewrites `lambda (a, b): c` as `lambda t: [c for (a, b) in [t]][0]`."""
         self.generic_visit(node)
         for each in reversed(self._tuples(node)):
             loop = ast.comprehension(self._target(each), ast.List([_name(each)], ast.Load()), [], 0)
@@ -328,7 +330,7 @@ class _Tree(ast.NodeTransformer):
 
 
 def compiled(text, filename):
-    """Code of Python 2's text. Raises SyntaxError with the text's own lines."""
+    """Compiles Python 2 text. Raises SyntaxError with the line numbers of the text."""
     changed, taken = rewritten(text)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of escapes such as "\d", which were in order
@@ -340,14 +342,14 @@ def compiled(text, filename):
 
 
 def loop_names(text):
-    """The variables of for loops in Python 2's text, which has no error."""
+    """Returns the variables of for loops in valid Python 2 text."""
     tree = ast.parse(rewritten(text)[0])
     targets = [node.target for node in ast.walk(tree) if isinstance(node, ast.For)]
     return {each.id for target in targets for each in ast.walk(target) if isinstance(each, ast.Name)}
 
 
 def read(path):
-    """The text of a file, by its coding line, else UTF-8, else Latin 1."""
+    """Returns the text of a file, decoded by its coding line, otherwise as UTF-8, otherwise as Latin 1."""
     with open(path, "rb") as file:
         data = file.read()
     named = re.match(rb"(?:[^\n]*\n)?[ \t\f]*#[^\n]*coding[:=][ \t]*([-\w.]+)", data)

@@ -1,4 +1,6 @@
-"""The names of Python 2 at run time, for python2.py: builtins, attributes, modules, and what its rewriting calls."""
+"""Names of Python 2 at run time, for python2.py: builtins, attributes, modules, and functions used by rewritten
+code.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,7 @@ METHODS = {"next": "__next__", "__nonzero__": "__bool__", "__div__": "__truediv_
 
 
 def divide(a, b):
-    """Whole numbers divide to whole numbers, rounded down."""
+    """Divides; the quotient of integers is an integer, rounded down."""
     return a // b if isinstance(a, numbers.Integral) and isinstance(b, numbers.Integral) else a / b
 
 
@@ -42,7 +44,7 @@ def print_(file, comma, *values):
 
 
 def error_(kind, value=None, trace=None):
-    """The exception of `raise kind, value, trace`."""
+    """Returns the exception of `raise kind, value, trace`."""
     if not isinstance(kind, type) or isinstance(value, kind):
         error = value if isinstance(kind, type) else kind
     else:
@@ -51,7 +53,7 @@ def error_(kind, value=None, trace=None):
 
 
 def _rank(value):
-    """The place of a value among those of unlike types: None, numbers, the others by the names of their types."""
+    """Returns the rank of a value among values of other types: None, numbers, then others by the name of the type."""
     return (0, "") if value is None else (1, "") if isinstance(value, numbers.Number) else (2, type(value).__name__)
 
 
@@ -88,7 +90,7 @@ def sorted_(values, cmp=None, key=None, reverse=False):
 
 
 def map_(function, *lists):
-    """A list; shorter ones are filled up with None."""
+    """Returns a list; shorter arguments are padded with None."""
     rows = itertools.zip_longest(*lists) if len(lists) > 1 else None
     if function is None:
         return list(lists[0]) if rows is None else list(rows)
@@ -96,13 +98,13 @@ def map_(function, *lists):
 
 
 def filter_(function, values):
-    """A list, or what `values` are if they are a tuple or a text."""
+    """Returns a list, or the type of `values` if that is a tuple or a text."""
     kept = [each for each in values if (each if function is None else function(each))]
     return "".join(kept) if isinstance(values, str) else tuple(kept) if isinstance(values, tuple) else kept
 
 
 def round_(value, digits=0):
-    """A float; halves are rounded away from zero."""
+    """Returns a float; halves are rounded away from zero."""
     if not abs(value) < 1e22:  # no digits behind the point, infinite or no number
         return float(value)
     return float(decimal.Decimal(value).quantize(decimal.Decimal(1).scaleb(-digits), decimal.ROUND_HALF_UP))
@@ -115,7 +117,7 @@ def _refused(name):
 
 
 class Random(random.Random):
-    """Python 2's sequence of random numbers, by a text as its seed, too."""
+    """Python 2's sequence of random numbers, also for a text as seed."""
 
     def seed(self, a=None, version=1):
         super().seed(a, version=1)
@@ -161,7 +163,7 @@ ATTRIBUTES = {"next"}.union(DICTIONARY, LIST, TEXT, ERROR_OBJECT, FUNCTION, *MOD
 
 
 def attribute(value, name):
-    """An attribute as Python 2 has it."""
+    """Returns an attribute under its Python 2 name."""
     for kind, known in ((collections.abc.Mapping, DICTIONARY), (list, LIST), (str, TEXT), (BaseException, ERROR_OBJECT)):
         if isinstance(value, kind) and name in known and not (kind is BaseException and hasattr(value, name)):
             return known[name](value)
@@ -175,7 +177,7 @@ def attribute(value, name):
 
 
 def modules():
-    """Modules by the names that they had, and the random numbers that they gave."""
+    """Returns modules under their Python 2 names, with Python 2's random numbers."""
     renamed = {"Queue": "queue", "cPickle": "pickle", "__builtin__": "builtins"}
     made = {old: importlib.import_module(new) for old, new in renamed.items()}
     made["StringIO"] = made["cStringIO"] = io
@@ -190,7 +192,7 @@ def modules():
 
 
 def builtins_of_python2(execute):
-    """A `__builtins__` for scripts; `execute` runs the text of an exec statement, with globals and locals."""
+    """Returns `__builtins__` for scripts; `execute` runs the text of an exec statement with globals and locals."""
     known = dict(vars(builtins))
 
     def reduce(function, values, *start):

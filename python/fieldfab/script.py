@@ -19,9 +19,11 @@ MOST_NAMES = 10
 
 
 def parts_of_python(path):
-    """The parts of a Python script: (formula, name, colour) each; None for no name and no colour.
+    """Returns the parts of a Python script as (formula, name, colour); name and colour may be None.
 
-    They are those of part(...), else the variable `solid`, else the only shape that the script has a name for."""
+    The parts are those of part(...), otherwise the variable `solid`, otherwise the only shape that a variable of
+    the script refers to. Raises NoSolid if there is no such shape, or several.
+    """
     names = runpy.run_path(path, run_name="__main__")
     made = list(_core.parts_made()) if hasattr(_core, "parts_made") else []
     if made:
@@ -38,11 +40,11 @@ def parts_of_python(path):
 
 
 class NoSolid(Exception):
-    """A script that has run and made no solid, or no certain one."""
+    """Raised for a script that ran but defines no solid, or an ambiguous one."""
 
 
 def _shapes_of(names):
-    """The first name of each shape, by its identity; what a module has made does not count."""
+    """Returns the first variable name of each shape, by identity. Shapes made by imported modules are ignored."""
     imported = {id(value) for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)
                 and module.__name__ != "__main__"
                 for value in list(vars(module).values()) if isinstance(value, Solid)}
@@ -65,7 +67,7 @@ def _listed(names):
 
 
 def text_of_parts(parts):
-    """The .frep text of parts, (formula, name, colour) each. Raises NoSolid if two parts have one name."""
+    """Returns the .frep text of parts, each (formula, name, colour). Raises NoSolid if two parts have the same name."""
     names = [name for _, name, _ in parts if name is not None]
     twice = sorted({name for name in names if names.count(name) > 1})
     if twice:
@@ -74,7 +76,7 @@ def text_of_parts(parts):
 
 
 def where(error, path):
-    """The line of the script that an error comes from; 0 where it is none of its lines."""
+    """Returns the line of the script at which an error occurred, or 0."""
     if isinstance(error, SyntaxError) and error.filename == path:
         return error.lineno or 0
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path]
@@ -104,7 +106,9 @@ def answer(path):
 
 
 def bytes_of(text):
-    """UTF-8, with the bytes that names of files have; other surrogates as escapes."""
+    """Encodes text as UTF-8. Surrogate escapes become the original bytes of file names; other surrogates are
+    escaped.
+    """
     try:
         return text.encode("utf-8", "surrogateescape")
     except UnicodeEncodeError:
@@ -112,7 +116,7 @@ def bytes_of(text):
 
 
 def end_with_parent():
-    """Has this process killed when the one that started it ends, even if that is killed itself."""
+    """Requests that the kernel kill this process when its parent ends, even by SIGKILL."""
     PR_SET_PDEATHSIG = 1
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
 

@@ -1,4 +1,4 @@
-"""The widths of kokopelli's letters, for text that takes as much room as its own; in heights of a capital letter."""
+"""Widths of kokopelli's letters, in units of the height of a capital letter."""
 
 GAP = 0.1  # between letters
 LINE = 1.55  # from line to line
@@ -12,5 +12,5 @@ OTHER = 0.6  # of a letter that kokopelli does not know
 
 
 def width_of(line):
-    """The width of a line of text."""
+    """Returns the width of a line of text."""
     return sum(WIDTHS.get(letter, OTHER) + GAP for letter in line) - GAP if line else 0.0

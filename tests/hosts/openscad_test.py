@@ -76,7 +76,7 @@ def test_extrusions_have_the_same_facets(seed, tmp_path):
     assert row["exact"] and abs(row["error"]) < 1e-5, (row, design.read_text())
 
 
-# Of 5 the contour is wrong where slivers are thinner than its cells (NOTES.md); 9 and 13 take minutes.
+# Of 5 the contour is wrong where slivers are thinner than its cells (docs/limits.md); 9 and 13 take minutes.
 @pytest.mark.parametrize("seed", [seed for seed in range(12) if seed not in (5, 9, 11)])
 def test_contours_of_random_trees_are_the_same_solids(seed, tmp_path):
     design = random_design(seed, tmp_path)

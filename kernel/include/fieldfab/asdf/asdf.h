@@ -1,4 +1,4 @@
-/// Adaptively sampled distance field: the interchange format (Keeter 2.3, 2.4).
+/// Adaptively sampled distance field (ASDF): the interchange format (Frisken et al. 2000; Keeter 2.3, 2.4).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,37 +14,41 @@
 
 namespace fieldfab {
 
-/// How an Asdf is built.
+/// Parameters for building an Asdf.
 struct AsdfSettings {
-  double voxel = 0;       ///< wanted edge of the smallest cell, mm; the region's sides are divided into ceil(side / voxel) cells
-  double max_error = -1;  ///< leaf cells merge while interpolation stays within this many mm; negative: a tenth of a voxel
-  bool merge_leafs = true;  ///< false: a plain octree of smallest leaf cells
+  /// wanted edge of the smallest cell, mm; each side of the region is divided into ceil(side / voxel) cells
+  double voxel = 0;
+  /// permitted interpolation error of merged leaf cells, mm; negative: a tenth of a voxel
+  double max_error = -1;
+  bool merge_leafs = true;  ///< false: a regular octree of smallest leaf cells
 };
 
-/// Counts of the cells of an Asdf, by kind.
+/// Numbers of cells of an Asdf, by kind.
 struct AsdfStatistics {
   std::size_t filled = 0, empty = 0, branches = 0, leafs = 0;
-  std::size_t bytes = 0;  ///< all memory held by the tree
+  std::size_t bytes = 0;  ///< memory of the tree, bytes
   int depth = 0;
   [[nodiscard]] std::size_t cells() const { return filled + empty + branches + leafs; }
 };
 
-/// What to read of an .asdf file.
+/// Selection of the part of an .asdf file to read.
 struct AsdfPart {
-  int level = 0;              ///< 0 is the finest
-  std::optional<Box> region;  ///< only blocks that meet it; elsewhere the result is empty. In the region's own coordinates
+  int level = 0;  ///< resolution level; 0 is the finest
+  /// only blocks that overlap this box are read, the rest is empty; in the coordinates of the file's region, mm
+  std::optional<Box> region;
 };
 
-/// How an .asdf file is written.
+/// Parameters for writing an .asdf file.
 struct AsdfFileSettings {
-  /// Distances are kept as multiples of this many mm, so that none moves by more than half of it; negative: 1/1024 of a voxel.
+  /// Quantum of stored distances, mm: each is rounded to a multiple of it, with an error of at most half. Negative:
+  /// 1/1024 of a voxel.
   double quantum = -1;
-  int levels = 1;  ///< how many resolutions the file holds, each half of the one before
-  /// The quantum in mm. Throws bad_input for 0.
+  int levels = 1;  ///< number of resolution levels, each half as fine as the previous one
+  /// Returns the quantum in mm for a voxel edge in mm. Throws Error(bad_input) if the quantum is 0.
   [[nodiscard]] double quantum_for(double voxel) const;
 };
 
-/// What an .asdf file holds, as far as its directory tells; no levels for kokopelli's.
+/// Directory of an .asdf file. There are no levels for kokopelli's version of the format.
 struct AsdfFileInfo {
   struct Level {
     Box region;
@@ -57,21 +61,24 @@ struct AsdfFileInfo {
   std::size_t file_size = 0;
 };
 
-/// An octree over a lattice of any size whose cells split and merge an axis at a time. A cell is FILLED, EMPTY, a BRANCH, or a
-/// LEAF with distance samples at its eight corners, interpolated trilinearly. Distances are kept near the surface only
-/// (a "superficial" field): in FILLED and EMPTY cells the value is minus or plus the smallest cell's diagonal.
-/// Memory: at most 24 bytes a cell (4 for the cell, 20 for a leaf's samples in 16 bits with a scale).
+/// A Field interpolated from an octree over a lattice of any size, whose cells split and merge one axis at a time. A
+/// cell is FILLED, EMPTY, a BRANCH, or a LEAF with distance samples at its eight corners, interpolated trilinearly.
+/// Distances are kept only near the surface: in FILLED and EMPTY cells the value is minus or plus the diagonal of the
+/// smallest cell. Points outside the region, and points with NaN or infinite coordinates, have positive values. Memory:
+/// at most 24 bytes per cell (4 for the cell, 20 for a leaf's samples, in 16 bits with a common scale).
 class Asdf final : public Field {
  public:
-  /// Samples `field` over `region`. The same tree for any number of threads. Throws bad_input for a region or voxel that is not
-  /// finite and positive (a flat z axis gives a 2D Asdf), too_large where it would not fit in memory, cancelled.
+  /// Samples `field` over `region`, mm. NaN counts as outside. The result does not depend on the number of threads.
+  /// Throws Error(bad_input) unless region and voxel are finite and positive (a region flat in z gives a 2D Asdf),
+  /// Error(too_large) if the result exceeds the memory, Error(cancelled).
   static std::shared_ptr<const Asdf> build(const Field& field, const Box& region, const AsdfSettings& settings,
                                            Progress& progress = Progress::none());
-  /// Reads an .asdf file, ours or kokopelli's version 2.0, or a part of one of ours. Throws io, or bad_input for a damaged file.
+  /// Reads an .asdf file of Fieldfab or of kokopelli (version 2.0), or a part of a Fieldfab file. Throws Error(io),
+  /// Error(bad_input) for a damaged file.
   static std::shared_ptr<const Asdf> load(const std::filesystem::path& path, const AsdfPart& part = {});
-  /// What a file holds, without reading its cells. Throws as load().
+  /// Returns the directory of a file without reading its cells. Throws as load().
   static AsdfFileInfo look(const std::filesystem::path& path);
-  /// Writes an .asdf file (docs/asdf-format.md). Throws io.
+  /// Writes an .asdf file (docs/asdf-format.md), completely or not at all. Throws Error(io), Error(cancelled).
   void save(const std::filesystem::path& path, const AsdfFileSettings& settings = {},
             Progress& progress = Progress::none()) const;
 
@@ -84,36 +91,39 @@ class Asdf final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return 64; }
 
   [[nodiscard]] const Box& region() const { return region_; }
-  /// Smallest cells along each axis; 0 on a flat axis.
+  /// Number of smallest cells along each axis; 0 on a flat axis.
   [[nodiscard]] const std::array<int, 3>& lattice() const { return lattice_; }
-  /// Edge of the smallest cell, mm: the largest of the three axes.
+  /// Greatest edge of the smallest cell over the three axes, mm.
   [[nodiscard]] double voxel() const;
-  /// The smallest of the three: what a mesh needs to show all that is there.
+  /// Least edge of the smallest cell over the three axes, mm: the cell size that a mesh needs to represent all cells.
   [[nodiscard]] double finest() const;
   [[nodiscard]] double max_error() const { return max_error_; }
-  /// From the region's coordinates to space: where a scan lies askew. This Field itself is in the region's coordinates.
+  /// Map from the region's coordinates to model space, for oblique scans. The values of this Field refer to the
+  /// region's coordinates; see placed().
   [[nodiscard]] const Eigen::Affine3d& placement() const { return placement_; }
-  /// The solid where it is in space.
+  /// Returns the solid in model space.
   [[nodiscard]] FieldPtr placed() const;
   [[nodiscard]] AsdfStatistics statistics() const;
 
-  /// The cut at height z as a 2D Asdf (flat in z). Throws bad_input where z is outside the region.
+  /// Returns the cross-section at height z as a 2D Asdf (flat in z). Throws Error(bad_input) if z is outside the
+  /// region.
   [[nodiscard]] std::shared_ptr<const Asdf> slice(double z) const;
-  /// The same solid `factor` times as large, about the origin. Throws bad_input unless factor > 0.
+  /// Returns the solid scaled by `factor` about the origin. Throws Error(bad_input) unless factor > 0.
   [[nodiscard]] std::shared_ptr<const Asdf> rescaled(double factor) const;
-  /// Distance along the ray from `origin` to the first point that is inside, or nothing. `direction` need not have length 1.
+  /// Returns the distance along the ray from `origin` to the first point inside, mm, or std::nullopt. `direction` may
+  /// have any length above 0. Throws Error(bad_input) for a zero direction or for coordinates that are not finite.
   [[nodiscard]] std::optional<double> ray(const Vec3& origin, const Vec3& direction) const;
 
-  /// How the cells are kept; private to the asdf folder.
+  /// Storage of the cells; private to the asdf folder.
   struct Tree;
 
  private:
   friend class AsdfFile;
   Asdf(Box region, std::array<int, 3> lattice, double max_error, std::shared_ptr<const Tree> tree);
-  /// The cell at a point of the lattice: descends from root_.
+  /// Cell at a point of the lattice, found by descent from root_.
   struct Place;
   [[nodiscard]] Place find(const std::array<double, 3>& at) const noexcept;
-  /// The smallest subtree that answers for all of a box.
+  /// The smallest subtree that contains a box.
   [[nodiscard]] FieldPtr subtree(const Box& box) const;
 
   Box region_;
@@ -121,8 +131,9 @@ class Asdf final : public Field {
   double max_error_ = 0;
   Eigen::Affine3d placement_ = Eigen::Affine3d::Identity();
   std::shared_ptr<const Tree> tree_;
-  std::uint32_t root_ = 0;                ///< the cell this Field begins at; a restriction shares the tree and begins lower
-  std::array<int, 3> first_{}, count_{};  ///< the lattice cells that root_ covers
+  /// root cell of this Field; a restriction shares the tree and has a lower root
+  std::uint32_t root_ = 0;
+  std::array<int, 3> first_{}, count_{};  ///< range of lattice cells covered by root_
 };
 
 }  // namespace fieldfab

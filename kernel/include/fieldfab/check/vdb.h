@@ -1,4 +1,4 @@
-/// Level sets for programs that know OpenVDB.
+/// Export of level sets to OpenVDB.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,9 @@
 
 namespace fieldfab {
 
-/// Writes the solid's level set as a .vdb file: signed distances in mm, four voxels to either side, swept by OpenVDB from samples
-/// of the Field. Throws bad_input where there is no surface within the bounds, io, cancelled.
+/// Writes the solid's level set as a .vdb file: signed distances in mm within four voxels of the surface, computed by
+/// OpenVDB's sweeping from samples of the Field. Throws Error(bad_input) if there is no surface within `bounds`,
+/// Error(io), Error(cancelled).
 void write_vdb(const Field& solid, const Box& bounds, double voxel, const std::filesystem::path& path,
                Progress& progress = Progress::none());
 

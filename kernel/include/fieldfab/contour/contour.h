@@ -1,4 +1,4 @@
-/// Watertight contouring of any Field.
+/// Watertight isosurface extraction from any Field.
 #pragma once
 
 #include "fieldfab/core/progress.h"
@@ -8,26 +8,27 @@
 
 namespace fieldfab {
 
-/// How a Field is contoured.
+/// Parameters of an isosurface.
 struct ContourSettings {
-  double voxel = 0;       ///< edge of the cells, mm, where the Field proves that these show all of the surface
-  double max_error = -1;  ///< cells merge while the surface stays within this many mm; negative: a tenth of a voxel
-  bool features = true;   ///< place vertices on sharp edges and corners; a sampled Field has none
-  int depth = 6;  ///< how often a cell may be halved where that is not proved: 6 is a 64th of a voxel; 0: never, and nothing is
-                  ///< looked for
-  /// How many cells may be halved in all; beyond that the smaller ones stay as they are, and count as uncertain.
+  double voxel = 0;       ///< edge of the cells, mm, where the Field proves that such cells represent the whole surface
+  double max_error = -1;  ///< permitted surface deviation of merged cells, mm; negative: a tenth of a voxel
+  bool features = true;   ///< whether vertices are placed on sharp edges and corners; a sampled Field has none
+  /// maximum number of halvings of a cell without such a proof: 6 gives a 64th of a voxel; 0: no proof is attempted
+  int depth = 6;
+  /// Maximum number of halved cells. Beyond it, smaller cells stay undivided and count as uncertain.
   std::size_t most_divided = 1'000'000;
 };
 
-/// A mesh, and how certain it is that it shows all of the solid.
+/// A mesh and its certainty.
 struct ContourMesh : TriangleMesh {
   Certainty certainty;
 };
 
-/// The surface of the part of `field` inside `bounds`, capped where the solid goes on. Closed, 2-manifold, outward oriented,
-/// without degenerate triangles or self-intersections, by construction (docs/contouring.md); empty where there is no solid.
-/// Complete, or its `certainty` tells where not. The same mesh for any number of threads. Throws bad_input for bounds or voxel
-/// that are not finite and positive, too_large where it would not fit in memory, cancelled.
+/// Computes the isosurface at value 0 of `field` inside `bounds`, mm, capped where the solid extends beyond. NaN and 0
+/// are outside. The mesh is closed, 2-manifold, oriented outward, and free of degenerate triangles and
+/// self-intersections by construction (docs/contouring.md); it is empty if there is no solid. It is complete, or
+/// `certainty` reports the uncertain places. The mesh does not depend on the number of threads. Throws Error(bad_input)
+/// unless bounds and voxel are finite and positive, Error(too_large) if it exceeds the memory, Error(cancelled).
 ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings& settings,
                     Progress& progress = Progress::none());
 

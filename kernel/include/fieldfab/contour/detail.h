@@ -1,4 +1,4 @@
-/// Meshes for looking at: fine where the eye is near, coarse elsewhere (Keeter 4.3.3).
+/// View-dependent meshes for display: fine near the eye, coarse elsewhere (Keeter 4.3.3).
 #pragma once
 
 #include <memory>
@@ -10,37 +10,38 @@
 
 namespace fieldfab {
 
-/// How fine a DetailMesh becomes.
+/// Resolution of a DetailMesh.
 struct DetailSettings {
-  int cells = 24;                        ///< along each side of a part, at every level
-  int deepest = 8;                       ///< levels below the whole
-  double angle = 0.002;                  ///< radians that a cell may fill in the eye: about two pixels
-  std::size_t most_triangles = 4000000;  ///< parts that are not looked at are dropped beyond this
+  int cells = 24;                        ///< cells along each side of a part, at every level
+  int deepest = 8;                       ///< number of levels below the root
+  double angle = 0.002;                  ///< permitted visual angle of a cell, radians: about two pixels
+  std::size_t most_triangles = 4000000;  ///< limit above which parts outside the view are discarded
 };
 
-/// A solid divided into parts, an octree of boxes, each of which is meshed by itself when someone looks at it. Not for many
-/// threads at once: one thread refines, and hands what parts() gives to the one that draws.
+/// An octree of boxes over a solid; each box is meshed when it is viewed. Not thread-safe: one thread calls refine()
+/// and passes the result of parts() to the drawing thread.
 ///
-/// Parts of different levels do not meet exactly; each reaches a cell beyond its box, so that no gap shows. For a mesh that is
-/// closed, use contour().
+/// Parts of different levels do not meet exactly; each extends one cell beyond its box, so that no gap is visible.
+/// contour() makes a closed mesh.
 class DetailMesh {
  public:
-  /// A part of the surface. Its mesh never changes, so whoever draws it may keep what was made from it.
+  /// A part of the surface. Its mesh never changes, so that a viewer may cache data derived from it.
   struct Part {
     Box box;
-    int level;  ///< 0 is the whole
+    int level;  ///< 0 is the root
     std::shared_ptr<const TriangleMesh> mesh;
   };
 
-  /// Throws bad_input for bounds that are not finite or have no size, or settings out of range.
+  /// Shares ownership of `solid`. Throws Error(bad_input) for bounds that are not finite or have no volume, or settings
+  /// out of range.
   DetailMesh(FieldPtr solid, const Box& bounds, const DetailSettings& settings = {});
   ~DetailMesh();
 
-  /// Meshes the parts that the eye misses most, a few in parallel; call it until it returns false, and show parts() in between.
-  /// The first call meshes the whole, coarsely. Throws cancelled.
+  /// Meshes the parts with the greatest visual error for that eye, a few in parallel. Returns false when all are fine
+  /// enough; call parts() in between. The first call meshes the root. Throws Error(cancelled).
   bool refine(const Vec3& eye, Progress& progress = Progress::none());
 
-  /// What to draw for that eye with what is there: parts that cover the solid, none of them within another.
+  /// Returns the available parts to draw for that eye. They cover the solid, and no part lies within another.
   [[nodiscard]] std::vector<Part> parts(const Vec3& eye) const;
 
  private:

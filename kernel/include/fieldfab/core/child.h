@@ -1,4 +1,4 @@
-/// Other programs, run without a shell.
+/// Child processes: programs started without a shell, whose output is read here.
 #pragma once
 
 #include <sys/types.h>
@@ -10,27 +10,33 @@
 
 namespace fieldfab {
 
-/// How a program is run.
+/// Parameters of a child process.
 struct ChildSettings {
-  std::vector<std::string> words;                            ///< the program, looked for in PATH, and its arguments
-  std::optional<std::vector<std::string>> environment = {};  ///< NAME=VALUE; ours where not given
-  std::uintmax_t memory = 0;                                 ///< bytes it may have; 0 means no limit
-  bool errors_too = false;  ///< its standard error is read as well, and its standard input is empty
+  std::vector<std::string> words;  ///< the program's name, searched in PATH, then its arguments; must not be empty
+  /// entries of the form NAME=VALUE; default: this process's environment
+  std::optional<std::vector<std::string>> environment = {};
+  std::uintmax_t memory = 0;  ///< limit of its address space in bytes (RLIMIT_AS); 0: no limit
+  /// whether standard error is read together with standard output; standard input is then /dev/null
+  bool errors_too = false;
 };
 
-/// A program that runs in a process group of its own, whose output is read here. It ends with this object, and with the
-/// thread that made this object, even if that is killed.
+/// A child process in its own process group, with its standard output connected to a pipe. The kernel kills the process
+/// (SIGKILL) when the thread that created this object ends, even by SIGKILL. The destructor kills the whole process
+/// group.
 class Child {
  public:
-  /// Throws io where it cannot be started; `advice` is added where there is no such program.
+  /// Starts the program. Throws Error(io) if it cannot be started; `advice` replaces the system's message if the
+  /// program does not exist.
   explicit Child(const ChildSettings& settings, const std::string& advice = "");
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// Adds what it wrote to `text`, waiting a little for more; false at its end.
+  /// Appends available output to `text`. Waits at most 50 ms for it. Returns false at the end of the output, true
+  /// otherwise, also if no bytes arrived.
   bool read(std::string& text) const;
-  /// Waits for its end, and ends what it left behind; the status, as waitpid() tells it.
+  /// Blocks until the program ends, then kills the rest of its process group. Returns the status in the encoding of
+  /// waitpid().
   int wait();
 
  private:

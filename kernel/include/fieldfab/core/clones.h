@@ -1,4 +1,5 @@
-/// Functions compiled for more than one instruction set, of which the machine's best is taken when a program starts.
+/// Function multiversioning: the compiler makes one version for each instruction set, and the loader chooses the best
+/// one that the processor supports.
 #pragma once
 
 // Clang 16 has no clones of function templates, and none are needed where there is no AVX2.

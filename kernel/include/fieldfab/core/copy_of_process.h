@@ -1,4 +1,4 @@
-/// Work tried in a copy of this process first, where it may end the process that it runs in.
+/// Trial execution of a function in a forked copy of this process, for libraries that may abort.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,11 @@
 
 namespace fieldfab {
 
-/// Runs `work` in a forked copy of this process, which is gone afterwards with all that it made. Returns whether the copy came
-/// to the end of the work, be it by an exception; false where a library ended it, at an assertion for instance. True, too,
-/// where the system refuses a copy. Throws cancelled, and the copy is killed then. The work must not use other threads: the copy
-/// has none.
+/// Runs `work` in a forked copy of this process. The copy ends afterwards, and its results are lost. Its standard
+/// output and standard error are discarded. Returns true if the copy completed the work; an exception counts as
+/// completion. Returns false if the copy was ended, for example by a failed assertion. Returns true, too, if the system
+/// cannot fork. Throws Error(cancelled) after cancellation of `progress`; the copy is then killed within 50 ms.
+/// Precondition: `work` uses no other threads, because the copy has only the calling one.
 bool ends_by_itself(const std::function<void()>& work, Progress& progress);
 
 }  // namespace fieldfab

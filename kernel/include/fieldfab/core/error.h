@@ -1,4 +1,4 @@
-/// The one exception of the library: what went wrong, of which kind, and where.
+/// The exception class of the library. It holds the kind, the place and the description of a failure.
 #pragma once
 
 #include <stdexcept>
@@ -6,16 +6,17 @@
 
 namespace fieldfab {
 
-/// What sort of failure it is; the command line turns each into an exit code.
+/// Kind of a failure. The command maps each kind to an exit code.
 enum class ErrorKind {
-  bad_input,  ///< a file, an expression or an option that cannot be used (exit 2)
-  io,         ///< a file that cannot be read or written (exit 2)
-  too_large,  ///< a request that would need more memory than there is (exit 2)
-  cancelled,  ///< the caller's Progress said stop (exit 130)
-  internal,   ///< a promise of ours was broken (exit 3)
+  bad_input,  ///< unusable file, expression or option (exit code 2)
+  io,         ///< failure to read or write a file (exit code 2)
+  too_large,  ///< request for more memory than is available (exit code 2)
+  cancelled,  ///< cancellation by the caller's Progress (exit code 130)
+  internal,   ///< violation of an internal invariant, which is a defect of Fieldfab (exit code 3)
 };
 
-/// Thrown at public boundaries. `what()` is "PLACE: MESSAGE" in one line, PLACE being a file, a file:line:column or an option.
+/// Exception thrown at public boundaries. `what()` is "PLACE: MESSAGE" on one line. PLACE is a file name,
+/// FILE:LINE:COLUMN or an option; it may be empty, and `what()` is then the message alone.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::string place, const std::string& message)

@@ -1,4 +1,4 @@
-/// A PendingFile as the buffer of a standard stream, for libraries that write to one.
+/// Stream buffer over a PendingFile, for libraries that write to a standard stream.
 #pragma once
 
 #include <streambuf>
@@ -7,8 +7,8 @@
 
 namespace fieldfab {
 
-/// Writes to a PendingFile from its beginning, and seeks in what was written. Throws Error(io), which a stream lets
-/// pass where its exceptions() have badbit.
+/// Writes to a PendingFile and seeks within the bytes written. Holds a reference: the file must outlive this object.
+/// Throws Error(io); a stream passes the exception on only if its exceptions() include badbit.
 class FileBuffer final : public std::streambuf {
  public:
   explicit FileBuffer(PendingFile& file) : file_(file) {}
@@ -20,7 +20,7 @@ class FileBuffer final : public std::streambuf {
   pos_type seekpos(pos_type position, std::ios_base::openmode mode) override;
 
   PendingFile& file_;
-  std::uint64_t at_ = 0, size_ = 0;  ///< bytes
+  std::uint64_t at_ = 0, size_ = 0;  ///< position and number of bytes written
 };
 
 }  // namespace fieldfab

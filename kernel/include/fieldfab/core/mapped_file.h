@@ -1,4 +1,4 @@
-/// A file as memory.
+/// Memory-mapped files.
 #pragma once
 
 #include <cstddef>
@@ -7,15 +7,16 @@
 
 namespace fieldfab {
 
-/// A file's bytes without reading them: pages come and go as they are used. Something that is no regular file has none.
+/// The read-only bytes of a regular file, mapped into memory. The system loads pages on access and may drop them.
 class MappedFile {
  public:
-  /// Throws Error(io) where the file cannot be opened.
+  /// Maps the file. Throws Error(io) if it cannot be opened or is not a regular file.
   explicit MappedFile(const std::filesystem::path& path);
   ~MappedFile();
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
+  /// The content; empty for an empty file. Valid as long as this object.
   [[nodiscard]] std::span<const std::byte> bytes() const { return {static_cast<const std::byte*>(bytes_), size_}; }
 
  private:

@@ -1,4 +1,4 @@
-/// Parallel loops over oneTBB, and the number of threads they may use.
+/// Parallel loops over oneTBB, and a limit on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,8 @@
 
 namespace fieldfab {
 
-/// While it lives, parallel loops started anywhere use at most `threads` threads (0: all cores). Made once by main or a test.
+/// Limits the threads of all parallel loops to `threads` (0: the number of cores) during its lifetime. Created once, by
+/// main() or a test.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -20,7 +21,8 @@ class ThreadLimit {
   std::unique_ptr<Control> control_;
 };
 
-/// Calls body(i) for each i in [0, count), in any order and in parallel. The first exception thrown is thrown here.
+/// Calls body(i) for each i in [0, count), in parallel and in any order. Rethrows the first exception of a call; calls
+/// that have not begun are then omitted.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body);
 
 }  // namespace fieldfab

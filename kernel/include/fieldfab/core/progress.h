@@ -1,4 +1,4 @@
-/// How long work tells its caller where it is, and learns that it should stop.
+/// Progress reports and cancellation of long computations.
 #pragma once
 
 #include <atomic>
@@ -9,26 +9,29 @@
 
 namespace fieldfab {
 
-/// Passed by reference to long work; safe to use from many threads at once.
-/// Workers call check() at least every 100 ms; callers call cancel() from any thread or signal handler.
+/// Connects a long computation with its caller. All members may be called from several threads at the same time. The
+/// computation calls check() at least every 100 ms; the caller calls cancel() from any thread or from a signal handler.
 class Progress {
  public:
-  /// Called with the fraction done (0 to 1) and what is being done; at most one call at a time, from any worker thread. It may
-  /// call cancel(); so that it can at any moment, it is told the same again where there is nothing new (see check()).
+  /// Receives the completed fraction (0 to 1) of the current stage and its description. Called from any worker thread,
+  /// one call at a time. It may call cancel(). check() repeats the last report, so that the listener can cancel at any
+  /// time.
   using Listener = std::function<void(double fraction, const std::string& message)>;
 
   Progress() = default;
   explicit Progress(Listener listener) : listener_(std::move(listener)) {}
 
-  /// Reports `fraction` of the present stage; drops the report where another thread is reporting just now.
+  /// Reports the completed fraction of the current stage. Drops the report if another thread is reporting at the same
+  /// time.
   void report(double fraction, const std::string& message);
-  /// Asks the work to stop.
+  /// Requests cancellation. Safe in a signal handler.
   void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
-  /// Throws Error(cancelled) once cancel() was called. Tells the listener the last report again, a few times a second.
+  /// Throws Error(cancelled) after cancel(). Repeats the last report to the listener if more than 50 ms have passed
+  /// since.
   void check();
 
-  /// A Progress that nobody listens to and nobody cancels, for callers that do not care.
+  /// Returns a shared Progress without a listener, for callers that need neither reports nor cancellation.
   static Progress& none();
 
  private:
@@ -36,10 +39,10 @@ class Progress {
   void tell();
 
   Listener listener_;
-  std::mutex reporting_;  ///< of the two of the last report, and of the listener
+  std::mutex reporting_;  ///< guards the last report and calls of the listener
   double fraction_ = 0;
   std::string message_;
-  std::atomic<Clock::rep> told_{0};  ///< when
+  std::atomic<Clock::rep> told_{0};  ///< time of the last report
   std::atomic<bool> cancelled_{false};
 };
 

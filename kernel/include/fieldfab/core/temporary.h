@@ -1,32 +1,33 @@
-/// Files and folders that are removed on every way out of the process, but for SIGKILL.
+/// Temporary files and folders, removed whenever the process ends, except by SIGKILL.
 #pragma once
 
 #include <filesystem>
 
 namespace fieldfab {
 
-/// A file or folder that is removed with this object, or by remove_temporaries() where the process is ended early.
+/// Owner of a temporary file or folder. The destructor removes it; remove_temporaries() does so if the process ends
+/// without unwinding the stack.
 class Temporary {
  public:
-  /// Takes charge of what `path` names; allocates no memory but the name's.
+  /// Takes ownership of the file or folder `path`. Allocates no memory except for the path.
   explicit Temporary(std::filesystem::path path);
   ~Temporary();
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Leaves it: it was renamed.
+  /// Gives up ownership, for example after a rename: the file is kept.
   void release() noexcept;
 
  private:
   friend void remove_temporaries() noexcept;
   void remove() const noexcept;
   std::filesystem::path path_;
-  Temporary *next_ = nullptr, *before_ = nullptr;  ///< of the list of all that there are
+  Temporary *next_ = nullptr, *before_ = nullptr;  ///< neighbours in the list of all Temporaries
   bool listed_ = false;
 };
 
-/// Removes all Temporaries of the process. Called right before it is ended without unwinding.
+/// Removes all Temporaries of the process. Called immediately before an exit without stack unwinding.
 void remove_temporaries() noexcept;
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// Text from files, as it may be shown.
+/// Text for messages: sanitized input, and suggestions for misspelled names.
 #pragma once
 
 #include <span>
@@ -7,12 +7,12 @@
 
 namespace fieldfab {
 
-/// The same as one line of valid UTF-8: bytes that are none become U+FFFD, control characters blanks. For messages: files can say
-/// anything.
+/// Returns `bytes` as one line of valid UTF-8 for messages. Invalid bytes become U+FFFD, control characters become
+/// spaces.
 std::string printable(std::string_view bytes);
 
-/// "; did you mean 'NAME'?" with the known name that differs from a mistyped one by the fewest letters, two at most; empty
-/// where none is so near.
+/// Returns "; did you mean 'NAME'?" with the known name of least edit distance from `word`, if that distance is at most
+/// 2; otherwise an empty string.
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 
 }  // namespace fieldfab

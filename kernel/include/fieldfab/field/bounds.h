@@ -1,4 +1,4 @@
-/// Finding the box of a solid from its Field alone.
+/// Bounding box of a solid, found from its Field alone.
 #pragma once
 
 #include "fieldfab/core/progress.h"
@@ -6,17 +6,18 @@
 
 namespace fieldfab {
 
-/// Bounds found by interval search, with what was not bounded said plainly.
+/// Result of the search for a bounding box.
 struct SolidBounds {
-  Box box;               ///< holds the whole solid; tight to about 1/256 of its size; only meaningful where `bounded`
-  bool bounded[3] = {};  ///< per axis: false where the solid goes on without end
-  bool empty = false;    ///< the search proved that there is no solid
+  Box box;               ///< contains the whole solid, to about 1/256 of its size; valid only on bounded axes
+  bool bounded[3] = {};  ///< per axis (x, y, z): false if the solid is unbounded along it, as far as intervals show
+  bool empty = false;    ///< whether the search proved that the solid is empty
   [[nodiscard]] bool is_bounded() const { return bounded[0] && bounded[1] && bounded[2]; }
 };
 
-/// Searches for the smallest box that holds the solid, from Field::known_bounds() or from intervals over boxes as far
-/// as 1e6 mm, shaving off empty slabs from each side; where that fails in x, y and z it is tried in Field::framed(). Never
-/// guesses: what intervals cannot exclude stays inside the box.
+/// Searches for the smallest box that contains the solid. Starts from Field::known_bounds(), or from boxes up to 1e6 mm
+/// from the origin, and removes slabs that intervals prove to be empty. If that fails in x, y and z, repeats the search
+/// in the coordinates of Field::framed(). The result is conservative: whatever intervals cannot exclude remains in the
+/// box, also where the value may be NaN. Throws Error(cancelled).
 SolidBounds solid_bounds(const Field& field, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

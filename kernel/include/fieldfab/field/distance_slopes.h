@@ -1,4 +1,4 @@
-/// Bounds of how fast distances change, for Fields that are signed distances to faces (Field::slopes()).
+/// Bounds of directional derivatives of signed distances, for implementations of Field::slopes().
 #pragma once
 
 #include <span>
@@ -8,21 +8,25 @@
 
 namespace fieldfab {
 
-/// How a distance changes along a direction where the nearest place is on one convex part: the part's place nearest to the middle
-/// of a ball is at `way` from it, and the ball's radius is `reach`. A projection on a convex set, and what it leaves of a point,
-/// move no more than the point does. All of [-|d|, |d|] where the ball reaches the part.
+/// Bounds the slope along `direction` of the distance to a convex part. `way` is the vector from the nearest point of
+/// the part to the centre of a ball, `reach` the ball's radius, mm; the bound holds for all points of the ball. The
+/// projection onto a convex set and its residual are both non-expansive. Returns [-|direction|, |direction|] if the
+/// ball meets the part.
 Interval slope_away_from(const Vec3& way, double reach, const Vec3& direction);
 
-/// The directions that are sums of multiples, 0 or more, of some unit normals. The gradient of a signed distance is among those
-/// of the faces at the nearest place: otherwise a point would lie behind all the planes of these faces and outside of the solid.
+/// The convex cone spanned by unit normals: all sums of their non-negative multiples. The gradient of a signed distance
+/// lies in the cone of the normals of the faces at the nearest point; otherwise a point would be behind the planes of
+/// all these faces and yet outside the solid.
 class NormalCone {
  public:
+  /// Keeps a view of `normals`, which must outlive this object.
   explicit NormalCone(std::span<const Vec3> normals);
 
-  /// The middle of the cone, of length 1 (0 where there is none), and the cosine of its half angle, at least.
+  /// Axis of the cone, of length 1, or the zero vector if there is none; and a lower bound of the cosine of its half
+  /// angle.
   [[nodiscard]] const Vec3& axis() const { return axis_; }
   [[nodiscard]] double cosine() const { return cosine_; }
-  /// The range of direction . u over the unit vectors u of the cone.
+  /// Returns the range of direction . u over the unit vectors u of the cone.
   [[nodiscard]] Interval along(const Vec3& direction) const;
 
  private:
@@ -31,7 +35,7 @@ class NormalCone {
   double cosine_ = -1;
 };
 
-/// What both intervals hold, for two that both hold something.
+/// Returns the intersection of two intervals that overlap.
 Interval common(const Interval& a, const Interval& b);
 
 }  // namespace fieldfab

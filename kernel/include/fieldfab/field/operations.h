@@ -1,4 +1,5 @@
-/// Operations over Fields: each takes Fields of any kind and yields a Field (Keeter 3.3, Tables 3.1 to 3.3).
+/// Operations over Fields. Each takes Fields of any kind and returns a new Field that shares them (Keeter 3.3, Tables
+/// 3.1 to 3.3). NaN in an argument of a set operation gives NaN, which is outside.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,48 +9,52 @@
 
 namespace fieldfab {
 
-/// min(a, b): the points in either.
+/// Union, min(a, b).
 FieldPtr unite(FieldPtr a, FieldPtr b);
-/// max(a, b): the points in both.
+/// Intersection, max(a, b).
 FieldPtr intersect(FieldPtr a, FieldPtr b);
-/// max(a, -b): the points of `a` that are not in `b`.
+/// Difference, max(a, -b): the points of `a` that are not in `b`.
 FieldPtr subtract(FieldPtr a, FieldPtr b);
-/// -a: everything that is not in `a`.
+/// Complement, -a.
 FieldPtr complement(FieldPtr a);
-/// a - distance: grown by `distance` mm where `a` is a distance field (shrunk where negative).
+/// Offset, a - distance: expands the solid by `distance` mm if `a` is a distance field (shrinks it if negative).
 FieldPtr offset(FieldPtr a, double distance);
-/// max(a - t/2, -t/2 - a): a wall of `thickness` mm about the surface (Table 3.3). Throws bad_input unless thickness > 0.
+/// Shell, max(a - t/2, -t/2 - a): a wall of `thickness` mm centred on the surface (Table 3.3). Throws Error(bad_input)
+/// unless thickness > 0.
 FieldPtr shell(const FieldPtr& a, double thickness);
-/// min(min(a, b), sqrt|a| + sqrt|b| - sqrt(r)): a union with a rounded inner seam that reaches `radius` mm (Table 3.3).
+/// Blend, min(min(a, b), sqrt|a| + sqrt|b| - sqrt(r)): a union with a rounded seam of radius `radius` mm (Table 3.3).
 FieldPtr blend(FieldPtr a, FieldPtr b, double radius);
-/// (1 - weight) * a + weight * b: `a` at 0, `b` at 1 (Table 3.3).
+/// Linear interpolation, (1 - weight) * a + weight * b: `a` at weight 0, `b` at weight 1 (Table 3.3).
 FieldPtr morph(FieldPtr a, FieldPtr b, double weight);
 
-/// Moved by `by` mm.
+/// Translation by `by` mm.
 FieldPtr translate(FieldPtr a, const Vec3& by);
-/// Scaled about the origin by a factor an axis; throws bad_input where one is zero. Values are multiplied by the least factor,
-/// so that a distance field stays a lower bound of the distance.
+/// Scaling about the origin by one factor per axis. Throws Error(bad_input) if a factor is zero. Values are multiplied
+/// by the least factor, so that a distance field remains a lower bound of the distance.
 FieldPtr scale(FieldPtr a, const Vec3& factors);
-/// Turned about an axis through the origin by `angle` radians, right-handed.
+/// Right-handed rotation by `angle` radians about an axis through the origin.
 FieldPtr rotate(FieldPtr a, const Vec3& axis, double angle);
-/// Mirrored in the plane through the origin with the given normal.
+/// Reflection in the plane through the origin with the given normal.
 FieldPtr mirror(FieldPtr a, const Vec3& normal);
-/// Moved by any invertible affine map from the old place to the new; values are kept as they are.
+/// Placement by an invertible affine map from model space to the new position. Values are not scaled. Throws
+/// Error(bad_input) for a singular or non-finite map.
 FieldPtr transform(FieldPtr a, const Eigen::Affine3d& placement);
-/// a(x', y', z') with x', y', z' given as Fields: the general map of Appendix A.
+/// Substitution a(x', y', z') with x', y' and z' given as Fields: the general map of Keeter's Appendix A.
 FieldPtr map(FieldPtr a, FieldPtr x, FieldPtr y, FieldPtr z);
 
-/// The same solid with its values multiplied: by a factor above 0.
+/// The same solid with values multiplied by `factor` > 0.
 FieldPtr scaled_values(FieldPtr a, double factor);
 
-/// The same Field, which knows a box that holds the solid.
+/// The same Field with known_bounds() set to `bounds`, which must contain the solid.
 FieldPtr with_known_bounds(FieldPtr a, const Box& bounds);
 
-/// The box as an exact distance field inside, the largest axis distance outside; a flat axis yields an empty solid.
+/// A box as a Field: the exact signed distance inside, the largest axis distance outside. A flat box gives an empty
+/// solid.
 FieldPtr box_field(const Box& box);
 
-/// The solid as an eye `distance` above `centre` sees it: what lies at height z appears magnified by distance / (distance - z), z
-/// counted from the centre, and stays at its height. Good below the eye. Throws bad_input.
+/// Perspective view of a solid from an eye `distance` mm above `centre`. A point at height z above the centre is
+/// magnified by distance / (distance - z) and keeps its height. Valid below the eye. Throws Error(bad_input) unless
+/// distance > 0 and the centre is finite.
 FieldPtr seen_from_near(FieldPtr a, const Vec3& centre, double distance);
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// How far places are from a solid's surface, whatever its values mean.
+/// Signed distances of points from a solid's surface, for Fields of any scale.
 #pragma once
 
 #include <array>
@@ -8,12 +8,13 @@
 
 namespace fieldfab {
 
-/// What surface_distances() tells of places that are farther than this, or whose nearest surface was not found, mm.
+/// Magnitude returned for points farther than this, or without a surface found nearby, mm.
 inline constexpr float far_from_surface = 10;
 
-/// Writes the signed distance of each place, mm, below 0 inside: exact where the Field is a distance, of second order near the
-/// surface of any smooth one. Where values are no distances (fillets, noise between samples) depths inside are at most half as
-/// much too large; none is too small. `distances` has one place for each. In parallel; the result does not depend on threads.
+/// Writes the signed distance of each point from the surface, mm, negative inside. `distances` has one entry per place.
+/// The result is exact if the Field is a distance, and of second order near the surface of a smooth Field. If values
+/// are not distances (fillets, noise between samples), a depth inside is overestimated by at most half, and never
+/// underestimated. Runs in parallel; the result does not depend on the number of threads.
 void surface_distances(const Field& solid, std::span<const std::array<float, 3>> places, std::span<float> distances);
 
 }  // namespace fieldfab

@@ -1,4 +1,5 @@
-/// Expressions: immutable graphs of operations in which equal parts are one part (hash-consing; Keeter 3.4, 3.5).
+/// Expressions: immutable graphs of operations, in which equal subexpressions are one node (hash-consing; Keeter 3.4,
+/// 3.5).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,20 +18,21 @@ namespace fieldfab::frep {
 
 struct Node;
 
-/// A solid that is no formula (a scan, a mesh, a design), made usable in formulas: its Field, and how a text names it.
+/// A solid that is not a formula (a scan, a mesh, a design), for use in formulas: its Field and its notation in text.
 struct Source : std::enable_shared_from_this<Source> {
   FieldPtr field;
-  std::filesystem::path path;  ///< absolute; empty for what was made in memory, which no text can name
-  std::string options;         ///< how it was opened, as open() of .frep text has it: "threshold = 300, smooth = 1"
+  std::filesystem::path path;  ///< absolute path; empty for a solid made in memory, which no text can name
+  std::string options;         ///< arguments of open() in .frep text, such as "threshold = 300, smooth = 1"
   virtual ~Source() = default;
 };
 using SourcePtr = std::shared_ptr<const Source>;
 
-/// A node of an expression graph, held by reference count. Two expressions of the same form are the same node, so == is one
-/// comparison and costs nothing. Safe to make, copy and drop from many threads. Any depth: nothing here recurses.
+/// A handle of a node in an expression graph, with shared ownership by reference count. Expressions of equal structure
+/// are the same node, so that == takes constant time. Expressions may be made, copied and destroyed by several threads
+/// at the same time. No operation here recurses, so that the depth is not limited by the stack.
 class Expression {
  public:
-  /// A constant. Throws Error(bad_input) where `value` is NaN or infinite. -0 becomes 0.
+  /// A constant. Throws Error(bad_input) if `value` is NaN or infinite. -0 becomes 0.
   Expression(double value);  // NOLINT(google-explicit-constructor): numbers are expressions
   Expression(const Expression& other) noexcept;
   Expression(Expression&& other) noexcept;
@@ -40,24 +42,24 @@ class Expression {
   static Expression x();
   static Expression y();
   static Expression z();
-  /// op(a), op(a, b): exactly this node, deduplicated, with nothing folded or simplified.
+  /// Returns the node op(a) or op(a, b), shared if it exists, without constant folding or simplification.
   static Expression make(Opcode op, const Expression& a);
   static Expression make(Opcode op, const Expression& a, const Expression& b);
-  /// The value of an opened Field at (x, y, z).
+  /// Returns the node for the value of an opened Field at (x, y, z).
   static Expression opened(const SourcePtr& source, const Expression& x, const Expression& y, const Expression& z);
 
   [[nodiscard]] Opcode opcode() const noexcept;
-  /// The value of a constant; 0 for any other node.
+  /// The value of a constant node; 0 for any other node.
   [[nodiscard]] double constant() const noexcept;
-  /// One of the arguments (index below arity()).
+  /// Returns argument `index`, which must be less than arity().
   [[nodiscard]] Expression argument(int index) const;
   [[nodiscard]] int arity() const noexcept { return info(opcode()).arity; }
-  /// The Field of an `opened` node, else null.
+  /// The source of an `opened` node; null for any other node.
   [[nodiscard]] SourcePtr source() const;
 
-  /// Two names of one node.
+  /// Whether both are the same node. Constant time.
   bool operator==(const Expression& other) const noexcept { return node_ == other.node_; }
-  /// An address for hashing; the same for equal expressions while any of them lives.
+  /// Address of the node, for hashing. Equal expressions have equal addresses while one of them exists.
   [[nodiscard]] const Node* id() const noexcept { return node_; }
 
  private:
@@ -65,45 +67,50 @@ class Expression {
   const Node* node_;
 };
 
-/// Every node once, each after its arguments (a topological order, the same for the same expression): `order.back()` is the root.
+/// The nodes in topological order: each node once, after its arguments. `order.back()` is the root. The order depends
+/// only on the expression.
 struct Flat {
   struct Entry {
     Opcode op;
-    double constant;     ///< where op is constant
-    std::uint32_t a, b;  ///< indices of the arguments; 0 where there is none
+    double constant;     ///< value if op is `constant`
+    std::uint32_t a, b;  ///< indices of the arguments in `order`; 0 if absent
     std::uint32_t c = 0;
-    const Source* source = nullptr;  ///< where op is `opened`; lives as long as the expression
+    const Source* source = nullptr;  ///< source if op is `opened`; not owned, valid as long as the expression
   };
   std::vector<Entry> order;
 };
+/// Returns the nodes of an expression in topological order. Linear in their number.
 Flat flatten(const Expression& root);
 
-/// The node of an entry, over arguments that were made before it (by their places); x, y and z as they are.
+/// Returns the node of an entry over new arguments: `made` holds the results of the entries before it. x, y and z are
+/// returned unchanged.
 Expression made_again(const Flat::Entry& entry, std::span<const Expression> made);
 
-/// Whether an opened Field occurs in it.
+/// Whether an opened Field occurs in the expression. Linear in the number of nodes.
 bool has_opened(const Expression& root);
 
-/// An opened Field in an expression, and where it is asked.
+/// An occurrence of an opened Field in an expression, with its coordinates.
 struct PlacedLeaf {
   SourcePtr source;
-  std::optional<Eigen::Affine3d> to_inner;  ///< from space to its coordinates; empty where that is no invertible affine map
+  /// map from model space to the Field's coordinates; std::nullopt if it is not affine or not invertible
+  std::optional<Eigen::Affine3d> to_inner;
 };
-/// All of them, in topological order.
+/// Returns all occurrences of opened Fields, in topological order.
 std::vector<PlacedLeaf> leaves_of(const Expression& root);
 
-/// Nodes of the graph, with x, y, z and constants where they occur.
+/// Returns the number of distinct nodes, including x, y, z and constants.
 std::size_t node_count(const Expression& root);
 
-/// The expression with x, y and z replaced (the map operation of Appendix A). Shared parts are rewritten once.
+/// Substitutes expressions for x, y and z (the map operation of Appendix A). Each shared node is rewritten once.
 Expression remap(const Expression& root, const Expression& x, const Expression& y, const Expression& z);
 
-/// An expression with the same value wherever the original and every step of it is a finite number: constants folded (in double
-/// precision), identities (a+0, a*1, --a, min(a,a), square(-a), a-a ...) removed. Folding may change the last bits and the sign
-/// of a zero (which shows only where it is divided by); no constant becomes NaN or infinite by it.
+/// Simplifies an expression. The result has the same value at each point where the original and all its subexpressions
+/// are finite. Folds constants in double precision and removes identities (a+0, a*1, --a, min(a,a), square(-a), a-a and
+/// others). Folding may change the last bits of a value and the sign of a zero. It never makes a constant NaN or
+/// infinite.
 Expression simplify(const Expression& root);
 
-// The operators of arithmetic, simplified as they are made where both sides are constants or one is a neutral element.
+// Arithmetic operators and functions. They fold two constants and remove neutral elements; see simplify().
 Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);
 Expression operator*(const Expression& a, const Expression& b);

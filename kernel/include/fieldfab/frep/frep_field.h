@@ -1,4 +1,4 @@
-/// An expression as a Field: evaluated in batches over a tape, pruned to the part that matters in a box.
+/// Fields of expressions, evaluated in batches over a tape that is pruned to the relevant clauses in each box.
 #pragma once
 
 #include <string_view>
@@ -8,31 +8,35 @@
 
 namespace fieldfab::frep {
 
-/// How a tape is evaluated in batches. All give the same bits.
+/// Evaluator of a tape. All evaluators give the same bits.
 enum class Evaluator {
-  automatic,   ///< the best interpreter that this processor has, and machine code for what is evaluated often
-  reference,   ///< one point after the other, by the reference evaluator's own code
+  /// the widest interpreter that the processor supports, and machine code for tapes that are evaluated often
+  automatic,
+  reference,   ///< one point at a time, by the code of the reference evaluator
   portable,    ///< vector loops for the baseline instruction set
   avx2,        ///< vector loops for AVX2
   avx512,      ///< vector loops for AVX-512 (F, DQ and VL)
-  jit_avx2,    ///< machine code for everything
-  jit_avx512,  ///< the same, 16 numbers wide
+  jit_avx2,    ///< machine code (JIT) for each tape, 8 floats wide
+  jit_avx512,  ///< machine code for each tape, 16 floats wide
 };
-/// Whether this processor can run it.
+/// Whether this processor supports the evaluator.
 bool available(Evaluator evaluator);
-/// "automatic", "reference", "portable", "avx2", "avx512", "jit-avx2", "jit-avx512".
+/// Returns "automatic", "reference", "portable", "avx2", "avx512", "jit-avx2" or "jit-avx512".
 std::string_view name(Evaluator evaluator);
-/// The evaluator of that name; "jit" is the widest that this processor has. Throws bad_input.
+/// Returns the evaluator of that name. "jit" is the widest one that this processor supports. Throws Error(bad_input)
+/// for another name.
 Evaluator evaluator_named(std::string_view name);
 
-/// What `automatic` means from now on, unless make_field() is told otherwise: for trying evaluators on a whole program. Throws
-/// bad_input for one this processor lacks.
+/// Sets the evaluator that `automatic` selects for the whole process, for comparisons of evaluators. Throws
+/// Error(bad_input) if this processor does not support it.
 void set_default_evaluator(Evaluator evaluator);
 
-/// The solid of an expression. Throws bad_input for an evaluator this processor lacks. Linear in the number of nodes.
+/// Compiles an expression to a Field. Throws Error(bad_input) if this processor does not support the evaluator. Linear
+/// in the number of nodes.
 FieldPtr make_field(const Expression& expression, Evaluator evaluator = Evaluator::automatic);
 
-/// Nodes still active in a Field made by make_field() or by restricting one: for statistics (Fig. 3-4). 0 for another Field.
+/// Returns the number of active nodes in a Field of make_field() or in a restriction of one, for statistics (Fig. 3-4);
+/// 0 for any other Field.
 std::size_t active_nodes(const Field& field);
 
 }  // namespace fieldfab::frep

@@ -1,4 +1,4 @@
-/// The operations of a functional representation, and how each is written in the three text forms.
+/// The operations of a functional representation, and their notation in the three text forms.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace fieldfab::frep {
 
-/// Keeter's Appendix A, and exp, ln, atan2, mod, floor, ceil and compare.
+/// Operations: those of Keeter's Appendix A, and exp, ln, atan2, mod, floor, ceil and compare.
 enum class Opcode : std::uint8_t {
   constant,
   x,
@@ -39,29 +39,30 @@ enum class Opcode : std::uint8_t {
   arctangent2,
   modulo,
   compare,
-  // three coordinates: the value there of a Field that was opened; never part of a tape
+  // the value of an opened Field at three coordinates; never part of a tape
   opened,
 };
-/// Operations that tapes have: all but `opened`.
+/// Number of operations in tapes: all except `opened`.
 inline constexpr int opcode_count = static_cast<int>(Opcode::compare) + 1;
 
-/// How an operation is written and how many arguments it takes.
+/// Notation and arity of an operation.
 struct OpcodeInfo {
   int arity;               ///< 0, 1 or 2; 3 for `opened`
-  char math;               ///< its letter in a prefix math string ('f' for a constant)
-  std::string_view vm;     ///< its word in a .vm file
-  std::string_view infix;  ///< its function name, or operator sign, in .frep text
+  char math;               ///< letter in a prefix math string ('f' for a constant)
+  std::string_view vm;     ///< word in a .vm file
+  std::string_view infix;  ///< function name or operator in .frep text
 };
 
-/// The table's line for `op`.
+/// Returns the table entry of `op`.
 const OpcodeInfo& info(Opcode op);
 
-/// The value of an operation on numbers in single precision: the definition that every evaluator must reproduce bit for bit.
-/// min and max: the first argument where it is not greater (less) than the second, NaN where either is NaN;
-/// modulo(a, b): a - b*floor(a/b), so the sign is b's; compare: -1, 0 or 1 (NaN where either is NaN); power: the C library's
-/// powf.
+/// Evaluates an operation in single precision. This is the definition that each evaluator reproduces bit for bit.
+/// - min and max return the first argument on a tie, and NaN if either argument is NaN.
+/// - modulo(a, b) is a - b*floor(a/b), so that the sign is that of b.
+/// - compare returns -1, 0 or 1, and NaN if either argument is NaN.
+/// - power is powf() of the C library.
 float apply(Opcode op, float a, float b = 0);
-/// The same in double precision, for constants.
+/// Evaluates an operation in double precision, for constant folding.
 double apply(Opcode op, double a, double b);
 
 }  // namespace fieldfab::frep

@@ -1,8 +1,8 @@
-/// Reading and writing expressions as text: prefix math strings, .vm programs and infix .frep.
+/// Parsers and printers of expressions: prefix math strings, .vm programs and infix .frep text.
 ///
-/// Every parser takes the name that messages should carry, throws Error(bad_input) with "NAME:LINE:COLUMN: what was found and
-/// what was expected" in one line, never recurses with the depth of the input, and never reads past the end.
-/// For each form parse(print(e)) == e, node for node.
+/// Each parser takes the name for messages. It throws Error(bad_input) with "NAME:LINE:COLUMN: what was found and what
+/// was expected" on one line. Its recursion depth does not depend on the input, and it never reads past the end. For
+/// each form, parse(print(e)) == e, node for node.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,14 @@
 
 namespace fieldfab::frep {
 
-/// Prefix math string (Keeter Appendix A), as kokopelli reads it: the map operation `m` with three coordinates, each of which
-/// may be a blank, and the expression they apply to. The further operations have the letters of opcode.h. White space may end
-/// the string; nothing else may follow the expression.
+/// Parses a prefix math string (Keeter Appendix A) as kokopelli does. The map operation `m` takes three coordinates,
+/// each of which may be a space, and the expression they apply to. opcode.h lists the letters of additional operations.
+/// Only white space may follow the expression.
 Expression parse_math(std::string_view text, std::string_view name = "math string");
 std::string print_math(const Expression& expression);
 
-/// One instruction a line, `NAME OP ARGUMENTS`; the last line is the result; `#` starts a comment (SOURCES.txt of the data).
+/// Parses a .vm program: one instruction per line, `NAME OP ARGUMENTS`. The last line is the result; `#` starts a
+/// comment (SOURCES.txt of the data).
 Expression parse_vm(std::string_view text, std::string_view name = "vm program");
 std::string print_vm(const Expression& expression);
 
@@ -34,35 +35,37 @@ struct OpenOption {
   std::string name;
   std::variant<double, std::string> value;
 };
-/// Opens the file that open() names, and returns its solid over x, y and z. Throws as readers of files do, bad_input for an
-/// option that means nothing.
+/// Opens the file named by open() and returns its solid over x, y and z. Throws as readers of files do, and
+/// Error(bad_input) for an unknown option.
 using Opener = std::function<Expression(const std::string& path, std::span<const OpenOption> options)>;
 
-/// A solid that a text makes.
+/// A solid defined by a text.
 struct TextPart {
   Expression shape;
-  std::string name;  ///< empty where the text makes one solid and gives it no name
+  std::string name;  ///< empty if the text defines one solid without a name
   std::optional<Colour> colour;
-  std::string place = {};  ///< of its part(...): NAME:LINE:COLUMN
+  std::string place = {};  ///< position of its part(...): NAME:LINE:COLUMN
 };
 
-/// Infix text a person writes; docs/frep-language.md is its manual. Gives the parts that the text names with part(...), or its
-/// last statement. Values are solids or numbers: `-` is the set difference of two solids, and arithmetic otherwise. Without an
-/// opener open() is refused. Throws bad_input as all parsers here do, and what the opener throws, with the place of the call.
+/// Parses infix .frep text (manual: docs/frep-language.md). Returns the parts declared by part(...), or the value of
+/// the last statement. Values are solids or numbers: `-` between two solids is the set difference, otherwise
+/// arithmetic. Without an opener, open() is an error. Throws Error(bad_input), and errors of the opener with the
+/// position of the call.
 std::vector<TextPart> parse_parts(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
-/// The same as one expression: the union of its parts.
+/// Parses infix text and returns the union of its parts.
 Expression parse_infix(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
 
-/// Infix text; files that were opened are named relative to `folder` where they are in it. Throws bad_input for what was made in
-/// memory.
+/// Prints infix text. Names of opened files are relative to `folder` if they are in it. Throws Error(bad_input) for
+/// solids made in memory.
 std::string print_infix(const Expression& expression, const std::filesystem::path& folder = {});
-/// The text of several parts, or of one that may have no name: parse_parts() reads them back.
+/// Prints several parts, or one that may be unnamed. parse_parts() reads the text back.
 std::string print_parts(std::span<const TextPart> parts, const std::filesystem::path& folder = {});
 
-/// Words in quotes, as a text has them: quotes, backslashes and line ends have a backslash before them.
+/// Returns a quoted text for .frep. Quotes, backslashes and line ends are escaped by a backslash.
 std::string in_quotes(std::string_view words);
 
-/// The expression as a graph in Graphviz's language: `dot -Tsvg` draws it. Shared parts are drawn once. Write only.
+/// Prints the expression as a graph in Graphviz's language, for `dot -Tsvg`. Shared nodes are drawn once. There is no
+/// reader.
 std::string print_dot(const Expression& expression);
 
 }  // namespace fieldfab::frep

@@ -1,4 +1,4 @@
-/// Meshes in the form in which FreeCAD keeps them.
+/// Meshes in FreeCAD's binary format.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace fieldfab {
 
-/// The bytes of a .bms file (FreeCAD's binary mesh, version 1.0): vertices, triangles and each triangle's three neighbours, so
-/// that FreeCAD reads it without looking for any of them. An edge with other than two triangles has no neighbours. Linear in the
-/// size.
+/// Returns the bytes of a .bms file (FreeCAD's binary mesh, version 1.0): vertices, triangles and the three neighbours
+/// of each triangle, so that FreeCAD need not search for them. An edge with a number of triangles other than two has no
+/// neighbours. Linear in the size of the mesh.
 std::string to_bms(const TriangleMesh& mesh);
 
 }  // namespace fieldfab

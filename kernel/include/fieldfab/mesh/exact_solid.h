@@ -1,4 +1,4 @@
-/// Solids with flat faces in exact arithmetic, and what two of them make.
+/// Boolean operations on polyhedral solids in exact arithmetic.
 #pragma once
 
 #include <memory>
@@ -10,24 +10,27 @@
 
 namespace fieldfab {
 
+/// A Boolean operation.
 enum class Operation { unite, intersect, subtract };
 
-/// A solid whose corners are exact: what cuts make of it loses nothing, until it is asked for its corners. By CGAL, with the
-/// corefinement of Loriot et al. (its package Polygon Mesh Processing).
+/// A polyhedral solid with exact vertices: operations lose no precision until polyhedron() rounds the vertices. Uses
+/// CGAL's corefinement (Loriot et al., package Polygon Mesh Processing). Copies share their data.
 class ExactSolid {
  public:
-  ExactSolid() = default;  ///< nothing
-  /// Faces that wind the wrong way are turned. Throws bad_input where they are not the surface of a solid.
+  ExactSolid() = default;  ///< the empty solid
+  /// Reverses inward oriented faces. Throws Error(bad_input) unless the faces bound a solid.
   explicit ExactSolid(const Polyhedron& solid);
 
   [[nodiscard]] bool empty() const { return surface_ == nullptr; }
-  [[nodiscard]] bool touches_itself() const;    ///< or crosses itself: it cannot be joined with others
-  [[nodiscard]] Polyhedron polyhedron() const;  ///< corners rounded to double precision
-  /// Exactly; by a matrix that does not mirror.
+  /// whether the surface touches or crosses itself; such a solid cannot be combined
+  [[nodiscard]] bool touches_itself() const;
+  [[nodiscard]] Polyhedron polyhedron() const;  ///< vertices rounded to double precision
+  /// Applies a linear map exactly. Precondition: the determinant is positive.
   [[nodiscard]] ExactSolid turned(const Eigen::Matrix3d& matrix) const;
 
-  /// Throws bad_input where the surface of one crosses or touches itself, or where the result's touches itself along an edge;
-  /// too_large where so many faces lie in planes of the other's faces, or cross them, that it would take long.
+  /// Combines two solids. Throws Error(bad_input) if the surface of one crosses or touches itself, or that of the
+  /// result touches itself along an edge; Error(too_large) if so many faces are coplanar or cross that it would take
+  /// long.
   friend ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operation);
 
  private:
@@ -36,22 +39,22 @@ class ExactSolid {
   std::shared_ptr<const Surface> surface_;
 };
 
-/// What many make together, joined in an order in which they can be. Throws as combined() does, and cancelled.
+/// Combines several solids, in an order in which this is possible. Throws as combined(), and Error(cancelled).
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress);
 
-/// What a mesh winds around, where that can be had exactly: its pieces are closed, do not cross themselves (each other they may),
-/// and face outward, or all inward, or inward within those that face outward. Nothing where it is not so, or takes long. Throws
-/// cancelled.
+/// Returns the solid with a non-zero winding number of the mesh, exactly. Requires closed components that do not cross
+/// themselves (they may cross each other), all oriented outward, or all inward, or inward ones within outward ones.
+/// Returns std::nullopt for any other mesh, or if it would take long. Throws Error(cancelled).
 std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& progress = Progress::none());
 
-/// The surface in single precision, as files and TriangleMesh have it; nothing where that is no longer the surface of a solid,
-/// also not without its slivers.
+/// Rounds a surface to single precision, as files and TriangleMesh store it. Returns std::nullopt if the result does
+/// not bound a solid, even without its slivers.
 std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface);
 
-/// Whether a surface neither crosses nor touches itself. False, too, where an edge has more than two faces.
+/// Whether a surface neither crosses nor touches itself. False if an edge has more than two faces.
 bool is_simple(const Polyhedron& surface);
 
-/// Whether it is the surface of a solid: closed, facing out, not crossing itself, without faces that have no area.
+/// Whether the faces bound a solid: closed, oriented outward, free of self-intersections and of faces without area.
 bool bounds_a_solid(const Polyhedron& surface);
 
 }  // namespace fieldfab

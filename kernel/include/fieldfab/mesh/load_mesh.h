@@ -1,4 +1,4 @@
-/// Mesh files read, with what they hold beside the mesh.
+/// Reading of mesh files, with notes on omitted content.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace fieldfab {
 
-/// A mesh from a file.
+/// A mesh read from a file.
 struct MeshFromFile {
   TriangleMesh mesh;
-  std::vector<std::string> notes = {};  ///< what of the file was left out, for people, one line each
+  std::vector<std::string> notes = {};  ///< omitted content, for people, one line each
 };
 
-/// As read_mesh(), with notes. Of a .3mf file all that its build places is one mesh, in mm: components and transforms are
-/// carried out. Throws io, bad_input, cancelled, and too_large for a file that would make more than 2^31 triangles or more than
-/// memory holds.
+/// Reads a mesh file as read_mesh() does, with notes. All items of a .3mf file's build become one mesh in mm, with
+/// components and transforms applied. Throws Error(io), Error(bad_input), Error(cancelled), Error(too_large) for more
+/// than 2^31 triangles or more than the memory holds.
 MeshFromFile load_mesh(const std::filesystem::path& path, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// A triangle mesh as a solid.
+/// Fields of triangle meshes.
 #pragma once
 
 #include "fieldfab/core/progress.h"
@@ -7,15 +7,18 @@
 
 namespace fieldfab {
 
-/// The signed distance to the mesh's triangles, mm: exact, by a tree of boxes. What the triangles wind around is inside, by the
-/// generalised winding number (Jacobson et al. 2013, with the hierarchy of Barill et al. 2018): for a closed mesh that is what it
-/// encloses; holes are closed by the surface on which half of the view is triangles, where values jump from one side to the other
-/// (Lids of mesh_distances.h are surface, too); overlaps are inside once; a mesh that is inside out is the same solid. Throws
-/// bad_input for a mesh without triangles, or with numbers that are not finite.
+/// Returns the signed distance to the triangles, mm, exact by a bounding volume hierarchy. The inside is determined by
+/// the generalised winding number (Jacobson et al. 2013; hierarchy of Barill et al. 2018).
+/// - For a closed mesh it is the enclosed volume, also with inverted orientation; overlaps count once.
+/// - A hole is closed by the surface on which the winding number is 1/2. The value jumps there from one sign to the
+///   other, because the distance refers to triangles only. Lids (mesh_distances.h) avoid this: they are triangles, too.
+/// - The value is NaN at a point with NaN or infinite coordinates.
+/// Copies the mesh. Throws Error(bad_input) for a mesh without triangles or without area, or with coordinates that are
+/// not finite; Error(cancelled).
 FieldPtr mesh_field(const TriangleMesh& mesh, Progress& progress = Progress::none());
 
-/// The mesh that a Field of mesh_field() was made from, where it is closed; nullptr for any other Field. It lives as long as the
-/// Field does.
+/// Returns the closed mesh of a Field made by mesh_field(), owned by the Field; nullptr for an open mesh or another
+/// Field.
 const TriangleMesh* closed_mesh_of(const Field& field);
 
 }  // namespace fieldfab

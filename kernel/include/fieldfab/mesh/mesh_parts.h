@@ -1,4 +1,4 @@
-/// Mesh files of several parts with names and colours.
+/// Mesh files with several named and coloured parts.
 #pragma once
 
 #include <optional>
@@ -10,30 +10,29 @@
 
 namespace fieldfab {
 
-/// A mesh with what people call it.
+/// A mesh with a name and a colour.
 struct MeshPart {
   TriangleMesh mesh;
-  std::string name = {};                        ///< UTF-8; empty where it has none
-  std::optional<Colour> colour = std::nullopt;  ///< none: readers take theirs
+  std::string name = {};                        ///< UTF-8; may be empty
+  std::optional<Colour> colour = std::nullopt;  ///< std::nullopt: the reader's default colour
 };
 
-/// Writes the parts to one file; its form is chosen by the extension, as by write_mesh():
-/// - .3mf: an object and an item of the build each, with names and colours (base materials);
-/// - .glb: a node, a mesh and a material each, with names and colours;
-/// - .obj: an object each, with names; colours in an .mtl file of the same name beside it, replacing one that is there;
-/// - .ply: vertices and triangles one part after the other, colours at the vertices where a part has one;
-/// - .stl, .off: triangles one part after the other.
-/// One part without name and colour makes the file that write_mesh() makes. Throws bad_input for no part or another
-/// extension, too_large for more than the form holds, io, cancelled. Each file is written whole or not at all, the .mtl
-/// file first.
+/// Writes the parts to one file. The extension selects the format, as in write_mesh():
+/// - .3mf: an object and a build item per part, with names and colours (base materials);
+/// - .glb: a node, a mesh and a material per part, with names and colours;
+/// - .obj: an object per part, with names; colours go to an .mtl file of the same base name, which is replaced;
+/// - .ply: vertices and triangles of all parts in sequence, with vertex colours if a part has a colour;
+/// - .stl, .off: triangles of all parts in sequence.
+/// One part without name and colour gives the file of write_mesh(). Throws Error(bad_input) for no parts or an unknown
+/// extension, Error(too_large) beyond the limits of the format, Error(io), Error(cancelled). Each file is written
+/// completely or not at all, the .mtl file first.
 void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path, Progress& progress = Progress::none());
 
-/// Reads a mesh file as parts. Of a .3mf file each item of the build is one, in mm, transforms carried out and components
-/// merged into it: its name is that of the item's object, or else the item's part number; its colour is the base material
-/// of the object, or the one that all components below it share. A name that was there before has " 2", " 3" and so on
-/// appended. Items without triangles are left out. Other files are one part without a name and a colour. Vertices at the
-/// same place within a part are merged. Adds to `notes` what of the file was left out, for people, one line each. Throws
-/// as load_mesh().
+/// Reads a mesh file as parts. Each build item of a .3mf file is a part in mm, with transforms applied and components
+/// merged. Its name is that of the object, otherwise the item's part number; its colour is the base material of the
+/// object, or the one shared by all its components. A repeated name gets " 2", " 3" and so on. Items without triangles
+/// are omitted. Other files give one part without name and colour. Vertices at equal positions within a part are
+/// merged. Appends omitted content to `notes`, for people, one line each. Throws as load_mesh().
 std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress, std::vector<std::string>& notes);
 
 }  // namespace fieldfab

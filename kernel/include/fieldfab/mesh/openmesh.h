@@ -1,5 +1,5 @@
-/// A TriangleMesh as an OpenMesh, for those who want its half-edges. OpenMesh's headers are heavy: include this only in .cpp
-/// files.
+/// Conversion between TriangleMesh and OpenMesh's half-edge structure. OpenMesh's headers are heavy: include this
+/// header only in .cpp files.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -8,12 +8,13 @@
 
 namespace fieldfab {
 
-/// OpenMesh's triangle mesh with its default traits: single-precision points, in mm.
+/// OpenMesh's triangle mesh with its default traits: single-precision points, mm.
 using OpenTriangleMesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// The same vertices and triangles, in the same order. Throws bad_input where a triangle would make an edge belong to three.
+/// Converts a mesh; vertices and triangles keep their order. Throws Error(bad_input) if an edge would have three
+/// triangles.
 OpenTriangleMesh to_openmesh(const TriangleMesh& mesh);
-/// The faces that are not deleted; vertices keep their order.
+/// Converts all faces that are not deleted; vertices keep their order.
 TriangleMesh from_openmesh(const OpenTriangleMesh& mesh);
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// PLY files that say more of a mesh's vertices than where they are.
+/// PLY files with additional vertex properties.
 #pragma once
 
 #include <span>
@@ -10,15 +10,16 @@
 
 namespace fieldfab {
 
-/// What is known of each vertex; each property has one entry for each; without colours there are none.
+/// Properties of vertices. Each span has one entry per vertex; `colours` may be empty. Spans are not owned.
 struct VertexProperties {
   std::span<const Colour> colours;
   std::vector<std::pair<std::string, std::span<const float>>> floats = {};  ///< names without spaces, and values
   std::vector<std::pair<std::string, std::span<const int>>> integers = {};
 };
 
-/// Writes a binary .ply with these properties of its vertices, after their places and in this order. Throws bad_input where a
-/// property does not have a value for each vertex, io, cancelled. The file is written whole or not at all.
+/// Writes a binary .ply file with these properties after the coordinates, in this order. Throws Error(bad_input) if a
+/// property does not have one value per vertex, Error(io), Error(cancelled). The file is written completely or not at
+/// all.
 void write_ply(const TriangleMesh& mesh, const std::filesystem::path& path, const VertexProperties& properties,
                Progress& progress = Progress::none());
 

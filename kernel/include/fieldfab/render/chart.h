@@ -1,4 +1,4 @@
-/// A chart of how often densities occur.
+/// Bar charts of density histograms.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace fieldfab {
 
-/// Bars for the counts, from left to right, their heights by the logarithm (so that rare densities show, too), grey on white;
-/// a red line at `mark`, a share of the width from 0 to 1.
+/// Draws one bar per count from left to right, grey on white, with logarithmic heights so that rare densities remain
+/// visible. A red line marks the fraction `mark` of the width, from 0 to 1. `width` and `height` are pixels.
 Image bar_chart(std::span<const std::uint64_t> counts, double mark, int width = 1024, int height = 384);
 
 }  // namespace fieldfab

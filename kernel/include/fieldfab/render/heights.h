@@ -1,4 +1,4 @@
-/// Heights of a solid as numbers, for those who cut it rather than look at it.
+/// Height maps as numbers, for machining.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace fieldfab {
 
-/// For each pixel of a grid of width x height over `region`, the z at which a ray from above enters the solid at the pixel's
-/// centre, mm, or minus infinity; the first row has the least y. Heights are good to a thousandth of a pixel; parts thinner than
-/// a pixel along z may be missed. What the top of the region cuts is met there. Throws cancelled.
+/// Returns, for each pixel of a width x height grid over `region`, the z in mm at which a vertical ray from above
+/// enters the solid at the pixel's centre; minus infinity if it misses. Row 0 has the least y. Heights are accurate to
+/// a thousandth of a pixel. Parts thinner than a pixel along z may be missed. A solid that extends above the region is
+/// cut at its top. Throws Error(cancelled).
 std::vector<float> heights(const Field& field, const Box& region, int width, int height, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

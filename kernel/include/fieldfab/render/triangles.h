@@ -1,4 +1,4 @@
-/// Pictures of surfaces that are triangles already, such as simulated stock, in colours of their own.
+/// Pictures of triangulated surfaces, such as simulated stock, with vertex colours.
 #pragma once
 
 #include <array>
@@ -14,29 +14,33 @@
 
 namespace fieldfab {
 
-/// A view of somebody's triangles, as TriangleMesh has them.
+/// A view of triangles in the layout of TriangleMesh; the arrays are not owned.
 struct Triangles {
-  std::span<const std::array<float, 3>> vertices;           ///< mm
-  std::span<const std::array<std::uint32_t, 3>> triangles;  ///< triples of vertices, counter-clockwise seen from outside
-  std::span<const Colour> colours;                          ///< of each vertex, even between them; empty: all of one material
+  std::span<const std::array<float, 3>> vertices;  ///< vertex positions, mm
+  /// vertex indices, counter-clockwise seen from outside
+  std::span<const std::array<std::uint32_t, 3>> triangles;
+  /// colour per vertex, interpolated; empty: one material
+  std::span<const Colour> colours;
 };
 
-/// A picture, and where in it the places of the model are.
+/// A picture, and its relation to model coordinates.
 struct TrianglePicture {
   Image image;
-  std::vector<float> heights;  ///< of what each pixel shows, mm towards the eye; -infinity where that is nothing
-  Eigen::Matrix3d turn;        ///< from the model's coordinates to the picture's: x to the right, y up, z towards the eye
+  std::vector<float> heights;  ///< depth per pixel, mm towards the eye; -infinity for background
+  /// rotation from model to picture coordinates: x to the right, y up, z towards the eye
+  Eigen::Matrix3d turn;
 
-  /// Where a place is: its column and row in pixels (the middle of the first pixel is 0.5, 0.5), and its height.
+  /// Projects a point of the model: returns column and row in pixels (the centre of the first pixel is 0.5, 0.5), and
+  /// depth, mm.
   [[nodiscard]] Vec3 on_picture(const Vec3& place) const;
-  /// Whether it is within the picture and nothing stands more than `slack` mm before it.
+  /// Whether the point is in the picture and no surface lies more than `slack` mm in front of it.
   [[nodiscard]] bool shows(const Vec3& place, double slack) const;
 };
 
-/// Renders triangles shaded, as normals or as a height map, seen from +z after the turn; both of their sides are drawn. What is
-/// shown without a window is all of them, with a margin. Lights and shadows are those of the pictures of Fields. Time and memory
-/// go with the number of triangles and of pixels. The same pixels for any number of threads. Throws bad_input (also for a
-/// perspective, or for nothing to be seen where there is no window), cancelled.
+/// Renders both sides of triangles as shaded view, normals or height map, seen from +z after the rotation. The default
+/// window contains all triangles with a margin. Lights and shadows are those of render() for Fields. Time and memory
+/// are linear in the number of triangles and pixels. The pixels do not depend on the number of threads. Throws
+/// Error(bad_input) (also for a perspective, and for no triangles without a window), Error(cancelled).
 TrianglePicture render(const Triangles& triangles, const RenderSettings& settings, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

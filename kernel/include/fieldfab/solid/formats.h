@@ -1,4 +1,4 @@
-/// The one table of file formats: what the command, Python, FreeCAD, MeshLab and the docs know of them.
+/// The table of file formats, shared by the command, Python, FreeCAD, MeshLab and the documentation.
 #pragma once
 
 #include <filesystem>
@@ -15,37 +15,40 @@ namespace fieldfab {
 struct Model;
 struct OpenSettings;
 
-/// What a format holds.
+/// Kind of content of a format.
 enum class FormatKind { formula, script, design, distances, mesh, volume };
-/// "formula", "script", "design", "distances", "mesh", "volume".
+/// Returns "formula", "script", "design", "distances", "mesh" or "volume".
 std::string_view name_of(FormatKind kind);
 
+/// Reads a file as a Model. Throws as open_model().
 using ModelReader = std::function<Model(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress)>;
 
+/// A file format.
 struct Format {
-  std::vector<std::string> extensions;  ///< in lower case, with the dot
-  FormatKind kind;                      ///< what it is read as
-  std::optional<FormatKind> written;    ///< what is written to it; nothing where there is no writer
-  std::string help;                     ///< one line
-  ModelReader read;                     ///< null where it is only written
-  bool parts = false;                   ///< whether several parts stay apart in it, with their names
+  std::vector<std::string> extensions;  ///< extensions in lower case, with the dot
+  FormatKind kind;                      ///< kind of content when read
+  std::optional<FormatKind> written;    ///< kind of content when written; std::nullopt: there is no writer
+  std::string help;                     ///< description, one line
+  ModelReader read;                     ///< null: the format is written only
+  bool parts = false;                   ///< whether the format keeps several parts with their names
 };
 
-/// A table of formats, as a value: the kernel's own, or those with what libraries above it can read.
+/// A table of formats, as a value: that of the kernel, or one extended by libraries above it.
 class Formats {
  public:
   explicit Formats(std::vector<Format> rows) : rows_(std::move(rows)) {}
 
   [[nodiscard]] const std::vector<Format>& rows() const { return rows_; }
-  /// The format of a file's name, or null: the longest extension that fits. A folder is a volume's.
+  /// Returns the format with the longest extension that matches the file name, or null. A folder has the format of
+  /// volumes. The pointer is valid as long as this table.
   [[nodiscard]] const Format* find(const std::filesystem::path& path) const;
-  /// The same table with more rows.
+  /// Returns a copy of the table with additional rows.
   [[nodiscard]] Formats with(std::vector<Format> more) const;
-  /// ".math .vm .frep ..." of all formats that are read; for messages and help.
+  /// Returns the extensions of all readable formats, separated by spaces, for messages and help.
   [[nodiscard]] std::string readable() const;
-  /// The extensions of all formats that what is of these kinds is written to.
+  /// Returns the extensions of all formats to which one of these kinds is written, separated by spaces.
   [[nodiscard]] std::string writable(std::initializer_list<FormatKind> kinds) const;
-  /// What is written to a file of that name; nothing where there is no writer for it.
+  /// Returns the kind written to a file of that name, or std::nullopt if there is no writer.
   [[nodiscard]] std::optional<FormatKind> written(const std::filesystem::path& path) const;
   /// Whether a file of that name is read as that kind.
   [[nodiscard]] bool is_read_as(FormatKind kind, const std::filesystem::path& path) const;
@@ -54,7 +57,7 @@ class Formats {
   std::vector<Format> rows_;
 };
 
-/// What the kernel reads and writes by itself.
+/// Returns the formats that the kernel reads and writes itself.
 const Formats& kernel_formats();
 
 }  // namespace fieldfab

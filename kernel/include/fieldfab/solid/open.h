@@ -15,61 +15,64 @@
 
 namespace fieldfab {
 
-/// Whether a model may be a program: a .py or .ko script can do anything its user can, so only those run it who were told to by
-/// name.
+/// Whether scripts may run. A .py or .ko script has all rights of its user; it runs only on explicit request.
 enum class Scripts { refused, run };
 
-/// How a file is opened.
+/// Parameters for opening a file.
 struct OpenSettings {
   Scripts scripts = Scripts::refused;
-  /// What a file does not tell by itself, by the names that open() has in .frep text: see open_options().
+  /// Properties that the file does not state, by their names in open() of .frep text; see open_options().
   std::vector<frep::OpenOption> options = {};
-  std::optional<Box> region = {};    ///< mm; of an .asdf file only the blocks that meet it
+  /// region to read of an .asdf file, mm: only blocks that overlap it; std::nullopt: all
+  std::optional<Box> region = {};
   bool opens_others = true;          ///< whether a text or script may open() further files
-  const Formats* formats = nullptr;  ///< those that are known; null: the kernel's own
-  /// Gets the paths of all files that are read, each once.
+  const Formats* formats = nullptr;  ///< table of formats, not owned; null: kernel_formats()
+  /// Receives the path of each file read, once; not owned, may be null.
   std::vector<std::filesystem::path>* files_read = nullptr;
-  /// What all files of one model share: which are being read, and which were. Made by the first.
+  /// State shared by all files of one model: the files being read and those read. Created by the first file.
   std::shared_ptr<struct OpenFiles> files = nullptr;
 };
 
-/// An option of open() (`part = "NAME"` is one besides, of all formats), and of the command by the same name with dashes.
+/// An option of open(), available in the command under the same name with dashes. All formats also accept `part =
+/// "NAME"`.
 struct OpenOptionInfo {
   std::string_view name;
-  FormatKind kind;        ///< of formats that take it
-  std::string_view help;  ///< one line
+  FormatKind kind;        ///< kind of the formats that accept the option
+  std::string_view help;  ///< description, one line
 };
+/// Returns all options of open().
 const std::vector<OpenOptionInfo>& open_options();
 
-/// How to take a volume, from the options that say so; others are left aside. Throws bad_input for a value that means nothing.
+/// Extracts the options for volumes and ignores all others. Throws Error(bad_input) for an invalid value.
 ScanOptions scan_options(std::span<const frep::OpenOption> options);
-/// The number of an option, or what stands in for it. Throws bad_input for words.
+/// Returns the number of an option, or `otherwise` if it is absent. Throws Error(bad_input) if its value is a text.
 double option_number(std::span<const frep::OpenOption> options, std::string_view name, double otherwise);
 
-/// Reads a file of any known format. Throws io, bad_input (also for an extension that no format has, with a list of those known),
-/// cancelled.
+/// Reads a file of any known format. Throws Error(io), Error(bad_input) (for an unknown extension with a list of the
+/// known ones), Error(cancelled).
 Model open_model(const std::filesystem::path& path, const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
-/// Opens a file as open() of .frep text does: as one solid, or the one that `part = "NAME"` asks for. Scripts are refused, and so
-/// is an option that the format does not have.
+/// Opens a file as open() of .frep text does: as one solid, or as the part selected by `part = "NAME"`. Throws
+/// Error(bad_input) for scripts and for options that the format does not accept; else as open_model().
 Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> options, const OpenSettings& settings = {},
                  Progress& progress = Progress::none());
 
-/// The model of .frep text. open() in it takes names relative to `folder`. Throws as frep::parse_parts() and open_model() do.
+/// Parses .frep text. Relative file names in open() refer to `folder`. Throws as frep::parse_parts() and open_model().
 Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
                   const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
-/// The mistakes of .frep text, as frep::diagnostics() tells them; there is none exactly where parse_model() throws none.
+/// Returns the errors of .frep text, as frep::diagnostics(). The result is empty exactly if parse_model() does not
+/// throw.
 std::vector<frep::Diagnostic> diagnose_model(std::string_view text, const std::filesystem::path& folder,
                                              const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
-/// A leaf as a model of one part, with its notes.
+/// Returns a model of one part, with the notes of the leaf.
 Model model_of(const std::shared_ptr<const OpenedSolid>& opened);
 
-/// The same of a leaf that was just made from a file, which is named by it from then on.
+/// Returns a model of one part for a leaf just read from a file, and sets the leaf's path and options accordingly.
 Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::filesystem::path& path, const OpenSettings& settings);
 
-/// The model as .frep text, which parse_model() reads back; files are named relative to `folder` where they are in it.
+/// Prints a model as .frep text, which parse_model() reads back. File names are relative to `folder` if they are in it.
 std::string print_model(const Model& model, const std::filesystem::path& folder = {});
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// Models that are Python scripts.
+/// Models defined by Python scripts.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,13 @@
 
 namespace fieldfab {
 
-/// Runs a script, .py or .ko, in a process of its own (fieldfab.script) and returns what it makes as .frep text. Throws bad_input with the script's
-/// line and message where it fails or runs for more than a minute, cancelled when told so; either way the process is gone
-/// afterwards.
+/// Runs a .py or .ko script in a process of its own (fieldfab.script) and returns its model as .frep text. Throws
+/// Error(bad_input) with the script's line and message if it fails or takes more than one minute, Error(cancelled)
+/// after cancellation. The process has ended on return in each case.
 std::string run_script(const std::filesystem::path& path, Progress& progress);
 
-/// This process's environment, changed so that Python finds the module fieldfab that belongs to this very build.
+/// Returns this process's environment, changed so that Python imports the fieldfab module of this build. Entries are
+/// NAME=VALUE.
 std::vector<std::string> python_environment();
 
 }  // namespace fieldfab

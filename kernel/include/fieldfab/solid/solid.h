@@ -1,4 +1,4 @@
-/// Solid: a Field and what is known of it. Hosts make Solids, combine them, and ask surface() for a mesh.
+/// Solid: a Field with its metadata. Hosts create Solids, combine them, and call surface() for a mesh.
 #pragma once
 
 #include <functional>
@@ -14,56 +14,60 @@
 
 namespace fieldfab {
 
-/// Makes the exact surface of a solid that is drawn with flat faces: valid as contour()'s is, with the corners that the solid
-/// has. Nothing where that is not possible or would take long. A flat (2D) solid needs the `thickness` of its plate, mm, from
-/// z = 0 up; no other solid may be given one. Throws cancelled.
+/// Computes the exact surface of a solid with flat faces, as valid as that of contour(), with the solid's own vertices.
+/// Returns std::nullopt if this is impossible or would take long. A flat (2D) solid needs the `thickness` of its plate,
+/// mm, from z = 0 upwards; `thickness` must be std::nullopt for any other solid. Throws Error(cancelled).
 using FaceMaker = std::function<std::optional<TriangleMesh>(std::optional<double> thickness, Progress& progress)>;
 
-/// A solid that is no formula, and what its source knows of it: a leaf of expressions.
+/// A leaf of expressions: a solid that is not a formula, with the metadata of its source.
 struct OpenedSolid : frep::Source {
   std::string kind;                         ///< "asdf", "mesh", "volume" or "design"
-  std::optional<double> voxel;              ///< resolution of its own, mm
-  std::optional<Box> bounds;                ///< region of its own, which holds the solid
-  FaceMaker faces;                          ///< null where contour() is all there is
-  std::optional<frep::Expression> formula;  ///< the same solid as a formula, of a design that has one
-  bool flat = false;                        ///< 2D: without ends along z
-  std::vector<std::string> notes;           ///< what was left out or mended, for people, one line each
+  std::optional<double> voxel;              ///< own resolution, mm
+  std::optional<Box> bounds;                ///< own region, mm; contains the solid
+  FaceMaker faces;                          ///< null: only contour() applies
+  std::optional<frep::Expression> formula;  ///< equivalent formula, for a design that has one
+  bool flat = false;                        ///< whether the solid is 2D: unbounded along z
+  std::vector<std::string> notes;           ///< omissions and repairs, for people, one line each
 };
 
-/// A solid, as a value. Its expression is the whole of it: formulas, and leaves that were opened.
+/// A solid, as a value. Its expression defines it completely, with formulas and opened leaves.
 struct Solid {
-  frep::Expression expression = 1.0;  ///< empty space
-  FieldPtr field;                     ///< of the expression; never null once made by solid_of()
-  std::string kind = "f-rep";         ///< of the leaf, where the solid is one leaf (moved or not); else "f-rep"
-  std::optional<double> voxel;        ///< resolution of its own, mm: the finest of its leaves
-  std::optional<Box> bounds;          ///< region of its own, where one is known without a search
-  FaceMaker faces;                    ///< null where contour() is all there is
-  bool flat = false;                  ///< known to be 2D: without ends along z
-  std::string name;                   ///< of a part; may be empty
+  frep::Expression expression = 1.0;  ///< default: empty space
+  FieldPtr field;                     ///< Field of the expression; never null after solid_of()
+  /// kind of the leaf if the solid is a single leaf, placed or not; otherwise "f-rep"
+  std::string kind = "f-rep";
+  std::optional<double> voxel;  ///< finest own resolution of its leaves, mm
+  std::optional<Box> bounds;    ///< own region, mm, if known without a search
+  FaceMaker faces;              ///< null where contour() is all there is
+  bool flat = false;            ///< whether the solid is known to be 2D: unbounded along z
+  std::string name;             ///< name of a part; may be empty
   std::optional<Colour> colour;
-  std::string place = {};  ///< of a part in the text that makes it: FILE:LINE:COLUMN; empty where there is none
+  std::string place = {};  ///< position of a part in its text, FILE:LINE:COLUMN; may be empty
 };
 
-/// What a file or a text makes: one solid, or several parts with names of their own.
+/// Content of a file or a text: one solid, or several named parts.
 struct Model {
-  std::vector<Solid> parts;             ///< one or more
-  std::vector<std::string> notes = {};  ///< for people, one line each: what was left out or mended
+  std::vector<Solid> parts;             ///< at least one
+  std::vector<std::string> notes = {};  ///< omissions and repairs, for people, one line each
 };
 
-/// The solid of an expression. Of one leaf that is only placed, all that the leaf knows stays true: faces, bounds, resolution.
+/// Returns the solid of an expression. A single leaf that is only moved or rotated keeps its faces, bounds and
+/// resolution.
 Solid solid_of(frep::Expression expression);
-/// The solid of a leaf, as it is.
+/// Returns the solid of a leaf, unchanged.
 Solid solid_of(const std::shared_ptr<const OpenedSolid>& opened);
-/// A solid that was made in memory; no text can name it.
+/// Returns a solid made in memory, which no text can name.
 Solid solid_of(FieldPtr field, std::string kind, std::optional<Box> bounds = {}, bool flat = false);
 
-/// All parts as one solid; the part itself where there is only one.
+/// Returns the union of all parts, or the part itself if there is only one.
 Solid united(const Model& model);
 
-/// The part of that name. Throws bad_input at `place`, with the name that is nearest.
+/// Returns the part of that name. The reference is valid as long as `model`. Throws Error(bad_input) at `place`, with
+/// the most similar name, if there is none.
 const Solid& part_of(const Model& model, const std::string& name, const std::string& place);
 
-/// The solid between z = 0 and `height` mm: a plate of a flat one. Throws bad_input for a height that is not positive.
+/// Returns the solid between z = 0 and `height` mm: a plate, if the solid is flat. Throws Error(bad_input) unless
+/// height > 0.
 Solid plate_of(const Solid& solid, double height);
 
 }  // namespace fieldfab

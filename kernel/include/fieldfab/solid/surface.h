@@ -1,4 +1,4 @@
-/// From a solid to its surface: the one place that knows regions, default cells, and whether faces or a contour are taken.
+/// From a solid to its surface: selection of the region, the cell size, and exact faces or a contour.
 #pragma once
 
 #include <optional>
@@ -9,50 +9,52 @@
 
 namespace fieldfab {
 
-/// How finely to work.
+/// Resolution of a surface.
 struct Resolution {
-  std::optional<double> voxel = {};      ///< side of the smallest cell, mm; default_voxel() where not given
-  std::optional<double> max_error = {};  ///< how far the result may be from the solid, mm; a tenth of the cell where not given
-  std::optional<Box> region = {};        ///< only what is in it, capped; found where not given
-  bool features = true;                  ///< whether edges are kept sharp
-  bool exact = true;                     ///< whether the solid's own faces are taken where they can be had
+  std::optional<double> voxel = {};  ///< edge of the smallest cell, mm; default: default_voxel()
+  /// permitted distance between result and solid, mm; default: a tenth of the cell
+  std::optional<double> max_error = {};
+  std::optional<Box> region = {};  ///< region to work in; the solid is capped at its faces; default: working_bounds()
+  bool features = true;            ///< whether sharp edges are reconstructed
+  bool exact = true;               ///< whether exact faces of the solid are preferred, if available
 };
 
-/// A surface, and what it was made with.
+/// A surface with the parameters used.
 struct Surface {
   ContourMesh mesh;
-  bool exact = false;  ///< the solid's own faces, not a contour
-  Box region;          ///< mm
+  bool exact = false;  ///< whether the mesh has the exact faces of the solid instead of a contour
+  Box region;          ///< region used, mm
   double voxel = 0;    ///< mm
 };
 
-/// The region to work in: `wanted` where given (checked), else the solid's own, else what solid_bounds() finds, a little grown.
-/// Throws bad_input for an unbounded solid, naming the axes and asking for bounds, and for an empty one unless that is allowed
-/// (any box will do for it then).
+/// Returns the region to work in: `wanted` if given (checked), otherwise the solid's own region, otherwise the result
+/// of solid_bounds(), slightly expanded. Throws Error(bad_input) for an unbounded solid, with the axes, and for an
+/// empty one unless permitted (the region is then arbitrary); Error(cancelled).
 enum class EmptySolid { refused, allowed };
 Box working_bounds(const Solid& solid, const std::optional<Box>& wanted, Progress& progress = Progress::none(),
                    EmptySolid empty = EmptySolid::refused);
 
-/// The cell to work with where none is asked for, mm: the solid's own resolution, else so many cells along the region's longest
-/// side. Throws bad_input unless `cells` is positive.
+/// Returns the default cell edge, mm: the solid's own resolution, otherwise the longest side of the region divided by
+/// `cells`. Throws Error(bad_input) unless cells > 0.
 constexpr double default_cells = 128;
 double default_voxel(const Solid& solid, const Box& region, double cells = default_cells);
 
-/// Cells of a lattice, and whether they show all of a solid.
+/// Cell edge of a lattice, and its certainty.
 struct LatticeCells {
   double voxel = 0;  ///< mm
   Certainty certainty;
 };
 
-/// The cells for what has no smaller ones where the solid is thin, such as a distance field: default_voxel(), or the half or the
-/// quarter of it where only that shows all of the solid. Throws as certainty_of_cells() does.
+/// Returns the cell edge for results without smaller cells in thin places, such as distance fields: default_voxel(), or
+/// half or a quarter of it if only that represents the whole solid. Throws as certainty_of_cells().
 LatticeCells lattice_cells(const Solid& solid, const Box& region, Progress& progress = Progress::none());
 
-/// The colour of each vertex of a mesh of all parts together: that of the part with the least value there, light grey where it
-/// has none. Empty where no part has a colour.
+/// Returns a colour per vertex for a mesh of all parts together: the colour of the part with the least value there,
+/// light grey if that part has none. Empty if no part has a colour.
 std::vector<Colour> vertex_colours(const TriangleMesh& mesh, const Model& model);
 
-/// The closed surface of a solid. Throws bad_input, too_large, cancelled, as contour() and working_bounds() do.
+/// Computes the closed surface of a solid. Throws Error(bad_input), Error(too_large), Error(cancelled), as contour()
+/// and working_bounds().
 Surface surface(const Solid& solid, const Resolution& resolution, Progress& progress = Progress::none(),
                 EmptySolid empty = EmptySolid::refused);
 

@@ -1,4 +1,4 @@
-/// Less noise, and no crumbs.
+/// Noise reduction and removal of small components.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,29 @@
 
 namespace fieldfab {
 
-/// Filters that smooth densities, as in ITK.
+/// A smoothing filter for densities, by ITK.
 struct Denoising {
   enum class Kind { none, median, gaussian, anisotropic } kind = Kind::none;
-  double amount = 1;  ///< median: radius in samples; gaussian: sigma in mm; anisotropic: conductance
-  /// "median", "gaussian:0.8", ... Throws bad_input.
+  double amount = 1;  ///< median: radius in samples; gaussian: standard deviation in mm; anisotropic: conductance
+  /// Parses "none", "median", "gaussian:0.8" and the like. Throws Error(bad_input).
   static Denoising parse(std::string_view text);
 };
 
-/// What to do about noise and crumbs.
+/// Parameters of noise reduction and of removal of small components.
 struct CleanSettings {
   Denoising denoise;
-  bool keep_largest = false;           ///< of the solid only the largest piece
-  std::optional<double> least_island;  ///< mm3; smaller pieces go
-  std::optional<double> least_hole;    ///< mm3; smaller cavities are filled, all of them where it is infinite
+  bool keep_largest = false;           ///< keep only the largest component of the solid
+  std::optional<double> least_island;  ///< smaller components are removed, mm^3
+  std::optional<double> least_hole;    ///< smaller cavities are filled, mm^3; infinity fills all
 };
 
-/// The volume after the filter: itself where there is none. Holds it in memory (about 12 bytes a sample while it works).
+/// Returns the filtered volume, or `volume` itself without a filter. Works in memory, with about 12 bytes per sample.
+/// Throws Error(too_large), Error(cancelled).
 VolumePtr denoised(VolumePtr volume, const Denoising& denoising, Progress& progress = Progress::none());
 
-/// The volume without small pieces and holes of the solid at `threshold`: their densities become the threshold mirrored to the
-/// other side. Pieces are joined through faces. Holds the volume in memory.
+/// Returns the volume without small components and cavities of the solid at `threshold`; `below` states that the solid
+/// has the lower densities. Removed samples get their density mirrored at the threshold. Components are connected
+/// through faces of samples. Works in memory. Throws Error(too_large), Error(cancelled).
 VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSettings& settings,
                   Progress& progress = Progress::none());
 

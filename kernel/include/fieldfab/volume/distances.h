@@ -1,4 +1,4 @@
-/// Distances from solids whose own values are none.
+/// Distance fields of solids whose values are not distances.
 #pragma once
 
 #include "fieldfab/core/progress.h"
@@ -6,19 +6,20 @@
 
 namespace fieldfab {
 
-/// How far distances are worked out, and how finely.
+/// Extent and resolution of the distances.
 struct DistanceSettings {
-  double reach = 1;  ///< mm from the surface, either way; farther away the value is this, with its sign
-  double voxel = 0;  ///< mm between the places where they are; 0: a 160th of the longest side
+  double reach = 1;  ///< distance from the surface, on both sides, beyond which the magnitude is constant, mm
+  double voxel = 0;  ///< spacing of the lattice, mm; 0: a 160th of the longest side
 };
 
-/// The same solid, its values signed distances in mm: what offsets, shells, blends and morphs need of a scan, whose densities are
-/// distances only next to its surface. Within a voxel of the surface, and wherever the solid has parts that are thinner than a
-/// voxel, the values are still its own, so that the solid does not change; within the next voxel they go over into distances.
-/// These
-/// are found from the crossings of the lattice's edges and followed along the surface (within some hundredths of a voxel where it
-/// is smooth), then interpolated trilinearly, which cuts off ridges between parts that are equally near. `bounds` must hold the
-/// solid. Memory: 16 bytes a place. Throws bad_input, too_large, cancelled.
+/// Returns the same solid with signed distances in mm as values. Offsets, shells, blends and morphs of a scan need
+/// them, because densities are distances only next to the surface.
+/// - Within a voxel of the surface, and in parts thinner than a voxel, the values remain those of `solid`, so that the
+///   surface does not move. Within the next voxel they change smoothly to distances.
+/// - Distances are computed from the crossings of lattice edges, propagated along the surface (error: some hundredths
+///   of a voxel for a smooth surface), and interpolated trilinearly, which rounds ridges between equally near parts.
+/// - `bounds` must contain the solid.
+/// Memory: 16 bytes per lattice point. Throws Error(bad_input), Error(too_large), Error(cancelled).
 FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// From a volume's file to a surface in it, with what is asked for on the way.
+/// From a volume file to an isosurface: cropping, filtering and thresholding.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +11,27 @@
 
 namespace fieldfab {
 
-/// How to take a volume.
+/// Parameters for a volume.
 struct ScanOptions {
   VolumeFileOptions file;
-  std::optional<std::array<int, 6>> crop;  ///< first sample along x, y, z, then last
+  std::optional<std::array<int, 6>> crop;  ///< sample range: first index along x, y, z, then last index along x, y, z
   CleanSettings clean;
   ThresholdRule threshold;
-  bool below = false;                           ///< solid is what is less dense
-  std::size_t memory = std::size_t{512} << 20;  ///< bytes that reading may hold at a time
+  bool below = false;                           ///< whether the solid has densities below the threshold
+  std::size_t memory = std::size_t{512} << 20;  ///< memory for reading, bytes
 };
 
-/// A volume and the surface wanted.
+/// A volume and its isosurface.
 struct Scan {
   VolumePtr volume;
   Isosurface surface;
 };
 
-/// The same with a volume that is open already; `options.file` means nothing.
+/// Applies the options to an open volume; ignores `options.file`. Throws as open_scan().
 Scan take_scan(VolumePtr volume, const ScanOptions& options, Progress& progress = Progress::none());
 
-/// Opens, crops, denoises, finds the threshold, and cleans. Throws as open_volume(), threshold_by() and clean() do.
+/// Opens a volume, crops it, reduces noise, determines the threshold and removes small components. Throws as
+/// open_volume(), threshold_by() and cleaned().
 Scan open_scan(const std::filesystem::path& path, const ScanOptions& options, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -1,4 +1,4 @@
-/// Densities on a lattice: what CT scanners give (Keeter chapter 5).
+/// Volumes: densities on a lattice, such as CT scans (Keeter chapter 5).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,43 +16,47 @@
 
 namespace fieldfab {
 
-/// How a file keeps a density.
+/// Sample type of a file.
 enum class SampleType : std::uint8_t { uint8, int8, uint16, int16, uint32, int32, float32, float64 };
-/// Bytes a sample.
+/// Returns the number of bytes per sample.
 std::size_t size_of(SampleType type);
-/// As in file names and options: uint8, int16, float32, ...
+/// Returns the name in file names and options: uint8, int16, float32 and so on.
 std::string_view name(SampleType type);
-/// The type of that name; also u8, ushort, float, double and their like. Nothing where there is none.
+/// Returns the type of a name, including u8, ushort, float and double; std::nullopt for an unknown name.
 std::optional<SampleType> sample_type(std::string_view name);
 
-/// Where the samples are: sample (i, j, k) is at origin + axes * (i, j, k) * spacing.
+/// Positions of samples: sample (i, j, k) is at origin + axes * (i, j, k) * spacing.
 struct SampleLattice {
-  std::array<int, 3> size{};                           ///< samples along each axis, 2 or more
-  Vec3 spacing = Vec3::Ones();                         ///< mm between samples along each axis
-  Vec3 origin = Vec3::Zero();                          ///< the first sample's place, mm
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns: directions of length 1, not always at right angles
+  std::array<int, 3> size{};    ///< number of samples along each axis, at least 2
+  Vec3 spacing = Vec3::Ones();  ///< spacing along each axis, mm
+  Vec3 origin = Vec3::Zero();   ///< position of the first sample, mm
+  /// unit direction vectors as columns, not necessarily orthogonal
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 
+  /// Number of samples in one slice of constant z.
   [[nodiscard]] std::size_t slice() const { return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]); }
+  /// Number of samples.
   [[nodiscard]] std::size_t count() const { return slice() * static_cast<std::size_t>(size[2]); }
-  /// The samples' extent along the lattice's own axes; with its place in space where these are x, y and z.
+  /// Extent of the samples along the lattice's own axes, mm; in model space if the lattice is straight().
   [[nodiscard]] Box box() const;
-  /// From the coordinates of box() to space.
+  /// Map from the coordinates of box() to model space.
   [[nodiscard]] Eigen::Affine3d placement() const;
-  /// Whether the axes are x, y and z, so that the placement changes nothing.
+  /// Whether the axes are x, y and z, so that placement() is the identity.
   [[nodiscard]] bool straight() const { return axes.isIdentity(0); }
 };
 
-/// A volume that can be read slice by slice: in memory, mapped, or in files of its own. Many threads may read at once.
+/// A volume readable by slices: in memory, memory-mapped, or in its own files. Several threads may read at the same
+/// time.
 class Volume {
  public:
   virtual ~Volume() = default;
   [[nodiscard]] const SampleLattice& lattice() const { return lattice_; }
   [[nodiscard]] SampleType type() const { return type_; }
-  /// What separates solid from nothing where the file tells (a level set's 0).
+  /// Threshold stated by the file, such as 0 for a level set; std::nullopt: none.
   [[nodiscard]] std::optional<double> own_threshold() const { return own_threshold_; }
 
-  /// Writes the densities of `count` slices from `first` on: x fastest, then y, then z. Throws io, or bad_input for damaged
-  /// files.
+  /// Writes the densities of `count` slices from `first` on: x fastest, then y, then z. Throws Error(io), or
+  /// Error(bad_input) for a damaged file.
   virtual void read(int first, int count, float* out) const = 0;
 
  protected:
@@ -64,25 +68,25 @@ class Volume {
 };
 using VolumePtr = std::shared_ptr<const Volume>;
 
-/// Densities in memory, that were of some type where they come from. Throws bad_input where their number or the lattice is not
-/// possible.
+/// Returns a volume in memory; `type` states the sample type of its origin. Throws Error(bad_input) for an invalid
+/// lattice or a wrong number of densities.
 VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold = {},
                     SampleType type = SampleType::float32);
-/// The samples first .. first + count - 1 along each axis.
+/// Returns the samples first .. first + count - 1 along each axis.
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count);
-/// The same samples in another order and lattice, if that makes its axes x, y and z; itself otherwise.
+/// Returns the samples reordered so that the axes become x, y and z, if possible; otherwise `volume` itself.
 VolumePtr straightened(VolumePtr volume);
-/// Every second sample along each axis, each the mean of its neighbourhood (weights 1 2 1 along each axis): the next coarser
-/// level.
+/// Returns the next coarser level: every second sample along each axis, smoothed with weights 1 2 1 along each axis.
 VolumePtr halved(VolumePtr volume);
-/// The same samples at other distances.
+/// Returns the same samples with another spacing, mm.
 VolumePtr respaced(VolumePtr volume, const Vec3& spacing);
 
-/// All densities, x fastest. Throws too_large where they do not fit into memory, cancelled.
+/// Returns all densities, x fastest. Throws Error(too_large) if they exceed the memory, Error(cancelled).
 std::vector<float> read_all(const Volume& volume, Progress& progress = Progress::none());
 
-/// Calls body(first, count, densities) for parts of the slices, in order, none larger than `bytes` of floats (one slice at
-/// least); a part begins with the slice that the part before it ended with where `shared` is set. Stops when `progress` says so.
+/// Calls body(first, count, densities) for consecutive ranges of slices, each of at most `bytes` bytes of floats but at
+/// least one slice. If `shared` is set, each range starts with the last slice of the previous one. `what` describes the
+/// work in progress reports. Throws Error(cancelled).
 void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& progress, const std::string& what,
                const std::function<void(int first, int count, const float* densities)>& body);
 

@@ -1,4 +1,4 @@
-/// A volume as a solid.
+/// Fields of volumes.
 #pragma once
 
 #include "fieldfab/field/field.h"
@@ -6,26 +6,27 @@
 
 namespace fieldfab {
 
-/// Which side of a threshold is solid, and how densities become millimetres.
+/// Threshold, side of the solid, and scale from density to millimetres.
 struct Isosurface {
   double threshold = 0;
-  bool below = false;  ///< solid is what is less dense
-  /// mm by which the surface moves for one unit of density: 1 / the usual steepness at the surface, or 1 where nothing is known.
+  bool below = false;  ///< whether the solid has densities below the threshold
+  /// Displacement of the surface per unit of density, mm: the reciprocal of the median gradient at the surface; 1 if
+  /// unknown.
   double mm_per_density = 1;
 
-  /// Negative inside, in mm near the surface; what is exactly at the threshold is outside.
+  /// Converts a density to a value in mm: negative inside, 0 at the threshold, which is outside. NaN stays NaN.
   [[nodiscard]] float value(float density) const {
     const auto off = static_cast<float>((threshold - density) * mm_per_density);
     return below ? -off : off;
   }
 };
 
-/// The isosurface at a threshold with its scale: the median steepness of the density where the surface crosses some of the
-/// slices, evenly chosen, so that the answer does not depend on how a volume is read.
+/// Returns the isosurface at a threshold. Its scale is the median density gradient where the surface crosses some
+/// evenly chosen slices, so that it does not depend on how the volume is read.
 Isosurface isosurface(const Volume& volume, double threshold, bool below = false);
 
-/// The solid: densities interpolated trilinearly between samples, empty outside of the lattice. Keeps all samples in memory, 4
-/// bytes each: throws too_large where that is not there.
+/// Returns the solid: densities interpolated trilinearly, empty outside the lattice. Copies all samples into memory, 4
+/// bytes each. Throws Error(too_large) if they exceed it, Error(io), Error(cancelled).
 FieldPtr volume_field(const Volume& volume, const Isosurface& surface, Progress& progress = Progress::none());
 
 }  // namespace fieldfab

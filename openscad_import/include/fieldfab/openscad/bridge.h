@@ -1,4 +1,4 @@
-/// Fieldfab's solids within OpenSCAD's designs: the library fieldfab.scad and the meshes it imports.
+/// Fieldfab's solids in OpenSCAD designs: the library fieldfab.scad and its imported meshes.
 #pragma once
 
 #include <filesystem>
@@ -9,24 +9,24 @@
 
 namespace fieldfab::openscad {
 
-/// What refresh_cache() did.
+/// Result of refresh_cache().
 struct CacheReport {
-  std::size_t made = 0, kept = 0;              ///< meshes
-  std::vector<std::filesystem::path> sources;  ///< files that were read: the design, and what it names
+  std::size_t made = 0, kept = 0;              ///< meshes made and meshes reused
+  std::vector<std::filesystem::path> sources;  ///< files read: the design and the files it names
   std::vector<std::string> notes;
 };
 
-/// Lets OpenSCAD find what a design asks of fieldfab.scad, and makes the meshes it lacks or whose sources have changed, in
-/// fieldfab-cache/ beside it: closed and manifold, so that OpenSCAD's CGAL takes them. Puts the library beside the design where
-/// there is none. A scan or formula that a design names is looked for beside it; scripts are not run. Throws io, bad_input (also
-/// with OpenSCAD's own message), cancelled.
+/// Provides the meshes that a design requests through fieldfab.scad. Creates missing and outdated ones in
+/// fieldfab-cache/ beside the design; they are closed and manifold, as OpenSCAD's CGAL requires. Copies the library
+/// beside the design if it is missing. File names in the design are relative to it; scripts are not run. Throws
+/// Error(io), Error(bad_input) (also with OpenSCAD's own message), Error(cancelled).
 CacheReport refresh_cache(const std::filesystem::path& design, Progress& progress = Progress::none());
 
-/// Runs OpenSCAD to make `output` of a design, by its extension. Throws as refresh_cache() does.
+/// Runs OpenSCAD to export a design to `output`, in the format of its extension. Throws as refresh_cache().
 void export_design(const std::filesystem::path& design, const std::filesystem::path& output,
                    Progress& progress = Progress::none());
 
-/// The text of fieldfab.scad.
+/// Returns the text of fieldfab.scad.
 std::string library_text();
 
 }  // namespace fieldfab::openscad

@@ -1,4 +1,4 @@
-/// A design of OpenSCAD as a solid.
+/// OpenSCAD designs as solids.
 #pragma once
 
 #include <filesystem>
@@ -13,26 +13,30 @@
 namespace fieldfab::openscad {
 
 struct DesignOptions {
-  bool smooth = false;         ///< circles, spheres, cylinders and turned shapes round, not faceted as OpenSCAD draws them
-  bool formulas_only = false;  ///< throw bad_input rather than give what has no formula
+  /// whether circles, spheres, cylinders and solids of revolution are exact instead of faceted as in OpenSCAD
+  bool smooth = false;
+  bool formulas_only = false;  ///< whether a design without an equivalent formula is an error (bad_input)
 };
 
-/// Reads a .csg file, or a .scad file through the installed `openscad`. Throws io, bad_input: also with OpenSCAD's own message
-/// where it fails.
+/// Reads a .csg file, or a .scad file through the installed `openscad`. Throws Error(io), Error(bad_input) (also with
+/// OpenSCAD's own message), Error(cancelled).
 Tree read_tree(const std::filesystem::path& path, Progress& progress = Progress::none());
 
-/// How many dimensions each node's shape has: 2 or 3, or 0 where it draws nothing. Throws bad_input with FILE:LINE for what is
-/// unknown.
+/// Returns the number of dimensions of each node's shape: 2 or 3, or 0 for an empty one. Throws Error(bad_input) with
+/// FILE:LINE for an unknown node.
 std::vector<int> dimensions_of(const Tree& tree);
 
-/// The solid of a tree, with its formula where all of it has one; its voxel is one that does not miss its thinnest part, where
-/// that does not take too many; notes have FILE:LINE. Its Field is null where the design is empty. `folder` is where the files
-/// that it imports are looked for. Throws bad_input with FILE:LINE for what is unknown or cannot be, io for a missing file,
-/// cancelled.
+/// Returns the solid of a tree.
+/// - It has a formula if the whole tree has one.
+/// - Its voxel resolves the thinnest part, unless that needs too many cells.
+/// - Its Field is null for an empty design.
+/// - Its notes start with FILE:LINE.
+/// Imported file names are relative to `folder`. Throws Error(bad_input) with FILE:LINE for unknown or invalid nodes,
+/// Error(io) for a missing file, Error(cancelled).
 std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options = {},
                                          Progress& progress = Progress::none());
 
-/// The kernel's formats, and .csg and .scad files: all that there are.
+/// Returns all formats: those of the kernel, and .csg and .scad.
 const Formats& all_formats();
 
 }  // namespace fieldfab::openscad

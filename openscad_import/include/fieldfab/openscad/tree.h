@@ -1,4 +1,4 @@
-/// The tree of a .csg file: what is left of an OpenSCAD design once its program has run.
+/// The syntax tree of a .csg file: an OpenSCAD design after evaluation of its program.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace fieldfab::openscad {
 struct Value;
 using List = std::vector<Value>;
 
-/// A value of an argument: undef, a truth value, a number (which may be infinite or NaN), words, or a list of values.
+/// An argument's value: undef, a Boolean, a number (which may be infinite or NaN), a string, or a list of values.
 struct Value {
   std::variant<std::monostate, bool, double, std::string, List> held;
 
@@ -23,45 +23,47 @@ struct Value {
   [[nodiscard]] const List* list() const { return std::get_if<List>(&held); }
 };
 
+/// An argument of a node.
 struct Argument {
-  std::string name;  ///< empty where none was given
+  std::string name;  ///< empty for a positional argument
   Value value;
 };
 
-/// A node by its number in its tree.
+/// Index of a node in its tree.
 using NodeIndex = std::uint32_t;
 
-/// `name(arguments) { children }`, after the modifiers that stand before it.
+/// A node: `name(arguments) { children }`, with the modifiers before it.
 struct Node {
   std::string name;
   std::vector<Argument> arguments;
   std::vector<NodeIndex> children;
   std::uint32_t line = 0;   ///< from 1
-  bool background = false;  ///< %: shown, not part of the solid
-  bool disabled = false;    ///< *: as if it were not there
-  bool root = false;        ///< !: the design is this node alone
+  bool background = false;  ///< %: displayed, not part of the solid
+  bool disabled = false;    ///< *: ignored
+  bool root = false;        ///< !: the design consists of this node only
   bool highlight = false;   ///< #: shown in another colour, too
 };
 
-/// All nodes; the first is a group of what stands at the top of the file. Children have greater numbers than their parent.
+/// A tree. The first node is a group of all top-level nodes. Children have greater indices than their parent.
 struct Tree {
-  std::string file;  ///< the name that messages carry
+  std::string file;  ///< name for messages
   std::vector<Node> nodes;
 
   [[nodiscard]] const Node& top() const { return nodes.front(); }
-  /// "FILE:LINE", for messages about a node.
+  /// Returns "FILE:LINE" of a node, for messages.
   [[nodiscard]] std::string place(const Node& node) const { return file + ":" + std::to_string(node.line); }
 };
 
-/// Reads the text of a .csg file as OpenSCAD 2021.01 writes it: words in quotes are taken as they are, for it does not mark
-/// quotes within them; such a word ends at a quote before a comma or a bracket. Comments are skipped. Of any depth. Throws
-/// bad_input with FILE:LINE:COLUMN, what was found and what was expected.
+/// Parses a .csg file as written by OpenSCAD 2021.01. Strings are taken verbatim, because OpenSCAD does not escape
+/// quotes within them: a string ends at a quote before a comma or a bracket. Comments are skipped. Nesting depth is not
+/// limited. Throws Error(bad_input) with FILE:LINE:COLUMN, what was found and what was expected.
 Tree parse_csg(std::string_view text, std::string_view file);
 
+/// Whether the modifiers % * ! # are printed.
 enum class Modifiers { left_out, kept };
 
-/// A node and what is below it as .csg text: what parse_csg() reads back as the same tree. Words that contain quotes or
-/// backslashes are written with backslashes before them, as OpenSCAD reads them.
+/// Prints a node and its descendants as .csg text, which parse_csg() reads back as the same tree. Quotes and
+/// backslashes in strings are escaped by backslashes, as OpenSCAD reads them.
 std::string print_csg(const Tree& tree, NodeIndex node, Modifiers modifiers = Modifiers::left_out);
 
 }  // namespace fieldfab::openscad

@@ -1,5 +1,5 @@
-/// Settings that jobs, machines, materials and tools give: declared once with type, unit, default and limits, checked, and looked
-/// up by name.
+/// Declared settings of jobs, machines, materials and tools: type, unit, default and limits, with validation and lookup
+/// by name.
 #pragma once
 
 #include <limits>
@@ -10,36 +10,36 @@
 
 namespace fieldfab::cam {
 
-/// A value of a setting.
+/// Value of a setting.
 using Value = std::variant<bool, double, std::string, std::vector<double>>;
 
-/// A setting: its meaning and what it may be.
+/// Declaration of a setting.
 struct Setting {
   std::string name, help, unit;
-  Value standard;  ///< the default, whose type is the setting's
+  Value standard;  ///< the default; its type is the type of the setting
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
-  bool lower_open = false;           ///< must be above `lower`, not equal
-  bool required = false;             ///< has no default
-  bool whole = false;                ///< a whole number
-  std::vector<std::string> choices;  ///< where not empty, the texts allowed
-  /// The setting beside it without which this one means nothing, and the values which that one must then have; none: any but 0
-  /// and false.
+  bool lower_open = false;           ///< whether the value must exceed `lower` strictly
+  bool required = false;             ///< whether a value is required: there is no default
+  bool whole = false;                ///< whether the value must be a whole number
+  std::vector<std::string> choices;  ///< permitted texts; empty: any
+  /// Name of another setting that enables this one, and the values of it that do so; no values: any except 0 and false.
+  /// Empty: always enabled.
   std::string needs;
   std::vector<std::string> needs_values;
 };
 using Settings = std::vector<Setting>;
 
-/// What a number is where nobody says: it then follows from other things.
+/// Marker of an absent number, whose value is then derived from other settings.
 constexpr double unset = -987654321.0;
 
-/// Where a value comes from, for --plan.
+/// A value with its origin, for --plan.
 struct Given {
   Value value;
-  std::string from;   ///< "job", "tool", "material wax", "machine", "default"
-  std::string place;  ///< FILE:LINE where known
+  std::string from;   ///< origin: "job", "tool", "material wax", "machine" or "default"
+  std::string place;  ///< FILE:LINE if known, otherwise empty
 };
 
-/// Values by name. Getters throw internal for a name that was never declared.
+/// Values by name. Getters throw Error(internal) for an undeclared name or a value of another type.
 class Values {
  public:
   std::map<std::string, Given> given;
@@ -50,13 +50,15 @@ class Values {
   [[nodiscard]] bool has(const std::string& name) const { return given.contains(name); }
   [[nodiscard]] const std::string& place(const std::string& name) const;
 };
+/// Whether a number was given, that is, differs from `unset`.
 inline bool is_set(const Values& values, const std::string& name) { return values.number(name) != unset; }
 
-/// Checks a value against its setting and returns it with the setting's type (a whole number is a number). Throws bad_input at
-/// `place`.
+/// Validates a value against its declaration and returns it in the declared type (whole numbers are doubles). Throws
+/// Error(bad_input) at `place`.
 Value checked(const Setting& setting, const Value& value, const std::string& place);
 
-/// The names nearest to a mistyped one, as ", did you mean 'x'?", or nothing.
+/// Returns "; did you mean 'x'?" with the known name of least edit distance from a misspelled one, or an empty string
+/// if none is similar.
 std::string suggestion(const std::string& wrong, const std::vector<std::string>& known);
 
 }  // namespace fieldfab::cam

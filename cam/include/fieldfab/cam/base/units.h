@@ -1,4 +1,4 @@
-/// Units and coordinates of every room: lengths are millimetres and angles radians.
+/// Units and coordinates of all CAM modules: lengths are millimetres and angles radians.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@ using Vec2 = Eigen::Vector2d;
 constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
-/// Whether the axis of that place among x, y, z, a, b, c, u, v, w turns: it counts in radians.
+/// Whether an axis is rotary, by its index in x, y, z, a, b, c, u, v, w: its values are radians.
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }
 
 }  // namespace fieldfab::cam

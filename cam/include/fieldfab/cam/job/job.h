@@ -1,4 +1,4 @@
-/// A job: a part, a machine, tools and operations, as a TOML file says (docs/cam.md).
+/// CAM jobs: a part, a machine, tools and operations, read from a TOML file (docs/cam.md).
 #pragma once
 
 #include <filesystem>
@@ -16,41 +16,45 @@
 
 namespace fieldfab::cam {
 
-/// One operation as it will be done.
+/// A planned operation.
 struct PlannedOperation {
-  std::string name;                  ///< "1 pocket" or as the job calls it
-  std::vector<const Stage*> stages;  ///< from the input on, the operation last
+  std::string name;                  ///< "1 pocket", or the name given in the job
+  std::vector<const Stage*> stages;  ///< chain of stages from the input to the operation, not owned
   Values values;
   Tool tool;
   Plane plane;
-  std::optional<Artifact> own_input = std::nullopt;  ///< where it works on a model of its own
+  std::optional<Artifact> own_input = std::nullopt;  ///< own model of the operation, if it has one
 };
 
-/// What an operation came to.
+/// Result of an operation.
 struct OperationReport {
   std::string name;
+  /// number of paths
   std::size_t paths = 0;
   AirTravel air;
   Lengths length;
+  /// machining time, seconds
   double seconds = 0;
 };
 
-/// A job read and checked, and all of its results.
+/// A validated job with its results.
 class Job {
  public:
-  /// Reads a job file and what it names, models in any of the formats. Throws bad_input with FILE:LINE, io, cancelled.
+  /// Reads a job file and the models it names, in any format of `formats`. Throws Error(bad_input) with FILE:LINE,
+  /// Error(io), Error(cancelled).
   static Job read(const std::filesystem::path& path, Progress& progress = Progress::none(),
                   const Formats& formats = kernel_formats());
-  /// The same of a file's text. `path` is what messages call it, and beside it are the files that it names. Where a part is
-  /// given, [input] names no model; it may scale, turn and move the part.
+  /// Parses the text of a job file. `path` appears in messages; file names in the job are relative to its folder. If
+  /// `part` is given, [input] names no model, but may scale, rotate and move the part. Throws as read().
   static Job parse(std::string_view toml, const std::filesystem::path& path, FieldPtr part = nullptr,
                    Progress& progress = Progress::none(), const Formats& formats = kernel_formats());
 
-  /// The chains of stages with all settings and where each comes from, for people.
+  /// Returns the chains of stages with all settings and their origins, for people.
   [[nodiscard]] std::string plan() const;
-  /// Plans all paths. Throws bad_input, cancelled.
+  /// Plans all paths. Throws Error(bad_input), Error(cancelled).
   void run(Progress& progress = Progress::none());
-  /// Writes the program, or the picture or mesh the machine takes, to `path`, whole or not at all. After run().
+  /// Writes the program, or the picture or mesh that the machine takes, completely or not at all. Precondition: run().
+  /// Throws Error(io), Error(bad_input), Error(cancelled).
   void write(const std::filesystem::path& path, Progress& progress = Progress::none()) const;
 
   [[nodiscard]] const Program& program() const { return program_; }
@@ -59,10 +63,11 @@ class Job {
   [[nodiscard]] const std::vector<PlannedOperation>& operations() const { return operations_; }
   [[nodiscard]] const std::vector<OperationReport>& reports() const { return reports_; }
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// The part if it is a solid, otherwise null; owned by the job.
   [[nodiscard]] const Solid* solid() const { return std::get_if<Solid>(&input_); }
-  /// The material, in the part's coordinates, mm.
+  /// Box of the material in part coordinates, mm.
   [[nodiscard]] const Box& stock() const { return stock_; }
-  /// Where the program's zero lies in the model's coordinates (scaled and turned as [input] says), mm.
+  /// Position of the program's zero in model coordinates (after the scaling and rotation of [input]), mm.
   [[nodiscard]] const Vec3& zero() const { return zero_; }
   [[nodiscard]] const std::string& name() const { return program_.name; }
   [[nodiscard]] const std::string& material() const { return material_; }

@@ -1,4 +1,4 @@
-/// Pictures of programs (Keeter Fig. 6-16), and the set-up sheet that goes to the machine with them.
+/// Pictures of programs (Keeter Fig. 6-16), and set-up sheets.
 #pragma once
 
 #include <filesystem>
@@ -8,20 +8,23 @@
 
 namespace fieldfab::cam {
 
-/// What colours mean: from blue (first) to green (last), or from light (high) to dark (deep); rapids are red.
+/// Colour scale: by order from blue (first) to green (last), or by depth from light (high) to dark (deep). Rapids are
+/// red.
 enum class Colouring { order, depth };
 
 struct PictureSettings {
   Colouring colouring = Colouring::order;
-  int size = 1024;       ///< pixels of a PNG's longer side
-  bool oblique = false;  ///< seen from the front, above; else from straight above
+  int size = 1024;       ///< longer side of a PNG, pixels
+  bool oblique = false;  ///< oblique view from the front and above; default: from above
   bool rapids = true;
 };
 
-/// A .png or an .svg (lines as vectors) of the tool's ways. Throws bad_input for another extension or a size out of range, io.
+/// Draws the tool paths into a .png or an .svg file (vector lines). Throws Error(bad_input) for another extension or a
+/// size out of range, Error(io).
 void write_picture(const Program& program, const std::filesystem::path& path, const PictureSettings& settings = {});
 
-/// One HTML file, pictures within it: tools, zero, stock, operations with their settings and times, and notes. After Job::run().
+/// Writes the set-up sheet, one HTML file with embedded pictures: tools, zero, stock, operations with settings and
+/// times, and notes. Precondition: Job::run(). Throws Error(io).
 void write_setup_sheet(const Job& job, const std::filesystem::path& path);
 
 }  // namespace fieldfab::cam

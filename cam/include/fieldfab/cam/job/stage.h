@@ -1,5 +1,5 @@
-/// The workflow as a graph (Keeter 6.1): stages turn one kind of thing into another, and the system finds the chain that leads
-/// from what there is to what a machine takes.
+/// The workflow as a graph (Keeter 6.1): stages convert one kind of artifact into another, and a search finds the chain
+/// from the input to the operation.
 #pragma once
 
 #include <functional>
@@ -20,53 +20,56 @@
 
 namespace fieldfab::cam {
 
-/// Paths, and how they want to be joined.
+/// Paths, and the constraints on joining them.
 struct Cuts {
   std::vector<Path> paths;
-  bool ordered = false;  ///< their order and start points matter: leave them
+  bool ordered = false;  ///< whether their order and start points must be kept
   bool inside_first = true, may_reverse = false;
   std::function<bool(const Vec3&, const Vec3&)> may_stay_down = nullptr;
-  double leans = 0;                                      ///< how far the tool leans from the plane's z at most, radians
-  std::shared_ptr<const TipSurface> finished = nullptr;  ///< where a finishing tool could go, so that later planes leave that out
+  double leans = 0;  ///< greatest inclination of the tool to the plane's z, radians
+  /// tip surface of a finishing operation, so that later planes omit the area it covers
+  std::shared_ptr<const TipSurface> finished = nullptr;
 };
 
-/// Solids have bounds here: the region that stages look at. A flat one is a drawing, the same at every z.
+/// An intermediate result. A Solid has bounds here: the region of interest. A flat Solid is a drawing, constant along
+/// z.
 using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
-/// What an Artifact is; in the variant's order.
+/// Kind of an Artifact, in the order of the variant.
 enum class Kind { solid, image, bitmap, outline, surface, paths };
 const char* name_of(Kind kind);
 
-/// What stages may ask about the job besides their own settings.
+/// Information about the job for stages, besides their own settings.
 struct Context {
   Tool tool;
-  Box stock;                                ///< the material, mm, in the plane's coordinates
-  Plane plane;                              ///< that is cut from
-  FieldPtr part;                            ///< in its own coordinates; nullptr for images
-  std::function<const FreeSpace&()> space;  ///< around it
-  const Material& material;                 ///< what earlier operations on this plane have left
-  const std::vector<Reached>& earlier;      ///< what other planes have finished
+  Box stock;                                ///< box of the material in plane coordinates, mm
+  Plane plane;                              ///< the plane from which the operation cuts
+  FieldPtr part;                            ///< the part in its own coordinates; null for images
+  std::function<const FreeSpace&()> space;  ///< free space around the part, computed on the first call
+  const Material& material;                 ///< material left by earlier operations on this plane
+  const std::vector<Reached>& earlier;      ///< areas finished by earlier operations on other planes
   Progress& progress;
-  std::vector<std::string>& notes;  ///< what the user should know
+  std::vector<std::string>& notes;  ///< receives notes for the user
 };
 
 /// A step of a workflow.
 struct Stage {
   std::string name, help;
   Kind takes, makes;
-  bool operation = false;  ///< asked for by name in a job; others are put in where they lead on
+  bool operation = false;  ///< whether jobs request it by name; other stages are inserted as needed
   Settings settings;
   std::function<Artifact(const Artifact&, const Values&, Context&)> run;
-  /// Of an operation on a drawing: what of the stock it may take away. Null, or null from it: it does not say.
+  /// For an operation on a drawing: returns the part of the stock that it may remove, or null if unknown. May be null.
   FieldPtr (*may_cut)(const FieldPtr& drawing, const Values&, const Box& stock) = nullptr;
 };
 
-/// All stages there are. To add one, add it to the table of its file in cam/job: nothing else has to know.
+/// Returns all stages. A new stage is an entry in the table of its file in cam/job; no other code refers to it.
 const std::vector<Stage>& stages();
-/// An operation by name; throws bad_input at `place` with the nearest name.
+/// Returns the operation of that name. Throws Error(bad_input) at `place`, with the most similar name.
 const Stage& operation(const std::string& name, const std::string& place);
-/// What all operations can be told besides: how their paths are joined to moves.
+/// Returns the settings common to all operations: how paths are joined to moves.
 Settings joining_settings();
-/// The shortest chain of stages from a kind to an operation, the operation last. Throws bad_input where none leads there.
+/// Returns the shortest chain of stages from a kind to an operation, which comes last. Throws Error(bad_input) if there
+/// is none.
 std::vector<const Stage*> chain(Kind from, const Stage& operation);
 
 }  // namespace fieldfab::cam

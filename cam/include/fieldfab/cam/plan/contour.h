@@ -1,4 +1,4 @@
-/// Contours of a Field in a plane (Keeter 6.4), and distances to them (6.5 without a lattice).
+/// Contours of a Field in a plane (Keeter 6.4), and distances to them (6.5, without a lattice).
 #pragma once
 
 #include "fieldfab/cam/plan/plane.h"
@@ -7,38 +7,40 @@
 
 namespace fieldfab::cam {
 
-/// What to contour.
+/// Parameters of a contour.
 struct ContourSettings {
-  double cell = 0.1;  ///< edge of the squares, mm: what is narrower may be missed
-  double z = 0;       ///< the plane
-  double level = 0;   ///< the value that counts as the surface
+  double cell = 0.1;  ///< edge of the squares, mm; narrower parts may be missed
+  double z = 0;       ///< height of the plane, mm
+  double level = 0;   ///< value of the contour
 };
 
-/// What contours() may have missed between its samples.
+/// Parts that contours() may have missed between its samples.
 struct MissedParts {
-  std::size_t lost = 0;       ///< squares whose corners do not show what is found within
-  std::size_t unproved = 0;   ///< squares in which it is not proved that there is nothing
-  Vec2 place = Vec2::Zero();  ///< one of them, the lost ones first
+  std::size_t lost = 0;       ///< number of squares with a detected part that their corners do not show
+  std::size_t unproved = 0;   ///< number of squares for which the absence of a part is not proved
+  Vec2 place = Vec2::Zero();  ///< a point in one of these squares, preferably one with a detected part, mm
   [[nodiscard]] bool any() const { return lost + unproved > 0; }
 };
 
-/// Marching squares over a quadtree whose squares are left out where the Field's interval tells that no contour passes: time and
-/// memory grow with the length of the contour, not with the area. Points lie on the contour to a thousandth of a cell; corners
-/// are met where two tangents do. What reaches beyond `region` is closed along its border. Same result for any number of threads.
-/// Throws bad_input for a cell or region that is not positive and finite, too_large, cancelled.
+/// Extracts contours by marching squares over a quadtree. Squares whose interval excludes a contour are skipped: time
+/// and memory are proportional to the length of the contour. Vertices lie on the contour to a thousandth of a cell; a
+/// corner is placed at the intersection of two tangents. Contours are closed along the border of `region`. NaN is
+/// outside. The result does not depend on the number of threads. Throws Error(bad_input) for a cell or region that is
+/// not positive and finite, Error(too_large), Error(cancelled).
 Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings,
                Progress& progress = Progress::none());
-/// The same, and whether parts narrower than a square were missed: squares with all corners on one side are looked into, down to
-/// a 16th of a cell, by the Field's intervals and slopes. Of a Field that tells no slopes only what is found is counted.
+/// Extracts contours and reports missed parts: searches squares whose corners all lie on one side, down to a 16th of a
+/// cell, by the Field's intervals and slopes. For a Field without bounds of its slopes, only detected parts are
+/// counted.
 Loops contours(const Field& field, const Rectangle& region, const ContourSettings& settings, MissedParts& missed,
                Progress& progress = Progress::none());
 
-/// Signed distance to closed curves as a Field of x and y, exact: negative where the loops have their left side. Its contours are
-/// offsets of the loops: outward for levels above 0. A value costs O(log segments).
+/// Returns the exact signed distance to closed curves as a Field of x and y, mm: negative on the left of the loops. Its
+/// contours are offsets of the loops, outward for positive levels. Copies the loops. O(log segments) per value.
 FieldPtr outline_field(const Loops& loops);
 
-/// The loops moved outward by `distance` (inward where negative): the boundary of the Minkowski sum with a disc, and of what a
-/// disc cannot reach. The squares are at most `cell` wide.
+/// Offsets loops by `distance` mm, outward if positive: the boundary of the Minkowski sum with a disc, or of the
+/// complement of such a sum. `cell` bounds the edge of the squares, mm. Throws as contours().
 Loops offset(const Loops& loops, double distance, double cell, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

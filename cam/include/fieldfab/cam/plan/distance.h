@@ -1,4 +1,4 @@
-/// Distances on a lattice (Keeter 6.3): exact, by Meijster, Roerdink and Hesselink's transform of 2000.
+/// Exact distance transforms on a lattice (Keeter 6.3), by the algorithm of Meijster, Roerdink and Hesselink (2000).
 #pragma once
 
 #include "fieldfab/cam/plan/plane.h"
@@ -7,15 +7,15 @@
 
 namespace fieldfab::cam {
 
-/// From each sample to the nearest solid one, mm: 0 where it is solid itself, infinity where there is none at all. Two passes
-/// over the lattice, columns and rows in parallel; O(samples).
+/// Returns the distance from each sample to the nearest solid sample, mm: 0 at solid samples, infinity if there are
+/// none. Two passes, by columns and by rows, in parallel. O(samples). Throws Error(cancelled).
 Lattice<float> distance_transform(const Bitmap& bitmap, Progress& progress = Progress::none());
 
-/// Signed distance to the line halfway between solid samples and others: negative in the solid. Exact but for what half a cell
-/// means: the edge of a bitmap is only known to lie between two samples.
+/// Returns the signed distance to the line halfway between solid and other samples, mm, negative in the solid. The edge
+/// of a bitmap is only known to half a cell; the result is exact otherwise. Throws Error(cancelled).
 Lattice<float> signed_distance(const Bitmap& bitmap, Progress& progress = Progress::none());
 
-/// A lattice as a Field of x and y: bilinear between samples, and beyond them the nearest sample's value.
+/// Returns a lattice as a Field of x and y: bilinear between samples, constant beyond the outermost ones.
 FieldPtr lattice_field(Lattice<float> lattice);
 
 }  // namespace fieldfab::cam

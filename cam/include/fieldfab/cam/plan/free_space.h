@@ -1,4 +1,4 @@
-/// Where there is room around a part: for shanks, holders and tilted cutters.
+/// Free space around a part, for collision tests of shanks, holders and inclined cutters.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace fieldfab::cam {
 
-/// A piece of a tool about its axis: a cylinder or a cone, from one height above the tip to another, mm.
+/// A piece of a tool: a cylinder or a frustum between two heights above the tip, mm.
 struct Frustum {
-  double from, to;                ///< heights along the axis
-  double radius_from, radius_to;  ///< there
-  bool cuts = false;              ///< the cutting part: the part may be touched
+  double from, to;                ///< heights along the axis, mm
+  double radius_from, radius_to;  ///< radii at these heights, mm
+  bool cuts = false;              ///< whether this is the cutting part, which may touch the part
 };
 
-/// The space outside of a solid. What it says is clear, is: by the Field's intervals, not by samples.
+/// The complement of a solid. Answers are conservative: they rest on the Field's intervals, not on samples.
 class FreeSpace {
  public:
-  /// Looks at the part inside of `bounds`; outside of it there is nothing. Throws cancelled.
+  /// Examines the part inside `bounds`; the space beyond is free. Shares ownership of `part`. Throws Error(cancelled).
   FreeSpace(FieldPtr part, const Box& bounds, Progress& progress = Progress::none());
 
-  /// Whether a piece of a tool is clear of the part. False also where that is not certain: within `tolerance` mm of it, or where
-  /// telling would take too long.
+  /// Whether a piece of a tool is clear of the part. False if this is not certain: within `tolerance` mm of the part,
+  /// or if a proof would take too long.
   [[nodiscard]] bool clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, double tolerance) const;
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 
@@ -40,7 +40,8 @@ class FreeSpace {
   Box bounds_;
   double cell_;
   Eigen::Vector3i count_;
-  std::vector<std::uint8_t> steps_;  // by cell: how many cells to the nearest one that may hold some of the part, at most 255
+  // per cell: distance to the nearest cell that may contain the part, in cells, at most 255
+  std::vector<std::uint8_t> steps_;
 };
 
 }  // namespace fieldfab::cam

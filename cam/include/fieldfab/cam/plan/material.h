@@ -1,4 +1,4 @@
-/// What is left of the stock while a program is planned: heights of the material as one plane sees it.
+/// In-process stock during planning: heights of the material, as seen from one plane.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,16 @@
 
 namespace fieldfab::cam {
 
-/// Heights on a lattice, never below the true ones but for half a cell's slope along a cut's edge. Good for planning entries and
-/// leaving out air; the simulation is what proves programs.
+/// A height map of the material. Heights are never too low, except by the slope over half a cell along the edge of a
+/// cut. Used for entries and for omitting air cuts; the simulation verifies programs.
 class Material {
  public:
-  /// A block up to `top`; cells of that size, mm.
+  /// A block up to height `top`, with cells of edge `cell`, mm.
   Material(const Rectangle& block, double top, double cell);
 
-  /// Takes away what the tool sweeps on its cutting moves, in the same coordinates.
+  /// Removes the volume swept by the tool on cutting moves, given in the same coordinates.
   void cut(const std::vector<Move>& moves, const Profile& profile);
-  /// The greatest height within `radius` of a place; minus infinity outside of the block.
+  /// Returns the greatest height within `radius` of a point, mm; minus infinity outside the block.
   [[nodiscard]] double highest(const Vec2& p, double radius) const;
   [[nodiscard]] const HeightMap& heights() const { return heights_; }
   HeightMap& heights() { return heights_; }
@@ -25,8 +25,8 @@ class Material {
   HeightMap heights_;
 };
 
-/// The parts of paths where a tool of that radius meets material, with a little more on both ends; closed paths that meet it
-/// everywhere stay closed.
+/// Returns the parts of paths on which a tool of that radius meets material, slightly extended at both ends. A closed
+/// path that meets material everywhere stays closed.
 std::vector<Path> where_material(const std::vector<Path>& paths, const Material& material, double radius);
 
 }  // namespace fieldfab::cam

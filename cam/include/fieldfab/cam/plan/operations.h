@@ -1,4 +1,4 @@
-/// What a machine can do to a part: each operation turns outlines or a surface into paths of the tool's tip.
+/// Machining operations: each converts outlines or a surface into paths of the tool tip.
 #pragma once
 
 #include <optional>
@@ -13,123 +13,129 @@ namespace fieldfab::cam {
 
 class Material;
 
-/// A part seen from above as signed distance: negative in the part, exact at least near its outline.
+/// A part seen from above, as a signed distance: negative in the part, exact at least near its outline.
 struct Outline {
   FieldPtr distance;
-  Rectangle bounds;   ///< holds the part
-  double cell = 0.1;  ///< squares that contours of it are made with, mm
+  Rectangle bounds;   ///< contains the part
+  double cell = 0.1;  ///< edge of the squares for contours, mm
 };
 
-/// From the top of the material to the bottom of the cut, in even steps of at most `step`.
+/// Depth range of a cut, divided into equal steps of at most `step`, mm.
 struct Depths {
   double top = 0, bottom = -1, step = 1e300;
-  /// z of each pass, the highest first; the last one is the bottom. Throws bad_input unless bottom < top and step > 0.
+  /// Returns z of each pass, from the highest to the bottom. Throws Error(bad_input) unless bottom < top and step > 0.
   [[nodiscard]] std::vector<double> passes() const;
 };
 
-/// What all operations on outlines share.
+/// Settings shared by operations on outlines.
 struct CutSettings {
-  double radius = 0;     ///< of the tool, or half of the beam's width, mm
-  double allowance = 0;  ///< left on the part, mm
+  double radius = 0;     ///< radius of the tool, or half the width of the beam, mm
+  double allowance = 0;  ///< material left on the part, mm
   Depths depths;
-  bool climb = true;         ///< the wall on the right of the tool (for a spindle that turns clockwise)
-  double tolerance = 0.005;  ///< for fitting lines and arcs, mm
+  bool climb = true;         ///< climb milling: the wall is on the right of the tool (for a clockwise spindle)
+  double tolerance = 0.005;  ///< tolerance of fitted lines and arcs, mm
   bool arcs = true;
 };
 
 enum class Side { outside, inside, on };
 
-/// Bridges that hold a part while it is cut out.
+/// Holding tabs: bridges that hold a part while it is cut out.
 struct Tabs {
-  int count = 0;      ///< on each loop, evenly along it
-  double width = 4;   ///< that stays, mm
-  double height = 1;  ///< above the bottom of the cut, mm
+  int count = 0;      ///< number on each loop, equally spaced
+  double width = 4;   ///< remaining width, mm
+  double height = 1;  ///< height above the bottom of the cut, mm
 };
 
-/// Along the outline, `side` of it.
+/// Cuts along the outline, on the given side.
 std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs = {},
                           Progress& progress = Progress::none());
 
-/// Offsets outward from the outline, as for isolating the traces of a circuit board: `count` of them (-1: until all is cut), each
-/// `stepover` mm from the one before.
+/// Cuts outward offsets of the outline, as for the isolation of circuit board traces: `count` of them (-1: until no
+/// material is left), `stepover` mm apart.
 std::vector<Path> isolate(const Outline& part, int count, double stepover, const CutSettings& cut,
                           Progress& progress = Progress::none());
 
-/// How an area is cleared.
+/// Settings for clearing an area.
 struct ClearSettings {
-  double stepover = 1;      ///< between rings, mm; adaptive: the tool is engaged as in a straight pass of that stepover
-  bool adaptive = false;    ///< adaptive() instead of rings
-  double helix_radius = 1;  ///< adaptive: of the way into solid material; less where there is no room for it
-  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< of the helix against the plane, radians
-  const Material* material = nullptr;                    ///< what there is to cut; nullptr: everything
+  /// distance of rings, mm; with adaptive clearing: the stepover of a straight pass with the same engagement
+  double stepover = 1;
+  bool adaptive = false;    ///< whether to use adaptive() instead of rings
+  double helix_radius = 1;  ///< adaptive: radius of the entry helix, mm; smaller where there is no room
+  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< angle of the helix to the plane, radians
+  const Material* material = nullptr;                    ///< material to cut, not owned; nullptr: all
 };
 
-/// Clears the inside of the outline, as far as the tool gets there. With adaptive clearing the paths are in their order.
+/// Clears the inside of the outline as far as the tool reaches. With adaptive clearing the paths are already ordered.
 std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, const CutSettings& cut,
                          Progress& progress = Progress::none());
-/// Pockets and necks that a tool of that radius does not get into: the middles of what it leaves, but for corners.
+/// Returns the centres of regions that a tool of that radius cannot enter (pockets and necks), except corners.
 std::vector<Vec2> too_narrow(const Outline& area, double radius, Progress& progress = Progress::none());
 
-/// Rings inside an area that the tool's middle may be in (negative), `stepover` apart, the outermost along its border.
+/// Returns rings in the area of permitted tool centres (negative values), `stepover` mm apart, the outermost along its
+/// border.
 std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell, double stepover, double z,
                         const CutSettings& cut, Progress& progress = Progress::none());
 
-/// Clears an area with constant engagement: the tool's middle stays where `free` is negative, inside of the bounds, and is
-/// steered step by step so that each step cuts the same area, as far as walls allow. Ways through what is cut already are part of
-/// the paths (Pace::link), the way into solid material too. What can only be cut with more engagement (slots) comes last, and
-/// then a pass along the walls. Paths are in their order. `cell`: squares that contours are made with.
+/// Clears an area with constant engagement (adaptive clearing). The tool centre stays where `free` is negative, inside
+/// `bounds`; each step is steered to cut the same area, as far as walls allow. The paths include links through cleared
+/// areas (Pace::link) and entries into solid material. Slots, which need greater engagement, come last, followed by a
+/// pass along the walls. Paths are ordered. `cell` is the edge of the squares for contours, mm.
 std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double cell, const ClearSettings& settings,
                            const CutSettings& cut, Progress& progress = Progress::none());
 
-/// Carves the inside of the outline with a V of half angle `half_angle`, so that its flanks end at the outline: along the medial
-/// axis, as deep as the V is wide there, but no deeper than the depths' bottom; wider places get a flat floor.
+/// V-carving of the inside of the outline with a V cutter of half angle `half_angle`, radians: the flanks end at the
+/// outline. The tip follows the medial axis, at the depth where the V has the local width, but not below the depths'
+/// bottom; wider regions get a flat floor.
 std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut,
                           Progress& progress = Progress::none());
 
-/// A round hole.
+/// A round hole, mm.
 struct Hole {
   Vec2 centre;
   double radius;
 };
-/// Loops that are circles to within the tolerance: the holes of a part (clockwise ones) and round posts.
+/// Returns the loops that are circles within the tolerance: holes (clockwise) and round posts.
 std::vector<Hole> holes(const Loops& loops, double tolerance);
-/// Holes of one diameter: down in pecks of `peck` mm (0: in one go), each a path of its own.
+/// Drills holes of one diameter in pecks of `peck` mm (0: in one motion); each hole is a path.
 std::vector<Path> drill(const std::vector<Hole>& where, double peck, const Depths& depths);
 
-/// Clears what lies above a surface in levels: at each of them what the tip can reach and where stock is left.
+/// Settings for roughing.
 struct RoughSettings {
-  Rectangle stock;  ///< of the material, mm
+  Rectangle stock;  ///< extent of the material, mm
   Depths depths;
   ClearSettings clear;
   CutSettings cut;
-  double cell = 0.2;  ///< squares of contours, mm
+  double cell = 0.2;  ///< edge of the squares for contours, mm
 };
+/// Clears the volume above a surface in levels: at each level the area that the tip can reach and that has stock left.
 std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings,
                         Progress& progress = Progress::none());
 
-/// How a surface is finished.
+/// Settings for finishing a surface.
 struct FinishSettings {
-  Rectangle area;           ///< where the tool's middle goes
-  double stepover = 0.5;    ///< between passes, mm
-  double angle = 0;         ///< of the passes against x, radians
-  bool both_ways = true;    ///< every other pass runs back
-  double bottom = -1e300;   ///< the tip goes no deeper
-  double tolerance = 0.01;  ///< of the path against the surface, mm
+  Rectangle area;           ///< area of the tool centre
+  double stepover = 0.5;    ///< distance of passes, mm
+  double angle = 0;         ///< angle of the passes to x, radians
+  bool both_ways = true;    ///< whether alternate passes run backwards
+  double bottom = -1e300;   ///< lower limit of the tip, mm
+  double tolerance = 0.01;  ///< tolerance of the path to the surface, mm
 };
 /// Parallel passes over the surface.
 std::vector<Path> raster(const TipSurface& tips, const FinishSettings& settings, Progress& progress = Progress::none());
-/// One spiral from the middle outwards, in passes `stepover` apart.
+/// One spiral from the centre outwards, with passes `stepover` apart.
 std::vector<Path> spiral(const TipSurface& tips, const FinishSettings& settings, Progress& progress = Progress::none());
-/// Level contours of the tip's surface at the depths' passes.
+/// Waterlines: level contours of the tip's surface at the depths' passes.
 std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const Rectangle& area, double cell,
                             const CutSettings& cut, Progress& progress = Progress::none());
 
-/// Along the valleys of the surface: where a round tool touches both sides, whose normals there differ by at least `least_angle`
-/// (radians). Valleys are looked for on a lattice of `cell` mm. Throws bad_input for a tool without a round corner.
+/// Pencil milling along the valleys of the surface, where a round tool touches both sides and their normals differ by
+/// at least `least_angle` radians. Valleys are searched on a lattice of `cell` mm. Throws Error(bad_input) for a tool
+/// without a round corner.
 std::vector<Path> pencil(const TipSurface& tips, const FinishSettings& settings, double cell, double least_angle,
                          Progress& progress = Progress::none());
 
-/// The stepover at which a ball (or bull) of that corner radius leaves ridges of a height on a flat.
+/// Returns the stepover, mm, at which a ball or bull-nose of that corner radius leaves ridges (scallops) of height
+/// `scallop` on a flat.
 double stepover_for_scallop(double corner_radius, double scallop);
 
 }  // namespace fieldfab::cam

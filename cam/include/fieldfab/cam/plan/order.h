@@ -1,4 +1,4 @@
-/// In which order paths are cut (Keeter 6.7).
+/// Order of paths (Keeter 6.7).
 #pragma once
 
 #include <vector>
@@ -8,23 +8,22 @@
 
 namespace fieldfab::cam {
 
-/// What ordering came to: how far the tool travels between paths, mm.
+/// Distance travelled between paths, mm.
 struct AirTravel {
-  double before = 0;  ///< in the order, and from the start points, as given
+  double before = 0;  ///< in the given order, from the given start points
   double after = 0;
 };
 
 struct OrderSettings {
-  Vec2 start = Vec2::Zero();  ///< where the tool comes from
-  bool inside_first =
-      true;  ///< what lies inside a closed path is cut before it, so that nothing is cut loose that is still to be cut
-  bool free_starts = true;   ///< closed paths may begin at any vertex
-  bool may_reverse = false;  ///< open paths may be cut from either end
+  Vec2 start = Vec2::Zero();  ///< initial position of the tool, mm
+  bool inside_first = true;   ///< paths inside a closed path precede it, so that no loose piece remains to be cut
+  bool free_starts = true;    ///< whether closed paths may start at any vertex
+  bool may_reverse = false;   ///< whether open paths may be reversed
 };
 
-/// Puts paths in order: levels ascending (Path::level); within a level what is inside before what is outside; within that the
-/// nearest next, then improved by moving and turning runs of paths (Or-opt, 2-opt) under the same rules. O(n log n) for n paths
-/// spread evenly.
+/// Orders paths: by ascending Path::level; within a level, inner before outer ones; otherwise by nearest neighbour,
+/// improved by Or-opt and 2-opt under the same constraints. O(n log n) for n evenly distributed paths. Throws
+/// Error(cancelled).
 AirTravel order(std::vector<Path>& paths, const OrderSettings& settings = {}, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

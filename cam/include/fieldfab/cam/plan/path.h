@@ -1,4 +1,4 @@
-/// Paths: what a tool's tip follows, or a beam's middle.
+/// Paths of a tool tip or of a beam's centre.
 #pragma once
 
 #include <span>
@@ -8,50 +8,53 @@
 
 namespace fieldfab::cam {
 
-/// How the tool goes on from a vertex: cutting; getting into the material; or through what is cut already.
+/// Kind of motion from a vertex: cutting, entering material, or crossing a cleared area.
 enum class Pace { cut, enter, link };
 
-/// A vertex of a path and the way on from it.
+/// A vertex of a path, with the segment that follows it.
 struct PathPoint {
-  Vec3 at = Vec3::Zero();  ///< mm
-  /// The tangent of a quarter of the angle that the way to the next vertex turns through about z: 0 is straight, 1 a half circle
-  /// anticlockwise seen from above, negative clockwise (DXF's bulge). z changes evenly along it.
+  Vec3 at = Vec3::Zero();  ///< length, mm
+  /// Bulge of the segment, as in DXF: the tangent of a quarter of the arc's angle about z. 0 is straight, 1 a half
+  /// circle counter-clockwise seen from above; negative is clockwise. z changes linearly along it.
   double bulge = 0;
-  Vec3 axis = Vec3::UnitZ();  ///< from the tip towards the spindle, of length 1
+  Vec3 axis = Vec3::UnitZ();  ///< tool axis from the tip towards the spindle, of length 1
   Pace pace = Pace::cut;
 };
 
-/// A run of the tool without leaving the material.
+/// A path of the tool that does not leave the material.
 struct Path {
   std::vector<PathPoint> points;
-  bool closed = false;  ///< goes on from the last vertex to the first
+  bool closed = false;  ///< whether a segment leads from the last vertex to the first
   int level = 0;        ///< levels are cut in ascending order
 
-  [[nodiscard]] Rectangle bounds() const;  ///< of the vertices and the arcs between them
+  [[nodiscard]] Rectangle bounds() const;  ///< bounding rectangle of vertices and arcs
   [[nodiscard]] double length() const;     ///< mm
 };
 
-/// Turns a path round: from its last vertex to its first.
+/// Reverses a path.
 void reverse(Path& path);
 
 /// An arc between two vertices, seen from above.
 struct Arc {
   Vec2 centre;
-  double radius, turn;  ///< turn: the angle, radians, positive anticlockwise
+  double radius, turn;  ///< turn: the angle, radians, positive counter-clockwise
 };
+/// Returns the arc of a bulge; `bulge` must not be 0.
 Arc arc_between(const Vec2& from, const Vec2& to, double bulge);
-/// Length of the way from one place to another, straight or bent, mm.
+/// Length of a straight or circular segment between two points, mm.
 double length_between(const Vec3& from, const Vec3& to, double bulge);
-/// The place at a share of it, from 0 to 1.
+/// Returns the point at a fraction of the segment, from 0 to 1.
 Vec3 place_between(const Vec3& from, const Vec3& to, double bulge, double share);
 
-/// The points of a path at distances of at most `step` along arcs, and its vertices; a closed one ends where it begins.
+/// Returns the vertices of a path, and points on its arcs at distances of at most `step` mm. A closed path ends at its
+/// first point.
 std::vector<PathPoint> points_along(const Path& path, double step);
 
-/// A polyline as lines and arcs at height z, nowhere farther from it than `tolerance`, mm. Arcs turn by at most a half circle.
+/// Fits lines and arcs at height z to a polyline, with a deviation of at most `tolerance` mm. Arcs turn by at most a
+/// half circle.
 Path fit_arcs(std::span<const Vec2> points, bool closed, double z, double tolerance);
 
-/// Leaves out vertices of a path without arcs that lie within `tolerance` of the straight way past them.
+/// Simplifies a path without arcs: removes vertices within `tolerance` mm of the straight segment that replaces them.
 std::vector<Vec3> simplified(std::span<const Vec3> points, double tolerance);
 
 }  // namespace fieldfab::cam

@@ -1,4 +1,4 @@
-/// The plane that paths are planned in: points, rectangles, lattices of samples, closed curves.
+/// Plane geometry for path planning: points, rectangles, lattices of samples, closed curves.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ struct Rectangle {
   }
   [[nodiscard]] bool contains(const Rectangle& other) const { return contains(other.lower) && contains(other.upper); }
   void add(const Vec2& p) { lower = lower.cwiseMin(p), upper = upper.cwiseMax(p); }
-  /// The rectangle that add() begins with.
+  /// Returns the empty rectangle, the neutral element of add().
   static Rectangle nothing() { return {Vec2::Constant(1e300), Vec2::Constant(-1e300)}; }
-  /// The x and y of a box.
+  /// Returns the projection of a box.
   static Rectangle of(const Box& box) { return {box.lower.head<2>(), box.upper.head<2>()}; }
   [[nodiscard]] Box at(double z) const { return {{lower.x(), lower.y(), z}, {upper.x(), upper.y(), z}}; }
 };
 
-/// Samples at equal distances along x and y; row 0 has the least y.
+/// Equally spaced samples along x and y; row 0 has the least y.
 template <class Sample>
 struct Lattice {
   int width = 0, height = 0;
-  double cell = 1;             ///< between neighbours, mm
-  Vec2 origin = Vec2::Zero();  ///< where sample (0, 0) is
+  double cell = 1;             ///< spacing, mm
+  Vec2 origin = Vec2::Zero();  ///< position of sample (0, 0), mm
   std::vector<Sample> values;
 
   Lattice() = default;
@@ -50,27 +50,28 @@ struct Lattice {
   [[nodiscard]] const Sample* row(int r) const { return values.data() + index(0, r); }
   Sample* row(int r) { return values.data() + index(0, r); }
   [[nodiscard]] Vec2 place(double column, double row) const { return origin + cell * Vec2(column, row); }
-  /// From the first sample to the last.
+  /// Rectangle from the first sample to the last, mm.
   [[nodiscard]] Rectangle extent() const { return {origin, place(width - 1, height - 1)}; }
 };
 
-/// Which samples are solid: not 0.
+/// Bitmap: solid samples are not 0.
 using Bitmap = Lattice<std::uint8_t>;
-/// Heights, mm; minus infinity where there is nothing.
+/// Height map, mm; minus infinity for no material.
 using HeightMap = Lattice<float>;
 
-/// A closed curve; the solid is on its left, so that it runs counter-clockwise round the solid and clockwise round a hole.
+/// A closed curve with the solid on its left: counter-clockwise around a solid, clockwise around a hole. Points are mm.
 struct Loop {
   std::vector<Vec2> points;
-  [[nodiscard]] double area() const;    ///< signed: positive round a solid
-  [[nodiscard]] double length() const;  ///< mm
+  [[nodiscard]] double area() const;    ///< signed area, mm^2: positive around a solid
+  [[nodiscard]] double length() const;  ///< length, mm
   [[nodiscard]] Rectangle bounds() const;
-  /// Whether it goes round the point (even-odd).
+  /// Whether the loop encloses the point (even-odd rule). O(points).
   [[nodiscard]] bool encloses(const Vec2& p) const;
 };
 using Loops = std::vector<Loop>;
 
-/// For each loop the index of the smallest one that encloses it, or -1. Loops must not cross. O(n log n) for what CAM meets.
+/// Returns, for each loop, the index of the smallest enclosing loop, or -1. Loops must not cross. O(n log n) for
+/// typical CAM data.
 std::vector<int> nesting(const Loops& loops);
 
 }  // namespace fieldfab::cam

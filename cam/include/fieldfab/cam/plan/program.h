@@ -1,4 +1,4 @@
-/// What is sent to a machine: moves, with the tool and the speeds they are made with.
+/// Programs: moves with tools and speeds, before they are written for a machine.
 #pragma once
 
 #include <cstdint>
@@ -12,68 +12,71 @@
 
 namespace fieldfab::cam {
 
-/// One straight or round move of the tool's tip, in the part's coordinates.
+/// A straight or circular move of the tool tip, in part coordinates.
 struct Move {
-  Vec3 to = Vec3::Zero();     ///< mm
-  double feed = 0;            ///< mm/min; 0: as fast as the machine can, not cutting
-  double bulge = 0;           ///< see PathPoint; 0 for a straight one
-  Vec3 axis = Vec3::UnitZ();  ///< of the tool at its end, towards the spindle
+  Vec3 to = Vec3::Zero();     ///< end position, mm
+  double feed = 0;            ///< feed, mm/min; 0: a rapid, which does not cut
+  double bulge = 0;           ///< bulge as in PathPoint; 0: straight
+  Vec3 axis = Vec3::UnitZ();  ///< tool axis at the end position, towards the spindle, of length 1
   [[nodiscard]] bool rapid() const { return feed == 0; }
 };
 
 enum class Coolant : std::uint8_t { none, mist, flood };
-/// "none", "mist" or "flood".
+/// Returns "none", "mist" or "flood".
 std::string_view name_of(Coolant coolant);
-/// Throws bad_input at `place`, with the nearest name.
+/// Returns the coolant of that name. Throws Error(bad_input) at `place`, with the most similar name.
 Coolant coolant_named(std::string_view name, const std::string& place);
 
-/// The moves of one operation. The first one starts where the machine then is: it is a rapid to a safe place.
+/// The moves of one operation. The first is a rapid to a safe position, from wherever the machine is.
 struct Section {
-  std::string name;  ///< of the operation, for comments and set-up sheets
+  std::string name;  ///< name of the operation, for comments and set-up sheets
   Tool tool;
-  double spindle = 0;  ///< revolutions per minute; 0: none
+  double spindle = 0;  ///< spindle speed, revolutions per minute; 0: none
   Coolant coolant = Coolant::none;
-  std::string setup;     ///< what to do by hand before it; empty where the work stays as it is
-  double clearance = 0;  ///< z at which nothing is in the way, mm
+  std::string setup;     ///< manual instructions before this section; empty: none
+  double clearance = 0;  ///< safe height z, mm
   std::vector<Move> moves;
+  /// Whether the tool axis differs from z in some move.
   [[nodiscard]] bool tilted() const;
 };
 
 struct Program {
   std::string name;
   std::vector<Section> sections;
-  Box stock;  ///< the material, mm; empty where not known
+  Box stock;  ///< box of the material, mm; default: unknown
 };
 
-/// How the tool gets into the material: straight down; along the path itself; or by a helix beside its start where there is room
-/// for one (along the path where there is not).
+/// Entry into the material: vertical plunge; ramp along the path; or a helix beside its start, which becomes a ramp
+/// where there is no room.
 enum class Entry { plunge, ramp, helix };
 
+/// Parameters of link().
 struct LinkSettings {
-  double clearance = 5;             ///< z of rapids between paths, mm
-  double feed = 600, plunge = 200;  ///< mm/min
-  double link_feed = 600;           ///< through what is cut already, mm/min
+  double clearance = 5;             ///< height z of rapids between paths, mm
+  double feed = 600, plunge = 200;  ///< feed and plunge rate, mm/min
+  double link_feed = 600;           ///< feed through cleared areas, mm/min
   Entry entry = Entry::plunge;
-  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< against the plane, radians
-  double helix_radius = 0;                               ///< of a helix that the tool's middle follows, mm
-  double above = 1;                                      ///< how far above the material the tool slows down, mm
-  /// z of the material's surface where a path begins; no higher than it is known to be. Tools enter from there.
+  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< angle to the plane, radians
+  double helix_radius = 0;                               ///< radius of the helix of the tool's centre, mm
+  double above = 1;                                      ///< height above the material at which the tool slows down, mm
+  /// Upper bound of the material's height z at the start of a path, mm; the entry starts there. Null: unknown.
   std::function<double(const Path&)> material = nullptr;
-  /// Whether the tool may go straight from one place to another while it cuts, instead of up, over and down.
+  /// Whether the tool may move straight between two points while down, instead of retracting. Null: it may not.
   std::function<bool(const Vec3& from, const Vec3& to)> may_stay_down = nullptr;
 };
 
-/// Joins paths to moves: rapids at the clearance, entries, cuts.
+/// Joins paths to moves: rapids at the clearance height, entries, cuts.
 std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& settings);
 
-/// Time that moves take, seconds: with the machine's acceleration (mm/s^2) and rapid speed (mm/min), stopping at corners as far
-/// as the machine must.
+/// Dynamics of a machine: rapid speed (mm/min), acceleration (mm/s^2), and tolerance at corners.
 struct Dynamics {
-  double rapid = 3000, acceleration = 200, corner = 0.02;  ///< corner: mm by which a corner may be cut while not stopping
+  /// corner: permitted deviation at a corner passed without a stop, mm
+  double rapid = 3000, acceleration = 200, corner = 0.02;
 };
+/// Returns the estimated duration of moves, seconds, with deceleration at corners as `dynamics` requires.
 double duration(const std::vector<Move>& moves, const Dynamics& dynamics);
 
-/// Length cut and length travelled without cutting, mm.
+/// Lengths of cutting and of non-cutting moves, mm.
 struct Lengths {
   double cut = 0, rapid = 0;
 };

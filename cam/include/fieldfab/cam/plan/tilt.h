@@ -1,4 +1,4 @@
-/// Continuous five-axis finishing: the tool leans along with the surface.
+/// Continuous five-axis finishing: the tool inclines with the surface.
 #pragma once
 
 #include <vector>
@@ -11,29 +11,30 @@
 namespace fieldfab::cam {
 
 struct TiltSettings {
-  double lead = 0;          ///< leans ahead of the surface's normal, in the direction of travel, radians
-  double most = 1;          ///< against the plane's z, radians; below a right angle
-  double clearance = 1;     ///< of shank and holder from the part, mm
-  double tolerance = 0.01;  ///< of the cutter's side against the part, mm
+  double lead = 0;          ///< lead angle ahead of the surface normal in the direction of travel, radians
+  double most = 1;          ///< greatest inclination to the plane's z, radians; below a right angle
+  double clearance = 1;     ///< distance of shank and holder from the part, mm
+  double tolerance = 0.01;  ///< tolerance of the cutter's side to the part, mm
 };
 
-/// What became of the wish to follow the normal, mm of path.
+/// Path lengths by result, mm.
 struct TiltReport {
-  double leaning = 0;    ///< as asked for
-  double otherwise = 0;  ///< less far or elsewhere, so that nothing touches
-  double left_out = 0;   ///< where shank or holder would touch the part at any tilt
+  double leaning = 0;    ///< with the requested inclination
+  double otherwise = 0;  ///< with a smaller or different inclination, to avoid contact
+  double left_out = 0;   ///< omitted: shank or holder would touch the part at any inclination
 };
 
-/// Turns finishing paths of a ball-ended tool that points straight down (in a plane's coordinates) into ones where it leans: the
-/// ball's middle stays where it was, so that the surface comes out the same; cutter, shank and holder are clear of the part at
-/// every pose, and poses are so close that they are between them, too (but for the cutter's side, second-order small). Where
-/// there is no such pose, paths are left out. `space` is the part's, in its own coordinates. The holder goes on beyond its
-/// length: the spindle is there.
+/// Inclines the tool on finishing paths of a ball-ended tool (in plane coordinates). The centre of the ball keeps its
+/// path, so that the surface stays the same. Cutter, shank and holder are clear of the part at each pose. Poses are
+/// dense enough that the tool is clear between them as well (for the cutter's side up to a second-order error). Paths
+/// without such a pose are omitted. `space` is in part coordinates. The holder extends beyond its length, because the
+/// spindle is there. Throws Error(cancelled).
 std::vector<Path> tilted(const std::vector<Path>& paths, const TipSurface& tips, const Tool& tool, const Plane& plane,
                          const FreeSpace& space, const TiltSettings& settings, TiltReport& report,
                          Progress& progress = Progress::none());
 
-/// The pieces of a tool above the middle of its ball.
+/// Returns the pieces of a tool above the centre of its ball, expanded by `clearance`; the holder is `beyond` mm
+/// longer.
 std::vector<Frustum> pieces_of(const Tool& tool, double clearance, double beyond);
 
 }  // namespace fieldfab::cam

@@ -1,4 +1,4 @@
-/// A simulation as a series of pictures, for videos.
+/// A simulation as a sequence of pictures, for videos.
 #pragma once
 
 #include <filesystem>
@@ -9,19 +9,20 @@
 namespace fieldfab::cam {
 
 struct FrameSettings {
-  int count = 100;      ///< of pictures, at even times on the machine; the last one at the program's end
-  int size = 800;       ///< pixels along a picture's longer side
-  double alpha = 0.5;   ///< turn about z, radians
-  double beta = -0.95;  ///< then tilt about x, radians
+  /// number of pictures, at equal time steps of the machine; the last shows the end of the program
+  int count = 100;
+  int size = 800;       ///< longer side of a picture, pixels
+  double alpha = 0.5;   ///< rotation about z, radians
+  double beta = -0.95;  ///< then rotation about x, radians
 };
 
-/// The surface of a whole tool, closed piece by piece; circles have `parts` sides.
+/// Returns the surface of a tool's parts with one role, each piece closed. `parts` is the number of sides of a circle.
 TriangleMesh tool_mesh(const ToolSolid& tool, ToolRole role, const ToolPose& pose, int parts = 48);
 
-/// Writes frame_0001.png and so on into a folder, which is made where it is missing: the stock as it is at that time, coloured by
-/// tools, and the tool where it is. All show the same part of space. The simulation has to
-/// remember. Throws bad_input for
-/// settings out of range or where nothing moved, io, cancelled.
+/// Writes frame_0001.png and so on into a folder, which is created if missing. Each shows the stock at that time,
+/// coloured by tool, and the tool. All show the same region. The simulation must have been run with
+/// SimulationOptions::remember. Throws Error(bad_input) for settings out of range or without motion, Error(io),
+/// Error(cancelled).
 void write_frames(const SimulationResult& result, const std::filesystem::path& folder, const FrameSettings& settings = {},
                   Progress& progress = Progress::none());
 

@@ -1,4 +1,4 @@
-/// The report on a simulation, for people.
+/// Simulation reports for people.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace fieldfab::cam {
 
-/// One HTML file, pictures and charts within it: whether the program is good, what is wrong and at which of its lines, figures,
-/// what each tool did, deviations from the target, what was passed over. Lines are quoted from the program's file. Throws io,
-/// cancelled.
+/// Writes one HTML file with embedded pictures and charts: the verdict, events with their program lines, figures, the
+/// work of each tool, deviations from the target, and ignored words. Quotes lines from the program's file. Throws
+/// Error(io), Error(cancelled).
 void write_html_report(const SimulationResult& result, const std::filesystem::path& path, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

@@ -1,4 +1,4 @@
-/// Pictures of simulated stock: what is left, coloured by what made it or by how far it is from the target, wrong places marked.
+/// Pictures of simulated stock, coloured by origin or by deviation from the target, with events marked.
 #pragma once
 
 #include <filesystem>
@@ -11,65 +11,70 @@
 
 namespace fieldfab::cam {
 
-/// What the colours of a finished stock tell.
+/// Colouring of a finished stock.
 enum class StockColouring : std::uint8_t {
-  deviation,  ///< from the target, see DeviationScale
-  tool,       ///< which tool made the place
-  line,       ///< the program's lines, from violet (first) over green to yellow (last)
+  deviation,  ///< deviation from the target, see DeviationScale
+  tool,       ///< tool that made the surface
+  line,       ///< program line, from violet (first) over green to yellow (last)
 };
-/// The deviation where there is a target; else the tool where several have cut, else the line.
+/// Returns `deviation` if there is a target, otherwise `tool` if several have cut, otherwise `line`.
 StockColouring default_colouring(const SimulationResult& result);
 
-/// From deviations to colours: grey within the tolerances, red where too much is gone, blue where something is left over; both
-/// begin pale at the tolerance, so that its edge is seen, and are full at `full` and beyond.
+/// Colour scale of deviations: grey within tolerances, red for gouges, blue for excess material. Colours are pale just
+/// above the tolerance, so that its limit is visible, and saturated from `full` on.
 struct DeviationScale {
-  double gouge = 0, excess = 0;  ///< tolerances, mm
+  double gouge = 0, excess = 0;  ///< tolerances, both not negative, mm
   double full = 1;               ///< mm
 
-  /// By the set-up's tolerances (that of gouges where any excess is allowed) and what there is: `full` is a round number from
-  /// 4 tolerances on, about the deepest gouge or, without gouges, the highest excess, and at most 20 tolerances.
+  /// Returns the scale for a result. Tolerances are those of the set-up; that of gouges also applies to excess if any
+  /// excess is permitted. `full` is a round number between 4 and 20 tolerances, near the deepest gouge or, without
+  /// gouges, the highest excess.
   static DeviationScale of(const SimulationResult& result);
   [[nodiscard]] Colour colour(double deviation) const;
 };
 
-/// The colour of a tool in pictures: some are told apart, then they begin again. 0: the stock's first surface.
+/// Returns the colour of a tool by its position in the set-up, from a cyclic palette. 0 is the initial surface of the
+/// stock.
 Colour colour_of_tool(std::size_t place_in_set_up);
-/// The colour of a line, by its share of the way from the first that cuts (0) to the last (1).
+/// Returns the colour of a program line by its relative position between the first (0) and the last (1) that cut.
 Colour colour_of_line(double share);
 
-/// Of the mesh's vertices. Throws bad_input for deviations where there is no target.
+/// Returns a colour per vertex of the mesh. Throws Error(bad_input) for deviations without a target.
 std::vector<Colour> vertex_colours(const SimulationResult& result, StockColouring colouring);
 
-/// The events that pictures mark, as indices into the report's: the worst of each kind, then the next worst of each, but only one
-/// of a neighbourhood.
+/// Returns the indices of the events to mark: the worst of each kind, then the second worst of each, with one per
+/// neighbourhood, at most `most`.
 std::vector<std::size_t> worst_events(const SimulationResult& result, std::size_t most = 9);
 
-/// From where a stock is seen, and how it is shown.
+/// View and content of a picture.
 struct StockPictureSettings {
-  int size = 1024;                                         ///< pixels of the longer side
-  double alpha = 0.5;                                      ///< turn about z, radians
-  double beta = -0.95;                                     ///< then tilt about x, radians
-  std::optional<StockColouring> colouring = std::nullopt;  ///< nothing: default_colouring()
-  bool marks = true;                         ///< number the places of worst_events(), as the report does: its first event is 1
-  double aspect = 0;                         ///< width over height; 0: as what is left has it
-  std::optional<Box> window = std::nullopt;  ///< of the picture's plane, as RenderSettings has it; then `aspect` does not count
+  int size = 1024;                                         ///< longer side, pixels
+  double alpha = 0.5;                                      ///< rotation about z, radians
+  double beta = -0.95;                                     ///< then rotation about x, radians
+  std::optional<StockColouring> colouring = std::nullopt;  ///< default: default_colouring()
+  /// whether to number worst_events() as in the report, whose first event is 1
+  bool marks = true;
+  double aspect = 0;  ///< width divided by height; 0: that of the remaining stock
+  /// window in the picture's plane, as in RenderSettings; `aspect` is then ignored
+  std::optional<Box> window = std::nullopt;
 };
 
-/// A shaded picture of the finished stock. Marks are rings with a number beside them; where the place is hidden
-/// the number is pale. Throws bad_input, cancelled.
+/// Renders a shaded picture of the finished stock. Marks are rings with numbers; the number of a hidden place is pale.
+/// Throws Error(bad_input), Error(cancelled).
 TrianglePicture stock_picture(const SimulationResult& result, const StockPictureSettings& settings = {},
                               Progress& progress = Progress::none());
 
-/// Whether such a picture shows the place of an event.
+/// Whether the position of an event is visible in such a picture.
 bool shows_event(const SimulationResult& result, const TrianglePicture& picture, const SimulationEvent& event);
 
-/// The same as a .png, what the colours of deviations mean below it. Throws bad_input for another extension, io.
+/// Writes the picture as .png, with a legend of deviations below it. Throws Error(bad_input) for another extension,
+/// Error(io).
 void write_stock_picture(const SimulationResult& result, const std::filesystem::path& path,
                          const StockPictureSettings& settings = {}, Progress& progress = Progress::none());
 
-/// The finished stock as a mesh, as write_mesh() does. In a .ply vertices also have default_colouring()'s colours, where there is
-/// a target their `deviation`, mm, and the program's `line` and the `tool` that made them. Throws bad_input for another
-/// extension, io, cancelled.
+/// Writes the finished stock as a mesh, in the formats of write_mesh(). A .ply has vertex colours of
+/// default_colouring(), the `deviation` in mm if there is a target, and the program `line` and `tool` of each vertex.
+/// Throws Error(bad_input) for another extension, Error(io), Error(cancelled).
 void write_stock_mesh(const SimulationResult& result, const std::filesystem::path& path, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

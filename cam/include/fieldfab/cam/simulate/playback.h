@@ -1,4 +1,4 @@
-/// What a simulation did, so that any moment of it can be shown again.
+/// Recorded simulations, for display of any moment.
 #pragma once
 
 #include <memory>
@@ -9,56 +9,57 @@
 
 namespace fieldfab::cam {
 
-/// The moves of a program as they were carried out, with copies of the stock from time to time: any moment is as near as the last
-/// copy before it. A Playhead goes there.
+/// The executed moves of a program, with checkpoints of the stock. A Playhead recomputes any moment from the last
+/// checkpoint before it.
 class Playback {
  public:
   struct Move {
-    int line = 0;  ///< of the program
-    int tool = 0;  ///< its number
+    int line = 0;  ///< line of the program
+    int tool = 0;  ///< tool number
     bool rapid = false;
-    double seconds = 0;  ///< on the machine, from the program's beginning to this move's end
-    AxisValues axes{};   ///< where the machine's axes stand at its end
-    int program = 0;     ///< of several in a row
+    double seconds = 0;  ///< machine time from the start of the program to the end of this move, seconds
+    AxisValues axes{};   ///< axis positions at the end
+    int program = 0;     ///< index of the program in a sequence
   };
-  /// What the machine does at a moment.
+  /// State of the machine at a moment.
   struct Moment {
-    std::size_t move = 0;  ///< the move that is going on; after the last one, that
-    double share = 1;      ///< how much of it is done, from 0 to 1
-    ToolPose pose;         ///< part coordinates
-    AxisValues axes;       ///< on an arc while rotary axes are turned: as if it were straight
+    std::size_t move = 0;  ///< the current move; the last one after the end
+    double share = 1;      ///< completed fraction, from 0 to 1
+    ToolPose pose;         ///< pose of the tool, part coordinates
+    AxisValues axes;       ///< axis positions; linear interpolation on an arc during which rotary axes move
   };
 
-  /// Begins with a stock that nothing has cut yet. Copies take up to `most_bytes` besides.
+  /// Starts with an uncut stock. Checkpoints take up to `most_bytes` of memory in addition.
   explicit Playback(const Stock& stock, std::uint64_t most_bytes = 512 << 20);
 
   [[nodiscard]] std::size_t moves() const { return moves_.size(); }
   [[nodiscard]] const Move& move(std::size_t index) const { return moves_.at(index); }
-  /// How many moves are done after so many seconds, and after a program's last word of a line; where it has no moves, of the one
-  /// before it.
+  /// Number of moves completed at a time, and after the last word of a line. A line without moves counts as the
+  /// previous line with moves.
   [[nodiscard]] std::size_t done_after_seconds(double seconds) const;
   [[nodiscard]] std::size_t done_after_line(int line, int program = 0) const;
-  /// The poses that a move's tool passes, evenly from one to the next; the first one is where it comes from, where that is known.
+  /// Returns the poses of a move, with uniform motion between them. The first is the start, if known. Valid until the
+  /// next add().
   [[nodiscard]] std::span<const ToolPose> poses(std::size_t index) const;
-  /// The whole tool of a move.
+  /// Returns the tool of a move; owned by this object.
   [[nodiscard]] const ToolSolid& tool(std::size_t index) const { return *tools_[strokes_.at(index).tool]; }
 
-  /// Where the tool and the axes are so many seconds after the program's beginning. There has to be a move.
+  /// Returns tool pose and axis positions at a time, seconds from the start. Precondition: there is a move.
   [[nodiscard]] Moment at(double seconds) const;
 
-  /// A stock as it was when so many moves were done.
+  /// A checkpoint: the stock after a number of moves.
   struct Copy {
     std::size_t moves = 0;
     Stock stock;
   };
-  /// The last copy that is no later.
+  /// Returns the last checkpoint at or before that number of moves.
   [[nodiscard]] const Copy& nearest(std::size_t moves) const;
-  /// Adds the strokes that take material away while the tool of a move goes along `way`.
+  /// Appends the removing strokes of a move's tool along the poses `way`.
   void add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const;
 
-  /// Remembers a move that is carried out now. `tip`: the number of its cut by the tool's cutting part.
+  /// Records an executed move. `tip` is the cut number of the tool's cutting part.
   void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t tip, std::span<const ToolPose> poses);
-  /// Tells how the stock looks after all moves so far.
+  /// Offers the stock after all moves so far as a checkpoint.
   void keep(const Stock& stock);
 
  private:
@@ -69,23 +70,23 @@ class Playback {
   void thin_out();
 
   std::vector<Move> moves_;
-  std::vector<Strokes> strokes_;  ///< of each move
+  std::vector<Strokes> strokes_;  ///< one entry per move
   std::vector<ToolPose> poses_;
   std::vector<std::shared_ptr<const ToolSolid>> tools_;
-  std::vector<Copy> copies_;  ///< by rising moves; the first one is the blank
-  std::size_t apart_ = 0;     ///< moves between copies, at least
+  std::vector<Copy> copies_;  ///< sorted by moves; the first is the uncut stock
+  std::size_t apart_ = 0;     ///< least number of moves between checkpoints
   std::uint64_t most_bytes_;
 };
 
-/// A place in a playback, from where the next moment is not far.
+/// A position in a playback. Moving forward from it is cheap.
 class Playhead {
  public:
   explicit Playhead(std::shared_ptr<const Playback> playback) : playback_(std::move(playback)), shown_(playback_->nearest(0)) {}
   [[nodiscard]] const Playback& playback() const { return *playback_; }
 
-  /// The stock when so many moves are done; it stays until the next call. Throws cancelled.
+  /// Returns the stock after a number of moves. The reference is valid until the next call. Throws Error(cancelled).
   const Stock& stock_after(std::size_t moves, Progress& progress = Progress::none());
-  /// The stock at a moment, in the middle of a move mostly. Throws cancelled.
+  /// Returns the stock at a time, usually within a move. Throws Error(cancelled).
   Stock stock_at(double seconds, Progress& progress = Progress::none());
 
  private:
@@ -93,8 +94,8 @@ class Playhead {
   Playback::Copy shown_;
 };
 
-/// Adds the strokes of a tool's pieces with one role between two poses. They point into the tool. `tip`: the number of the cut by
-/// its cutting part.
+/// Appends the strokes of a tool's pieces with one role between two poses. They refer to `tool`, which must outlive
+/// them. `tip` is the cut number of the cutting part.
 void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip, bool removes,
                  std::vector<Stroke>& strokes);
 

@@ -1,4 +1,4 @@
-/// What a simulation found: events, times, lengths, volumes.
+/// Simulation results: events, times, lengths, volumes.
 #pragma once
 
 #include <cstdint>
@@ -14,57 +14,58 @@
 
 namespace fieldfab::cam {
 
-/// Something that should not happen. Those of one kind along one pass are one event.
+/// A fault. Faults of one kind along one pass form one event.
 struct SimulationEvent {
   enum class Kind : std::uint8_t {
-    rapid_contact,    ///< a rapid goes through material
+    rapid_contact,    ///< a rapid meets material
     shank_contact,    ///< the shank meets material
     holder_contact,   ///< the holder meets material
     fixture_contact,  ///< any part of the tool meets a fixture
     over_travel,      ///< an axis leaves its limits
-    spindle_stopped,  ///< material is cut while the spindle stands
-    gouge,            ///< less is left than the target
-    excess,           ///< more is left than allowed
+    spindle_stopped,  ///< material is cut with a stopped spindle
+    gouge,            ///< less material is left than the target has
+    excess,           ///< more material is left than permitted
   };
   Kind kind = Kind::rapid_contact;
-  CutMove move;               ///< where it is worst
-  Vec3 place = Vec3::Zero();  ///< there, part coordinates
-  double amount = 0;          ///< there: mm of depth, mm^3 of material, or mm (degrees) beyond a limit, by its kind
+  CutMove move;               ///< move of the greatest amount
+  Vec3 place = Vec3::Zero();  ///< position of the greatest amount, part coordinates, mm
+  /// greatest amount, by kind: depth in mm, volume in mm^3, or mm (degrees) beyond a limit
+  double amount = 0;
   std::string message;
-  int first_line = 0, last_line = 0;  ///< of the pass's lines where it happens
+  int first_line = 0, last_line = 0;  ///< range of program lines of the pass in which it occurs
 };
-/// "rapid contact" and so on.
+/// Returns "rapid contact" and so on.
 std::string_view name_of(SimulationEvent::Kind kind);
 
-/// Something about a program that its reader should know and that is no fault.
+/// A remark on a program that is not a fault.
 struct SimulationNote {
   int line = 0;
   std::string message;
-  int program = 0;  ///< of several in a row
+  int program = 0;  ///< index of the program in a sequence
 };
 
-/// What one line of a program did with one tool.
+/// The work of one program line with one tool.
 struct LineRecord {
   int line = 0, tool = 0;
-  double removed = 0;  ///< mm^3
+  double removed = 0;  ///< volume removed, mm^3
   double seconds = 0;
-  double cut = 0, air = 0;  ///< mm of feed with and without material
-  int program = 0;          ///< of several in a row
+  double cut = 0, air = 0;  ///< length of feed inside and outside material, mm
+  int program = 0;          ///< index of the program in a sequence
 };
 
 struct SimulationReport {
-  std::vector<std::filesystem::path> programs;  ///< as they were carried out
+  std::vector<std::filesystem::path> programs;  ///< in the order of execution
   std::vector<SimulationEvent> events;
   std::vector<SimulationNote> notes;
-  std::vector<LineRecord> lines;  ///< in the order in which they were first carried out
+  std::vector<LineRecord> lines;  ///< in the order of first execution
   std::optional<Deviation> deviation;
   std::uint64_t moves = 0, poses = 0;
   double seconds = 0, rapid_seconds = 0;
-  double removed = 0, left = 0;        ///< mm^3
-  double cut = 0, air = 0, rapid = 0;  ///< mm
+  double removed = 0, left = 0;        ///< volumes removed and left, mm^3
+  double cut = 0, air = 0, rapid = 0;  ///< lengths of feeds inside and outside material and of rapids, mm
   StockStatistics stock;
   [[nodiscard]] bool good() const { return events.empty(); }
-  /// Share of the feed that meets no material, from 0 to 1.
+  /// Fraction of the feed outside material, from 0 to 1.
   [[nodiscard]] double air_share() const { return cut + air > 0 ? air / (cut + air) : 0; }
 };
 

@@ -1,4 +1,4 @@
-/// The report on a simulation, for programs.
+/// Simulation reports for programs.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,9 +8,10 @@
 
 namespace fieldfab::cam {
 
-/// The report as an object; `with_lines`: and what each line did. Texts may hold bytes of programs that are no UTF-8.
+/// Returns the report as a JSON object, with one record per line if `with_lines` is set. Strings may contain bytes of
+/// programs that are not valid UTF-8.
 nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines);
-/// Its text, valid UTF-8.
+/// Returns the report as JSON text in valid UTF-8.
 std::string to_json(const SimulationReport& report, bool with_lines);
 
 }  // namespace fieldfab::cam

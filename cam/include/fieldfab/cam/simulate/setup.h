@@ -1,4 +1,4 @@
-/// What a simulation starts from: material, machine, tools, target (docs/simulation.md).
+/// Simulation set-ups: material, machine, tools, target (docs/simulation.md).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,67 +19,67 @@
 
 namespace fieldfab::cam {
 
-/// How rapids go from place to place.
+/// Path of rapids.
 enum class RapidWay : std::uint8_t {
-  straight,  ///< all axes arrive together
-  dog_leg,   ///< each axis at its own speed until it is there
+  straight,  ///< linear: all axes arrive at the same time
+  dog_leg,   ///< dog-leg: each axis moves at its own speed until it arrives
 };
 
-/// How the part lies in the machine: a program's coordinates p are the part's rotation * p + origin.
+/// Placement of the part in the machine: program coordinates p are rotation * p + origin in the part.
 struct Placement {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 origin = Vec3::Zero();
 };
 
-/// What the operator does when a program stops (M0).
+/// Action of the operator at a program stop (M0).
 struct StopAction {
-  int tool = 0;                        ///< puts this one in; 0: none
-  std::optional<Placement> placement;  ///< turns the part
+  int tool = 0;                        ///< number of the tool to insert; 0: none
+  std::optional<Placement> placement;  ///< new placement of the part
 };
 
-/// Everything about a simulation but the program.
+/// The inputs of a simulation, except the program.
 struct SimulationSetup {
   std::string name;
-  std::string file;                             ///< where it was read from, for messages
-  std::vector<std::filesystem::path> programs;  ///< that it is the set-up of, in their order; may be empty
-  Machine machine;                              ///< its kinematics, speeds, units of files and dialect
-  bool inch = false;                            ///< what programs count in before G20 and G21
+  std::string file;                             ///< name of its file, for messages
+  std::vector<std::filesystem::path> programs;  ///< programs of this set-up in order; may be empty
+  Machine machine;                              ///< kinematics, speeds, file units and dialect
+  bool inch = false;                            ///< unit before G20 or G21: inch or millimetre
   std::map<int, Tool> tools;
-  int first_tool = 0;  ///< what a program starts with that names no tool; 0: the lowest number
-  Box stock_box;       ///< of the material, in the part's coordinates, mm
-  FieldPtr stock;      ///< its shape; null: all of the box
-  FieldPtr fixture;    ///< null: none
+  int first_tool = 0;  ///< tool of a program that names none; 0: the lowest number
+  Box stock_box;       ///< box of the material, part coordinates, mm
+  FieldPtr stock;      ///< shape of the material; null: the box
+  FieldPtr fixture;    ///< fixture; null: none
   Box fixture_box;
-  FieldPtr target;                   ///< what should come out; null: not known
-  double gouge = 0.05;               ///< how deep a cut into the target is one, mm
-  double excess = 0;                 ///< how much may be left over it, mm; 0: any amount
-  double touch = 0.02;               ///< contacts of less than this depth are none, mm
-  double floor = -1e300;             ///< deviations below this height do not count, mm: what the next set-up will cut
-  Vec3 zero = Vec3::Zero();          ///< machine coordinates of the part's zero
-  double pen_up = 1, pen_down = -1;  ///< heights of pens, blades and beams in programs that do not say them (HPGL), mm
+  FieldPtr target;           ///< target solid; null: unknown
+  double gouge = 0.05;       ///< least depth that counts as a gouge, mm
+  double excess = 0;         ///< permitted excess over the target, mm; 0: any
+  double touch = 0.02;       ///< least depth that counts as a contact, mm
+  double floor = -1e300;     ///< height below which deviations are ignored, mm: the next set-up machines that region
+  Vec3 zero = Vec3::Zero();  ///< the part's zero in machine coordinates, mm
+  /// heights of pens, blades and beams for programs that do not state them (HPGL), mm
+  double pen_up = 1, pen_down = -1;
   std::array<AxisValues, 9> work_offsets{};
-  std::array<AxisValues, 2> home{};  ///< where G28 and G30 go, machine coordinates
+  std::array<AxisValues, 2> home{};  ///< positions of G28 and G30, machine coordinates
   AxisValues start;
-  std::array<std::array<double, 2>, 9> limits;  ///< of each axis, mm or radians
+  std::array<std::array<double, 2>, 9> limits;  ///< lower and upper limit per axis, mm or radians
   RapidWay rapid_way = RapidWay::straight;
-  Placement placement;            ///< how the part lies at first
-  std::vector<StopAction> stops;  ///< what is done at each of the program's stops, in their order
+  Placement placement;            ///< initial placement of the part
+  std::vector<StopAction> stops;  ///< actions at the program's stops, in order
   StockSettings sampling;
   SimulationSetup();
 };
 
-/// Reads a set-up (docs/simulation.md), the job (docs/cam.md) that a program was planned by, or a project of CAMotics
-/// (.camotics: its stock, tools, units and resolution). Throws bad_input with FILE:LINE,
-/// io.
+/// Reads a set-up file (docs/simulation.md), a job file (docs/cam.md), or a CAMotics project (.camotics: stock, tools,
+/// units and resolution). Throws Error(bad_input) with FILE:LINE, Error(io), Error(cancelled).
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progress& progress = Progress::none(),
                                       const Formats& formats = kernel_formats());
-/// The same for a job that names no model, since its part was given as a Field (Job::parse()): all is then told in that Field's
-/// coordinates, wherever the program's zero is.
+/// Reads a job file that names no model; the part is given as a Field (see Job::parse()). All results are in that
+/// Field's coordinates, wherever the program's zero is. Throws as the function above.
 SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress = Progress::none(),
                                       const Formats& formats = kernel_formats());
 
-/// From the part's coordinates to where the machine's table has turned it, while the axes stand there; nothing but tables turns
-/// it.
+/// Returns the map from part coordinates to the position at which the machine's table holds the part, for given axis
+/// positions. The identity for machines without a rotary table.
 Eigen::Isometry3d turn_of_work(const Machine& machine, const AxisValues& axes);
 
 }  // namespace fieldfab::cam

@@ -1,4 +1,4 @@
-/// Simulating a program on a stock: what it leaves, and what goes wrong on the way (docs/simulation.md).
+/// Simulation of programs: material removal and collision detection (docs/simulation.md).
 #pragma once
 
 #include <filesystem>
@@ -17,25 +17,26 @@
 namespace fieldfab::cam {
 
 struct SimulationOptions {
-  bool remember = false;  ///< what was done, so that any moment of it can be shown again
+  bool remember = false;  ///< whether to record the moves for Playback
 };
 
-/// What is left of a stock, as Stock::mesh() has it. Where there is a target, a flat's vertices are merged only where their
-/// deviations are alike: within a hundredth of a cell, or, where material is left over, within half of what is.
+/// The surface of the remaining stock, as Stock::mesh() returns it. With a target, vertices of a flat area are merged
+/// only if their deviations are similar: within a hundredth of a cell, or, for excess material, within half of the
+/// excess.
 struct LeftSurface {
   TriangleMesh mesh;
-  std::vector<std::uint32_t> cuts;  ///< the number of the cut that made each vertex
+  std::vector<std::uint32_t> cuts;  ///< number of the cut that made each vertex
 };
 
-/// What came of a simulation. It does not change, and copies share everything.
+/// Result of a simulation. It is immutable; copies share their data.
 class SimulationResult {
  public:
   struct Parts {
     SimulationSetup setup;
-    Stock stock;  ///< what is left
-    Cuts cuts;    ///< that its samples remember
+    Stock stock;  ///< the remaining stock
+    Cuts cuts;    ///< cuts referenced by its samples
     LeftSurface surface;
-    std::shared_ptr<const Playback> playback;  ///< null where nothing was remembered
+    std::shared_ptr<const Playback> playback;  ///< null unless SimulationOptions::remember was set
     SimulationReport report;
   };
   explicit SimulationResult(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
@@ -47,7 +48,7 @@ class SimulationResult {
   [[nodiscard]] const std::shared_ptr<const Playback>& playback() const { return parts_->playback; }
   [[nodiscard]] const SimulationReport& report() const { return parts_->report; }
   [[nodiscard]] const std::vector<SimulationEvent>& events() const { return parts_->report.events; }
-  /// The program's line that made each vertex of the surface, and the tool that did; 0 where it is the stock's first surface.
+  /// Returns, per vertex of the surface, the program line and the tool that made it; 0 for the initial surface.
   [[nodiscard]] std::vector<int> lines_of_vertices() const;
   [[nodiscard]] std::vector<int> tools_of_vertices() const;
 
@@ -55,11 +56,12 @@ class SimulationResult {
   std::shared_ptr<const Parts> parts_;
 };
 
-/// Carries out program files one after the other on a set-up's stock and compares what is left with the target, where there is
-/// one: G-code, .sbp, .rml or .hpgl, by the set-up's machine or the file's extension. Without programs those that the set-up
-/// names. Throws bad_input with FILE:LINE, io, cancelled.
+/// Executes program files in sequence on the set-up's stock, and compares the result with the target, if any. Accepts
+/// G-code, .sbp, .rml and .hpgl, selected by the set-up's machine or the file's extension. An empty list selects the
+/// programs named by the set-up. Throws Error(bad_input) with FILE:LINE, Error(io), Error(cancelled).
 SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::path> programs,
                           const SimulationOptions& options = {}, Progress& progress = Progress::none());
+/// Executes one program file; see above.
 inline SimulationResult simulate(SimulationSetup setup, const std::filesystem::path& program,
                                  const SimulationOptions& options = {}, Progress& progress = Progress::none()) {
   return simulate(std::move(setup), std::vector{program}, options, progress);

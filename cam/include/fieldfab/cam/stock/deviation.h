@@ -1,4 +1,4 @@
-/// How the surface of a stock differs from a solid.
+/// Deviation of a stock's surface from a target solid.
 #pragma once
 
 #include <cstdint>
@@ -6,32 +6,35 @@
 
 namespace fieldfab::cam {
 
-/// Areas by a value, in bins that are a 2000th of the value wide. Sums are whole numbers: their order does not matter.
+/// Histogram of areas by a value, with bins of relative width 1/2000. Sums are integers, so that the result does not
+/// depend on the order of additions.
 class AreaHistogram {
  public:
-  /// Adds so many mm^2.
+  /// Adds `area` mm^2 at `value`.
   void add(double value, double area);
   void add(const AreaHistogram& other);
-  /// Areas in `count` even steps between two values, mm^2; what is beyond counts in the first and the last step.
+  /// Returns the areas in `count` equal steps from `from` to `to`, mm^2. The first and last step include all values
+  /// beyond.
   [[nodiscard]] std::vector<double> steps(double from, double to, std::size_t count) const;
 
  private:
   struct Bin {
-    std::int64_t area = 0, moment = 0;  ///< the sum of areas, and of values times areas: in 2^-32 mm^2 and mm^3
+    std::int64_t area = 0, moment = 0;  ///< sum of areas in 2^-32 mm^2, and of value times area in 2^-32 mm^3
   };
   Bin& bin(int index);
 
-  int first_ = 0;  ///< of the bins that are there
+  int first_ = 0;  ///< index of the first bin
   std::vector<Bin> bins_;
 };
 
-/// How a finished stock differs from its target. All but `at_vertex` is found at all vertices of its surface, before its flats
-/// are merged.
+/// Deviation of a finished stock from its target, mm. All members except `at_vertex` refer to the vertices before flat
+/// areas are merged.
 struct Deviation {
-  double deepest = 0, highest = 0;        ///< gouge and excess at their worst, mm; neither below 0
-  double mean = 0, root_mean_square = 0;  ///< of signed distances, weighed by area, mm
-  AreaHistogram areas;                    ///< of surface by signed distance
-  std::vector<float> at_vertex;           ///< of the closed mesh, signed: above 0 where material is left over
+  double deepest = 0, highest = 0;        ///< greatest gouge depth and greatest excess height, mm; neither is negative
+  double mean = 0, root_mean_square = 0;  ///< mean and root mean square of signed distances, weighted by area, mm
+  AreaHistogram areas;                    ///< surface area by signed distance
+  /// signed distance per vertex of the closed mesh, mm; positive: excess material
+  std::vector<float> at_vertex;
 };
 
 }  // namespace fieldfab::cam

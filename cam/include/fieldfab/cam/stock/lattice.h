@@ -1,4 +1,4 @@
-/// The sampling grid of simulated stock (Hahn 4.1).
+/// The sampling lattice of simulated stock (Hahn 4.1).
 #pragma once
 
 #include <algorithm>
@@ -10,28 +10,30 @@ namespace fieldfab::cam {
 
 using Index3 = std::array<int, 3>;
 
-/// Points at equal distances in a box, the outermost ones on its faces.
+/// Equally spaced points in a box; the outermost ones are on its faces.
 class StockLattice {
  public:
   StockLattice() = default;
-  /// As many cells along each axis as make them nearest to `cell` mm, along z to `height` where that is more. Throws bad_input
-  /// for an empty box or a cell that is not positive, too_large for more than 2^21 cells along an axis.
+  /// Divides each side into the number of cells nearest to `cell` mm, along z to `height` mm if that is larger. Throws
+  /// Error(bad_input) for an empty box or a cell that is not positive, Error(too_large) for more than 2^21 cells along
+  /// an axis.
   StockLattice(const Box& box, double cell, double height = 0);
 
   [[nodiscard]] const Box& box() const { return box_; }
-  /// Cells along each axis; points are one more.
+  /// Number of cells along each axis; there is one more point than cells.
   [[nodiscard]] const Index3& cells() const { return cells_; }
   [[nodiscard]] const Vec3& spacing() const { return spacing_; }
-  /// Where a point lies along an axis, mm from the box's lower corner, as samples are compared with it.
+  /// Position of point `k` along an axis, mm from the box's lower corner, rounded to float as in comparisons with
+  /// samples.
   [[nodiscard]] float at(int axis, int k) const { return static_cast<float>(spacing_[axis] * k); }
-  /// The first point above a coordinate, of all integers.
+  /// Returns the index of the first point above a coordinate; it may lie outside the box.
   [[nodiscard]] int above(int axis, float coordinate) const {
     int k = guess(axis, coordinate);
     while (at(axis, k) <= coordinate && k < most) ++k;
     while (at(axis, k - 1) > coordinate && k > -most) --k;
     return k;
   }
-  /// The last point below a coordinate, of all integers.
+  /// Returns the index of the last point below a coordinate; it may lie outside the box.
   [[nodiscard]] int below(int axis, float coordinate) const {
     int k = guess(axis, coordinate);
     while (at(axis, k) >= coordinate && k > -most) --k;

@@ -1,4 +1,5 @@
-/// Simulated stock: a multidirectional heightmap (Hahn 2010) that tools cut.
+/// Simulated stock: a multidirectional height map (a generalized dexel model; Hahn 2010) from which tools remove
+/// material.
 #pragma once
 
 #include <cstdint>
@@ -15,46 +16,50 @@
 
 namespace fieldfab::cam {
 
-/// A rule that prefers some split planes to others (Hahn 3.3 and 6.2).
+/// A criterion for the choice of a split plane (Hahn 3.3 and 6.2).
 enum class SplitRule : std::uint8_t {
   closest_toolcut_direction,  ///< CTD: the plane nearest to the tool's direction
-  split_plane_type,           ///< SPT: complete ones, then direct ones that are alone, then the rest
-  furthest_from_side,         ///< FFS: the plane whose nearest side of the cell is furthest
-  far_enough_from_side,       ///< FEFS: those further from both sides than the tool's radius
-  far_enough_then_furthest,   ///< FEFS-FFS: FEFS; FFS where that does not tell them apart
-  random_selection,           ///< RS
+  split_plane_type,           ///< SPT: complete planes first, then single direct ones, then others
+  furthest_from_side,         ///< FFS: the plane farthest from the nearest side of the cell
+  far_enough_from_side,       ///< FEFS: planes farther from both sides than the tool's radius
+  far_enough_then_furthest,   ///< FEFS-FFS: FEFS, then FFS on a tie
+  random_selection,           ///< RS: a random choice
 };
-/// "FEFS-FFS, CTD, SPT, RS" and the like. Throws bad_input.
+/// Parses a list such as "FEFS-FFS, CTD, SPT, RS". Throws Error(bad_input).
 std::vector<SplitRule> parse_split_rules(const std::string& text);
 
+/// Parameters of simulated stock.
 struct StockSettings {
-  double cell = 0.1;       ///< distance of samples, mm
-  double cell_height = 0;  ///< along z, where it is larger, mm: for sheets in which every cut is the same all through
-  double tolerance = 0;    ///< of swept surfaces, mm; 0: a fiftieth of a cell
-  int brick = 64;  ///< points along the edges of the cubes into which the stock is divided beforehand; 0: one for all of it
-  bool both_ends = true;  ///< columns may have a varying lower end as well (Hahn 7.4); else conflicts of sign split cells
+  double cell = 0.1;       ///< sample spacing, mm
+  double cell_height = 0;  ///< sample spacing along z if larger, mm: for sheets with vertical cuts only
+  double tolerance = 0;    ///< tolerance of swept surfaces, mm; 0: a fiftieth of a cell
+  /// edge of the bricks into which the stock is divided, in lattice points; 0: one brick
+  int brick = 64;
+  /// whether columns may vary at their lower ends as well (Hahn 7.4); otherwise conflicts of sign split cells
+  bool both_ends = true;
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
 };
 
-/// A piece of a tool moving evenly from one pose to another, in the part's coordinates.
+/// A linear motion of a tool piece between two poses, in part coordinates.
 struct Stroke {
   const ToolPiece* piece = nullptr;
   ToolPose from, to;
-  std::uint32_t cut = 1;  ///< what samples remember: a number of the caller's choice, above 0
-  bool removes = true;    ///< else it is only asked what it would remove
+  std::uint32_t cut = 1;  ///< number that samples store, chosen by the caller, above 0
+  bool removes = true;    ///< true: removes material; false: only measures what would be removed
 };
 
-/// What a stroke met.
+/// Result of a stroke.
 struct StrokeResult {
-  double volume = 0;          ///< of material removed (or met), mm^3
-  std::uint64_t points = 0;   ///< lattice points in it
-  Vec3 place = Vec3::Zero();  ///< one of them
+  double volume = 0;          ///< volume of material removed or met, mm^3
+  std::uint64_t points = 0;   ///< number of lattice points in that volume
+  Vec3 place = Vec3::Zero();  ///< one of these points, part coordinates, mm
 };
 
-/// How a stock is made up.
+/// Statistics of a stock's structure.
 struct StockStatistics {
-  std::uint64_t cells = 0, splits = 0, direct = 0, indirect = 0, conflict = 0, halved = 0;  ///< splits in all, and by kind
+  /// numbers of cells, of splits, and of splits by kind
+  std::uint64_t cells = 0, splits = 0, direct = 0, indirect = 0, conflict = 0, halved = 0;
   std::uint64_t column_samples = 0, embedded_samples = 0;
   std::uint64_t bytes = 0;
 };
@@ -63,12 +68,12 @@ class Brick;
 class Sweep;
 struct Region;
 
-/// A block of material. Copies share what they have in common: a copy is a checkpoint.
+/// A block of material. Copies share unchanged bricks, so that a copy is a cheap checkpoint.
 class Stock {
  public:
-  /// A full box.
+  /// A solid box.
   explicit Stock(const Box& box, const StockSettings& settings = {});
-  /// The part of a Field inside of a box. Throws cancelled.
+  /// The part of a Field inside a box. Throws Error(cancelled).
   Stock(const Field& field, const Box& box, const StockSettings& settings = {}, Progress& progress = Progress::none());
   Stock(const Stock&);
   Stock(Stock&&) noexcept;
@@ -78,22 +83,25 @@ class Stock {
 
   [[nodiscard]] const StockLattice& lattice() const { return lattice_; }
   [[nodiscard]] const StockSettings& settings() const { return settings_; }
+  /// Tolerance of swept surfaces, mm.
   [[nodiscard]] double tolerance() const {
     return settings_.tolerance > 0 ? settings_.tolerance : lattice_.spacing().minCoeff() / 50;
   }
 
-  /// Carries out strokes in their order, on all cores. Throws cancelled, with some of them carried out in part.
+  /// Executes strokes in order, on all cores. Returns one result per stroke. Throws Error(cancelled) with some strokes
+  /// executed in part.
   std::vector<StrokeResult> cut(std::span<const Stroke> strokes, Progress& progress = Progress::none());
   /// Whether a lattice point is solid.
   [[nodiscard]] bool solid(const Index3& point) const;
-  /// Volume by the columns, mm^3.
+  /// Volume by integration of the columns, mm^3.
   [[nodiscard]] double volume() const;
   [[nodiscard]] StockStatistics statistics() const;
-  /// How much memory it takes beside another stock of the same lattice, which may share most of it.
+  /// Returns the memory that this stock does not share with another stock of the same lattice, bytes.
   [[nodiscard]] std::uint64_t bytes_unlike(const Stock& other) const;
 
-  /// The surface: closed, outwards. Flats that are level along an axis and that one cut left are merged: squares of up to 32 x 32
-  /// cells have one vertex. `cuts`, where asked for, gets the cut that made each vertex. Throws cancelled, too_large.
+  /// Returns the surface: closed and oriented outward. Axis-aligned flat areas made by one cut are merged: squares of
+  /// up to 32 x 32 cells have one vertex. If `cuts` is not null, it receives the number of the cut that made each
+  /// vertex. Throws Error(cancelled), Error(too_large).
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none()) const;
 
  private:

@@ -1,4 +1,4 @@
-/// The surface of a stock, kept up to date while it is cut.
+/// Incremental surface extraction of a stock.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,8 @@ namespace fieldfab::cam {
 
 class SurfacePieces;
 
-/// The surface of a stock brick by brick: a piece is made anew only where the stock has changed since the last update (Hahn 4.3).
+/// The surface of a stock by bricks. update() recomputes only pieces whose stock has changed since the last update
+/// (Hahn 4.3).
 class StockSurface {
  public:
   StockSurface();
@@ -19,17 +20,18 @@ class StockSurface {
   StockSurface& operator=(StockSurface&&) noexcept;
   ~StockSurface();
 
-  /// Brings it up to date with a stock; with one of another lattice it begins anew. Returns the indices of the pieces that have
-  /// changed. Throws cancelled; the next update then begins anew.
+  /// Updates the surface; starts anew for a stock with another lattice. Returns the indices of changed pieces. Throws
+  /// Error(cancelled); the next update then starts anew.
   std::vector<std::size_t> update(const Stock& stock, Progress& progress = Progress::none());
 
+  /// Number of pieces.
   [[nodiscard]] std::size_t pieces() const;
-  /// One piece for drawing, with all of its vertices: all pieces together show the surface without gaps, but share no vertices.
-  /// `cuts`, where asked for, gets the cut that made each vertex.
+  /// Returns one piece with all its vertices. All pieces together cover the surface without gaps, but share no
+  /// vertices. If `cuts` is not null, it receives the number of the cut that made each vertex.
   [[nodiscard]] TriangleMesh piece(std::size_t index, std::vector<std::uint32_t>* cuts = nullptr) const;
-  /// One piece as it is drawn, simplified; `coarse`: 1, or the edge of the blocks of cells that become one.
+  /// Returns one simplified piece for display; `coarse` is 1, or the edge in cells of the blocks that are merged.
   [[nodiscard]] DrawnSurface drawn_piece(std::size_t index, int coarse = 1) const;
-  /// All of it as one closed mesh, outwards, its level flats merged as those of Stock::mesh() are.
+  /// Returns the whole surface as one closed mesh, oriented outward, with flat areas merged as in Stock::mesh().
   [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr) const;
 
  private:

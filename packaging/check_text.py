@@ -1,0 +1,127 @@
+"""Checks the text of the tree: spelling, columns, tables and links. `./dev lint` runs it, and so does tests/text_test.py.
+
+- Spelling: codespell over sources and documents; packaging/spelling.txt lists words that it does not know and that are
+  right here (letters of algorithms, other languages, misspellings that a test needs).
+- Columns: comments of public headers, and lines of documents outside of tables and code, have at most 120 columns.
+- Tables: each row has as many cells as the first one. Fences of code are closed.
+- Links: a link within the tree leads to a file, and to a heading of it where it names one.
+
+Prints one line per finding, FILE:LINE: WHAT, and exits with 1 if there is one.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+COLUMNS = 120
+SPELLED = ("*.md", "*.h", "*.cpp", "*.inl", "*.py", "*.toml", "*.frep", "dev")
+HEADERS = ("kernel/include/*.h", "cam/include/*.h", "openscad_import/include/*.h")
+MADE = {"docs/shapes.md", "docs/gallery.md"}  # by packaging/make_docs.py
+WIDE = MADE | {"CHANGELOG.md", "docs/freecad.md", "docs/meshlab.md", "docs/tutorial.md"}  # not yet wrapped
+
+
+def tracked(*patterns):
+    """Returns the tracked files that match, relative to the root."""
+    listed = subprocess.run(["git", "ls-files", "--", *patterns], cwd=ROOT, capture_output=True, text=True, check=True)
+    return [name for name in listed.stdout.splitlines() if (ROOT / name).exists()]
+
+
+def lines_of(name):
+    return (ROOT / name).read_text(encoding="utf-8").split("\n")
+
+
+def spelling(names):
+    """Returns codespell's findings."""
+    names = [name for name in names if not name.startswith(("tests/data/", "tests/fuzz/corpus/"))]
+    if not names:
+        return []
+    command = ["codespell", "--ignore-words", str(ROOT / "packaging" / "spelling.txt"), *names]
+    said = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    if said.returncode not in (0, 64, 65):  # 65: there are findings
+        raise RuntimeError(f"codespell: {said.stderr.strip()}")
+    return said.stdout.splitlines()
+
+
+def prose(name):
+    """Yields number and text of each line outside of code. Reports fences that are left open as a line of None."""
+    fence, blank = None, True
+    for number, line in enumerate(lines_of(name), 1):
+        if line.startswith("```"):
+            fence = None if fence else number
+        elif not fence and not (line.startswith("    ") and blank):
+            yield number, line
+        blank = not line.strip() or (blank and line.startswith("    "))
+    if fence:
+        yield fence, None
+
+
+def columns_of_header(name):
+    return [f"{name}:{number}: a comment has {len(line)} columns"
+            for number, line in enumerate(lines_of(name), 1) if len(line) > COLUMNS and re.search(r"(^|\s)//", line)]
+
+
+def cells(row):
+    """Returns the number of cells of a table's row. A bar with a backslash is part of a cell; one in code is not."""
+    return len(row.replace(r"\|", "").strip().strip("|").split("|"))
+
+
+def form_of_document(name):
+    """Returns findings about columns, tables and fences of a document."""
+    found, wanted = [], 0
+    for number, line in prose(name):
+        if line is None:
+            found.append(f"{name}:{number}: a fence of code is not closed")
+        elif line.startswith("|"):
+            wanted = wanted or cells(line)
+            if cells(line) != wanted:
+                found.append(f"{name}:{number}: a row has {cells(line)} cells, the first one has {wanted}")
+        else:
+            wanted = 0
+            if len(line) > COLUMNS and name not in WIDE:
+                found.append(f"{name}:{number}: {len(line)} columns")
+    return found
+
+
+def anchor(heading):
+    """Returns the anchor that GitHub gives a heading."""
+    return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
+
+
+def anchors_of(name):
+    return {anchor(line.lstrip("# ")) for _, line in prose(name) if line and line.startswith("#")}
+
+
+def links(name):
+    """Returns links of a document that lead nowhere in the tree."""
+    found = []
+    for number, line in prose(name):
+        for link in re.findall(r"\]\(([^)\s]+)\)", line or ""):
+            if re.match(r"\w+:", link):
+                continue
+            path, _, place = link.partition("#")
+            target = (ROOT / name).parent / path if path else ROOT / name
+            if not target.exists():
+                found.append(f"{name}:{number}: {link} is not there")
+            elif place and place not in anchors_of(target.resolve().relative_to(ROOT)):
+                found.append(f"{name}:{number}: {link}: there is no such heading")
+    return found
+
+
+def findings():
+    """Returns all findings, a line each."""
+    documents = tracked("*.md")
+    found = spelling(tracked(*SPELLED))
+    for name in tracked(*HEADERS):
+        found += columns_of_header(name)
+    for name in documents:
+        if not name.startswith("tests/data/"):
+            found += form_of_document(name) + links(name)
+    return found
+
+
+if __name__ == "__main__":
+    found = findings()
+    print("\n".join(found) if found else "text: spelling, columns, tables and links are in order")
+    sys.exit(1 if found else 0)

@@ -1,0 +1,66 @@
+"""Spelling, columns, tables and links of sources and documents: what packaging/check_text.py finds, which ./dev lint runs, too."""
+
+import importlib.util
+import pathlib
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture(scope="module")
+def check():
+    specification = importlib.util.spec_from_file_location("check_text", ROOT / "packaging" / "check_text.py")
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+def test_the_text_of_the_tree_is_in_order(check):
+    assert check.findings() == []
+
+
+@pytest.fixture
+def page(check, tmp_path, monkeypatch):
+    """Makes a page of a tree of its own, and returns its name."""
+    monkeypatch.setattr(check, "ROOT", tmp_path)
+    (tmp_path / "packaging").mkdir()
+    (tmp_path / "packaging" / "spelling.txt").write_text("")
+
+    def made(text, name="page.md"):
+        (tmp_path / name).write_text(text)
+        return name
+
+    return made
+
+
+def test_a_misspelled_word_is_found(check, page):
+    word = "rec" + "ieve"  # apart, so that this file has none
+    assert word in check.spelling([page(f"We {word} it.\n")])[0]
+
+
+def test_a_wide_line_is_found_but_not_in_tables_and_code(check, page):
+    wide = "word " * 30
+    assert check.form_of_document(page(f"{wide}\n")) == [f"page.md:1: {len(wide)} columns"]
+    assert check.form_of_document(page(f"| {wide} |\n|---|\n\n    {wide}\n\n```sh\n{wide}\n```\n")) == []
+
+
+def test_a_wide_comment_of_a_header_is_found(check, page):
+    assert len(check.columns_of_header(page("/// " + "word " * 30 + "\nint a;\n", "a.h"))) == 1
+    assert check.columns_of_header(page("int " + "a" * 130 + ";\n", "a.h")) == []  # clang-format's concern
+
+
+def test_a_row_with_another_number_of_cells_is_found(check, page):
+    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a|b` | c |\n")) == ["page.md:3: a row has 3 cells, the first one has 2"]
+    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a\\|b` | c |\n")) == []
+
+
+def test_an_open_fence_is_found(check, page):
+    assert check.form_of_document(page("```sh\nls\n")) == ["page.md:1: a fence of code is not closed"]
+
+
+def test_links_that_lead_nowhere_are_found(check, page):
+    page("# One heading\n", "other.md")
+    text = "[a](other.md#one-heading) [b](https://example.org) [c](missing.md)\n[d](other.md#another) [e](#none)\n"
+    assert [each.split(": ", 1)[1] for each in check.links(page(text))] == [
+        "missing.md is not there", "other.md#another: there is no such heading", "#none: there is no such heading"]
