@@ -41,9 +41,7 @@ def program_of(obj):
     if getattr(obj, "ProgramFile", ""):
         return program_from_file(obj.ProgramFile)
     if is_planned(obj):
-        if not obj.MadeFrom:
-            raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
-        return Program(program_from_file(obj.MachineFile).text, f"program{obj.Extension}", None)
+        return Program(obj.Proxy.program(obj), f"program{obj.Extension}", None)
     if is_job(obj):
         text = _text_of_job(obj)
     elif hasattr(obj, "Path"):

@@ -145,12 +145,14 @@ class Simulation(Solid):
 
     @staticmethod
     def show_what_matters(obj):
-        if not hasattr(obj, "Stock") or not hasattr(obj, "MoreOfSetup"):
-            return  # a document that is being opened
+        if not hasattr(obj, "Stock") or not hasattr(obj, "SetupFile") or not hasattr(obj, "Program"):
+            return  # an object that is being made
+        there = set(obj.PropertiesList)  # while a document is opened they come one by one
         for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
             counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or programs.is_planned(obj.Program)))
-            obj.setEditorMode(name, 0 if counts else 2)
+            if name in there:
+                obj.setEditorMode(name, 0 if counts else 2)
 
     def source(self, obj):
         """What is left, as a solid."""
