@@ -42,7 +42,7 @@ class NewSetup(Command):
         document, part = FreeCAD.ActiveDocument, selected()[0]
         document.openTransaction(self.title)
         setup = cam_setup.create(document, part)
-        cam_tool.add(setup, {"diameter": 3, "name": "3 mm end mill"})
+        cam_tool.add(setup, {"diameter": 3})
         cam_operation.add(setup, "rough")
         document.recompute([setup])
         FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour

@@ -83,7 +83,7 @@ class ToolTable(QtWidgets.QWidget):
     def _problem(self, tool, column, text):
         """Gives the tool what was typed in a column; says what is wrong with it, "" for nothing."""
         if column == 1:
-            tool.Label = text or tool.Label
+            tool.Label = text or cam_tool.name_of(tool)
             return ""
         try:
             number = int(text) if column == 0 else float(text.replace(",", "."))
@@ -99,6 +99,9 @@ class ToolTable(QtWidgets.QWidget):
     def _reshape(self, tool, shape, line):
         """The box that was chosen from stays: only the rows below the table are others now."""
         tool.Shape = shape
+        self.table.blockSignals(True)
+        self.table.item(line, 1).setText(tool.Label)
+        self.table.blockSignals(False)
         self.table.setCurrentCell(line, 1)
         self._show_more()
         self.changed()

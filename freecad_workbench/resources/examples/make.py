@@ -7,6 +7,7 @@ import base64
 import os
 import re
 import sys
+import tempfile
 import zipfile
 
 import FreeCAD
