@@ -17,6 +17,8 @@ from . import programs, set_ups
 from .solid import Solid, source_of
 
 THREE_AXES = marked("three axes")
+OF_THE_MACHINE = marked("the machine's")
+DIALECTS = (OF_THE_MACHINE, "linuxcnc", "fanuc", "grbl", "mach3")
 # Worst first.
 KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess"))
 CONTACTS = KINDS[:4]
@@ -32,7 +34,7 @@ class Run:
         setup, program = (self._file(*given) for given in (task.setup, task.program))
         target, stock, part = (source and source.field(progress) for source in (task.target, task.stock, task.part))
         self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part, cell=task.cell or None, remember=True,
-                                                         progress=progress)
+                                                         progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
         self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
@@ -48,11 +50,12 @@ class Run:
 
 class Task:
     """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
-    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic."""
+    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic; `dialect`: of its G-code, "" for
+    the set-up's."""
 
-    def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None):
-        self.program, self.setup, self.target, self.stock, self.cell, self.part = program, setup, target, stock, cell, part
-        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell)
+    def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
+        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = program, setup, target, stock, cell, part, dialect
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
@@ -107,6 +110,7 @@ class Simulation(Solid):
         add = functools.partial(self.add, obj)
         add("File", "ProgramFile", "Program", "The machine's program: G-code, .sbp, .rml, .hpgl")
         add("Link", "Program", "Program", "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
+        self.add_choice(obj, "Dialect", "Program", "How its G-code is read; the machine of the set-up decides where nothing is chosen", DIALECTS)
         add("File", "SetupFile", "Set-up", "A set-up or job file (docs/simulation.md); none: what the properties below say")
         if "Machine" not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
@@ -170,7 +174,7 @@ class Simulation(Solid):
                 raise ValueError(tr("{label}: {other} could not be computed").format(label=obj.Label, other=link.Label))
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
         part = source_of(obj.Program.Setup.Part) if programs.is_planned(obj.Program) and not obj.SetupFile else None
-        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part)
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part, "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
 
     def setup(self, obj):
         """The set-up as (bytes, name, path or None)."""

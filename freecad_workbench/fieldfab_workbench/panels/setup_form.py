@@ -3,9 +3,9 @@
 import FreeCAD
 
 from ..objects import programs, set_ups
-from ..objects.simulation import bounds_of
+from ..objects.simulation import DIALECTS, bounds_of
 from ..shim import QtCore, QtWidgets
-from ..words import marked, tr
+from ..words import PROPERTY, marked, tr
 from .choices import offer
 from .property_panel import candidates
 
@@ -75,11 +75,15 @@ class SetupForm(QtWidgets.QWidget):
         self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], tr("a file"))
         self.program = FileBox(obj.ProgramFile, tr("the machine's program"),
                                tr("Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"))
+        self.dialect = QtWidgets.QComboBox()
+        offer(self.dialect, DIALECTS, obj.Dialect)
+        self.dialect.setToolTip(tr(obj.getDocumentationOfProperty("Dialect"), PROPERTY))
         self.setup = FileBox(obj.SetupFile, tr("none: as below"), tr("Set-ups and jobs (*.toml)"))
         self.cell = length_box(obj.Cell.Value, tr("automatic"))
         self.target = self._objects(obj.Target, candidates(obj), tr("none, or the set-up's"))
         rows.addRow(tr("Program of"), self.of_object)
         rows.addRow(tr("Program"), self.program)
+        rows.addRow(tr("Dialect"), self.dialect)
         rows.addRow(tr("Set-up file"), self.setup)
         rows.addRow(tr("Target"), self.target)
         rows.addRow(tr("Cell"), self.cell)
@@ -237,7 +241,7 @@ class SetupForm(QtWidgets.QWidget):
         obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
         find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
         values = {
-            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "SetupFile": self.setup.line.text(), "Target": find(self.target),
+            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "Dialect": self.dialect.currentData(), "SetupFile": self.setup.line.text(), "Target": find(self.target),
             "Cell": self.cell.value(), "Machine": self.machine.currentData(), "Stock": find(self.stock), "Tools": tools,
             "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)), "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
             "Gouge": self.gouge.value(), "Excess": self.excess.value(), "Touch": self.touch.value(),
