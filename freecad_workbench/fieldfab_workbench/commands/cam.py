@@ -1,6 +1,7 @@
 """Machining: set-ups, operations, plans, and what is made of them. What needs numpy is imported where it is used: the workbench must load quickly."""
 
 import os
+import re
 import tempfile
 import webbrowser
 
@@ -89,12 +90,31 @@ class _OfProgram(Command):
 
 class WriteMachineFile(_OfProgram):
     def Activated(self):
+        from ..objects import machine_program  # it needs numpy
+        from ..panels.program_preview import ProgramPreview
+
         program = chosen_program()
-        suggested = os.path.join(os.path.dirname(program.Document.FileName), program.Setup.Label + program.Extension)
+        text = machine_program.machine_file(program).decode("utf-8", "replace")
+        about = tr("About {time}").format(time=machine_program.clock(program.Seconds))
+        self.preview = ProgramPreview(program.Label, text, about, FreeCADGui.getMainWindow())
+        self.preview.accepted.connect(lambda: self.save(program))
+        self.preview.open()
+
+    def save(self, program):
+        """Asks for the file's name."""
+        suggested = os.path.join(os.path.dirname(program.Document.FileName), file_name(program))
         kinds = f"{program.Setup.Machine} (*{program.Extension})"
         path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.title, suggested, kinds)
         if path:
             write(program, path)
+
+
+def file_name(program):
+    """The part's, where no file system minds; where several set-ups make it, with the set-up's."""
+    part = program.Setup.Part
+    others = [obj for obj in program.Document.Objects if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
+    name = " ".join(filter(None, [part.Label if part else "", program.Setup.Label if others or not part else ""]))
+    return re.sub(r'[\\/:*?"<>|\x00-\x1f]+', "_", name).strip(" .") + program.Extension
 
 
 def write(program, path):

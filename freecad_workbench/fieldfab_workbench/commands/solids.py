@@ -27,12 +27,14 @@ class NewSolid(Command):
             obj.Sources = chosen
         elif self.needs:
             obj.Source = chosen[0]
-        document.recompute([obj])
+        if self.needs:
+            document.recompute([obj])  # else the panel shows it, beside the window, and its OK makes it
         for used in chosen if self.needs else []:
             used.ViewObject.Visibility = not obj.isValid()
         if len(document.Objects) == 1:
             FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-            FreeCADGui.SendMsgToActiveView("ViewFit")
+            if self.needs:
+                FreeCADGui.SendMsgToActiveView("ViewFit")
         FreeCADGui.ActiveDocument.setEdit(obj.Name)
 
 
