@@ -91,7 +91,7 @@ class _OfProgram(Command):
 class WriteMachineFile(_OfProgram):
     def Activated(self):
         from ..objects import machine_program  # it needs numpy
-        from ..panels.program_preview import ProgramPreview
+        from ..panels.program_preview import ProgramPreview  # it needs numpy, too
 
         program = chosen_program()
         text = machine_program.machine_file(program).decode("utf-8", "replace")
@@ -161,21 +161,21 @@ class ToPath(_OfProgram):
 TITLE = "CAM"
 COMMANDS = {
     "Fieldfab_NewCamSetup": NewSetup(
-        "CamSetup", "New CAM set-up", "Machine the selected solid: stock, tools, operations and a machine",
-        "Adds a set-up that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
+        "CamSetup", "New CAM job", "Machine the selected solid: stock, tools, operations and a machine",
+        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
         "machine, and plans all paths beside the window."),
     "Fieldfab_AddOperation": AddOperation(
-        "CamOperation", "Add operation", "Add an operation to the CAM set-up",
-        "Adds an operation at the end of the selected set-up, or of the document's only one. The panel asks what is done, with which tool, and for the "
+        "CamOperation", "Add operation", "Add an operation to the CAM job",
+        "Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the "
         "settings of each stage; what is left empty follows its default."),
     "Fieldfab_Plan": Plan(
-        "Plan", "Plan", "Plan all paths of the CAM set-up",
-        "Plans the machine program of the selected set-up, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
+        "Plan", "Plan", "Plan all paths of the CAM job",
+        "Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
         "last good one."),
     "Separator_Cam": None,
     "Fieldfab_WriteMachineFile": WriteMachineFile(
-        "WriteMachineFile", "Write machine file", "Write the program as the machine takes it",
-        "Writes the planned program of the selected set-up into a file of the machine's own kind, such as G-code. It asks for the file's name only."),
+        "WriteMachineFile", "Post process", "Show the program as the machine takes it, and save it",
+        "Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's."),
     "Fieldfab_SetupSheet": SetupSheet(
         "SetupSheet", "Set-up sheet", "Show the page for the person at the machine",
         "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),

@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import combine, frep_solid, modify, solid, solid_from_object
+from ..words import tr
 from .command import Command
 
 
@@ -23,6 +24,7 @@ class NewSolid(Command):
         obj = solid.create(self.kind, document)
         for name, value in self.properties.items():
             setattr(obj, name, value)
+        obj.Label = self.title if self.properties else tr("Solid")  # what it is, in the user's language
         if self.needs and hasattr(obj, "Sources"):
             obj.Sources = chosen
         elif self.needs:

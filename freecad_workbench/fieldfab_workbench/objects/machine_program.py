@@ -20,7 +20,7 @@ class MachineProgram(DocumentObject):
     NAME = "MachineProgram"
 
     def add_properties(self, obj):
-        self.add(obj, "Link", "Setup", "Program", "The CAM set-up that it follows")
+        self.add(obj, "Link", "Setup", "Program", "The CAM job that it follows")
         self.add(obj, "Float", "Seconds", "Program", "About how long the machine takes", mode=1)
         self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
         self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)

@@ -123,7 +123,7 @@ class ToolTable(QtWidgets.QWidget):
         box.setRange(1 if name == "Flutes" else 0, 1000000)
         box.setValue(getattr(value, "Value", value) * factor)
         box.setToolTip(tr(tool.getDocumentationOfProperty(name), PROPERTY))
-        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " 1/min"}.get(kind)
+        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " " + tr("rpm")}.get(kind)
         if suffix:
             box.setSuffix(suffix)
             box.setDecimals(3 if suffix == " mm" else 1)
