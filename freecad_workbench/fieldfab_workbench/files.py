@@ -10,6 +10,7 @@ import FreeCAD
 
 from . import kernel, openscad_files, part_files, preferences, work
 from .file_types import SLICES, extensions, format_of
+from .mistakes import Stopped, in_a_line
 from .objects.file_part import FilePart
 from .objects.frep_solid import FrepSolid
 from .objects.scan import Scan
@@ -19,11 +20,15 @@ from .sources import with_cell
 from .words import tr
 
 
+_for_the_user = functools.partial(in_a_line, dialog=True)
+
+
 def open(filename):  # noqa: A001: the name that FreeCAD calls
     """A new document with the file's solid."""
     return insert(filename, "")
 
 
+@_for_the_user
 def insert(filename, docname):
     """Adds the file's solid to a document, a new one where there is none of that name, of several parts a group; in the
     window a scan's panel opens, and nothing is computed before its OK. Returns the object. Raises ValueError with a line
@@ -86,6 +91,7 @@ def show_all(document):
         view.fitAll()
 
 
+@_for_the_user
 def export(objects, filename):
     """Writes what the objects bound, where they are in the document: each as a part with its name and colour where the
     format keeps parts, else all united. The file is written whole or not at all. Raises ValueError."""
@@ -105,7 +111,7 @@ def export(objects, filename):
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
-        raise ValueError(tr("{filename}: cancelled, not written").format(filename=filename)) from None
+        raise Stopped(tr("{filename}: cancelled, not written").format(filename=filename)) from None
 
 
 def _bounding(objects):

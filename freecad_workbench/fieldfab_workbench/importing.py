@@ -5,6 +5,7 @@ import contextlib
 import FreeCAD
 
 from . import work
+from .mistakes import Stopped
 from .words import tr
 
 
@@ -38,4 +39,4 @@ def one_step(filename, docname, name):
 
 
 def cancelled(filename):
-    return ValueError(tr("{filename}: cancelled; nothing was added").format(filename=filename))
+    return Stopped(tr("{filename}: cancelled; nothing was added").format(filename=filename))

@@ -7,7 +7,7 @@ import re
 from . import kernel
 from .words import marked, tr
 
-FOLLOWS = marked("by itself")  # what stands where a default follows from other things
+FOLLOWS = marked("automatic")  # what stands where a default follows from other things
 
 
 class Setting:
@@ -17,6 +17,7 @@ class Setting:
     def __init__(self, declared):
         self.__dict__.update(declared)
         self.property = _words_joined(self.name)
+        self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # as it is shown; numbers are the same
         self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")  # the property's documentation
 
     @property

@@ -1,6 +1,7 @@
 """Machining: set-ups, operations, plans, and what is made of them. What needs numpy is imported where it is used: the workbench must load quickly."""
 
 import os
+import re
 import tempfile
 import webbrowser
 
@@ -42,7 +43,7 @@ class NewSetup(Command):
         document, part = FreeCAD.ActiveDocument, selected()[0]
         document.openTransaction(self.title)
         setup = cam_setup.create(document, part)
-        cam_tool.add(setup, {"diameter": 3, "name": "3 mm end mill"})
+        cam_tool.add(setup, {"diameter": 3})
         cam_operation.add(setup, "rough")
         document.recompute([setup])
         FreeCADGui.Selection.clearSelection()  # so that the part is seen in its own colour
@@ -89,12 +90,31 @@ class _OfProgram(Command):
 
 class WriteMachineFile(_OfProgram):
     def Activated(self):
+        from ..objects import machine_program  # it needs numpy
+        from ..panels.program_preview import ProgramPreview  # it needs numpy, too
+
         program = chosen_program()
-        suggested = os.path.join(os.path.dirname(program.Document.FileName), program.Setup.Label + program.Extension)
+        text = machine_program.machine_file(program).decode("utf-8", "replace")
+        about = tr("About {time}").format(time=machine_program.clock(program.Seconds))
+        self.preview = ProgramPreview(program.Label, text, about, FreeCADGui.getMainWindow())
+        self.preview.accepted.connect(lambda: self.save(program))
+        self.preview.open()
+
+    def save(self, program):
+        """Asks for the file's name."""
+        suggested = os.path.join(os.path.dirname(program.Document.FileName), file_name(program))
         kinds = f"{program.Setup.Machine} (*{program.Extension})"
         path, kind = QtWidgets.QFileDialog.getSaveFileName(FreeCADGui.getMainWindow(), self.title, suggested, kinds)
         if path:
             write(program, path)
+
+
+def file_name(program):
+    """The part's, where no file system minds; where several set-ups make it, with the set-up's."""
+    part = program.Setup.Part
+    others = [obj for obj in program.Document.Objects if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
+    name = " ".join(filter(None, [part.Label if part else "", program.Setup.Label if others or not part else ""]))
+    return re.sub(r'[\\/:*?"<>|\x00-\x1f]+', "_", name).strip(" .") + program.Extension
 
 
 def write(program, path):
@@ -141,21 +161,21 @@ class ToPath(_OfProgram):
 TITLE = "CAM"
 COMMANDS = {
     "Fieldfab_NewCamSetup": NewSetup(
-        "CamSetup", "New CAM set-up", "Machine the selected solid: stock, tools, operations and a machine",
-        "Adds a set-up that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
+        "CamSetup", "New CAM job", "Machine the selected solid: stock, tools, operations and a machine",
+        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
         "machine, and plans all paths beside the window."),
     "Fieldfab_AddOperation": AddOperation(
-        "CamOperation", "Add operation", "Add an operation to the CAM set-up",
-        "Adds an operation at the end of the selected set-up, or of the document's only one. The panel asks what is done, with which tool, and for the "
+        "CamOperation", "Add operation", "Add an operation to the CAM job",
+        "Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the "
         "settings of each stage; what is left empty follows its default."),
     "Fieldfab_Plan": Plan(
-        "Plan", "Plan", "Plan all paths of the CAM set-up",
-        "Plans the machine program of the selected set-up, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
+        "Plan", "Plan", "Plan all paths of the CAM job",
+        "Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
         "last good one."),
     "Separator_Cam": None,
     "Fieldfab_WriteMachineFile": WriteMachineFile(
-        "WriteMachineFile", "Write machine file", "Write the program as the machine takes it",
-        "Writes the planned program of the selected set-up into a file of the machine's own kind, such as G-code. It asks for the file's name only."),
+        "WriteMachineFile", "Post process", "Show the program as the machine takes it, and save it",
+        "Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's."),
     "Fieldfab_SetupSheet": SetupSheet(
         "SetupSheet", "Set-up sheet", "Show the page for the person at the machine",
         "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),

@@ -1,9 +1,27 @@
 """What all commands have in common."""
 
+import functools
+
 import FreeCADGui
 
 from ..icons import icon
+from ..mistakes import Stopped, show
 from ..words import tr
+
+
+def _in_a_dialog(activated):
+    """The function; what it raises for the user is said in a dialog, what the user stopped in the status bar."""
+
+    @functools.wraps(activated)
+    def told(*arguments):
+        try:
+            activated(*arguments)
+        except Stopped as error:
+            FreeCADGui.getMainWindow().statusBar().showMessage(str(error), 10000)
+        except (ValueError, OSError, ImportError) as error:
+            show(str(error))
+
+    return told
 
 
 class Command:
@@ -11,6 +29,11 @@ class Command:
     translates them with the command's name as context. Registering gives it that name; `ready` says whether what it needs is chosen."""
 
     name = ""
+
+    def __init_subclass__(cls, **more):
+        super().__init_subclass__(**more)
+        if "Activated" in vars(cls):
+            cls.Activated = _in_a_dialog(cls.Activated)
 
     def __init__(self, picture, words, tip, help):
         self.told = {"Pixmap": icon(picture), "MenuText": words, "ToolTip": tip, "StatusTip": tip, "WhatsThis": help}

@@ -27,10 +27,8 @@ def make(text):
     document.openTransaction(tr("Shape gallery"))
     obj = solid.create(frep_solid.FrepSolid, document)
     obj.Expression = text
-    document.recompute([obj])
     if len(document.Objects) == 1:
         FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.ActiveDocument.setEdit(obj.Name)
 
 

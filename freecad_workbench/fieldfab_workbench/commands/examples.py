@@ -79,7 +79,7 @@ COMMANDS = {
         "lattice.FCStd", "LatticeInfill", "Knob filled with a gyroid", "Open a knob that is filled with a lattice, as a new document",
         "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. Change the wall or the lattice by a double-click."),
     "Fieldfab_ExampleMachining": Example(
-        "machining.FCStd", "CamSetup", "Knob milled in five axes", "Open a CAM set-up with a planned five-axis program, as a new document",
+        "machining.FCStd", "CamSetup", "Knob milled in five axes", "Open a CAM job with a planned five-axis program, as a new document",
         "Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans along the surface, and the planned "
         "program. A double-click on the set-up shows its stages."),
     "Separator_Examples": None,

@@ -13,6 +13,8 @@ class SimulateProgram(Command):
     def Activated(self):
         document = FreeCAD.ActiveDocument or FreeCAD.newDocument()
         chosen = [obj for obj in FreeCADGui.Selection.getSelection() if programs.offers_program(obj)]
+        planned = [obj for obj in document.Objects if programs.is_planned(obj) and obj.MadeFrom]
+        chosen = chosen or (planned if len(planned) == 1 else [])
         document.openTransaction(self.title)
         obj = solid.create(simulation.Simulation, document)
         if chosen:

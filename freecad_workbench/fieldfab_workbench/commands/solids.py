@@ -4,6 +4,7 @@ import FreeCAD
 import FreeCADGui
 
 from ..objects import combine, frep_solid, modify, solid, solid_from_object
+from ..words import tr
 from .command import Command
 
 
@@ -23,16 +24,19 @@ class NewSolid(Command):
         obj = solid.create(self.kind, document)
         for name, value in self.properties.items():
             setattr(obj, name, value)
+        obj.Label = self.title if self.properties else tr("Solid")  # what it is, in the user's language
         if self.needs and hasattr(obj, "Sources"):
             obj.Sources = chosen
         elif self.needs:
             obj.Source = chosen[0]
-        document.recompute([obj])
+        if self.needs:
+            document.recompute([obj])  # else the panel shows it, beside the window, and its OK makes it
         for used in chosen if self.needs else []:
             used.ViewObject.Visibility = not obj.isValid()
         if len(document.Objects) == 1:
             FreeCADGui.ActiveDocument.ActiveView.viewIsometric()
-            FreeCADGui.SendMsgToActiveView("ViewFit")
+            if self.needs:
+                FreeCADGui.SendMsgToActiveView("ViewFit")
         FreeCADGui.ActiveDocument.setEdit(obj.Name)
 
 

@@ -116,7 +116,7 @@ def stock_box(setup):
     return FreeCAD.Vector(box.XMin - margin, box.YMin - margin, bottom), upper
 
 
-def create(document, part=None, label="CAM set-up"):
+def create(document, part=None, label="CAM job"):
     """Adds a set-up to the document; nothing is computed yet."""
     setup = create_object(CamSetup, document, label)
     setup.Part = part

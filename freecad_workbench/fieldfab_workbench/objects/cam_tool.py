@@ -1,5 +1,7 @@
 """A cutter of a CAM set-up. Lengths are mm, angles degrees."""
 
+import re
+
 from ..words import described, marked, tr
 from .document_object import DocumentObject, create_object
 
@@ -20,8 +22,18 @@ LENGTHS = {
 }
 
 
+# What tools of each shape are called, after their diameter.
+NAMES = {
+    "flat": marked("{diameter} mm end mill"), "ball": marked("{diameter} mm ball end mill"), "bull": marked("{diameter} mm bull-nose end mill"),
+    "v": marked("{diameter} mm V-bit"), "tapered": marked("{diameter} mm tapered ball end mill"), "drill": marked("{diameter} mm drill"),
+}
+
+
 class CamTool(DocumentObject):
+    """Its name follows its shape and diameter until somebody writes another one."""
+
     NAME = "CamTool"
+    _follows = False  # whether the name that it had before a change was that of its shape and diameter
 
     def add_properties(self, obj):
         self.add(obj, "IntegerConstraint", "Number", "Tool", "Its place in the machine", (1, 1, 9999, 1))
@@ -35,9 +47,16 @@ class CamTool(DocumentObject):
         self.add(obj, "FloatConstraint", "Spindle", "Speeds", "Revolutions per minute; 0: the material's or the operation's", (0.0, 0.0, 1e6, 100.0))
         self.show_what_matters(obj)
 
+    def onBeforeChange(self, obj, name):
+        if name in ("Shape", "Diameter"):
+            self._follows = _in_its_own_history(obj) and bool(re.fullmatch("|".join(re.escape(each) + r"\d*" for each in _names(obj)), obj.Label))
+
     def onChanged(self, obj, name):
         if name == "Shape":
             self.show_what_matters(obj)
+        if name in ("Shape", "Diameter") and self._follows and _in_its_own_history(obj):
+            self._follows = False
+            obj.Label = name_of(obj)
 
     @staticmethod
     def show_what_matters(obj):
@@ -48,6 +67,21 @@ class CamTool(DocumentObject):
     def execute(self, obj):
         if not obj.Diameter.Value > 0:
             raise ValueError(tr("{label}: Diameter must be above 0").format(label=obj.Label))
+
+
+def _in_its_own_history(obj):
+    return not obj.Document.Restoring and not obj.Document.Transacting and {"Shape", "Diameter"} <= set(obj.PropertiesList)
+
+
+def name_of(obj):
+    """What a tool of its shape and diameter is called."""
+    return _names(obj)[0]
+
+
+def _names(obj):
+    """The same in the user's language, in English, and as documents of earlier versions have it."""
+    diameter, form = f"{obj.Diameter.Value:g}", NAMES[obj.Shape]
+    return tr(form).format(diameter=diameter), form.format(diameter=diameter), f"{diameter} mm {obj.Shape}"
 
 
 def described(obj):
@@ -88,7 +122,8 @@ def add(setup, told=None):
     taken = {other.Number for other in setup.Tools}
     if told.get("number", 0) in taken or "number" not in told:
         told["number"] = max(taken, default=0) + 1
-    told.setdefault("name", f"{told.get('diameter', 3):g} mm {told.get('shape', 'flat')}")
     take(tool, told)
+    if "name" not in told:
+        tool.Label = name_of(tool)
     setup.Tools = [*setup.Tools, tool]
     return tool

@@ -1,12 +1,18 @@
 """What all proxies have in common, and those whose properties are settings of the kernel's workflow."""
 
 from .. import registry
+from ..mistakes import in_a_line
 
 
 class DocumentObject:
-    """A proxy that keeps nothing of its own in the document."""
+    """A proxy that keeps nothing of its own in the document. What its execute() raises for the user is one line in FreeCAD's report view."""
 
     NAME = "Object"
+
+    def __init_subclass__(cls, **more):
+        super().__init_subclass__(**more)
+        if "execute" in vars(cls):
+            cls.execute = in_a_line(cls.execute)
 
     def __init__(self, obj):
         obj.Proxy = self

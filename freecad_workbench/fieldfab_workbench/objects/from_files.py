@@ -20,7 +20,7 @@ class FromFiles(Solid):
         self.add(obj, "StringList", "Stamps", "Result", "Sizes and times of the files that it was made from", mode=mode)
 
     def onChanged(self, obj, name):
-        if name in outside.NAMES and not obj.Document.Restoring:
+        if name in outside.NAMES and not obj.Document.Restoring and not obj.Document.Transacting:
             outside.forget(obj, name)
 
     def mustExecute(self, obj):

@@ -1,8 +1,9 @@
 """What a CAM set-up comes to: the moves, the machine's file, the set-up sheet. All of it is kept in the document."""
 
+import base64
+import io
 import json
-import os
-import tempfile
+import zlib
 
 import FreeCAD
 import numpy as np
@@ -19,20 +20,36 @@ class MachineProgram(DocumentObject):
     NAME = "MachineProgram"
 
     def add_properties(self, obj):
-        self.add(obj, "Link", "Setup", "Program", "The CAM set-up that it follows")
+        self.add(obj, "Link", "Setup", "Program", "The CAM job that it follows")
         self.add(obj, "Float", "Seconds", "Program", "About how long the machine takes", mode=1)
         self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
         self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)
         self.add(obj, "StringList", "Reports", "Program", "What each operation comes to", mode=1)
         self.add(obj, "StringList", "Notes", "Program", "What one should know", mode=1)
         self.add(obj, "Vector", "Zero", "Program", "The program's zero in the document's coordinates", mode=1)
-        self.add(obj, "FileIncluded", "MachineFile", "Result", "What the machine gets", mode=4)
-        self.add(obj, "FileIncluded", "SetupSheet", "Result", "An HTML page for the person at the machine", mode=4)
-        self.add(obj, "FileIncluded", "Moves", "Result", "All moves, as numpy writes them", mode=4)
+        self.add(obj, "String", "PackedProgram", "Result", "What the machine gets, compressed", mode=4)
+        self.add(obj, "String", "PackedSheet", "Result", "An HTML page for the person at the machine, compressed", mode=4)
+        self.add(obj, "String", "PackedMoves", "Result", "All moves, as numpy writes them, compressed", mode=4)
         self.add(obj, "String", "Sections", "Result", "What each operation's moves are made with, as JSON", mode=4)
         self.add(obj, "String", "Job", "Result", "The job that it was planned from (docs/cam.md)", mode=4)
         self.add(obj, "String", "Extension", "Result", "Of the machine's file", mode=4)
         self.add(obj, "String", "MadeFrom", "Result", "What it was made from: it is planned anew when this changes", mode=4)
+
+    @staticmethod
+    def program(obj):
+        """What the machine gets, as bytes. Raises ValueError where nothing is planned."""
+        return machine_file(obj)
+
+    def onDocumentRestored(self, obj):
+        """Documents of earlier versions hold files, which FreeCAD loses when such an object is copied or deleted and that is undone."""
+        super().onDocumentRestored(obj)
+        for before, name in (("MachineFile", "PackedProgram"), ("SetupSheet", "PackedSheet"), ("Moves", "PackedMoves")):
+            if before in obj.PropertiesList:
+                if path := getattr(obj, before):
+                    with open(path, "rb") as file:
+                        setattr(obj, name, packed(file.read()))
+                obj.removeProperty(before)
+        obj.purgeTouched()
 
     def execute(self, obj):
         if obj.Setup is None:
@@ -51,18 +68,9 @@ class MachineProgram(DocumentObject):
 
 def take(obj, plan):
     """Gives the object a cam_job.Plan."""
-    with tempfile.TemporaryDirectory() as folder:
-        def keep(name, file, data):
-            path = os.path.join(folder, file)
-            with open(path, "wb") as out:
-                out.write(data)
-            setattr(obj, name, path)  # FreeCAD takes the file's content into the document
-
-        keep("MachineFile", "program" + plan.extension, plan.program)
-        keep("SetupSheet", "sheet.html", plan.sheet)
-        moves = os.path.join(folder, "moves.npy")
-        np.save(moves, cam_job.all_moves(plan))
-        obj.Moves = moves
+    moves = io.BytesIO()
+    np.save(moves, cam_job.all_moves(plan))
+    obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = packed(plan.program), packed(plan.sheet), packed(moves.getvalue())
     counts = [len(moves) for moves in plan.moves]
     obj.Sections = json.dumps([{**section, "moves": count} for section, count in zip(plan.sections, counts)])
     obj.Seconds = plan.seconds
@@ -74,12 +82,37 @@ def take(obj, plan):
     obj.MadeFrom = plan.digest  # last: the view is drawn anew when it changes
 
 
+def packed(data):
+    """Bytes as a property keeps them."""
+    return base64.b64encode(zlib.compress(data, 6)).decode()
+
+
+def unpacked(text):
+    return zlib.decompress(base64.b64decode(text))
+
+
+def machine_file(obj):
+    """What the machine gets, as bytes. Raises ValueError where nothing is planned."""
+    return _held(obj, "PackedProgram")
+
+
+def setup_sheet(obj):
+    """The page for the person at the machine, as bytes. Raises ValueError where nothing is planned."""
+    return _held(obj, "PackedSheet")
+
+
+def _held(obj, name):
+    if not getattr(obj, name) or not obj.MadeFrom:
+        raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
+    return unpacked(getattr(obj, name))
+
+
 def sections_of(obj):
     """[(section, moves)]: what each operation's moves are made with, and an (n, 8) array of them: x, y, z (mm, as the program counts), feed
     (mm/min, 0 for rapids), bulge, the tool's axis."""
-    if not obj.Moves:
+    if not obj.PackedMoves:
         return []
-    told, moves = json.loads(obj.Sections), np.load(obj.Moves)
+    told, moves = json.loads(obj.Sections), np.load(io.BytesIO(unpacked(obj.PackedMoves)))
     ends = np.cumsum([section["moves"] for section in told])
     return list(zip(told, np.split(moves, ends[:-1]) if told else []))
 
@@ -93,19 +126,11 @@ def clock(seconds):
 
 def write_machine_file(obj, path):
     """Writes what the machine gets, whole or not at all. Raises ValueError where nothing is planned, OSError."""
-    _copy(obj, obj.MachineFile, path)
+    kernel.write_file(path, machine_file(obj))
 
 
 def write_setup_sheet(obj, path):
-    _copy(obj, obj.SetupSheet, path)
-
-
-def _copy(obj, source, path):
-    if not source or not obj.MadeFrom:
-        raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
-    with open(source, "rb") as file:
-        data = file.read()
-    kernel.write_file(path, data)
+    kernel.write_file(path, setup_sheet(obj))
 
 
 def create(setup):

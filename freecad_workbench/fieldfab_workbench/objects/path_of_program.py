@@ -7,7 +7,7 @@ import numpy as np
 
 from ..words import described, tr
 from .document_object import DocumentObject
-from .machine_program import sections_of
+from .machine_program import machine_file, sections_of
 
 
 HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("FinalDepth", "Its lowest place"), described("SafeHeight", "z of rapids"),
@@ -35,8 +35,7 @@ class PathOfProgram(DocumentObject):
         if obj.Program is None or not obj.Program.MadeFrom:
             raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
         if obj.Section < 0:
-            with open(obj.Program.MachineFile, encoding="utf-8", errors="replace") as file:
-                text = words_of_file(file.read())
+            text = words_of_file(machine_file(obj.Program).decode("utf-8", "replace"))
             obj.Placement.Base = obj.Program.Zero
         else:
             sections = sections_of(obj.Program)

@@ -41,9 +41,7 @@ def program_of(obj):
     if getattr(obj, "ProgramFile", ""):
         return program_from_file(obj.ProgramFile)
     if is_planned(obj):
-        if not obj.MadeFrom:
-            raise ValueError(tr("{label}: nothing is planned yet").format(label=obj.Label))
-        return Program(program_from_file(obj.MachineFile).text, f"program{obj.Extension}", None)
+        return Program(obj.Proxy.program(obj), f"program{obj.Extension}", None)
     if is_job(obj):
         text = _text_of_job(obj)
     elif hasattr(obj, "Path"):
@@ -116,12 +114,34 @@ def _tool(controller):
     return tool
 
 
+_MOTION = re.compile(r"\bG0*([0-3]|8[0-9])(?!\d)")
+
+
+def _words(program):
+    """A G-code program's text without comments, and how many mm its unit has."""
+    text = re.sub(r"\([^)\n]*\)|;[^\n]*", "", program.text.decode("latin-1").upper())
+    return text, 25.4 if re.search(r"\bG0*20(?!\d)", re.sub(r"(?=[GM])", " ", text)) else 1.0
+
+
+def highest_cut(program):
+    """The highest Z, mm, at which a G-code program goes sideways with its feed; None where it nowhere does."""
+    text, unit = _words(program)
+    height = highest = None
+    cutting = False
+    for line in text.splitlines():
+        if found := _MOTION.findall(re.sub(r"(?=[A-Z])", " ", line)):
+            cutting = found[-1] in "123"
+        if up := re.search(r"Z\s*([-+]?(?:\d+\.?\d*|\.\d+))", line):
+            height = float(up[1]) * unit
+        if cutting and height is not None and re.search(r"[XY]", line):
+            highest = height if highest is None else max(highest, height)
+    return highest
+
+
 def extent(program):
     """The corners ((x, y, z), (x, y, z)) that a G-code program's X, Y and Z words span, mm; None where there are not all three. A first
     guess at its stock: words of G91, of offsets and of subroutines count as places, too."""
-    text = program.text.decode("latin-1").upper()
-    text = re.sub(r"\([^)\n]*\)|;[^\n]*", "", text)
-    unit = 25.4 if re.search(r"\bG0*20(?!\d)", re.sub(r"(?=[GM])", " ", text)) else 1.0
+    text, unit = _words(program)
     spans = []
     for letter in "XYZ":
         values = [float(v) * unit for v in re.findall(letter + r"\s*([-+]?(?:\d+\.?\d*|\.\d+))", text)]

@@ -45,7 +45,7 @@ class Scan(Solid):
             setattr(obj, name, list(choices))
 
     def onChanged(self, obj, name):
-        if name == "File" and not obj.Document.Restoring and "FileState" in obj.PropertiesList:
+        if name == "File" and not obj.Document.Restoring and not obj.Document.Transacting and "FileState" in obj.PropertiesList:
             forget(obj, "File")
             self.look(obj)
 

@@ -14,9 +14,11 @@ from .. import kernel, meshes, work
 from ..geometry import source_of_geometry
 from ..words import marked, tr
 from . import programs, set_ups
-from .solid import Solid, source_of
+from .solid import Solid, is_solid, source_of
 
 THREE_AXES = marked("three axes")
+OF_THE_MACHINE = marked("the machine's")
+DIALECTS = (OF_THE_MACHINE, "linuxcnc", "fanuc", "grbl", "mach3")
 # Worst first.
 KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess"))
 CONTACTS = KINDS[:4]
@@ -32,7 +34,7 @@ class Run:
         setup, program = (self._file(*given) for given in (task.setup, task.program))
         target, stock, part = (source and source.field(progress) for source in (task.target, task.stock, task.part))
         self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part, cell=task.cell or None, remember=True,
-                                                         progress=progress)
+                                                         progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
         self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
@@ -48,11 +50,12 @@ class Run:
 
 class Task:
     """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
-    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic."""
+    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic; `dialect`: of its G-code, "" for
+    the set-up's."""
 
-    def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None):
-        self.program, self.setup, self.target, self.stock, self.cell, self.part = program, setup, target, stock, cell, part
-        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell)
+    def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
+        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = program, setup, target, stock, cell, part, dialect
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
@@ -97,6 +100,12 @@ def verdict(events, say=str):
     return say(marked("{count} events, the worst: {kind} at line {line}")).format(count=len(events), kind=say(worst["kind"]), line=worst["line"])
 
 
+def planned_of(simulation):
+    """The machine program whose set-up holds; None where there is none."""
+    program = simulation.Program if simulation.Program is not None else getattr(simulation, "SetupProgram", None)
+    return program if programs.is_planned(program) else None
+
+
 class Simulation(Solid):
     """What a program leaves of its stock. Its coordinates are the part's, which are the document's. The stock's mesh, the figures and the
     events are saved with the document."""
@@ -107,6 +116,7 @@ class Simulation(Solid):
         add = functools.partial(self.add, obj)
         add("File", "ProgramFile", "Program", "The machine's program: G-code, .sbp, .rml, .hpgl")
         add("Link", "Program", "Program", "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
+        self.add_choice(obj, "Dialect", "Program", "How its G-code is read; the machine of the set-up decides where nothing is chosen", DIALECTS)
         add("File", "SetupFile", "Set-up", "A set-up or job file (docs/simulation.md); none: what the properties below say")
         if "Machine" not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
@@ -114,6 +124,7 @@ class Simulation(Solid):
             [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])
         add("Vector", "StockLower", "Set-up", "Lower corner of the stock")
         add("Vector", "StockUpper", "Set-up", "Upper corner of the stock")
+        add("Link", "SetupProgram", "Set-up", "A machine program of the document, whose set-up a program file is carried out in: machine, tools, stock, part")
         add("Link", "Stock", "Set-up", "The stock as a solid: what an earlier simulation left, say. Then the corners do not count")
         add("Link", "Target", "Set-up", "What should come out: any solid")
         add("Length", "Gouge", "Set-up", "Deeper cuts into the target are faults", 0.05)
@@ -140,17 +151,19 @@ class Simulation(Solid):
         self.show_what_matters(obj)
 
     def onChanged(self, obj, name):
-        if name in ("SetupFile", "Stock", "Program"):
+        if name in ("SetupFile", "SetupProgram", "Stock", "Program"):
             self.show_what_matters(obj)
 
     @staticmethod
     def show_what_matters(obj):
-        if not hasattr(obj, "Stock") or not hasattr(obj, "MoreOfSetup"):
-            return  # a document that is being opened
+        if not hasattr(obj, "Stock") or not hasattr(obj, "SetupFile") or not hasattr(obj, "Program"):
+            return  # an object that is being made
+        there = set(obj.PropertiesList)  # while a document is opened they come one by one
         for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
-            counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or programs.is_planned(obj.Program)))
-            obj.setEditorMode(name, 0 if counts else 2)
+            counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or planned_of(obj)))
+            if name in there:
+                obj.setEditorMode(name, 0 if counts else 2)
 
     def source(self, obj):
         """What is left, as a solid."""
@@ -167,8 +180,9 @@ class Simulation(Solid):
             if link is not None and not link.isValid():
                 raise ValueError(tr("{label}: {other} could not be computed").format(label=obj.Label, other=link.Label))
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
-        part = source_of(obj.Program.Setup.Part) if programs.is_planned(obj.Program) and not obj.SetupFile else None
-        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part)
+        planned = planned_of(obj)
+        part = source_of(planned.Setup.Part) if planned and planned.Setup and planned.Setup.Part and not obj.SetupFile else None
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part, "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
 
     def setup(self, obj):
         """The set-up as (bytes, name, path or None)."""
@@ -180,8 +194,8 @@ class Simulation(Solid):
             except OSError as error:
                 words = tr("{label}: the set-up {path} cannot be read: {error}")
                 raise ValueError(words.format(label=obj.Label, path=path, error=error.strerror)) from None
-        if programs.is_planned(obj.Program):
-            return obj.Program.Job.encode(), "job.toml", None
+        if planned := planned_of(obj):
+            return planned.Job.encode(), "job.toml", None
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)
@@ -194,12 +208,23 @@ class Simulation(Solid):
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
         return set_ups.text(tools, lower, upper, machine, tolerances, obj.MoreOfSetup).encode(), "setup.toml", None
 
+    edited = False  # whether its panel is open, which hides it and shows what it makes
+
+    def waits(self, obj):
+        """Whether it is carried out anew only once it is shown: while it is hidden nobody looks at it."""
+        return bool(obj.MadeFrom) and not self.edited and not obj.Visibility and all(is_solid(user) for user in obj.InList)
+
+    def has_its_mesh(self, obj):
+        return obj.MadeFrom == self.task(obj).digest
+
     def kept_run(self, obj):
         """The Run of what the object shows, where it was carried out in this session; else None. Raises as task() does."""
         return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
 
     def execute(self, obj):
         """Carries the program out. What goes wrong is raised: FreeCAD then marks the object, which keeps the result that it had."""
+        if self.waits(obj):
+            return
         fieldfab = kernel.load()
         try:
             task = self.task(obj)

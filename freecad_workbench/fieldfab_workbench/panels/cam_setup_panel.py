@@ -15,7 +15,7 @@ from .tool_table import ToolTable
 
 class SetupPanel(EditPanel):
     def __init__(self, obj):
-        super().__init__(obj, tr("CAM set-up"))
+        super().__init__(obj, tr("CAM job"))
         self.task, self.operation_form, self.machine_rows = None, None, None
         self.layout.setSpacing(3)
         self._plan_row()
@@ -146,7 +146,7 @@ class SetupPanel(EditPanel):
         offer(self.material, self.obj.getEnumerationsOfProperty("Material"), self.obj.Material)
         self.material.setEnabled(self.material.count() > 1)
         known = [tr("travel {travel} mm").format(travel=" x ".join(f"{t:g}" for t in told["travel"]))] if any(told["travel"]) else []
-        known += [tr("up to {limit}").format(limit=f"{told[name]:g} {unit}") for name, unit in (("max_feed", "mm/min"), ("max_spindle", "1/min")) if told[name]]
+        known += [tr("up to {limit}").format(limit=f"{told[name]:g} {tr(unit)}") for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
         known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
         self.limits.setText("; ".join([told["description"], *known]))
 

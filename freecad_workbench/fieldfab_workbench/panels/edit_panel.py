@@ -5,6 +5,7 @@ import FreeCADGui
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
 from ..words import tr
+from .wheel import WheelGuard
 
 COLOURS = {True: "#2c7a3f", False: "#b3261e", DOUBTFUL: "#8a5a00"}
 WIDTH = 420  # pixels of the dock, at least: FreeCAD's own is too narrow for three buttons
@@ -18,6 +19,7 @@ class EditPanel:
         if not self.document.HasPendingTransaction:
             self.document.openTransaction(tr("Edit {label}").format(label=obj.Label))
         self.form = QtWidgets.QWidget()
+        self.wheel = WheelGuard(self.form)
         self.form.setWindowTitle(title)
         self.form.setWindowIcon(obj.ViewObject.Icon)
         self.layout = QtWidgets.QVBoxLayout(self.form)

@@ -1,10 +1,9 @@
-"""What went wrong in a simulation, worst first."""
+"""What went wrong in a simulation, by kinds, the worst first."""
 
 from ..objects.simulation import event_order
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
 
-MOST = 2000  # rows
 # Colour and sign of each kind.
 LOOKS = {
     "fixture contact": ("#8e1b1b", "F"),
@@ -17,6 +16,25 @@ LOOKS = {
     "excess": ("#3a7fc1", "E"),
 }
 UNITS = {"gouge": "mm", "excess": "mm", "over-travel": ""}
+
+
+EVENT = QtCore.Qt.UserRole
+OPENED = 20  # events of a kind that are seen at once
+
+
+def amount_of(event):
+    unit = UNITS.get(event["kind"], "mm\N{SUPERSCRIPT THREE}")
+    return f"{event['amount']:.3g} {unit}".strip()
+
+
+def lines_of(event):
+    """The line of an event, or the first and the last one of what was joined along a pass; "" for one of no line."""
+    first, last = event.get("first_line", event["line"]), event.get("last_line", event["line"])
+    return f"{first}\N{EN DASH}{last}" if first < last else str(event["line"] or "")
+
+
+# What each column is sorted by; the worst is first.
+KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]), lambda event: -abs(event["amount"]))
 
 
 def sign(kind):
@@ -40,47 +58,67 @@ def sign(kind):
 
 
 class EventList(QtWidgets.QTreeWidget):
-    """`chosen` tells an event (a table of the report) that was clicked."""
+    """A row for each kind of event, with all its events below it; of a kind with one event that alone. A column's head sorts by it, a second click the other
+    way round. `chosen` tells an event (a table of the report) that was clicked; a kind stands for its worst."""
 
     chosen = QtCore.Signal(dict)
 
     def __init__(self):
         super().__init__()
         self.setHeaderLabels([tr("Event"), tr("Line"), tr("Amount")])
-        self.setRootIsDecorated(False)
         self.setUniformRowHeights(True)
         self.setAlternatingRowColors(True)
-        self.header().setStretchLastSection(False)
-        self.header().setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
+        head = self.header()
+        head.setStretchLastSection(False)
+        head.setSectionResizeMode(0, QtWidgets.QHeaderView.Stretch)
         for column in (1, 2):
-            self.header().setSectionResizeMode(column, QtWidgets.QHeaderView.ResizeToContents)
+            head.setSectionResizeMode(column, QtWidgets.QHeaderView.ResizeToContents)
+        head.setSectionsClickable(True)
+        head.setSortIndicatorShown(True)
+        head.setSortIndicator(0, QtCore.Qt.AscendingOrder)
+        head.sortIndicatorChanged.connect(lambda column, order: self._fill())
         self.events = []
         # Clicks, and the arrow keys.
         self.itemClicked.connect(lambda item, column: self._tell(item))
         self.itemActivated.connect(lambda item, column: self._tell(item))
 
     def set_events(self, events):
-        self.clear()
         self.events = sorted(events, key=event_order)
+        self._fill()
+
+    def _fill(self):
+        head, groups = self.header(), {}
+        key, last_first = KEYS[head.sortIndicatorSection()], head.sortIndicatorOrder() == QtCore.Qt.DescendingOrder
+        for event in sorted(self.events, key=key, reverse=last_first):
+            groups.setdefault(event["kind"], []).append(event)
+        self.clear()
         if not self.events:
             self.addTopLevelItem(QtWidgets.QTreeWidgetItem([tr("nothing went wrong")]))
-        signs = {kind: sign(kind) for kind in {event["kind"] for event in self.events}}
-        for event in self.events[:MOST]:
-            unit = UNITS.get(event["kind"], "mm\N{SUPERSCRIPT THREE}")
-            item = QtWidgets.QTreeWidgetItem([tr(event["kind"]), str(event["line"]) if event["line"] else "", f"{event['amount']:.3g} {unit}".strip()])
-            item.setIcon(0, signs[event["kind"]])
-            for column in range(3):
-                item.setToolTip(column, event["message"])
-            for column in (1, 2):
-                item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+        self.setRootIsDecorated(any(len(events) > 1 for events in groups.values()))
+        for kind, events in groups.items():
+            worst = min(events, key=event_order)
+            item = self._item(worst)
+            item.setIcon(0, sign(kind))
             self.addTopLevelItem(item)
-        if len(self.events) > MOST:
-            self.addTopLevelItem(QtWidgets.QTreeWidgetItem([tr("and {count} more").format(count=len(self.events) - MOST)]))
+            if len(events) > 1:
+                item.setText(0, tr("{kind}: {count}").format(kind=tr(kind), count=len(events)))
+                item.setText(1, "")
+                item.addChildren([self._item(event) for event in events])
+                item.setExpanded(len(events) <= OPENED)
+
+    @staticmethod
+    def _item(event):
+        item = QtWidgets.QTreeWidgetItem([tr(event["kind"]), lines_of(event), amount_of(event)])
+        item.setData(0, EVENT, event)
+        for column in range(3):
+            item.setToolTip(column, event["message"])
+        for column in (1, 2):
+            item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
+        return item
 
     def _tell(self, item):
-        row = self.indexOfTopLevelItem(item)
-        if row < min(len(self.events), MOST):
-            self.chosen.emit(self.events[row])
+        if event := item.data(0, EVENT):
+            self.chosen.emit(event)
 
     def sizeHint(self):
         return QtCore.QSize(300, 90)  # more where there is room

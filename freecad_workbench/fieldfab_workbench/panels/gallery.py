@@ -3,6 +3,7 @@
 from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import marked, tr
+from .wheel import WheelGuard
 
 ALL = marked("All")
 THUMBNAIL = QtCore.QSize(112, 96)
@@ -24,6 +25,7 @@ class Gallery(QtWidgets.QDialog):
         columns.addLayout(self._groups())
         columns.addLayout(self._pictures(), 1)
         columns.addWidget(self._details())
+        self.wheel = WheelGuard(self)
         self._fill()
 
     # Left: groups.

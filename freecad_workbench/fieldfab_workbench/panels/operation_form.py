@@ -28,7 +28,7 @@ class OperationForm(QtWidgets.QWidget):
         self.type.activated.connect(lambda index: self._choose(self.type.itemData(index)))
         self.tool = QtWidgets.QComboBox()
         self.tool.activated.connect(lambda index: self._take_tool(self.tool.itemData(index)))
-        self.active = QtWidgets.QCheckBox(tr("carried out"))
+        self.active = QtWidgets.QCheckBox(tr("active"))
         self.active.setToolTip(tr(obj.getDocumentationOfProperty("Active"), PROPERTY))
         self.active.setChecked(obj.Active)
         self.active.clicked.connect(self._activate)

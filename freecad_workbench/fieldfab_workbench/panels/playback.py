@@ -6,9 +6,10 @@ import time
 import numpy as np
 
 from ..shim import QtCore, QtGui, QtWidgets
-from ..views.legend import ScaleLegend
+from ..views.legend import ColourLegend, ScaleLegend
 from ..views.part_view import PartView
 from ..views.player import Player
+from ..views.program_view import COLOURS, RAPID_COLOUR, lines
 from ..views.stock_scene import StockScene
 from ..words import tr
 from .event_list import EventList
@@ -32,6 +33,12 @@ def is_open(document):
         return False
 
 
+def _is_in_the_way(obj):
+    """Whether it is a solid, a path or a machine program: the stock would be in the same place."""
+    kind = getattr(getattr(obj, "Proxy", None), "NAME", "")
+    return kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path")) and hasattr(obj.ViewObject, "Visibility")
+
+
 class Playback(QtWidgets.QWidget):
     """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user, and whether they are
     good news."""
@@ -40,7 +47,8 @@ class Playback(QtWidgets.QWidget):
 
     def __init__(self, document):
         super().__init__()
-        self.document, self.player, self.scene, self.legend = document, None, None, None
+        self.document, self.player, self.scene, self.legend, self.colours = document, None, None, None, None
+        self.parts, self._hidden = [], []
         self.seconds, self.playing, self.shown = 0.0, False, 0
         self.layout_ = QtWidgets.QVBoxLayout(self)
         self.layout_.setContentsMargins(0, 4, 0, 0)
@@ -127,16 +135,25 @@ class Playback(QtWidgets.QWidget):
         self.see_deviation = choice(tr("Deviation at the end"), tr("Colour the finished stock by its distance from the target"), True,
                                     lambda on: self.go_to(self.seconds), 1, 0)
         self.turning = choice(tr("Table turns"), tr("Show the stock as the machine's table turns it"), False, lambda on: self._place(), 1, 1)
+        self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True, lambda on: self.scene and self.scene.show_stock(on), 2, 0)
+        self.see_part = choice(tr("Part"), tr("Show the part that should come out"), False, lambda on: self._show_part(), 2, 1)
+        self.see_paths = choice(tr("Paths"), tr("Show where the tools' tips go, each tool in its colour"), False, lambda on: self._show_paths(), 3, 0)
         self.layout_.addLayout(grid)
 
     # Beginning and ending.
-    def show(self, run, events):
-        """Plays an objects.simulation.Run from now on, its end first."""
+    def show(self, run, events, parts=()):
+        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. All else in the view that lies where the
+        stock is stays hidden meanwhile."""
         self.end()
+        self.parts, self._hidden = list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility]
+        seen = bool(self._hidden)
+        for obj in self._hidden:
+            obj.ViewObject.Visibility = False
+        self.see_part.setEnabled(bool(self.parts))
         self.player, self.scene, self.view = Player(run), StockScene(), PartView(self.document)
         self.destroyed.connect(self.player.close)  # as when the document is closed
         self._tool_shown = self._moment = self._asked_line = None
-        self._fitted = False
+        self._fitted = seen
         self.view.add(self.scene.root)
         self.view.tell_clicks(self._clicked)
         simulation = run.simulation
@@ -155,6 +172,9 @@ class Playback(QtWidgets.QWidget):
         box = simulation.stock_box
         self.size = math.dist(box[:3], box[3:])
         self._show_roles()
+        self.scene.show_stock(self.see_stock.isChecked())
+        self._show_part()
+        self._show_paths()
         self.go_to(self.player.length)
         self.timer.start(TICK)
 
@@ -166,9 +186,18 @@ class Playback(QtWidgets.QWidget):
         self.player.close()
         self.view.tell_clicks(None)
         self.view.remove(self.scene.root)
-        if self.legend is not None:
-            self.legend.close()
-        self.player = self.scene = self.legend = None
+        for legend in (self.legend, self.colours):
+            if legend is not None:
+                legend.close()
+        self.player = self.scene = self.legend = self.colours = None
+        there = self.document.Objects if is_open(self.document) else []
+        for obj in self.parts:
+            if obj in there:
+                obj.ViewObject.Visibility = False
+        for obj in self._hidden:
+            if obj in there:
+                obj.ViewObject.Visibility = True
+        self.parts, self._hidden = [], []
 
     def _make_axes(self, letters):
         for label in self.axes.values():
@@ -319,6 +348,28 @@ class Playback(QtWidgets.QWidget):
             self.scene.set_seen("cutting", self.see_tool.isChecked())
             for role in ("shank", "holder"):
                 self.scene.set_seen(role, self.see_holder.isChecked())
+
+    def _show_part(self):
+        for obj in self.parts if self.player is not None else []:
+            obj.ViewObject.Visibility = self.see_part.isChecked()
+
+    def _show_paths(self):
+        if self.player is None:
+            return
+        if self.colours is not None:
+            self.colours.close()
+            self.colours = None
+        if not self.see_paths.isChecked():
+            self.scene.show_paths()
+            return
+        nodes, entries = [], []
+        for place, (tool, points, counts) in enumerate(self.player.ways()):
+            colour = RAPID_COLOUR if tool is None else COLOURS[place % len(COLOURS)]
+            nodes.append(lines(points, counts, colour, 1.2, 0x0F0F if tool is None else 0xFFFF))
+            entries.append((colour, tr("rapids") if tool is None else tr("cuts of tool {tool}").format(tool=tool), tool is None))
+        self.scene.show_paths(nodes)
+        if entries:
+            self.colours = ColourLegend(self.view.widget(), entries)
 
     def _show_button(self):
         picture = QtWidgets.QStyle.SP_MediaPause if self.playing else QtWidgets.QStyle.SP_MediaPlay

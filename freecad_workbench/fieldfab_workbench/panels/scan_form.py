@@ -87,8 +87,8 @@ class ScanForm(EditPanel):
         self.island.setToolTip(tr("Smaller pieces go"))
         self.hole.setToolTip(tr("Smaller cavities are filled"))
         form.addRow(tr("Denoise"), self.denoise)
-        form.addRow(tr("Islands from"), self.island)
-        form.addRow(tr("Holes from"), self.hole)
+        form.addRow(tr("Remove islands smaller than"), self.island)
+        form.addRow(tr("Fill holes smaller than"), self.hole)
         form.addRow(self.largest)
 
     def _add_outcome_rows(self):

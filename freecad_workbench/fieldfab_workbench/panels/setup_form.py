@@ -3,9 +3,9 @@
 import FreeCAD
 
 from ..objects import programs, set_ups
-from ..objects.simulation import bounds_of
+from ..objects.simulation import DIALECTS, bounds_of
 from ..shim import QtCore, QtWidgets
-from ..words import marked, tr
+from ..words import PROPERTY, marked, tr
 from .choices import offer
 from .property_panel import candidates
 
@@ -75,11 +75,18 @@ class SetupForm(QtWidgets.QWidget):
         self.of_object = self._objects(obj.Program, [o for o in obj.Document.Objects if o != obj and programs.offers_program(o)], tr("a file"))
         self.program = FileBox(obj.ProgramFile, tr("the machine's program"),
                                tr("Programs (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;All files (*)"))
+        self.of_setup = self._objects(obj.SetupProgram, [o for o in obj.Document.Objects if programs.is_planned(o)], tr("none: a file, or as below"))
+        self.of_setup.activated.connect(lambda index: self._follow())
+        self.dialect = QtWidgets.QComboBox()
+        offer(self.dialect, DIALECTS, obj.Dialect)
+        self.dialect.setToolTip(tr(obj.getDocumentationOfProperty("Dialect"), PROPERTY))
         self.setup = FileBox(obj.SetupFile, tr("none: as below"), tr("Set-ups and jobs (*.toml)"))
         self.cell = length_box(obj.Cell.Value, tr("automatic"))
         self.target = self._objects(obj.Target, candidates(obj), tr("none, or the set-up's"))
         rows.addRow(tr("Program of"), self.of_object)
         rows.addRow(tr("Program"), self.program)
+        rows.addRow(tr("Dialect"), self.dialect)
+        rows.addRow(tr("Set-up of"), self.of_setup)
         rows.addRow(tr("Set-up file"), self.setup)
         rows.addRow(tr("Target"), self.target)
         rows.addRow(tr("Cell"), self.cell)
@@ -88,6 +95,7 @@ class SetupForm(QtWidgets.QWidget):
         layout.addWidget(self.by_hand)
         self._add_by_hand(QtWidgets.QVBoxLayout(self.by_hand))
         layout.addStretch()
+        self._before = self.of_object.currentData()
         self.of_object.activated.connect(lambda index: self._chosen())
         self.program.line.editingFinished.connect(self._guess_where_nothing_is)
         self.setup.line.textChanged.connect(lambda text: self._follow())
@@ -126,9 +134,9 @@ class SetupForm(QtWidgets.QWidget):
         guess.clicked.connect(self.guess_stock)
         grid.addWidget(guess, 2, 1, 1, 3)
         rows.addRow("", self.corners)
-        rows.addRow(tr("Gouge from"), self.gouge)
-        rows.addRow(tr("Left over from"), self.excess)
-        rows.addRow(tr("Contact from"), self.touch)
+        rows.addRow(tr("Gouge tolerance"), self.gouge)
+        rows.addRow(tr("Excess tolerance"), self.excess)
+        rows.addRow(tr("Contact tolerance"), self.touch)
         layout.addLayout(rows)
         self.tools = QtWidgets.QTableWidget(0, len(TOOL_COLUMNS))
         self.tools.setHorizontalHeaderLabels([tr(words) for _, words in TOOL_COLUMNS])
@@ -180,7 +188,9 @@ class SetupForm(QtWidgets.QWidget):
 
     def _follow(self):
         """Only what counts is seen."""
-        self.by_hand.setVisible(not self.setup.line.text() and not programs.is_planned(self._program_object()))
+        planned = programs.is_planned(self._program_object())
+        self.by_hand.setVisible(not self.setup.line.text() and not planned and not self.of_setup.currentData())
+        self.of_setup.setEnabled(not planned)
         self.program.setEnabled(not self.of_object.currentData())
         self.corners.setVisible(not self.stock.currentData())
 
@@ -189,8 +199,11 @@ class SetupForm(QtWidgets.QWidget):
         return self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
 
     def _chosen(self):
-        """Tools, stock and target of a Path Job are taken over."""
-        source = self._program_object()
+        """Tools, stock and target of a Path Job are taken over. A file after a machine program, such as what somebody made of it, keeps its set-up."""
+        source, before = self._program_object(), self.obj.Document.getObject(self._before) if self._before else None
+        self._before = self.of_object.currentData()
+        if source is None and programs.is_planned(before):
+            self.of_setup.setCurrentIndex(self.of_setup.findData(before.Name))
         self._follow()
         if source is not None:
             self.take_from(source)
@@ -213,7 +226,7 @@ class SetupForm(QtWidgets.QWidget):
             self._guess_where_nothing_is()
 
     def _guess_where_nothing_is(self):
-        if not self.setup.line.text() and all(box.value() == 0 for box in self.lower + self.upper):
+        if not self.setup.line.text() and not self.of_setup.currentData() and all(box.value() == 0 for box in self.lower + self.upper):
             self.guess_stock()
 
     def guess_stock(self):
@@ -224,7 +237,8 @@ class SetupForm(QtWidgets.QWidget):
             return
         if (found := programs.extent(program)) is not None:
             (x0, y0, z0), (x1, y1, z1) = found
-            top = 0.0 if z0 < 0 else z1  # mostly z = 0 is the stock's upper side
+            highest = programs.highest_cut(program)
+            top = z1 if highest is None else max(highest, 0.0) if z0 < 0 else highest  # mostly z = 0 is the stock's upper side
             self._set_corners((x0 - MARGIN, y0 - MARGIN, min(z0, top) - MARGIN), (x1 + MARGIN, y1 + MARGIN, top))
 
     def _set_corners(self, lower, upper):
@@ -237,7 +251,7 @@ class SetupForm(QtWidgets.QWidget):
         obj, tools = self.obj, [set_ups.tool_to_line(self._tool(row)) for row in range(self.tools.rowCount())]
         find = lambda box: obj.Document.getObject(box.currentData()) if box.currentData() else None  # noqa: E731
         values = {
-            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "SetupFile": self.setup.line.text(), "Target": find(self.target),
+            "Program": find(self.of_object), "ProgramFile": self.program.line.text(), "Dialect": self.dialect.currentData(), "SetupFile": self.setup.line.text(), "SetupProgram": find(self.of_setup), "Target": find(self.target),
             "Cell": self.cell.value(), "Machine": self.machine.currentData(), "Stock": find(self.stock), "Tools": tools,
             "StockLower": FreeCAD.Vector(*(b.value() for b in self.lower)), "StockUpper": FreeCAD.Vector(*(b.value() for b in self.upper)),
             "Gouge": self.gouge.value(), "Excess": self.excess.value(), "Touch": self.touch.value(),

@@ -4,7 +4,7 @@ import json
 import os
 
 from .. import kernel, meshes, work
-from ..objects.simulation import verdict
+from ..objects.simulation import planned_of, verdict
 from ..shim import QtCore, QtWidgets, flags
 from ..words import tr
 from .edit_panel import EditPanel
@@ -32,6 +32,7 @@ class SimulationPanel(EditPanel):
         self.layout.addWidget(self.message)
         self.playback.said.connect(self.say)
         self.seen_before = obj.ViewObject.Visibility
+        obj.Proxy.edited = True
         obj.ViewObject.Visibility = obj.ViewObject.Visibility and bool(obj.MadeFrom)  # a new one is not drawn twice
         self.timer = QtCore.QTimer(self.form)
         self.timer.timeout.connect(self._watch)
@@ -162,7 +163,9 @@ class SimulationPanel(EditPanel):
     def _play(self, run):
         self.run = run
         self.obj.ViewObject.Visibility = False  # the playback is in its place
-        self.playback.show(run, run.report["events"])
+        planned = planned_of(self.obj)
+        part = planned.Setup.Part if planned is not None and planned.Setup is not None else None
+        self.playback.show(run, run.report["events"], list(filter(None, dict.fromkeys([self.obj.Target or part]))))
         self._allow(True)
         self._say_verdict()
 
@@ -230,4 +233,5 @@ class SimulationPanel(EditPanel):
         self.playback.end()
         if self.obj in self.document.Objects:
             self.obj.ViewObject.Visibility = self.seen_before
+            self.obj.Proxy.edited = False
         super().close()

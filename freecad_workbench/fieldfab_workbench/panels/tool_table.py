@@ -83,7 +83,7 @@ class ToolTable(QtWidgets.QWidget):
     def _problem(self, tool, column, text):
         """Gives the tool what was typed in a column; says what is wrong with it, "" for nothing."""
         if column == 1:
-            tool.Label = text or tool.Label
+            tool.Label = text or cam_tool.name_of(tool)
             return ""
         try:
             number = int(text) if column == 0 else float(text.replace(",", "."))
@@ -99,6 +99,9 @@ class ToolTable(QtWidgets.QWidget):
     def _reshape(self, tool, shape, line):
         """The box that was chosen from stays: only the rows below the table are others now."""
         tool.Shape = shape
+        self.table.blockSignals(True)
+        self.table.item(line, 1).setText(tool.Label)
+        self.table.blockSignals(False)
         self.table.setCurrentCell(line, 1)
         self._show_more()
         self.changed()
@@ -120,7 +123,7 @@ class ToolTable(QtWidgets.QWidget):
         box.setRange(1 if name == "Flutes" else 0, 1000000)
         box.setValue(getattr(value, "Value", value) * factor)
         box.setToolTip(tr(tool.getDocumentationOfProperty(name), PROPERTY))
-        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " 1/min"}.get(kind)
+        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " " + tr("rpm")}.get(kind)
         if suffix:
             box.setSuffix(suffix)
             box.setDecimals(3 if suffix == " mm" else 1)

@@ -67,6 +67,27 @@ class ReachLegend(Legend):
             painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{share * self.reach:+.3g} {word}" if share else "0")
 
 
+class ColourLegend(Legend):
+    """A line for each colour, in the left upper corner. `entries`: (colour of three numbers from 0 to 1, words, whether it is dashed)."""
+
+    def __init__(self, over, entries):
+        self.entries = entries
+        wide = max(over.fontMetrics().horizontalAdvance(words) for _, words, _ in entries)
+        super().__init__(over, 62 + wide, 14 + 20 * len(entries))
+        self.show()
+
+    def _place(self):
+        self.move(EDGE, EDGE)
+
+    def paint(self, painter):
+        for row, (colour, words, dashed) in enumerate(self.entries):
+            y = 17 + 20 * row
+            painter.setPen(QtGui.QPen(QtGui.QColor.fromRgbF(*colour), 2.5, QtCore.Qt.DashLine if dashed else QtCore.Qt.SolidLine))
+            painter.drawLine(12, y, 40, y)
+            painter.setPen(QtGui.QColor("#202428"))
+            painter.drawText(50, y - LINE // 2 - 1, self.width(), LINE + 2, QtCore.Qt.AlignVCenter, words)
+
+
 class ScaleLegend(Legend):
     """A strip of a simulation's colours. `scale`: gouge, excess and full, mm; `colour(deviation)`: red, green, blue."""
 

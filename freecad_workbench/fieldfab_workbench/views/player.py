@@ -109,6 +109,20 @@ class Player:
         draw = kernel.load().stock.to_draw
         return {role: draw(self.playback.tool_mesh(move, role)) for role in ("cutting", "shank", "holder")}
 
+    def ways(self):
+        """[(tool, None for rapids; points; how many each polyline has)]: where the tip goes, part coordinates."""
+        if self._ways is None:
+            way = [self.playback.poses(move)[:, :3] for move in range(len(self.ends))]
+            rapid, tools = np.asarray(self.playback.rapid), np.asarray(self.playback.tools)
+            self._ways = []
+            for tool in (*sorted(set(tools[~rapid].tolist())), None):
+                wanted = [way[i] for i in np.flatnonzero(rapid if tool is None else ~rapid & (tools == tool)) if len(way[i]) > 1]
+                if wanted:
+                    self._ways.append((tool, np.concatenate(wanted).astype("f4"), np.array([len(each) for each in wanted], "i4")))
+        return self._ways
+
+    _ways = None
+
     def end_of_line(self, line):
         """When the program has done a line, seconds."""
         done = self.playback.done_after_line(line)

@@ -49,6 +49,7 @@ class Preview:
         self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
+        self._unseen = self.guess is None  # a new solid, which is nowhere in the picture yet
         self._doubt = ""  # about the solid's own mesh
         self._eye, self._eye_moved, self._refined_for = None, 0.0, None
         self._put_in_place()
@@ -235,6 +236,9 @@ class Preview:
             self._solid = self._assembly
         self._assembly, self.stage, self._triangles = None, stage, self._refinement.triangles
         self._own.whichChild = -1
+        if self._unseen and self._triangles:
+            self._unseen = False
+            FreeCADGui.SendMsgToActiveView("ViewFit")
         if stage == "coarse":
             self._coarse, self._undrawn = False, True
         took = self._refinement.source.faces_took

@@ -21,7 +21,8 @@ class ProgramView(DocumentView):
         return root
 
     def updateData(self, obj, name):
-        if name == "MadeFrom" and hasattr(self, "lines"):
+        back_in_time = obj.Document.Restoring or obj.Document.Transacting  # its properties come in any order then
+        if hasattr(self, "lines") and (name == "MadeFrom" or back_in_time and name in ("PackedMoves", "Sections", "Zero")):
             self.draw()
 
     def onChanged(self, view, name):
@@ -29,10 +30,10 @@ class ProgramView(DocumentView):
             self.draw()
 
     def draw(self):
-        """Draws the ways that the object holds; nothing while its file is still being read."""
+        """Draws the ways that the object holds; nothing while its properties are still being read."""
         self.lines.removeAllChildren()
         obj = self.Object
-        if "MadeFrom" not in obj.PropertiesList or not obj.MadeFrom:
+        if any(not getattr(obj, name, "") for name in ("MadeFrom", "PackedMoves", "Sections")):
             return
         self.moved.translation = tuple(obj.Zero)
         last = None

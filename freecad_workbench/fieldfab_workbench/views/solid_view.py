@@ -80,8 +80,13 @@ class SolidView(ObjectView):
     def onChanged(self, view, name):
         if name == "Visibility" and not view.Visibility:
             self.hide_places()
-        if name == "Visibility" and view.Visibility and getattr(view.Object, "OnlyWhenShown", False) and not view.Object.Document.Restoring:
+        if name == "Visibility" and view.Visibility and self.made_when_shown(view.Object) and not view.Object.Document.Restoring:
             make_mesh_later(view.Object)
+
+    @staticmethod
+    def made_when_shown(obj):
+        simulated = getattr(obj.Proxy, "NAME", "") == "Simulation"
+        return bool(obj.MadeFrom) and not obj.Proxy.edited if simulated else getattr(obj, "OnlyWhenShown", False)
 
     def claimChildren(self):
         return sources_of(self.Object)

@@ -39,13 +39,25 @@ class StockScene:
         self.pieces_node = coin.SoGroup()
         for node in (self.pieces_node, self.whole.node):
             self.stock.addChild(node)
-        self.root.addChild(self._hints())
-        self.root.addChild(self.stock)
+        self.root.addChild(self._stock_node())
+        self.paths = coin.SoSwitch()
+        self.root.addChild(self.paths)
         self.tool, self.tool_place, self.tool_parts = coin.SoSwitch(), coin.SoTransform(), {}
         self.root.addChild(self._tool_node())
         self.mark, self.mark_place, self.mark_size = coin.SoSwitch(), coin.SoTranslation(), coin.SoSphere()
         self.root.addChild(self._mark_node())
         self.stock.whichChild, self.tool.whichChild, self.mark.whichChild = 0, -3, -1
+
+    def _stock_node(self):
+        """A hair behind where it is, so that the part, or a path in the same place, is seen as a whole before it."""
+        behind, group = coin.SoPolygonOffset(), coin.SoSeparator()
+        behind.factor, behind.units = 1.0, 1.0
+        self.stock_shown = coin.SoSwitch()
+        self.stock_shown.addChild(self.stock)
+        for node in (self._hints(), behind, self.stock_shown):
+            group.addChild(node)
+        self.stock_shown.whichChild = -3
+        return group
 
     @staticmethod
     def _hints():
@@ -108,6 +120,17 @@ class StockScene:
 
     def set_seen(self, role, seen):
         self.tool_parts[role][0].whichChild = -3 if seen else -1
+
+    def show_stock(self, seen):
+        self.stock_shown.whichChild = -3 if seen else -1
+
+    def show_paths(self, nodes=()):
+        """Lines, Coin nodes; none hide what is there."""
+        if nodes:
+            self.paths.removeAllChildren()
+            for node in nodes:
+                self.paths.addChild(node)
+        self.paths.whichChild = -3 if nodes else -1
 
     def set_turn(self, matrix):
         """The (4, 4) matrix from part coordinates to the machine's."""

@@ -95,12 +95,8 @@ def machining(document):
     program = machine_program.create(setup)
     document.recompute()
     assert program.isValid() and program.MadeFrom, program.getStatusString()
-    with open(program.SetupSheet, encoding="utf-8") as file:
-        sheet = re.sub(r"(?<=base64,)[\w+/=]+", _smaller, file.read())
-    path = os.path.join(tempfile.mkdtemp(), "sheet.html")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(sheet)
-    program.SetupSheet = path
+    sheet = re.sub(r"(?<=base64,)[\w+/=]+", _smaller, machine_program.setup_sheet(program).decode())
+    program.PackedSheet = machine_program.packed(sheet.encode())
 
 
 def _smaller(picture):

@@ -336,8 +336,8 @@
         <translation>Aufspannung</translation>
     </message>
     <message>
-        <source>The CAM set-up that it follows</source>
-        <translation>Die CAM-Aufspannung, der es folgt</translation>
+        <source>The CAM job that it follows</source>
+        <translation>Der CAM-Job, dem es folgt</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -384,28 +384,28 @@
         <translation>Der Nullpunkt des Programms in den Koordinaten des Dokuments</translation>
     </message>
     <message>
-        <source>Machine File</source>
-        <translation>Maschinendatei</translation>
+        <source>Packed Program</source>
+        <translation>Programm, komprimiert</translation>
     </message>
     <message>
-        <source>What the machine gets</source>
-        <translation>Was die Maschine bekommt</translation>
+        <source>What the machine gets, compressed</source>
+        <translation>Was die Maschine bekommt, komprimiert</translation>
     </message>
     <message>
-        <source>Setup Sheet</source>
-        <translation>Einrichteblatt</translation>
+        <source>Packed Sheet</source>
+        <translation>Einrichteblatt, komprimiert</translation>
     </message>
     <message>
-        <source>An HTML page for the person at the machine</source>
-        <translation>Eine HTML-Seite für den Menschen an der Maschine</translation>
+        <source>An HTML page for the person at the machine, compressed</source>
+        <translation>Eine HTML-Seite für den Menschen an der Maschine, komprimiert</translation>
     </message>
     <message>
-        <source>Moves</source>
-        <translation>Bewegungen</translation>
+        <source>Packed Moves</source>
+        <translation>Bewegungen, komprimiert</translation>
     </message>
     <message>
-        <source>All moves, as numpy writes them</source>
-        <translation>Alle Bewegungen, wie numpy sie schreibt</translation>
+        <source>All moves, as numpy writes them, compressed</source>
+        <translation>Alle Bewegungen, wie numpy sie schreibt, komprimiert</translation>
     </message>
     <message>
         <source>Sections</source>
@@ -820,6 +820,14 @@
         <translation>Ein Objekt, das ein Programm hat: ein Maschinenprogramm, eine Path-Operation oder ein Path-Auftrag. Dann gibt es keine Datei</translation>
     </message>
     <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>How its G-code is read; the machine of the set-up decides where nothing is chosen</source>
+        <translation>Wie der G-Code gelesen wird; wenn nichts gewählt ist, bestimmt es die Maschine der Aufspannung</translation>
+    </message>
+    <message>
         <source>Setup File</source>
         <translation>Aufspanndatei</translation>
     </message>
@@ -838,6 +846,14 @@
     <message>
         <source>Upper corner of the stock</source>
         <translation>Obere Ecke des Rohteils</translation>
+    </message>
+    <message>
+        <source>Setup Program</source>
+        <translation>Programm der Aufspannung</translation>
+    </message>
+    <message>
+        <source>A machine program of the document, whose set-up a program file is carried out in: machine, tools, stock, part</source>
+        <translation>Ein Maschinenprogramm des Dokuments, in dessen Aufspannung eine Programmdatei ausgeführt wird: Maschine, Werkzeuge, Rohteil, Werkstück</translation>
     </message>
     <message>
         <source>Stock</source>
@@ -1419,6 +1435,10 @@
         <translation>{label}: etwa {time}</translation>
     </message>
     <message>
+        <source>About {time}</source>
+        <translation>Etwa {time}</translation>
+    </message>
+    <message>
         <source>{path} is written</source>
         <translation>{path} ist geschrieben</translation>
     </message>
@@ -1465,6 +1485,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>The script was stopped.</source>
         <translation>Das Skript wurde angehalten.</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Körper</translation>
     </message>
     <message>
         <source>{filename}: Fieldfab reads no .{ending} files</source>
@@ -1601,6 +1625,30 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>drill</source>
         <translation>Bohrer</translation>
+    </message>
+    <message>
+        <source>{diameter} mm end mill</source>
+        <translation>Schaftfräser {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{diameter} mm ball end mill</source>
+        <translation>Kugelfräser {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{diameter} mm bull-nose end mill</source>
+        <translation>Torusfräser {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{diameter} mm V-bit</source>
+        <translation>V-Fräser {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{diameter} mm tapered ball end mill</source>
+        <translation>Konischer Kugelfräser {diameter} mm</translation>
+    </message>
+    <message>
+        <source>{diameter} mm drill</source>
+        <translation>Bohrer {diameter} mm</translation>
     </message>
     <message>
         <source>{label}: Diameter must be above 0</source>
@@ -1811,6 +1859,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>drei Achsen</translation>
     </message>
     <message>
+        <source>the machine's</source>
+        <translation>wie die Maschine</translation>
+    </message>
+    <message>
         <source>fixture contact</source>
         <translation>Kollision mit der Spannung</translation>
     </message>
@@ -1899,8 +1951,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Operation</translation>
     </message>
     <message>
-        <source>CAM set-up</source>
-        <translation>CAM-Aufspannung</translation>
+        <source>CAM job</source>
+        <translation>CAM-Job</translation>
     </message>
     <message>
         <source>Part</source>
@@ -1973,10 +2025,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>none yet</source>
         <translation>noch keine</translation>
-    </message>
-    <message>
-        <source>About {time}</source>
-        <translation>Etwa {time}</translation>
     </message>
     <message>
         <source>up to {limit}</source>
@@ -2087,8 +2135,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>nichts ging schief</translation>
     </message>
     <message>
-        <source>and {count} more</source>
-        <translation>und {count} weitere</translation>
+        <source>{kind}: {count}</source>
+        <translation>{kind}: {count}</translation>
     </message>
     <message>
         <source>Line {line}: {words} (and {count} more)</source>
@@ -2191,8 +2239,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>noch keine Dichten</translation>
     </message>
     <message>
-        <source>carried out</source>
-        <translation>wird ausgeführt</translation>
+        <source>active</source>
+        <translation>aktiv</translation>
     </message>
     <message>
         <source>Name</source>
@@ -2247,6 +2295,22 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Das Rohteil so zeigen, wie der Tisch der Maschine es dreht</translation>
     </message>
     <message>
+        <source>Show the stock as it is at this moment</source>
+        <translation>Das Rohteil zeigen, wie es in diesem Augenblick ist</translation>
+    </message>
+    <message>
+        <source>Show the part that should come out</source>
+        <translation>Das Werkstück zeigen, das entstehen soll</translation>
+    </message>
+    <message>
+        <source>Paths</source>
+        <translation>Bahnen</translation>
+    </message>
+    <message>
+        <source>Show where the tools' tips go, each tool in its colour</source>
+        <translation>Zeigen, wohin die Werkzeugspitzen fahren, jedes Werkzeug in seiner Farbe</translation>
+    </message>
+    <message>
         <source>To the beginning</source>
         <translation>Zum Anfang</translation>
     </message>
@@ -2287,12 +2351,24 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Werkzeug {tool}</translation>
     </message>
     <message>
+        <source>rapids</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
         <source>Where axis {letter} stands, mm</source>
         <translation>Stand der Achse {letter}, mm</translation>
     </message>
     <message>
         <source>Where axis {letter} stands, degrees</source>
         <translation>Stand der Achse {letter}, Grad</translation>
+    </message>
+    <message>
+        <source>cuts of tool {tool}</source>
+        <translation>Schnitte mit Werkzeug {tool}</translation>
+    </message>
+    <message>
+        <source>{count} lines. {about}</source>
+        <translation>{count} Zeilen. {about}</translation>
     </message>
     <message>
         <source>The program. Click a line to go to where it is done</source>
@@ -2395,12 +2471,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Entrauschen</translation>
     </message>
     <message>
-        <source>Islands from</source>
-        <translation>Inseln ab</translation>
+        <source>Remove islands smaller than</source>
+        <translation>Inseln entfernen, kleiner als</translation>
     </message>
     <message>
-        <source>Holes from</source>
-        <translation>Löcher ab</translation>
+        <source>Fill holes smaller than</source>
+        <translation>Löcher füllen, kleiner als</translation>
     </message>
     <message>
         <source>File…</source>
@@ -2543,6 +2619,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Programme (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;Alle Dateien (*)</translation>
     </message>
     <message>
+        <source>none: a file, or as below</source>
+        <translation>keine: eine Datei oder wie unten</translation>
+    </message>
+    <message>
         <source>none: as below</source>
         <translation>keine: wie unten</translation>
     </message>
@@ -2561,6 +2641,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Program</source>
         <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Set-up of</source>
+        <translation>Aufspannung von</translation>
     </message>
     <message>
         <source>Set-up file</source>
@@ -2591,16 +2679,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Ein Quader um alle Stellen, die das Programm nennt</translation>
     </message>
     <message>
-        <source>Gouge from</source>
-        <translation>Verletzung ab</translation>
+        <source>Gouge tolerance</source>
+        <translation>Toleranz für Verletzungen</translation>
     </message>
     <message>
-        <source>Left over from</source>
-        <translation>Restmaterial ab</translation>
+        <source>Excess tolerance</source>
+        <translation>Toleranz für Restmaterial</translation>
     </message>
     <message>
-        <source>Contact from</source>
-        <translation>Kollision ab</translation>
+        <source>Contact tolerance</source>
+        <translation>Toleranz für Kollisionen</translation>
     </message>
     <message>
         <source>Add tool</source>
@@ -2721,6 +2809,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>{text!r} is no number</source>
         <translation>{text!r} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
     </message>
     <message>
         <source>not known</source>
@@ -2851,10 +2943,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Wird angehalten</translation>
     </message>
     <message>
-        <source>by itself</source>
-        <translation>von selbst</translation>
-    </message>
-    <message>
         <source>must be finite</source>
         <translation>muss endlich sein</translation>
     </message>
@@ -2929,12 +3017,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Operation hinzufügen</translation>
     </message>
     <message>
-        <source>Add an operation to the CAM set-up</source>
-        <translation>Der CAM-Aufspannung eine Operation hinzufügen</translation>
+        <source>Add an operation to the CAM job</source>
+        <translation>Dem CAM-Job eine Operation hinzufügen</translation>
     </message>
     <message>
-        <source>Adds an operation at the end of the selected set-up, or of the document's only one. The panel asks what is done, with which tool, and for the settings of each stage; what is left empty follows its default.</source>
-        <translation>Hängt eine Operation, etwa Schruppen oder Schlichten, an die ausgewählte oder die einzige Aufspannung des Dokuments an. Das Aufgabenfenster fragt, was mit welchem Werkzeug getan wird, und nach den Einstellungen jeder Stufe; was leer bleibt, folgt seiner Vorgabe.</translation>
+        <source>Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the settings of each stage; what is left empty follows its default.</source>
+        <translation>Hängt eine Operation, etwa Schruppen oder Schlichten, an den ausgewählten oder den einzigen Job des Dokuments an. Das Aufgabenfenster fragt, was mit welchem Werkzeug getan wird, und nach den Einstellungen jeder Stufe; was leer bleibt, folgt seiner Vorgabe.</translation>
     </message>
 </context>
 <context>
@@ -3019,8 +3107,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Fünfachsig gefräster Knauf</translation>
     </message>
     <message>
-        <source>Open a CAM set-up with a planned five-axis program, as a new document</source>
-        <translation>Eine CAM-Aufspannung mit geplantem fünfachsigem Programm als neues Dokument öffnen</translation>
+        <source>Open a CAM job with a planned five-axis program, as a new document</source>
+        <translation>Einen CAM-Job mit geplantem fünfachsigem Programm als neues Dokument öffnen</translation>
     </message>
     <message>
         <source>Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans along the surface, and the planned program. A double-click on the set-up shows its stages.</source>
@@ -3135,16 +3223,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
 <context>
     <name>Fieldfab_NewCamSetup</name>
     <message>
-        <source>New CAM set-up</source>
-        <translation>Neue CAM-Aufspannung</translation>
+        <source>New CAM job</source>
+        <translation>Neuer CAM-Job</translation>
     </message>
     <message>
         <source>Machine the selected solid: stock, tools, operations and a machine</source>
         <translation>Den ausgewählten Körper fräsen: Rohteil, Werkzeuge, Operationen und eine Maschine</translation>
     </message>
     <message>
-        <source>Adds a set-up that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths beside the window.</source>
-        <translation>Legt eine Aufspannung an, in der der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen neben dem Fenster.</translation>
+        <source>Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths beside the window.</source>
+        <translation>Legt einen Job an, in dem der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen neben dem Fenster.</translation>
     </message>
 </context>
 <context>
@@ -3184,12 +3272,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Planen</translation>
     </message>
     <message>
-        <source>Plan all paths of the CAM set-up</source>
-        <translation>Alle Bahnen der CAM-Aufspannung planen</translation>
+        <source>Plan all paths of the CAM job</source>
+        <translation>Alle Bahnen des CAM-Jobs planen</translation>
     </message>
     <message>
-        <source>Plans the machine program of the selected set-up, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the last good one.</source>
-        <translation>Plant das Maschinenprogramm der ausgewählten oder der einzigen Aufspannung des Dokuments, mit einer Fortschrittsanzeige. Schlägt es fehl oder wird es abgebrochen, bleibt das letzte gute Programm.</translation>
+        <source>Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the last good one.</source>
+        <translation>Plant das Maschinenprogramm des ausgewählten oder des einzigen Jobs des Dokuments, mit einer Fortschrittsanzeige. Schlägt es fehl oder wird es abgebrochen, bleibt das letzte gute Programm.</translation>
     </message>
 </context>
 <context>
@@ -3405,16 +3493,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
 <context>
     <name>Fieldfab_WriteMachineFile</name>
     <message>
-        <source>Write machine file</source>
-        <translation>Maschinendatei schreiben</translation>
+        <source>Post process</source>
+        <translation>Postprozessor</translation>
     </message>
     <message>
-        <source>Write the program as the machine takes it</source>
-        <translation>Das Programm so schreiben, wie die Maschine es nimmt</translation>
+        <source>Show the program as the machine takes it, and save it</source>
+        <translation>Das Programm zeigen, wie die Maschine es nimmt, und speichern</translation>
     </message>
     <message>
-        <source>Writes the planned program of the selected set-up into a file of the machine's own kind, such as G-code. It asks for the file's name only.</source>
-        <translation>Schreibt das geplante Programm der ausgewählten Aufspannung in eine Datei von der Art der Maschine, etwa G-Code. Gefragt wird nur nach dem Namen der Datei.</translation>
+        <source>Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's.</source>
+        <translation>Zeigt das geplante Programm des ausgewählten Jobs so, wie die Maschine es nimmt, etwa als G-Code, mit Zeilennummern. Beim Speichern wird nach dem Namen der Datei gefragt; vorgeschlagen ist der des Werkstücks.</translation>
     </message>
 </context>
 <context>

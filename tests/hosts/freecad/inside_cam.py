@@ -64,7 +64,7 @@ def test_a_program_is_that_of_the_same_job_from_the_command_line(document, tmp_p
     program = planned(setup)
     assert program.isValid(), program.getStatusString()
     (tmp_path / "part.frep").write_text(DOME)
-    (tmp_path / "job.toml").write_text('name = "CAM set-up"\nmachine = "linuxcnc"\n[input]\nmodel = "part.frep"\n[stock]\nmargin = 2\ntop = 1\n'
+    (tmp_path / "job.toml").write_text('name = "CAM job"\nmachine = "linuxcnc"\n[input]\nmodel = "part.frep"\n[stock]\nmargin = 2\ntop = 1\n'
                                        '[[tool]]\nname = "4 mm end mill"\ndiameter = 4\nlength = 40\n'
                                        '[[operation]]\nname = "Rough"\ntype = "rough"\ncell = 0.4\nstepdown = 3\n')
     job = kernel.load().cam.Job(str(tmp_path / "job.toml"))

@@ -171,8 +171,7 @@ def test_a_program_with_a_leaning_tool_is_the_machines_own_words(document):
     assert path.isValid(), path.getStatusString()
     commands = path.Path.Commands
     assert {"A", "C"} <= set().union(*(c.Parameters for c in commands)) and all(c.Name in ("G0", "G1", "G2", "G3") for c in commands)
-    with open(program.MachineFile) as file:
-        written = [line for line in file.read().splitlines() if re.match(r"G[0123]\b", line)]
+    written = [line for line in machine_program.machine_file(program).decode().splitlines() if re.match(r"G[0123]\b", line)]
     assert len(commands) == len(written)
 
 

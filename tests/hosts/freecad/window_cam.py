@@ -14,6 +14,7 @@ from fieldfab_workbench.commands import cam as commands
 from fieldfab_workbench.icons import icon
 from fieldfab_workbench.objects import cam_setup, frep_solid
 from fieldfab_workbench.objects import solid as solids
+from fieldfab_workbench.panels.program_preview import ProgramPreview
 from fieldfab_workbench.panels.tool_table import ToolTable
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
@@ -93,6 +94,10 @@ def coloured(picture, colour):
     return int((np.abs(pixels - colour).max(axis=2) < 40).sum())
 
 
+def seen_dialogs():
+    return [widget for widget in QtWidgets.QApplication.topLevelWidgets() if isinstance(widget, ProgramPreview) and widget.isVisible()]
+
+
 def new_setup(solid):
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(solid)
@@ -130,8 +135,19 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
     press(Button.Ok)
     assert document.UndoCount == steps + 1 and not FreeCADGui.Control.activeDialog() and program.isValid()
     path = str(tmp_path / "dome.ngc")
-    monkeypatch.setattr(QtWidgets.QFileDialog, "getSaveFileName", lambda *a: (path, ""))
+    asked = []
+    monkeypatch.setattr(QtWidgets.QFileDialog, "getSaveFileName", lambda *a: asked.append(a[2]) or (path, ""))
+    solid.Label = "Dome: left/right"
     FreeCADGui.runCommand("Fieldfab_WriteMachineFile")
+    live(0.3)
+    [preview] = seen_dialogs()
+    lines = preview.program.model()
+    told = [lines.data(lines.index(row, 0)) for row in range(lines.rowCount())]
+    assert [int(words.split()[0]) for words in told] == list(range(1, len(told) + 1)) and any("G1" in words for words in told)
+    window.shot("cam_preview")
+    assert not os.path.exists(path)
+    preview.findChild(Button).button(Button.Save).click()
+    assert [os.path.basename(name) for name in asked] == ["Dome_ left_right.ngc"], "the part's name"
     assert open(path).read().startswith("%") and path in FreeCADGui.getMainWindow().statusBar().currentMessage()
     opened = []
     monkeypatch.setattr(commands.webbrowser, "open", opened.append)

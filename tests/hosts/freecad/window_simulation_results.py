@@ -1,9 +1,11 @@
 """Runs inside FreeCAD's window: what a simulation leaves, and how its work is stopped."""
 
 import math
+import time
 
 import FreeCAD
 import FreeCADGui
+import pointer
 import pytest
 import window
 from simulating import HEAD, Button, button, document, opened, simulated  # noqa: F401
@@ -11,6 +13,7 @@ from window import live, press, wait
 
 from fieldfab_workbench import meshes
 from fieldfab_workbench.objects import simulation
+from fieldfab_workbench.shim import QtCore
 
 
 def test_the_stock_of_a_moment_is_kept(document, opened, tmp_path):
@@ -42,7 +45,7 @@ def test_a_reopened_document_shows_events_and_plays_when_asked(document, opened,
         live(0.3)
         panel = opened[-1]
         window.shot("simulation_reopened")
-        assert panel.run is None and panel.playback.events.topLevelItemCount() == len(panel.obj.Events) > 1 and verdict in panel.message.text()
+        assert panel.run is None and len(panel.playback.events.events) == len(panel.obj.Events) > 1 and verdict in panel.message.text()
         button("Simulate").click()
         wait(lambda: panel.run is not None and panel.playback.shown > 0)
         assert panel.obj.Verdict == verdict
@@ -91,3 +94,68 @@ def test_a_document_may_be_closed_while_it_plays(opened, tmp_path):
     wait(lambda: not player.task.is_alive(), 5)
     if FreeCADGui.Control.activeDialog():
         FreeCADGui.Control.closeDialog()
+
+
+def event(kind, line, amount, last=None):
+    return {"kind": kind, "line": line, "first_line": line, "last_line": last or line, "amount": amount, "message": f"{kind} of {amount}", "place": [0, 0, 0]}
+
+
+def rows(item):
+    return [tuple(item.child(i).text(column) for column in (1, 2)) for i in range(item.childCount())]
+
+
+def test_events_are_grouped_sorted_by_any_column_and_all_there(document, opened):
+    FreeCADGui.runCommand("Fieldfab_SimulateProgram")
+    live(0.3)
+    events = opened[-1].playback.events
+    opened[-1].tabs.setCurrentIndex(1)
+    opened[-1]._allow(True)
+    events.set_events([event("gouge", 40, -0.2), event("gouge", 7, -0.9, 12), event("rapid contact", 9, 3), event("gouge", 100, -0.5)])
+    assert [events.topLevelItem(i).text(0) for i in range(2)] == ["rapid contact", "gouge: 3"], "the worst kind first"
+    rapid, gouges = events.topLevelItem(0), events.topLevelItem(1)
+    assert rapid.childCount() == 0 and (rapid.text(1), rapid.text(2)) == ("9", "3 mm\u00b3")
+    assert rows(gouges) == [("7\u201312", "-0.9 mm"), ("100", "-0.5 mm"), ("40", "-0.2 mm")], "a pass is one event with its range of lines"
+    live(0.2)
+    window.shot("events")
+    head = events.header()
+    for column, expected in ((1, ["7\u201312", "40", "100"]), (2, ["7\u201312", "100", "40"])):
+        at = QtCore.QPoint(head.sectionPosition(column) + 12, head.height() // 2)
+        pointer.click(head.viewport(), at)
+        group = next(events.topLevelItem(i) for i in range(2) if events.topLevelItem(i).childCount())
+        forth = [row[0] for row in rows(group)]
+        pointer.click(head.viewport(), at)
+        group = next(events.topLevelItem(i) for i in range(2) if events.topLevelItem(i).childCount())
+        back = [row[0] for row in rows(group)]
+        assert expected in (forth, back) and forth == back[::-1], (column, forth, back)
+    told = []
+    events.chosen.connect(told.append)
+    group = next(events.topLevelItem(i) for i in range(2) if events.topLevelItem(i).childCount())
+    events.itemClicked.emit(group, 0)
+    events.itemClicked.emit(group.child(0), 0)
+    assert told[0]["amount"] == -0.9 and told[1]["line"] == int(group.child(0).text(1).split("\u2013")[0])
+    began = time.monotonic()
+    events.set_events([event("gouge", i, -0.1 - i % 7) for i in range(35000)])
+    print(f"35,000 events in {time.monotonic() - began:.2f} s")
+    assert events.topLevelItem(0).childCount() == 35000 and time.monotonic() - began < 10
+    press(Button.Cancel)
+
+
+def test_a_program_is_read_as_its_dialect_says(document, opened, tmp_path):
+    path = tmp_path / "fanuc.ngc"
+    path.write_text("%\nO1000 (PART)\nG21 G90 G17\nG0 G80 G40 G49\nT1 M6\nS5000 M3\nG0 X-10 Y0 Z5\nG1 Z-1 F300\nX10 F900\nG0 Z5\nM30\n%\n")
+    FreeCADGui.runCommand("Fieldfab_SimulateProgram")
+    live(0.3)
+    panel, form = opened[-1], opened[-1].setup
+    assert form.dialect.currentText() == "the machine's"
+    form.program.line.setText(str(path))
+    form.program.line.editingFinished.emit()
+    form.cell.setValue(0.5)
+    button("Simulate").click()
+    wait(lambda: panel.task is None, 30)
+    assert "G80" in panel.message.text() and panel.run is None
+    form.dialect.setCurrentIndex(form.dialect.findData("fanuc"))
+    window.shot("simulation_dialect")
+    button("Simulate").click()
+    wait(lambda: panel.run is not None, 30, "the simulation")
+    assert panel.obj.Dialect == "fanuc" and panel.obj.isValid() and panel.obj.Removed.Value > 50
+    press(Button.Ok)

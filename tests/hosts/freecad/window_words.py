@@ -34,7 +34,7 @@ def test_menus_tools_and_tips_are_german(german):
     menus = FreeCADGui.getMainWindow().menuBar().findChildren(QtWidgets.QMenu)
     [menu] = [menu for menu in menus if menu.title() == "Fieldfab"]
     texts = [action.text() for each in (menu, *menu.findChildren(QtWidgets.QMenu)) for action in each.actions()]
-    for text in ("Neuer F-Rep-Körper", "Vereinigung", "Gitterfüllung", "Neue CAM-Aufspannung", "Beispiele", "Prüfen und austauschen", "Auf der Startseite zeigen"):
+    for text in ("Neuer F-Rep-Körper", "Vereinigung", "Gitterfüllung", "Neuer CAM-Job", "Beispiele", "Prüfen und austauschen", "Auf der Startseite zeigen"):
         assert text in texts
     union = action_of("Fieldfab_Union")
     assert "Die ausgewählten Körper vereinigen" in union.toolTip() and union.statusTip() == "Die ausgewählten Körper vereinigen"

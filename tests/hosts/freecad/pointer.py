@@ -1,0 +1,46 @@
+"""The real pointer, for tests in FreeCAD's window: xdotool moves it, turns its wheel and presses its buttons."""
+
+import subprocess
+
+from window import live
+
+from fieldfab_workbench.shim import QtCore
+
+
+def _at(widget, place=None):
+    at = widget.mapToGlobal(place or widget.rect().center())
+    scale = widget.devicePixelRatioF()
+    return str(round(at.x() * scale)), str(round(at.y() * scale))
+
+
+def _xdotool(*words):
+    subprocess.run(["xdotool", *words], check=True, timeout=20)
+    live(0.15)
+
+
+def turn_wheel(widget, notches=-3, place=None):
+    """Turns the wheel over a widget: below 0 towards the user."""
+    _xdotool("mousemove", *_at(widget, place), "click", "--repeat", str(abs(notches)), "--delay", "5", "4" if notches > 0 else "5")
+
+
+def click(widget, place=None):
+    _xdotool("mousemove", *_at(widget, place), "click", "1")
+
+
+def drag(widget, begin, end, steps=8):
+    """With the left button, between two places of a widget."""
+    _xdotool("mousemove", *_at(widget, begin), "mousedown", "1")
+    for step in range(1, steps + 1):
+        _xdotool("mousemove", *_at(widget, begin + (end - begin) * step / steps))
+    _xdotool("mouseup", "1")
+
+
+def type_text(text):
+    """Where the focus is."""
+    _xdotool("type", "--delay", "10", text)
+
+
+def is_seen(widget):
+    """Whether the middle of a widget is where the pointer can reach it."""
+    return widget.isVisible() and widget.visibleRegion().contains(widget.rect().center()) and QtCore.QRect(
+        0, 0, 1400, 860).contains(widget.mapToGlobal(widget.rect().center()))

@@ -1,0 +1,118 @@
+"""Runs inside FreeCAD's window: what is wrong, and what was stopped, is a line for the user."""
+
+import FreeCAD
+import FreeCADGui
+import pytest
+import window
+from panels import QtCore, QtWidgets, frep
+from window import live, wait
+from window_life import report  # noqa: F401
+
+from fieldfab_workbench import work
+from fieldfab_workbench.objects import (cam_operation, cam_setup, cam_tool, combine, file_part, frep_solid, machine_program, modify, openscad_node, part_shape, scan,
+                                        simulation, solid_from_object)
+from fieldfab_workbench.objects import solid as solids
+
+
+def add(document, kind, **values):
+    obj = solids.create(kind, document)
+    for name, value in values.items():
+        setattr(obj, name, value)
+    return obj
+
+
+def wrong_operation(document):
+    setup = cam_setup.create(document, frep(document, "box(9, 9, 9)", 1))
+    cam_tool.add(setup)
+    operation = cam_operation.add(setup, "rough")
+    operation.Stepdown = -1
+    return operation
+
+
+def wrong_tool(document):
+    tool = cam_tool.add(cam_setup.create(document))
+    tool.Diameter = 0
+    return tool
+
+
+def no_shape(document):
+    shape = part_shape.create(document, frep(document, "box(9, 9, 9)", 1))
+    shape.Source = None
+    return shape
+
+
+MISTAKES = {
+    "a text that is none": lambda d: add(d, frep_solid.FrepSolid, Expression="sphere(r ="),
+    "one source only": lambda d: add(d, combine.Combine),
+    "no source": lambda d: add(d, modify.Modify),
+    "nothing to copy": lambda d: add(d, solid_from_object.SolidFromObject),
+    "no file": lambda d: add(d, scan.Scan, File="/nowhere/at/all.nrrd"),
+    "no model": lambda d: add(d, file_part.FilePart, File="/nowhere/at/all.frep"),
+    "no shape": no_shape,
+    "no node": lambda d: add(d, openscad_node.OpenScadText, Text="cube("),
+    "no program": lambda d: add(d, simulation.Simulation),
+    "no program there": lambda d: add(d, simulation.Simulation, ProgramFile="/nowhere/at/all.ngc"),
+    "nothing to plan": lambda d: machine_program.create(cam_setup.create(d)),
+    "a wrong setting": wrong_operation,
+    "a tool without a size": wrong_tool,
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_a_line(mistake, report):  # noqa: F811
+    document = FreeCAD.newDocument()
+    obj = MISTAKES[mistake](document)
+    document.recompute()
+    assert not obj.isValid()
+    said = [line for line in report().splitlines() if "Recompute failed! Please check report view." not in line]  # FreeCAD's own
+    assert len(said) == 1 and "Fieldfab: " in said[0] and obj.getStatusString().splitlines()[0] in said[0], said
+
+
+def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
+    document = FreeCAD.newDocument()
+    obj = add(document, frep_solid.FrepSolid, Expression="sphere(r = 5)")
+
+    def stopped(*_):
+        raise work.Cancelled()
+
+    monkeypatch.setattr(work, "run", stopped)
+    document.recompute()
+    said = [line for line in report().splitlines() if "Please check" not in line]
+    assert len(said) == 1 and "FrepSolid: cancelled; it is still what it was" in said[0], said
+
+
+def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811
+    """Whoever mends it needs that."""
+    document = FreeCAD.newDocument()
+    obj = add(document, frep_solid.FrepSolid)
+    obj.Proxy.mesh_settings = lambda obj: 1 / 0
+    document.recompute()
+    assert "Traceback" in report()
+
+
+def dialogs():
+    return [box for box in QtWidgets.QApplication.topLevelWidgets() if isinstance(box, QtWidgets.QMessageBox) and box.isVisible()]
+
+
+def test_a_design_with_a_syntax_error_says_so_in_a_dialog(report, tmp_path):  # noqa: F811
+    """By File > Import, as the user does."""
+    design = tmp_path / "wrong.scad"
+    design.write_text("cube([1, 2, 3]);\nsphere(r = ;\n")
+    FreeCAD.newDocument()
+    live(0.2)
+
+    def choose():
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        dialog.selectNameFilter(next(kind for kind in dialog.nameFilters() if kind.startswith("OpenSCAD design by Fieldfab")))
+        dialog.findChild(QtWidgets.QLineEdit, "fileNameEdit").setText(str(design))
+        dialog.findChild(QtWidgets.QDialogButtonBox).button(QtWidgets.QDialogButtonBox.Open).click()
+
+    QtCore.QTimer.singleShot(500, choose)
+    FreeCADGui.runCommand("Std_Import")
+    wait(dialogs, 30, "the dialog")
+    [box] = dialogs()
+    window.shot("mistake_scad")
+    assert "line 2" in box.text() and "syntax error" in box.text().lower(), box.text()
+    box.button(QtWidgets.QMessageBox.Ok).click()
+    said = report().splitlines()
+    assert len(said) == 1 and "Fieldfab: " in said[0], said
