@@ -13,7 +13,7 @@
 #include <fstream>
 
 #include "fieldfab/core/file.h"
-#include "readers.h"
+#include "volume/parts.h"
 
 namespace fieldfab {
 namespace {
@@ -334,15 +334,7 @@ std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerTyp
   return list;
 }
 
-}  // namespace
-
-bool is_dicom(const Path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 132> start{};
-  return file.read(start.data(), start.size()) && std::string_view(start.data() + 128, 4) == "DICM";
-}
-
-VolumePtr open_with_itk(const Path& path) {
+VolumePtr open(const Path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
@@ -361,7 +353,7 @@ VolumePtr open_with_itk(const Path& path) {
   return read_whole(*io, path, header.units());
 }
 
-VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& progress) {
+VolumePtr open_series(const Path& path, const std::string& wanted, Progress& progress) {
   if (!std::filesystem::is_directory(path)) {
     const auto io = opened<itk::GDCMImageIO>(path, "DICOM");
     return read_whole(*io, path);
@@ -432,12 +424,10 @@ VolumePtr open_dicom(const Path& path, const std::string& wanted, Progress& prog
   return stack_of(std::move(slices), paths, lattice);
 }
 
-namespace {
-
 /// Whether a file that was just written holds these samples. MetaIO, NrrdIO and nifti_clib do not tell when a disk is full.
 bool holds(const Path& path, const std::vector<float>& densities) {
   try {
-    const VolumePtr written = open_with_itk(path);
+    const VolumePtr written = open(path);
     if (written->lattice().count() != densities.size()) return false;
     std::vector<float> read(densities.size());
     written->read(0, written->lattice().size[2], read.data());
@@ -448,9 +438,7 @@ bool holds(const Path& path, const std::vector<float>& densities) {
   }
 }
 
-}  // namespace
-
-void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
+void write(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   const std::vector<float> densities = read_all(volume, progress);
   const std::string extension = extension_of(path);
@@ -491,5 +479,9 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (!complete) file.refuse_partial(bytes);
   file.commit();
 }
+
+}  // namespace
+
+extern "C" const ItkPart fieldfab_itk = {open, open_series, write, itk_denoised};
 
 }  // namespace fieldfab
