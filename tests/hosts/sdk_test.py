@@ -57,7 +57,7 @@ def test_a_program_is_simulated(examples, tmp_path):
         'cell = 0.5\n[stock]\nlower = [0, 0, -5]\nupper = [20, 20, 0]\n[[tool]]\nnumber = 1\nshape = "flat"\ndiameter = 4\nflute = 10\n')
     (tmp_path / "slot.ngc").write_text("G21 G90 T1 M6 S9000 M3\nG0 Z5\nG0 X-5 Y10\nG0 Z-2\nG1 X25 F300\nG0 Z5\nM2\n")
     said = run(examples / "simulate_program", tmp_path / "setup.toml", tmp_path / "slot.ngc", tmp_path / "slot.stl")
-    assert float(said.split()[0]) == pytest.approx(4 * 2 * 20, rel=0.02)
+    assert 4 * 2 * 20 <= float(said.split()[0]) <= (4 + 0.5) * 2 * 20, "the slot, as wide as the cutter to a cell"
     assert (tmp_path / "slot.stl").exists()
 
 
