@@ -16,13 +16,15 @@ apt-get install -q -y --no-install-recommends /packages/*.deb >/shots/install.lo
 dpkg-query -W -f '${Package} ${Version} ${db:Status-Status}\n' '*fieldfab*'
 
 step "the command"
-examples=/usr/share/doc/fieldfab-doc/examples
+examples=/usr/share/doc/fieldfab/examples
 fieldfab --version
 fieldfab mesh $examples/bracket.frep -o bracket.stl --voxel 0.2
 fieldfab render $examples/pawn.frep -o /shots/pawn.png --alpha 30 --beta=-60
 fieldfab check $examples/bracket.frep | tail -n 1    # OpenVDB
+python3 -c 'import sys; sys.stdout.buffer.write(b"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 9 9 9\nencoding: raw\n\n" + bytes(255 * (x + y + z < 14) for z in range(9) for y in range(9) for x in range(9)))' >scan.nrrd
+fieldfab mesh scan.nrrd -o scan.stl                  # ITK
 fieldfab build $examples/pawn.frep -o pawn.asdf
-fieldfab convert pawn.asdf -o pawn.nrrd || fieldfab convert $examples/pawn.frep -o pawn.vdb
+fieldfab convert $examples/pawn.frep -o pawn.vdb
 fieldfab cam $examples/cam/knob_five_axis.toml -o knob.ngc
 man -w fieldfab 2>/dev/null || ls /usr/share/man/man1/fieldfab.1.gz
 bash -c 'source /usr/share/bash-completion/completions/fieldfab; COMP_WORDS=(fieldfab sim); COMP_CWORD=1; _fieldfab fieldfab sim; test "${COMPREPLY[*]}" = simulate'
@@ -44,7 +46,7 @@ timeout 300 xvfb-run -a -s "-screen 0 1400x900x24" freecad /newcomer/freecad_sol
 test -s /shots/freecad.png
 
 step "MeshLab's plugin"
-meshlabserver -i bracket.stl -o remeshed.ply -s /newcomer/remesh.mlx 2>&1 | tee /shots/meshlab.txt | tail -n 5
+xvfb-run -a meshlabserver -i bracket.stl -o remeshed.ply -s /newcomer/remesh.mlx 2>&1 | tee /shots/meshlab.txt | tail -n 5
 test -s remeshed.ply
 (xvfb-run -a -s "-screen 0 1400x900x24" bash /newcomer/meshlab_menu.sh "$here/bracket.stl")
 test -s /shots/meshlab.png

@@ -7,6 +7,7 @@ import subprocess
 import pytest
 
 from conftest import BUILD, DATA, ROOT
+from documents import DOCUMENTS
 
 
 def run(*command, **more):
@@ -89,3 +90,55 @@ def test_a_part_that_is_missing_is_named(installed, tmp_path):
     done = subprocess.run([prefix / "bin" / "fieldfab", "check", ROOT / "examples" / "pawn.frep"], capture_output=True, text=True)
     assert done.returncode == 2 and f"{part}: cannot open shared object file" in done.stderr
     run(prefix / "bin" / "fieldfab", "info", ROOT / "examples" / "pawn.frep")
+
+
+def test_the_project_that_the_document_shows(installed, tmp_path):
+    blocks = {block.language: block.text for document in DOCUMENTS if document.name == "docs/install.md" for block in document.blocks}
+    (tmp_path / "CMakeLists.txt").write_text(blocks["cmake"])
+    (tmp_path / "ball.cpp").write_text(blocks["cpp"])
+    run("cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={installed}", cwd=tmp_path)
+    run("cmake", "--build", "build", cwd=tmp_path)
+    run(tmp_path / "build" / "ball", cwd=tmp_path)
+    assert (tmp_path / "ball.stl").stat().st_size > 1000
+
+
+def without_this_build():
+    return {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+
+
+def test_python_finds_what_it_needs_beside_itself(installed):
+    folder = installed / "lib" / "python3" / "dist-packages"
+    assert run("/usr/bin/python3", "-m", "fieldfab", "--version", env={**without_this_build(), "PYTHONPATH": str(folder)}) == run(
+        installed / "bin" / "fieldfab", "--version")
+    said = run("/usr/bin/python3", "-c", "import fieldfab as ff; print(ff.__file__, ff.check(ff.shapes.sphere(5)).passed)",
+               env={**without_this_build(), "PYTHONPATH": str(folder)})
+    assert said == f"{folder / 'fieldfab' / '__init__.py'} True\n"
+
+
+def test_the_command_runs_scripts_with_the_module_that_is_installed_with_it(installed, tmp_path):
+    (tmp_path / "ball.py").write_text("import fieldfab as ff\nassert ff.__file__.startswith({!r})\nshape = ff.shapes.sphere(5)\n".format(str(installed)))
+    run(installed / "bin" / "fieldfab", "info", tmp_path / "ball.py", env=without_this_build())
+
+
+def test_the_workbench_and_the_plugins_are_where_their_hosts_look(installed):
+    workbench = installed / "share" / "freecad" / "Mod" / "Fieldfab"
+    assert {"Init.py", "InitGui.py", "package.xml", "icons", "resources", "fieldfab_workbench"} <= {path.name for path in workbench.iterdir()}
+    assert not list(workbench.rglob("*.pyc"))
+    assert {path.name for path in (installed / "lib" / "meshlab" / "plugins").iterdir()} == {"libfieldfab_files.so", "libfieldfab_filters.so"}
+
+
+def test_the_completion_and_the_manual_follow_the_command(installed, tmp_path):
+    run("/usr/bin/python3", ROOT / "packaging" / "make_man.py", installed / "bin" / "fieldfab", tmp_path / "fieldfab.1")
+    assert subprocess.run(["man", "--warnings", "-l", tmp_path / "fieldfab.1"], capture_output=True, text=True, env={**os.environ, "MANPAGER": "cat"}).stderr == ""
+    assert ".SS simulate" in (tmp_path / "fieldfab.1").read_text()
+    completion = installed / "share" / "bash-completion" / "completions" / "fieldfab"
+    asked = f'source {completion}; COMP_WORDS=(fieldfab "$@"); COMP_CWORD=$#; _fieldfab {installed / "bin" / "fieldfab"}; echo "${{COMPREPLY[*]}}"'
+    assert run("bash", "-c", asked, "bash", "sim").strip() == "simulate"
+    assert "--voxel" in run("bash", "-c", asked, "bash", "mesh", "--v").split()
+
+
+def test_thumbnails(installed, tmp_path):
+    """A desktop's name for a thumbnail may end in anything."""
+    run(installed / "libexec" / "fieldfab" / "thumbnailer", ROOT / "examples" / "pawn.frep", tmp_path / "thumbnail.XYZ", "128",
+        env={**os.environ, "PATH": f"{installed / 'bin'}:{os.environ['PATH']}"})
+    assert (tmp_path / "thumbnail.XYZ").read_bytes().startswith(b"\x89PNG")
