@@ -36,6 +36,7 @@ NOT_RUN = {
     "apt purge '*fieldfab*'": "writes into the system; ./dev newcomer does it in a bare Debian",
     "cmake -S . -B build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
     "cmake --build build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
+    "cmake --install build/release --prefix FOLDER": "hosts/sdk_test.py does it",
     "./dev bench": "takes more than ten minutes",
     "./dev docs": "takes minutes, and writes the documents that are tested",
     "./dev install-meshlab": "writes into the system, as root",
