@@ -24,6 +24,7 @@ const char* name_of(ErrorKind kind) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Fieldfab's kernel; use it through the package fieldfab.";
+  module.attr("__version__") = FIELDFAB_VERSION;
   static py::exception<Error> error_type(module, "Error");
   error_type.doc() =
       "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";

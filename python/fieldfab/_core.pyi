@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import language as language
 from . import shapes as shapes
 
+__version__: str
+
 Operand = Solid | float
 Colour = str | Sequence[float]
 Part = tuple[Solid, str | None, Colour | None]

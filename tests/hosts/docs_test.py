@@ -28,6 +28,15 @@ SECONDS = 120  # for a command
 NOT_RUN = {
     "./dev test": "runs this very test",
     "./dev demo": "takes minutes",
+    "./dev build": "takes minutes",
+    "./dev package": "takes minutes; ./dev newcomer tries what it makes",
+    "./dev newcomer": "takes minutes, and a Debian of its own",
+    "./dev on bookworm test": "takes more than an hour, and a Debian of its own",
+    "apt install ./out/packages/*.deb": "writes into the system; ./dev newcomer does it in a bare Debian",
+    "apt purge '*fieldfab*'": "writes into the system; ./dev newcomer does it in a bare Debian",
+    "cmake -S . -B build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
+    "cmake --build build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
+    "cmake --install build/release --prefix FOLDER": "hosts/sdk_test.py does it",
     "./dev bench": "takes more than ten minutes",
     "./dev docs": "takes minutes, and writes the documents that are tested",
     "./dev install-meshlab": "writes into the system, as root",
@@ -272,7 +281,7 @@ def own_freecad(folder):
 # Blocks that are no commands.
 
 LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
-UNTESTED = {"text": "a drawing or a table", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
+UNTESTED = {"text": "a drawing or a table", "cmake": "hosts/sdk_test.py builds it", "cpp": "hosts/sdk_test.py builds it", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
 
 
 # The designs of examples/, without their titles, where a command runs the file.

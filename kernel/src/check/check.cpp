@@ -268,7 +268,7 @@ class Checker {
   void check_level_set() {
     progress_.report(0, "checking against OpenVDB");
     const double voxel = settings_.voxel;
-    const LevelSet level_set(*solid_, bounds_, voxel, progress_);
+    const std::unique_ptr<LevelSet> level_set = LevelSet::of(*solid_, bounds_, voxel, progress_);
     const double area = mesh_.area(), volume = mesh_.volume();
     std::vector<Vec3> mine;
     for (std::size_t i = 0; i < surface_.size(); ++i) {
@@ -282,15 +282,15 @@ class Checker {
     const Enclosed& proved = report_.measures.volume;
     row("volume beyond what its Field proves", std::max({0.0, proved.lower - volume, volume - proved.upper}),
         0.25 * area * voxel + thin * voxel, "mm3");
-    row("volume against OpenVDB's level set", std::abs(level_set.volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
+    row("volume against OpenVDB's level set", std::abs(level_set->volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
     // A level set rounds every sharp edge by about a voxel, and thin parts may be missing from it altogether.
-    row("area against OpenVDB's level set", std::abs(level_set.area() - area),
+    row("area against OpenVDB's level set", std::abs(level_set->area() - area),
         0.1 * area + 2 * voxel * sharp_length(mesh_) + thin, "mm2");
-    if (mine.empty() || level_set.empty() || !valid_) return;
+    if (mine.empty() || level_set->empty() || !valid_) return;
 
     double sum = 0, farthest = 0;
     for (const Vec3& p : mine) {
-      const double distance = std::abs(level_set.value(p));
+      const double distance = std::abs(level_set->value(p));
       sum += distance;
       farthest = std::max(farthest, distance);
     }
@@ -298,7 +298,7 @@ class Checker {
     row("mesh to OpenVDB's surface, farthest", farthest / voxel, 2, "vox");
 
     const MeshOracle oracle(mesh_);
-    const std::vector<Vec3> theirs = level_set.surface_points();
+    const std::vector<Vec3> theirs = level_set->surface_points();
     const std::size_t stride = std::max<std::size_t>(1, theirs.size() / 50000);
     sum = farthest = 0;
     std::size_t count = 0;

@@ -1,189 +1,19 @@
 #include "level_set.h"
 
-#include <openvdb/openvdb.h>
-#include <openvdb/tools/ChangeBackground.h>
-#include <openvdb/tools/FastSweeping.h>
-#include <openvdb/tools/Interpolation.h>
-#include <openvdb/tools/LevelSetMeasure.h>
-#include <openvdb/tools/SignedFloodFill.h>
-#include <openvdb/tools/ValueTransformer.h>
-#include <openvdb/tools/VolumeToMesh.h>
-
-#include <cmath>
-
+#include "core/module.h"
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/file_buffer.h"
-#include "fieldfab/core/parallel.h"
 
 namespace fieldfab {
-namespace {
 
-constexpr int leaf_side = 8;
-
-// Where a design's parts abut the Field is 0 on a plane within the solid; designs have such planes on round numbers, so samples
-// keep off them.
-const Vec3 shift{0.3819660, 0.2360680, 0.4142136};  // voxels
-
-/// A cube of side leaf_side << level voxels whose corner is at `lower`, in voxels.
-struct Cube {
-  openvdb::Coord lower;
-  int level;
-  FieldPtr field;
-};
-
-/// Writes what openvdb::io::File does; that class opens files by name, and does not tell when a disk is full.
-struct Archive : openvdb::io::Archive {
-  using openvdb::io::Archive::write;
-};
-
-}  // namespace
-
-/// The grid counts in voxels from the middle of the bounds: OpenVDB's volume is a sum over the surface whose errors grow with the
-/// distance from the origin.
-struct LevelSet::Vdb {
-  openvdb::FloatGrid::Ptr grid;  // null where no surface was met
-  double voxel;                  // mm
-  Vec3 origin;                   // mm
-
-  [[nodiscard]] Vec3 in_mm(const Vec3& voxels) const { return origin + voxel * voxels; }
-  [[nodiscard]] Vec3 in_mm(const openvdb::Coord& at) const { return in_mm(Vec3(at.x(), at.y(), at.z())); }
-};
-
-LevelSet::LevelSet(const Field& solid, const Box& bounds, double voxel, Progress& progress) : vdb_(std::make_unique<Vdb>()) {
-  vdb_->voxel = voxel;
-  vdb_->origin = bounds.centre() + voxel * shift;
-  openvdb::initialize();
-  const auto band = static_cast<float>(half_width);
-  auto grid = openvdb::FloatGrid::create(band);
-  grid->setGridClass(openvdb::GRID_LEVEL_SET);
-
-  // Cubes that have the surface within half_width voxels.
-  const auto box_of = [&](const Cube& cube) {
-    const double side = leaf_side << cube.level;
-    const Vec3 lower = vdb_->in_mm(cube.lower);
-    return Box{lower, lower + Vec3::Constant((side - 1) * voxel)}.grown(half_width * voxel);
-  };
-  int level = 0;
-  const double reach = bounds.size().maxCoeff() / 2 / voxel + half_width + 1;  // from the middle, voxels
-  while ((leaf_side << level) < reach) ++level;
-  std::vector<Cube> open;
-  const openvdb::Coord origin(-(leaf_side << level));
-  for (int i = 0; i < 8; ++i) {
-    const int side = leaf_side << level;
-    open.push_back({origin.offsetBy((i & 1) * side, (i >> 1 & 1) * side, (i >> 2) * side), level, solid.shared_from_this()});
-  }
-  for (; !open.empty(); --level) {
-    progress.check();
-    std::vector<char> keep(open.size());
-    parallel_for(open.size(), [&](std::size_t i) {
-      Restriction here = open[i].field->restricted(box_of(open[i]));
-      keep[i] = !here.range.decided();
-      open[i].field = std::move(here.field);
-    });
-    if (level == 0) {
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < open.size(); ++i)
-        if (keep[i] != 0) std::swap(open[kept++], open[i]);
-      open.resize(kept);
-      break;
-    }
-    std::vector<Cube> next;
-    for (std::size_t i = 0; i < open.size(); ++i)
-      for (int child = 0; keep[i] != 0 && child < 8; ++child) {
-        const int side = leaf_side << (level - 1);
-        next.push_back(
-            {open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side), level - 1, open[i].field});
-      }
-    open = std::move(next);
-  }
-
-  std::vector<openvdb::FloatTree::LeafNodeType*> leafs;
-  for (const Cube& cube : open) {
-    leafs.push_back(new openvdb::FloatTree::LeafNodeType(cube.lower, band, true));
-    grid->tree().addLeaf(leafs.back());  // the tree owns it
-  }
-  parallel_for(open.size(), [&](std::size_t i) {
-    progress.check();
-    constexpr std::size_t count = leaf_side * leaf_side * leaf_side;
-    std::array<float, count> x, y, z, value, dx, dy, dz;
-    for (openvdb::Index n = 0; n < count; ++n) {
-      const Vec3 at = vdb_->in_mm(leafs[i]->offsetToGlobalCoord(n));
-      x[n] = static_cast<float>(at.x()), y[n] = static_cast<float>(at.y()), z[n] = static_cast<float>(at.z());
-    }
-    open[i].field->gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
-    for (openvdb::Index n = 0; n < count; ++n) {
-      const double slope = std::sqrt(double{dx[n]} * dx[n] + double{dy[n]} * dy[n] + double{dz[n]} * dz[n]);
-      double distance = value[n] / slope / voxel;  // to first order
-      if (!std::isfinite(distance)) distance = value[n] < 0 ? -1 : 1;
-      leafs[i]->setValueOn(n, static_cast<float>(std::clamp(distance, -half_width, half_width)));
-    }
-  });
-  progress.check();
-  openvdb::tools::signedFloodFill(grid->tree());
-  // Only the places where the sign changes are kept of the samples; the distances are swept from there. (Rebuilding the level set
-  // by way of a mesh, which OpenVDB does as well, fills cavities.)
-  openvdb::tools::FastSweeping<openvdb::FloatGrid> sweeping;
-  if (sweeping.initSdf(*grid, 0, true)) {
-    progress.check();
-    sweeping.sweep();
-    vdb_->grid = sweeping.sdfGrid();
-  }
-  progress.check();
-}
-
-LevelSet::~LevelSet() = default;
-
-bool LevelSet::empty() const { return !vdb_->grid; }
-double LevelSet::volume() const {
-  return empty() ? 0 : openvdb::tools::levelSetVolume(*vdb_->grid, false) * std::pow(vdb_->voxel, 3);
-}
-double LevelSet::area() const {
-  return empty() ? 0 : openvdb::tools::levelSetArea(*vdb_->grid, false) * std::pow(vdb_->voxel, 2);
-}
-
-double LevelSet::value(const Vec3& p) const {
-  const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> sampler(*vdb_->grid);
-  const Vec3 at = (p - vdb_->origin) / vdb_->voxel;
-  return sampler.isSample(openvdb::Vec3R(at.x(), at.y(), at.z())) * vdb_->voxel;
-}
-
-std::vector<Vec3> LevelSet::surface_points() const {
-  std::vector<openvdb::Vec3s> points;
-  std::vector<openvdb::Vec4I> quads;
-  std::vector<Vec3> result;
-  if (empty()) return result;
-  openvdb::tools::volumeToMesh(*vdb_->grid, points, quads, 0.0);
-  result.reserve(points.size());
-  for (const auto& p : points) result.push_back(vdb_->in_mm(Vec3(p.x(), p.y(), p.z())));
-  return result;
-}
-
-void LevelSet::save(const std::filesystem::path& path) const {
-  const auto mm = static_cast<float>(vdb_->voxel);
-  // Distances are in voxels here; the tree's values outside of its leafs, and its background, are distances, too.
-  const openvdb::FloatGrid::Ptr grid = vdb_->grid->deepCopy();
-  openvdb::tools::changeBackground(grid->tree(), mm * grid->background());
-  openvdb::tools::foreach (grid->beginValueAll(), [mm](const openvdb::FloatGrid::ValueAllIter& value) {
-    if (value.isVoxelValue()) value.setValue(mm * *value);
-  });
-  openvdb::tools::signedFloodFill(grid->tree());
-  grid->setTransform(openvdb::math::Transform::createLinearTransform(vdb_->voxel));
-  grid->transform().postTranslate({vdb_->origin.x(), vdb_->origin.y(), vdb_->origin.z()});
-  grid->setGridClass(openvdb::GRID_LEVEL_SET);
-  grid->setName("surface");
-  PendingFile file(path);
-  FileBuffer buffer(file);
-  std::ostream stream(&buffer);
-  stream.exceptions(std::ios::badbit);
-  Archive().write(stream, openvdb::GridPtrVec{grid}, true);
-  file.commit();
+std::unique_ptr<LevelSet> LevelSet::of(const Field& solid, const Box& bounds, double voxel, Progress& progress) {
+  return in_part<LevelSetPart>("openvdb", "fieldfab_level_set").of(solid, bounds, voxel, progress);
 }
 
 void write_vdb(const Field& solid, const Box& bounds, double voxel, const std::filesystem::path& path, Progress& progress) {
-  const LevelSet level_set(solid, bounds, voxel, progress);
-  if (level_set.empty()) throw Error(ErrorKind::bad_input, "bounds", "there is no surface within the bounds");
-  level_set.save(path);
+  const std::unique_ptr<LevelSet> level_set = LevelSet::of(solid, bounds, voxel, progress);
+  if (level_set->empty()) throw Error(ErrorKind::bad_input, "bounds", "there is no surface within the bounds");
+  level_set->save(path);
 }
 
 }  // namespace fieldfab

@@ -15,21 +15,22 @@ class LevelSet {
  public:
   static constexpr double half_width = 4;
 
-  LevelSet(const Field& solid, const Box& bounds, double voxel, Progress& progress);
-  ~LevelSet();
-  [[nodiscard]] bool empty() const;
-  [[nodiscard]] double volume() const;  ///< mm^3
-  [[nodiscard]] double area() const;    ///< mm^2
+  static std::unique_ptr<LevelSet> of(const Field& solid, const Box& bounds, double voxel, Progress& progress);
+  virtual ~LevelSet() = default;
+  [[nodiscard]] virtual bool empty() const = 0;
+  [[nodiscard]] virtual double volume() const = 0;  ///< mm^3
+  [[nodiscard]] virtual double area() const = 0;    ///< mm^2
   /// Signed distance, mm; where it is more than half_width voxels, at least that.
-  [[nodiscard]] double value(const Vec3& point) const;
+  [[nodiscard]] virtual double value(const Vec3& point) const = 0;
   /// Points of the surface, as OpenVDB meshes it.
-  [[nodiscard]] std::vector<Vec3> surface_points() const;
+  [[nodiscard]] virtual std::vector<Vec3> surface_points() const = 0;
   /// Writes it in mm. Throws io.
-  void save(const std::filesystem::path& path) const;
+  virtual void save(const std::filesystem::path& path) const = 0;
+};
 
- private:
-  struct Vdb;
-  std::unique_ptr<Vdb> vdb_;
+/// Of the part "openvdb" (core/module.h), as `fieldfab_level_set`.
+struct LevelSetPart {
+  std::unique_ptr<LevelSet> (*of)(const Field& solid, const Box& bounds, double voxel, Progress& progress);
 };
 
 }  // namespace fieldfab

@@ -27,9 +27,14 @@ std::vector<std::string> python_environment() {
       path = *entry + 11;
     else
       all.emplace_back(*entry);
+  // The module of this build, or of the folder that all was installed into; Debian's Python finds its own modules by itself.
   std::error_code ignored;
-  const std::filesystem::path beside = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path() / "../python";
-  if (std::filesystem::exists(beside / "fieldfab", ignored)) path = beside.string() + (path.empty() ? "" : ":" + path);
+  const std::filesystem::path prefix = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  for (const char* folder : {"python", "lib/python3/dist-packages"}) {
+    const std::filesystem::path modules = prefix / folder;
+    if (prefix != "/usr" && std::filesystem::exists(modules / "fieldfab", ignored))
+      path = modules.string() + (path.empty() ? "" : ":" + path);
+  }
   if (!path.empty()) all.push_back("PYTHONPATH=" + path);
   return all;
 }

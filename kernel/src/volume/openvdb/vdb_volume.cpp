@@ -6,11 +6,12 @@
 #include <fstream>
 
 #include "fieldfab/core/file.h"
-#include "readers.h"
+#include "volume/parts.h"
 
 namespace fieldfab {
+namespace {
 
-VolumePtr open_vdb(const Path& path) {
+VolumePtr open(const Path& path) {
   openvdb::initialize();
   openvdb::FloatGrid::Ptr grid;
   try {
@@ -58,5 +59,9 @@ VolumePtr open_vdb(const Path& path) {
   for (float& density : densities) density = -density;
   return volume_of(std::move(densities), lattice, 0.0);
 }
+
+}  // namespace
+
+extern "C" const VdbVolumePart fieldfab_vdb_volume = {open};
 
 }  // namespace fieldfab

@@ -14,7 +14,7 @@
 
 #include "fieldfab/core/copy_of_process.h"
 #include "fieldfab/core/file.h"
-#include "readers.h"
+#include "volume/parts.h"
 
 namespace fieldfab {
 namespace {
@@ -335,15 +335,7 @@ std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerTyp
   return list;
 }
 
-}  // namespace
-
-bool is_dicom(const Path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 132> start{};
-  return file.read(start.data(), start.size()) && std::string_view(start.data() + 128, 4) == "DICM";
-}
-
-VolumePtr open_with_itk(const Path& path) {
+VolumePtr open(const Path& path) {
   const std::string extension = extension_of(path);
   if (extension == ".mha" || extension == ".mhd") return open_meta(path);
   if (extension == ".nrrd" || extension == ".nhdr") {
@@ -361,8 +353,6 @@ VolumePtr open_with_itk(const Path& path) {
   require_all_bytes(path, static_cast<std::int64_t>(io->GetImageSizeInComponents()));
   return read_whole(*io, path, header.units());
 }
-
-namespace {
 
 VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress& progress) {
   if (!std::filesystem::is_directory(path)) {
@@ -446,9 +436,7 @@ bool is_safe_dicom(const Path& path, const std::string& series, Progress& progre
       progress);
 }
 
-}  // namespace
-
-VolumePtr open_dicom(const Path& path, const std::string& series, Progress& progress) {
+VolumePtr open_tried_dicom(const Path& path, const std::string& series, Progress& progress) {
   progress.report(0, "reading DICOM files");
   if (is_safe_dicom(path, series, progress)) return open_sound_dicom(path, series, progress);
   constexpr const char* damaged = "is damaged: GDCM, which reads DICOM, gives up at it";
@@ -458,12 +446,10 @@ VolumePtr open_dicom(const Path& path, const std::string& series, Progress& prog
   refuse(path, std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
 }
 
-namespace {
-
 /// Whether a file that was just written holds these samples. MetaIO, NrrdIO and nifti_clib do not tell when a disk is full.
 bool holds(const Path& path, const std::vector<float>& densities) {
   try {
-    const VolumePtr written = open_with_itk(path);
+    const VolumePtr written = open(path);
     if (written->lattice().count() != densities.size()) return false;
     std::vector<float> read(densities.size());
     written->read(0, written->lattice().size[2], read.data());
@@ -474,9 +460,7 @@ bool holds(const Path& path, const std::vector<float>& densities) {
   }
 }
 
-}  // namespace
-
-void write_with_itk(const Volume& volume, const Path& path, Progress& progress) {
+void write(const Volume& volume, const Path& path, Progress& progress) {
   const SampleLattice& lattice = volume.lattice();
   const std::vector<float> densities = read_all(volume, progress);
   const std::string extension = extension_of(path);
@@ -517,5 +501,9 @@ void write_with_itk(const Volume& volume, const Path& path, Progress& progress) 
   if (!complete) file.refuse_partial(bytes);
   file.commit();
 }
+
+}  // namespace
+
+extern "C" const ItkPart fieldfab_itk = {open, open_tried_dicom, write, itk_denoised};
 
 }  // namespace fieldfab

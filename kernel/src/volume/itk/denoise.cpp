@@ -7,7 +7,7 @@
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/volume/clean.h"
+#include "volume/parts.h"
 
 namespace fieldfab {
 namespace {
@@ -53,9 +53,8 @@ std::vector<float> run(Filter& filter, const Image::Pointer& image, std::size_t 
 
 }  // namespace
 
-VolumePtr denoised(VolumePtr volume, const Denoising& denoising, Progress& progress) {
+VolumePtr itk_denoised(const VolumePtr& volume, const Denoising& denoising, Progress& progress) {
   using Kind = Denoising::Kind;
-  if (denoising.kind == Kind::none) return volume;
   const SampleLattice lattice = volume->lattice();
   require_memory(4 * lattice.count() * sizeof(float), "volume");
   const Image::Pointer image = image_of(*volume, progress);
