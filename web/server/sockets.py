@@ -42,6 +42,8 @@ class View:
                         self._text = request["text"]
                         async for parameters, _ in self._worker.ask({"do": "parameters", "text": self._text}, LIMITS.picture_seconds):
                             self._session.tell({"type": "parameters", **head, **parameters})
+                    if self._next is not None:  # a newer request came between the two, which stops neither
+                        continue
                     async for told, data in self._worker.ask(request, LIMITS.picture_seconds):
                         self._session.tell({"type": "picture", **head, **told}, data)
                 except Refused as error:
