@@ -320,7 +320,11 @@ addEventListener("keydown", (event) => {
 // The width of the panes
 
 const divider = by("divider");
-function width(share: number): void { document.documentElement.style.setProperty("--left", `${Math.min(80, Math.max(15, share))}%`); }
+function width(wanted: number): void {
+  const share = Math.min(80, Math.max(15, wanted));
+  document.documentElement.style.setProperty("--left", `${share}%`);
+  divider.setAttribute("aria-valuenow", String(Math.round(share)));
+}
 divider.onpointerdown = (event) => {
   divider.setPointerCapture(event.pointerId);
   divider.onpointermove = (next) => width(100 * next.clientX / innerWidth);

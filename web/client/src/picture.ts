@@ -40,7 +40,7 @@ export class Picture {
 
   constructor(readonly host: HTMLElement, private connection: Connection, private name: string) {
     host.append(this.canvas, this.told);
-    connection.listeners.set(name, (answer) => void this.take(answer));
+    connection.listeners.set(name, (answer) => { this.taken = this.taken.then(() => this.take(answer)); });
     connection.onOpen.push(() => { this.asked = 0; this.ask(); });
     new ResizeObserver(() => { this.draw(); this.ask(); }).observe(host);
     host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
@@ -121,7 +121,10 @@ export class Picture {
     });
     this.asked = sent ? performance.now() : 0;
     this.again = false;
+    this.host.dataset.asked = String(this.number);
   }
+
+  private taken: Promise<void> = Promise.resolve(); // answers are shown in their order, however long each takes to be unpacked
 
   private async take(answer: Answer): Promise<void> {
     if (answer.type === "parameters") return this.onParameters(answer);
@@ -177,6 +180,7 @@ export class Picture {
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, w, h);
     if (!this.scale) return;
+    this.host.dataset.scale = String(this.scale / ratio); // mm a pixel of the canvas
     if (this.twoD || this.fixed) this.drawGrid(context);
     if (this.image) {
       const [x0, y0, x1, y1] = this.image.window, [left, top] = this.pixel(x0, y1), [right, bottom] = this.pixel(x1, y0);

@@ -105,13 +105,20 @@ export class Past {
 
   constructor(first: string) { this.states = [first]; }
 
-  keep(state: string): void {
+  private merging = "";
+  private kept = 0;
+
+  /** `merging`: what is typed or slid; such changes that follow each other closely are one step. */
+  keep(state: string, merging = ""): void {
     if (state === this.states[this.at]) return;
-    this.states.length = this.at + 1;
+    const now = Date.now(), goesOn = merging !== "" && merging === this.merging && now - this.kept < 1500;
+    this.merging = merging;
+    this.kept = now;
+    this.states.length = this.at + (goesOn ? 0 : 1);
     this.states.push(state);
-    ++this.at;
+    this.at = this.states.length - 1;
   }
 
-  undo(): string | null { return this.at > 0 ? this.states[--this.at] : null; }
+  undo(): string | null { this.merging = ""; return this.at > 0 ? this.states[--this.at] : null; }
   redo(): string | null { return this.at + 1 < this.states.length ? this.states[++this.at] : null; }
 }

@@ -147,8 +147,8 @@ export class SheetView {
     this.evaluate();
   }
 
-  private settle(): void {
-    this.past.keep(this.state());
+  private settle(merging = ""): void {
+    this.past.keep(this.state(), merging);
     this.onChange(writeSheet(this.sheet));
     this.changed();
   }
@@ -359,7 +359,7 @@ export class SheetView {
       if (typeof each.value === "number")
         return slider(each.name, each.value, [each.low ?? 0, each.high ?? 10], "", (value) => { this.moving = true; set(value); this.changed(); }, () => { this.moving = false; this.settle(); });
       const box = element("input", { value: each.value, ariaLabel: each.name });
-      box.oninput = () => { set(box.value); this.settle(); };
+      box.oninput = () => { set(box.value); this.settle(`${node.id} ${each.name}`); };
       return element("label", { className: "slider words" }, element("span", {}, each.name), box);
     });
     const holder = element("div", { className: "code" });
@@ -371,7 +371,7 @@ export class SheetView {
     }
     this.closeCode();
     host.replaceChildren(head, element("div", { className: "numbers" }, ...rows), holder);
-    const editor = codeEditor(holder, node.code, (text) => { const now = current(); if (now) { now.code = text; this.settle(); } });
+    const editor = codeEditor(holder, node.code, (text) => { const now = current(); if (now) { now.code = text; this.settle(`${node.id} code`); } });
     this.code = { node: node.id, editor };
     markLine(editor, this.results.get(node.id)?.line ?? null, this.mistakes.get(node.id) ?? null);
   }
