@@ -1,10 +1,8 @@
 // edit: the live view of a model, which is a window of the Python package (fieldfab.edit).
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -25,25 +23,26 @@ class EditVerb final : public Verb {
     if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr &&
         std::getenv("QT_QPA_PLATFORM") == nullptr)
       throw Error(ErrorKind::bad_input, "edit", "there is no screen to show a window on");
-    const std::vector<std::string> words{"/usr/bin/python3", "-m", "fieldfab.edit", file_}, environment = python_environment();
-    replace_process(words, environment);
+    become_python("fieldfab.edit", {file_});
   }
 
  private:
-  /// Becomes another program. Returns only by throwing.
-  [[noreturn]] static void replace_process(const std::vector<std::string>& words, const std::vector<std::string>& environment) {
-    std::vector<char*> argv, env;
-    for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-    for (const std::string& word : environment) env.push_back(const_cast<char*>(word.c_str()));
-    argv.push_back(nullptr), env.push_back(nullptr);
-    execve(argv[0], argv.data(), env.data());
-    throw Error(ErrorKind::io, words[0], std::strerror(errno));
-  }
-
   std::string file_;
 };
 
 }  // namespace
+
+void become_python(const std::string& module, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"/usr/bin/python3", "-m", module};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> environment = python_environment();
+  std::vector<char*> argv, env;
+  for (std::string& word : words) argv.push_back(word.data());
+  for (std::string& word : environment) env.push_back(word.data());
+  argv.push_back(nullptr), env.push_back(nullptr);
+  execve(argv[0], argv.data(), env.data());
+  throw Error(ErrorKind::io, words[0], std::strerror(errno));
+}
 
 std::unique_ptr<Verb> edit_verb() { return std::make_unique<EditVerb>(); }
 

@@ -82,7 +82,7 @@ int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
 
   std::vector<std::unique_ptr<Verb>> verbs;
   for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb,
-                    openscad_verb}) {
+                    openscad_verb, serve_verb}) {
     verbs.push_back(make());
     verbs.back()->declare(app);
   }

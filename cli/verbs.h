@@ -78,6 +78,9 @@ struct ModelOptions {
 /// Tells what a reader or a planner noticed, a line each, on stderr.
 void print_notes(const std::vector<std::string>& notes);
 
+/// Becomes a module of the Python package, run as a program with these arguments. Throws io where it cannot.
+[[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& arguments);
+
 /// Writes the surface of a model, as `fieldfab mesh` does: `options.output` is a mesh file's name. The outcome tells of it.
 Outcome write_surface(const ModelOptions& options, Progress& progress);
 
@@ -112,5 +115,6 @@ std::unique_ptr<Verb> edit_verb();
 std::unique_ptr<Verb> cam_verb();
 std::unique_ptr<Verb> simulate_verb();
 std::unique_ptr<Verb> openscad_verb();
+std::unique_ptr<Verb> serve_verb();
 
 }  // namespace fieldfab::cli

@@ -6,10 +6,10 @@
 #include "bindings.h"
 #include "fieldfab/check/check.h"
 #include "fieldfab/check/vdb.h"
-#include "fieldfab/core/error.h"
-#include "fieldfab/mesh/bms.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/contour/detail.h"
+#include "fieldfab/core/error.h"
+#include "fieldfab/mesh/bms.h"
 #include "fieldfab/mesh/mesh_distances.h"
 #include "fieldfab/mesh/mesh_field.h"
 #include "fieldfab/mesh/mesh_parts.h"
@@ -157,7 +157,8 @@ void bind_results(py::module_& module) {
             return ContourMesh{*std::move(faces), {}};
           }
           const Box region = region_of(*wanted, bounds, p);
-          return contour(*wanted->field, region, {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1), features, depth}, p);
+          return contour(*wanted->field, region,
+                         {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1), features, depth}, p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
@@ -257,8 +258,11 @@ void bind_results(py::module_& module) {
   module.def(
       "render",
       [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
-         const py::object& progress, double perspective, int samples, std::optional<std::array<double, 4>> window) {
+         const py::object& progress, double perspective, int samples, std::optional<std::array<double, 4>> window,
+         const py::iterable& parts) {
         const auto wanted = solid_of(solid);
+        std::vector<ColouredPart> coloured;
+        for (const PythonPart& part : parts_given(parts)) coloured.push_back({solid_of(part.what)->field, part.colour});
         const RenderSettings settings{
             render_mode(mode),
             size,
@@ -268,7 +272,8 @@ void bind_results(py::module_& module) {
             samples,
             window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}}) : std::nullopt};
         return long_work(progress, [&](Progress& p) {
-          if (settings.mode != RenderMode::bitmap) return render(*wanted->field, region_of(*wanted, bounds, p), settings, p);
+          if (settings.mode != RenderMode::bitmap)
+            return render(*wanted->field, region_of(*wanted, bounds, p), settings, p, coloured);
           std::optional<Box> plane;
           {
             py::gil_scoped_acquire acquire;
@@ -279,12 +284,12 @@ void bind_results(py::module_& module) {
       },
       py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
       py::arg("bounds") = py::none(), py::arg("progress") = py::none(), py::arg("perspective") = 0.0, py::arg("samples") = 1,
-      py::arg("window") = py::none(),
+      py::arg("window") = py::none(), py::arg("parts") = py::tuple(),
       "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` is the "
       "angle "
       "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges. `window` (x0, "
       "y0, x1, y1) is the part of the picture's plane to show, in mm after the "
-      "turn.");
+      "turn. `parts`, (solid, name, colour) each, of which `solid` is the union, give a shaded picture their colours.");
 
   py::class_<CheckRow>(module, "CheckRow")
       .def_readonly("name", &CheckRow::name)

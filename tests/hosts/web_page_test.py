@@ -1,0 +1,352 @@
+"""fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that is killed."""
+
+import contextlib
+import json
+import math
+import os
+import socket
+import time
+
+import pytest
+from conftest import BUILD
+from selenium import webdriver
+from selenium.webdriver import ActionChains
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from web_server import Server
+
+SECONDS = 40  # that anything may take on a busy machine
+SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
+
+
+@pytest.fixture(scope="module")
+def browser():
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-proxy-server", "--window-size=1360,860", "--force-device-scale-factor=1"):
+        options.add_argument(each)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    kept = os.environ.copy()
+    os.environ["no_proxy"] = "127.0.0.1,localhost"
+    try:
+        driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        yield driver
+        driver.quit()
+    finally:
+        os.environ.clear()
+        os.environ.update(kept)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    return tmp_path_factory.mktemp("documents")
+
+
+@pytest.fixture(scope="module")
+def server(folder):
+    running = [Server(folder)]
+    yield running  # a list, since a test kills it and starts another one
+    running[0].end()
+
+
+class Page:
+    """What a person does with the page, and sees of it."""
+
+    def __init__(self, browser, server):
+        self.browser, self.server = browser, server
+
+    def open(self, name=""):
+        self.browser.get("about:blank")
+        self.browser.get(f"{self.server[0].address}#{name}")
+
+    def find(self, selector):
+        return self.browser.find_element(By.CSS_SELECTOR, selector)
+
+    def script(self, text, *arguments):
+        return self.browser.execute_script(text, *arguments)
+
+    def until(self, condition, what):
+        end, now = time.monotonic() + SECONDS, None
+        while time.monotonic() < end:
+            with contextlib.suppress(Exception):  # elements come and go
+                if now := condition():
+                    return now
+            time.sleep(0.05)
+        shot = f"/tmp/fabserver-{os.getpid()}.png"
+        self.browser.save_screenshot(shot)
+        raise AssertionError(f"{what}: not within {SECONDS} s ({shot}); {self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
+
+    def text(self, selector):
+        return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
+
+    def settled(self, host="#picture"):
+        """Waits until the last picture that was asked for is shown in full."""
+        is_settled = "const d = document.querySelector(arguments[0]).dataset; return d.asked > 0 && d.shown === d.asked && d.quality === 'smooth'"
+        time.sleep(0.05)
+        self.until(lambda: self.script(is_settled, host), f"the picture in {host}")
+
+    def coloured(self, host="#picture"):
+        """The area that has the colour of flat models, mm2."""
+        count = """
+            const host = document.querySelector(arguments[0]), canvas = host.querySelector('canvas');
+            const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue('--flat').split(',').map(Number);
+            const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+            let count = 0;
+            for (let i = 0; i < data.length; i += 4)
+              if (Math.abs(data[i] - r) < 8 && Math.abs(data[i + 1] - g) < 8 && Math.abs(data[i + 2] - b) < 8 && data[i + 3] > 200) ++count;
+            return count * Number(host.dataset.scale) ** 2;"""
+        return self.script(count, host)
+
+    def picture(self):
+        """The pixels of the picture, as text to compare."""
+        return self.script("return document.querySelector('#picture canvas').toDataURL()")
+
+    def type(self, selector, *keys):
+        editor = self.find(f"{selector} .cm-content")
+        editor.click()
+        for each in keys:  # apart, since a modifier holds to the end of a call
+            editor.send_keys(each)
+
+    def saved(self, state="saved"):
+        self.until(lambda: self.script("return document.getElementById('saved').dataset.state") == state, f"the state '{state}'")
+
+    def node(self, name):
+        return next(each for each in self.browser.find_elements(By.CSS_SELECTOR, ".node") if each.get_attribute("title") == name)
+
+    def choose(self, name):
+        ActionChains(self.browser).click(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).perform()
+
+    def drag(self, name, dx, dy):
+        ActionChains(self.browser).click_and_hold(self.node(name).find_element(By.CSS_SELECTOR, ".dot")).move_by_offset(dx // 2, dy // 2).move_by_offset(dx - dx // 2, dy - dy // 2).release().perform()
+
+    def add(self, kind):
+        self.find("#add-node").click()
+        self.find("#find-node").send_keys(kind)
+        self.until(lambda: [b.click() or 1 for b in self.browser.find_elements(By.CSS_SELECTOR, "#nodes button") if b.text == kind][:1], f"the kind of node {kind}")
+
+    def shot(self, name):
+        if SHOTS:
+            self.browser.save_screenshot(os.path.join(SHOTS, f"{name}.png"))
+
+
+@pytest.fixture
+def page(browser, server):
+    made = Page(browser, server)
+    yield made
+    errors = [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE" and "favicon" not in entry["message"]]
+    # "inline style": Chromium's own, where typing replaces coloured text in an editable element; the policy drops it.
+    known = ("ERR_CONNECTION_REFUSED", "422", "409", "WebSocket connection", "Failed to fetch", "Applying inline style")
+    assert [each for each in errors if not any(word in each for word in known)] == []
+
+
+def sheet(*nodes, **more):
+    made = [{"id": i + 1, "name": name, "x": x, "y": y, "code": code, "values": {}, "parents": parents} for i, (name, x, y, code, parents) in enumerate(nodes)]
+    return json.dumps({"format": "fieldfab sheet", "version": 1, "snap": 1, "nodes": made, "text": "", **more})
+
+
+CIRCLE = "const [centre] = parents;\nreturn `move(circle(${mm(distance(centre, { x, y }))}), ${mm(centre.x)}, ${mm(centre.y)})`;"
+
+
+def test_text_and_picture(page, folder):
+    """Typing shows at once; a mistake is told at its place, and the last picture stays; a slider writes into the text."""
+    (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
+    page.open("part.frep")
+    page.settled()
+    assert abs(page.coloured() - math.pi * 25) < 2
+    page.type("#editor", Keys.CONTROL + Keys.END, Keys.BACKSPACE * 3, "r) - circlee(2)")
+    page.until(lambda: "Line 2, column 13: unknown function 'circlee'; did you mean 'circle'?" in page.text("#message"), "the mistake")
+    page.until(lambda: page.find(".cm-lintRange-error").text == "circlee", "the mark at the mistake")
+    assert page.coloured() > 50, "the last picture stays"
+    page.shot("web_error")
+    page.type("#editor", Keys.CONTROL + "a", "r = 5  # 1 to 9, radius\ncircle(r) - circle(2)")
+    page.until(lambda: not page.find("#message").is_displayed(), "no mistake")
+    page.settled()
+    assert abs(page.coloured() - math.pi * 21) < 2
+    page.script("const bar = document.querySelector('#sliders input'); bar.value = 4; bar.dispatchEvent(new Event('input'))")
+    page.until(lambda: abs(page.coloured() - math.pi * 12) < 1, "the slider's picture")
+    page.saved()
+    assert (folder / "part.frep").read_text() == "r = 4  # 1 to 9, radius\ncircle(r) - circle(2)"
+
+
+def test_turning_and_zooming(page, folder):
+    """What is seen is asked for anew, to the pixel; zooming keeps the place below the pointer."""
+    (folder / "solid.frep").write_text("box(20, 12, 6) - move(cylinder(2, 20), 5)\n")
+    page.open("solid.frep")
+    page.settled()
+    first = page.picture()
+    host = page.find("#picture")
+    ActionChains(page.browser).click_and_hold(host).move_by_offset(60, 20).release().perform()
+    page.settled()
+    turned = page.picture()
+    assert turned != first
+    host.send_keys("2")
+    page.settled()
+    box = page.script("const b = document.querySelector('#picture').getBoundingClientRect(); return [b.left, b.top, b.width, b.height]")
+    wheel = "document.querySelector('#picture').dispatchEvent(new WheelEvent('wheel', { deltaY: arguments[2], clientX: arguments[0], clientY: arguments[1], cancelable: true }))"
+    scale = float(host.get_attribute("data-scale"))
+    page.script(wheel, box[0] + box[2] / 4, box[1] + box[3] / 4, -400)
+    page.settled()
+    assert float(host.get_attribute("data-scale")) < 0.6 * scale
+    host.send_keys("f")
+    page.settled()
+    assert abs(float(host.get_attribute("data-scale")) / scale - 1) < 0.01
+    page.find("#mode option[value=bitmap]").click()
+    page.settled()
+    assert abs(page.coloured() - (240 - math.pi * 4)) < 4
+
+
+def test_a_sheet_from_nothing(page, folder):
+    """fabserver's own example: a circle node takes the place of another node and computes a radius from it."""
+    page.open()
+    page.until(lambda: page.find("#new-sheet").is_displayed(), "the gallery")
+    page.find("#new-sheet").click()
+    page.until(lambda: page.find("#sheet").is_displayed(), "the sheet")
+    page.add("Point")
+    page.drag("Point", -60, 30)
+    page.add("Circle through")
+    page.until(lambda: "circle(" in (folder / "sheet.json").read_text(), "the text")
+    page.settled()
+    page.saved()
+    point, circle = json.loads((folder / "sheet.json").read_text())["nodes"]
+    assert circle["parents"] == [point["id"]]
+    r = math.hypot(circle["x"] - point["x"], circle["y"] - point["y"])
+    assert abs(page.coloured() / (math.pi * r * r) - 1) < 0.02
+
+
+def test_nodes(page, folder, server):
+    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is lost."""
+    (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, "return { x, y };", []), ("Circle", 16, 12, CIRCLE, [1])))
+    file = folder / "nodes.json"
+    page.open("nodes.json")
+    page.settled()
+    assert abs(page.coloured("#picture") / (math.pi * 400) - 1) < 0.01
+
+    scale = float(page.find("#sheet").get_attribute("data-scale"))
+    page.drag("Circle", round(-8 / scale), 0)
+    page.until(lambda: [n["x"] for n in json.loads(file.read_text())["nodes"]] == [0, 8], "the node's place in the file")
+    page.settled()
+    assert abs(page.coloured() / (math.pi * (64 + 144)) - 1) < 0.01
+
+    page.choose("Circle")
+    page.until(lambda: "const [centre]" in page.text(".code"), "the node's code")
+    page.type(".code", Keys.CONTROL + "a", "const [centre] = parents;\nreturn `move(circle(${mm(value('r', 5, 1, 9))}), ${mm(centre.x)}, ${mm(centre.y)})`;")
+    page.until(lambda: abs(page.coloured() / (math.pi * 25) - 1) < 0.02, "the picture of the new code")
+    page.until(lambda: page.find(".numbers input[type=range]").get_attribute("value") == "5", "the code's slider")
+    page.shot("web_code")
+
+    page.type(".code", Keys.CONTROL + Keys.HOME, "while (true) {} ")
+    page.until(lambda: "Circle was stopped: it ran longer than a second" in page.text("#sheet-message"), "the end of the endless loop")
+    time.sleep(1.6)  # typing that goes on would be one step with what was typed before
+    page.type(".code", Keys.CONTROL + Keys.HOME, "// slow\n")
+    for _ in range(3):
+        page.find("#undo").click()
+    page.until(lambda: abs(page.coloured() / (math.pi * (64 + 144)) - 1) < 0.01, "the picture after undo")
+    page.saved()
+
+    page.browser.refresh()
+    page.settled()
+    assert abs(page.coloured() / (math.pi * (64 + 144)) - 1) < 0.01, "as it was, after a reload"
+
+    port = server[0].port
+    server[0].kill()
+    page.until(lambda: "The server is away" in page.text("#away"), "the notice")
+    page.choose("Circle")
+    page.find("#sheet").send_keys(Keys.ARROW_RIGHT * 8)
+    page.saved("away")
+    assert [n["x"] for n in json.loads(file.read_text())["nodes"]] == [0, 8]
+    server[0] = Server(folder, port=port)
+    page.saved()
+    assert [n["x"] for n in json.loads(file.read_text())["nodes"]] == [0, 16]
+    page.until(lambda: abs(page.coloured() / (math.pi * 400) - 1) < 0.01, "the picture after all this")
+
+
+def test_a_browser_that_is_closed_while_the_server_is_away_loses_nothing(page, folder, server):
+    (folder / "kept.frep").write_text("circle(3)\n")
+    page.open("kept.frep")
+    page.settled()
+    port = server[0].port
+    server[0].kill()
+    page.type("#editor", Keys.CONTROL + "a", "circle(7)")
+    page.saved("away")
+    page.browser.get("about:blank")
+    server[0] = Server(folder, port=port)
+    page.open("kept.frep")
+    page.until(lambda: (folder / "kept.frep").read_text() == "circle(7)", "what was typed, in the file")
+
+
+def test_code_of_nodes_reaches_nothing(page, folder):
+    """No network, no storage, no page: a sheet from a stranger can only compute."""
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        place = f"127.0.0.1:{listener.getsockname()[1]}"
+        tries = {
+            "script": f"importScripts('http://{place}/'); return {{}};",
+            "storage": "return { text: 'circle(' + localStorage.length + ')' };",
+            "page": "return { text: parent.document.title };",
+            "requests": f"fetch('http://{place}/'); new WebSocket('ws://{place}/'); new EventSource('http://{place}/'); import('http://{place}/'); return {{}};",
+            "answer": "postMessage({ run: 1, results: [] }); return {};",
+        }
+        nodes = [(name, 20 * i, 0, code, []) for i, (name, code) in enumerate(tries.items())]
+        (folder / "stranger.json").write_text(sheet(*nodes, ("Circle", 0, 20, "return 'circle(5)';", [])))
+        page.open("stranger.json")
+        page.settled()
+        assert abs(page.coloured() / (math.pi * 25) - 1) < 0.02
+        assert {each.get_attribute("title") for each in page.browser.find_elements(By.CSS_SELECTOR, ".node.wrong")} >= {"script", "storage", "page"}
+        listener.settimeout(1)
+        with pytest.raises(TimeoutError):
+            listener.accept()
+    page.browser.get_log("browser")  # the policy's complaints
+
+
+def test_names_and_texts_never_become_html(page, folder):
+    (folder / "evil.json").write_text(sheet(("<img src=x onerror=document.title='evil'>", 0, 0, "throw new Error('<b id=bold>bold</b>');", [])))
+    page.open("evil.json")
+    page.until(lambda: "<b id=bold>" in page.text("#sheet-message"), "the mistake, as text")
+    page.choose("<img src=x onerror=document.title='evil'>")
+    assert page.script("return document.querySelector('#bold, .node img, #inspector img')") is None
+    assert "evil.json" in page.browser.title
+
+
+def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):
+    newer = sheet(version=2)
+    (folder / "newer.json").write_text(newer)
+    page.open("newer.json")
+    page.until(lambda: "version 2" in page.text("#message"), "what is wrong")
+    page.type("#editor", "x")
+    (folder / "long.frep").write_text("# " + "x" * 1_200_000 + "\nsphere(1)\n")
+    page.open("long.frep")
+    page.until(lambda: "more than 1 MB" in page.text("#message"), "what is wrong")
+    assert (folder / "newer.json").read_text() == newer
+
+
+def test_a_link_holds_a_model(page, folder, server):
+    link = page.script("""return (async () => {
+      const stream = new Blob([JSON.stringify({ name: 'shared.frep', text: 'circle(6)' })]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+      const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
+      return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
+    })()""")
+    page.open(f"share={link}")
+    page.settled()
+    assert abs(page.coloured() / (math.pi * 36) - 1) < 0.02
+    assert (folder / "shared.frep").read_text() == "circle(6)"
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_the_page_is_accessible(page, folder, theme):
+    """axe-core finds nothing serious, in either theme."""
+    axe = BUILD / "web" / "npm" / "node_modules" / "axe-core" / "axe.min.js"
+    (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, "return { x, y };", []), ("Circle", 16, 12, CIRCLE, [1])))
+    page.open()
+    page.script("localStorage.setItem('fabserver theme', arguments[0])", theme)
+    (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
+    for name in ("nodes.json", "part.frep", ""):
+        page.open(name)
+        if name:
+            page.settled()
+        else:
+            page.until(lambda: page.find("#examples .card").is_displayed(), "the gallery")
+        page.script(axe.read_text())
+        found = page.browser.execute_async_script("const done = arguments[0]; axe.run({ resultTypes: ['violations'] }).then((r) => done(r.violations))")
+        serious = [(each["id"], [node["html"][:160] for node in each["nodes"]][:4]) for each in found if each["impact"] in ("serious", "critical")]
+        assert serious == [], (name, serious)
+    page.script("localStorage.removeItem('fabserver theme')")

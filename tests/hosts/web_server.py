@@ -1,0 +1,124 @@
+"""fabserver for tests: `fieldfab serve` as a process, and what is asked of it."""
+
+import asyncio
+import contextlib
+import http.client
+import json
+import os
+import re
+import signal
+import struct
+import subprocess
+import time
+import urllib.parse
+import zlib
+
+import aiohttp
+import numpy as np
+from conftest import COMMAND
+
+
+class Server:
+    """A server on a port of its own, or on a given one, with its documents in `folder`."""
+
+    def __init__(self, folder, *options, port=0, **environment):
+        kept = {name: value for name, value in os.environ.items() if not name.lower().endswith("_proxy")}
+        words = [COMMAND, "serve", folder, "--no-browser", "--port", str(port), *options]
+        self.process = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env={**kept, **environment}, start_new_session=True)
+        self.said = self.process.stdout.readline()
+        self.address = re.search(r"http://\S+", self.said)[0]
+        self.place = urllib.parse.urlsplit(self.address)
+
+    @property
+    def port(self):
+        return self.place.port
+
+    def ask(self, method, path, body=None, **headers):
+        """Status, head and bytes of an answer. `body`: bytes, or what becomes JSON. Names of headers have _ for -."""
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        body = json.dumps(body).encode() if body is not None and not isinstance(body, bytes) else body
+        try:
+            connection.request(method, path, body, {name.replace("_", "-"): value for name, value in headers.items()})
+            answer = connection.getresponse()
+            return answer.status, answer.headers, answer.read()
+        finally:
+            connection.close()
+
+    def post(self, path, body):
+        status, _, data = self.ask("POST", path, body)
+        return status, json.loads(data)
+
+    def kill(self):
+        """As kill -9 does."""
+        self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+
+    def end(self):
+        self.process.send_signal(signal.SIGTERM)
+        try:
+            self.process.wait(10)
+        finally:
+            self.kill()
+
+    def workers(self):
+        """Process numbers of its workers."""
+        found = []
+        for name in os.listdir("/proc"):
+            with contextlib.suppress(OSError, ValueError):
+                if name.isdigit() and int(open(f"/proc/{name}/stat").read().rpartition(")")[2].split()[1]) == self.process.pid:
+                    found.append(int(name))
+        return found
+
+
+def pixels(data):
+    """The pixels of a PNG of the server: 8 bits, rows told by the one above."""
+    at, parts = 8, {}
+    while at < len(data):
+        length, name = struct.unpack_from(">I4s", data, at)
+        parts.setdefault(name, b"")
+        parts[name] += data[at + 8 : at + 8 + length]
+        assert zlib.crc32(data[at + 4 : at + 8 + length]) == struct.unpack_from(">I", data, at + 8 + length)[0]
+        at += 12 + length
+    width, height, depth, kind = struct.unpack_from(">IIBB", parts[b"IHDR"])
+    assert depth == 8
+    channels = {0: 1, 2: 3, 6: 4}[kind]
+    rows = np.frombuffer(zlib.decompress(parts[b"IDAT"]), np.uint8).reshape(height, 1 + width * channels)
+    assert (rows[:, 0] == 2).all()
+    return np.cumsum(rows[:, 1:], axis=0, dtype=np.uint8).reshape(height, width, channels)
+
+
+class Socket:
+    """Messages to and from the server's WebSocket, in a coroutine."""
+
+    def __init__(self, server, **headers):
+        self._server, self._headers = server, headers
+
+    async def __aenter__(self):
+        self._session = aiohttp.ClientSession()
+        self._socket = await self._session.ws_connect(f"http://127.0.0.1:{self._server.port}/api/socket", headers=self._headers, max_msg_size=0)
+        return self
+
+    async def __aexit__(self, *_):
+        await self._session.close()
+
+    async def send(self, message):
+        await self._socket.send_str(message if isinstance(message, str) else json.dumps(message))
+
+    async def receive(self, seconds=60):
+        """(what is told, bytes of a picture); None where the socket was closed."""
+        message = await asyncio.wait_for(self._socket.receive(), seconds)
+        if message.type == aiohttp.WSMsgType.TEXT:
+            return json.loads(message.data), b""
+        if message.type == aiohttp.WSMsgType.BINARY:
+            [length] = struct.unpack_from(">I", message.data)
+            return json.loads(message.data[4 : 4 + length]), message.data[4 + length :]
+        return None
+
+    async def until(self, wanted, seconds=60):
+        """All answers up to the first that is wanted."""
+        answers, end = [], time.monotonic() + seconds
+        while True:
+            answers.append(await self.receive(end - time.monotonic()))
+            if wanted(answers[-1][0]):
+                return answers

@@ -1,0 +1,438 @@
+"""fabserver's protocol: `fieldfab serve`, asked by programs, those with bad manners among them."""
+
+import asyncio
+import contextlib
+import json
+import os
+import signal
+import socket as sockets
+import struct
+import subprocess
+import time
+import zlib
+
+import aiohttp
+import numpy as np
+import pytest
+from conftest import COMMAND
+from web_server import Server, Socket, pixels
+
+import fieldfab as ff
+
+# A text that grows with each line: no machine has the memory or the time for it.
+ENDLESS = "a0 = sphere(1)\n" + "".join(f"a{i + 1} = a{i} | move(a{i}, {1.1**i})\n" for i in range(40)) + "a40\n"
+SPHERE = {"text": "sphere(5)"}
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    running = Server(tmp_path_factory.mktemp("documents"))
+    yield running
+    running.end()
+
+
+@pytest.fixture(scope="module")
+def folder(server):
+    return server.said.split("documents in ")[1].split(";")[0]
+
+
+def refused(answer, status, *words):
+    got, told = answer
+    assert got == status, told
+    assert all(word in told["error"]["message"] for word in words), told
+    return told["error"]
+
+
+# Pictures
+
+
+def test_a_picture_is_the_kernels_own(server):
+    """Each pixel of a slice is the sign of the value at its place."""
+    text, window = "circle(4) - move(circle(2), 1, 1)", [-5, -4, 5, 4]
+    status, headers, data = server.ask("POST", "/api/picture", {"text": text, "width": 200, "height": 160, "window": window})
+    assert status == 200 and headers["Content-Type"] == "image/png"
+    shown = pixels(data)[:, :, 0] > 0
+    x, y = np.meshgrid(-5 + (np.arange(200) + 0.5) / 20, 4 - (np.arange(160) + 0.5) / 20)
+    inside = ff.parse(text).values(np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1).astype(np.float32)).reshape(160, 200) < 0
+    assert (shown == inside).mean() > 0.9999
+    assert json.loads(headers["Fieldfab-Picture"])["flat"] is True
+
+
+def test_shaded_pictures_have_no_background_and_parts_have_colours(server):
+    text = 'part(move(box(4, 4, 4), -3), "a", "red")\npart(move(box(4, 4, 4), 3), "b", "blue")\n'
+    status, _, data = server.ask("POST", "/api/picture", {"text": text, "width": 160, "height": 120, "alpha": 0, "beta": 0, "smooth": True})
+    assert status == 200
+    shown = pixels(data)
+    assert shown.shape == (120, 160, 4)
+    assert shown[0, 0, 3] == 0 and shown[60, 80, 3] == 0, "nothing is there"
+    left, right = shown[60, 40], shown[60, 120]
+    assert left[3] == right[3] == 255
+    assert left[0] > 2 * left[2] and right[2] > 2 * right[0]
+
+
+def test_a_section_shows_the_inside(server):
+    view = {"text": "sphere(5) - sphere(4)", "alpha": 0, "beta": 0, "at": [0, 0]}
+    assert abs(server.post("/api/pick", view)[1]["place"][2] - 5) < 0.01
+    cut = server.post("/api/pick", {**view, "section": {"axis": "z", "at": 0}})[1]
+    assert abs(cut["place"][2] + 4) < 0.01, "the far wall's inner side"
+
+
+def test_values_bounds_parameters_and_words(server):
+    assert server.post("/api/values", {**SPHERE, "points": [[0, 0, 0], [8, 0, 0]]}) == (200, {"values": [-5.0, 3.0]})
+    status, seen = server.post("/api/look", {"text": 'part(sphere(r), "ball", "red")\n'.replace("r)", "5)")})
+    assert status == 200 and seen["parts"] == [{"name": "ball", "colour": "#ff0000"}] and not seen["flat"]
+    text = "# ½ 😀\nwidth = 20  # 5 to 40, outer width\nbox(width, 1, 1)\n"
+    [width] = server.post("/api/parameters", {"text": text})[1]["parameters"]
+    assert (width["name"], width["value"], width["range"], width["comment"]) == ("width", 20, [5, 40], "outer width")
+    units = text.encode("utf-16-le")
+    assert units[2 * width["offset"] : 2 * (width["offset"] + width["length"])].decode("utf-16-le") == "20"
+    assert server.post("/api/values", {"text": text, "values": {"width": 30}, "points": [[0, 0, 0]]})[0] == 200
+    words = server.post("/api/words", {"text": "spher", "offset": 5})[1]
+    assert words["from"] == 0 and [each["name"] for each in words["entries"]] == ["sphere"]
+
+
+def test_mistakes_have_their_places(server):
+    error = refused(server.post("/api/look", {"text": "r = 2\n/* 😀 */ spheer(r)\nq\n".replace("/* 😀 */ ", '"😀"; ')}), 422)
+    assert error["mistakes"][0]["line"] == 2
+    error = refused(server.post("/api/look", {"text": "r = 2\nspheer(r)\nq\n"}), 422, "did you mean 'sphere'?")
+    assert [(each["line"], each["column"], each["offset"], each["length"]) for each in error["mistakes"]] == [(2, 1, 6, 6), (3, 1, 16, 1)]
+
+
+def test_the_description_has_every_address(server):
+    status, _, data = server.ask("GET", "/api")
+    told = json.loads(data)
+    assert status == 200 and told["openapi"].startswith("3.")
+    assert set(told["paths"]) >= {"/api/picture", "/api/look", "/api/values", "/api/pick", "/api/files", "/api/jobs/{job}", "/api/documents/{name}"}
+    fields = told["paths"]["/api/picture"]["post"]["requestBody"]["content"]["application/json"]["schema"]
+    assert fields["required"] == ["text"] and fields["properties"]["width"]["maximum"] == 4096
+
+
+# The WebSocket
+
+
+def run(coroutine):
+    return asyncio.run(asyncio.wait_for(coroutine, 120))
+
+
+def test_pictures_come_coarse_first(server):
+    async def talk():
+        async with Socket(server) as socket:
+            await socket.send({"number": 1, "view": "main", "text": "r = 5 # 1 to 9\nsphere(r)", "width": 400, "height": 300, "coarse": True, "smooth": True})
+            return await socket.until(lambda told: told.get("last"))
+
+    answers = run(talk())
+    assert answers[0][0]["type"] == "parameters" and answers[0][0]["parameters"][0]["name"] == "r"
+    shown = [(told["quality"], told["width"], told["number"]) for told, _ in answers[1:]]
+    assert shown == [("coarse", 100, 1), ("fine", 400, 1), ("smooth", 400, 1)]
+    assert all(pixels(data).shape == (told["height"], told["width"], 4) for told, data in answers[1:])
+
+
+def test_a_newer_request_takes_the_place_of_older_ones(server):
+    """Of a hundred requests at once, the last one is answered in full, and most others never."""
+    async def talk():
+        async with Socket(server) as socket:
+            for number in range(100):
+                await socket.send({"number": number, "text": f"gyroid(3) & sphere({5 + number / 100})", "width": 640, "height": 480, "coarse": True})
+            return await socket.until(lambda told: told.get("last") and told["number"] == 99)
+
+    answers = [told for told, _ in run(talk()) if told["type"] == "picture"]
+    assert not any(told["number"] < 99 and told.get("last") for told in answers[1:])
+    assert len({told["number"] for told in answers}) < 30
+
+
+def test_views_do_not_disturb_each_other(server):
+    async def talk():
+        async with Socket(server) as socket:
+            for view in ("one", "two"):
+                await socket.send({"number": 7, "view": view, **SPHERE, "width": 64, "height": 64})
+            seen = set()
+            while seen != {"one", "two"}:
+                told, _ = await socket.receive()
+                if told["type"] == "picture":
+                    seen.add(told["view"])
+
+    run(talk())
+
+
+@pytest.mark.parametrize("message, words", [
+    ("{", "JSON"), ("[" * 100_000, "JSON"), ("[]", "'number'"), ('{"number": 1}', "'text' is missing"),
+    ('{"number": 1, "text": "sphere(1)", "bounds": [NaN, 0, 0, 1, 1, 1]}', "finite"),
+    ('{"number": 1, "text": "sphere(1)", "window": [0, 0, Infinity, 1]}', "finite"),
+    ('{"number": 1, "text": "sphere(1)", "bounds": [1, 0, 0, 0, 1, 1]}', "the lower ones first"),
+    ('{"number": 1, "text": "sphere(1)", "width": 31623, "height": 31623}', "4096"),
+    ('{"number": 1, "text": "sphere(1)", "width": 4000, "height": 4000}', "4,000,000"),
+    ('{"number": 1, "text": "sphere(1)", "colour": "red"}', "'colour' is no field"),
+    ('{"number": 1, "text": 3}', "must be text"), ('{"number": 1, "text": "\\ud800"}', "surrogate"),
+    ('{"number": 1, "text": "sphere(1)", "values": {"r": "1"}}', "'values.r'"),
+    ('{"number": 1, "text": "sphere(1)", "mode": "beautiful"}', "shaded, height, normals, bitmap"),
+    ('{"number": 1, "text": "exit()", "language": "py"}', "--allow-scripts"),
+])  # fmt: skip
+def test_bad_messages_are_told_and_the_socket_goes_on(server, message, words):
+    async def talk():
+        async with Socket(server) as socket:
+            await socket.send(message)
+            told, _ = await socket.receive()
+            assert told["type"] == "error" and words in told["message"], told
+            await socket.send({"number": 2, **SPHERE, "width": 16, "height": 16})
+            await socket.until(lambda told: told["type"] == "picture")
+
+    run(talk())
+
+
+def test_a_text_of_ten_megabytes(server):
+    async def talk():
+        async with Socket(server) as socket:
+            await socket.send({"number": 1, "text": "#" * 10_000_000})
+            told, _ = await socket.receive()
+            assert told["kind"] == "too_large" and "1,000,000" in told["message"]
+            with contextlib.suppress(OSError):  # the server closes it, the rest unread
+                await socket.send({"number": 1, "text": "#" * 20_000_000})
+                assert await socket.receive() is None
+
+    run(talk())
+    assert server.post("/api/look", {"text": "#" * 10_000_000})[0] == 413
+    assert server.post("/api/look", {"text": "#" * 17_000_000})[0] == 413
+
+
+def test_sockets_of_other_pages_are_refused(server):
+    async def talk(**headers):
+        async with Socket(server, **headers):
+            pass
+
+    with pytest.raises(aiohttp.WSServerHandshakeError) as error:
+        run(talk(Origin="http://elsewhere.example"))
+    assert error.value.status == 403
+    run(talk(Origin=f"http://127.0.0.1:{server.port}"))
+
+
+# What goes wrong in workers
+
+
+def test_an_endless_text_ends_and_others_go_on(server):
+    """It is left as soon as something newer is wanted, though no part of it asks whether it shall go on."""
+    async def talk():
+        async with Socket(server) as socket, Socket(server) as other:
+            await socket.send({"number": 1, "text": ENDLESS})
+            await asyncio.sleep(1)
+            await other.send({"number": 1, **SPHERE, "width": 32, "height": 32})
+            await other.until(lambda told: told["type"] == "picture", 15)
+            await socket.send({"number": 2, **SPHERE, "width": 32, "height": 32})
+            answers = await socket.until(lambda told: told["number"] == 2 and told["type"] == "picture", 15)
+            assert not any(told["type"] == "picture" and told["number"] == 1 for told, _ in answers)
+
+    run(talk())
+
+
+def test_a_worker_that_is_killed_is_replaced(server):
+    for process in server.workers():
+        os.kill(process, signal.SIGKILL)
+    time.sleep(0.2)
+    answers = [server.post("/api/look", SPHERE)[0] for _ in range(6)]
+    assert answers[-1] == 200 and set(answers) <= {200, 422}
+    assert answers.count(422) <= 2
+
+
+def test_deep_nesting_is_an_answer(server):
+    assert server.post("/api/look", {"text": "(" * 200_000 + "sphere(1)" + ")" * 200_000})[0] in (200, 422)
+    assert server.post("/api/look", SPHERE)[0] == 200
+
+
+def test_what_is_empty_is_told(server):
+    refused(server.post("/api/look", {"text": "sphere(1) & move(sphere(1), 10)"}), 422, "nothing to show")
+    refused(server.post("/api/look", {"text": ""}), 422)
+
+
+def test_workers_end_with_their_server(tmp_path):
+    running = Server(tmp_path)
+    workers = running.workers()
+    assert len(workers) >= 2
+    running.kill()
+    end = time.monotonic() + 10
+    while any(os.path.exists(f"/proc/{each}") and "zombie" not in open(f"/proc/{each}/status").read() for each in workers):
+        assert time.monotonic() < end
+        time.sleep(0.05)
+
+
+# Files
+
+
+def finished(server, job):
+    while job["state"] in ("waiting", "working"):
+        job = json.loads(server.ask("GET", f"/api/jobs/{job['job']}?state={job['state']}&progress={job['progress']}")[2])
+    return job
+
+
+def test_files_of_formats(server, tmp_path):
+    text = 'part(box(4, 4, 4), "base", "teal")\npart(move(sphere(2), 0, 0, 5), "ball", "gold")\n'
+    for extension in (".glb", ".stl", ".3mf", ".asdf", ".frep"):
+        status, job = server.post("/api/files", {"text": text, "extension": extension})
+        assert status == 202
+        job = finished(server, job)
+        assert job["state"] == "done", job
+        status, headers, data = server.ask("GET", f"/api/jobs/{job['job']}/file")
+        assert status == 200 and len(data) == job["result"]["bytes"]
+        assert headers["Content-Disposition"] == f'attachment; filename="model{extension}"'
+        if extension == ".glb":
+            assert data[:4] == b"glTF" and struct.unpack_from("<I", data, 8)[0] == len(data)
+            assert b'"base"' in data and b'"ball"' in data
+        if extension == ".stl":
+            (tmp_path / "model.stl").write_bytes(data)
+            assert ff.inspect(ff.Mesh.load(tmp_path / "model.stl")).valid
+
+
+def test_a_flat_model_becomes_a_plate(server, tmp_path):
+    _, job = server.post("/api/files", {"text": "circle(5)", "extension": ".stl", "thickness": 2})
+    job = finished(server, job)
+    (tmp_path / "plate.stl").write_bytes(server.ask("GET", f"/api/jobs/{job['job']}/file")[2])
+    assert abs(ff.Mesh.load(tmp_path / "plate.stl").volume - np.pi * 25 * 2) < 1
+    assert job["result"]["thickness"] == 2
+
+
+def test_jobs_are_cancelled_and_refused(server):
+    _, job = server.post("/api/files", {"text": ENDLESS, "extension": ".stl"})
+    status, _, data = server.ask("GET", f"/api/jobs/{job['job']}/file")
+    refused((status, json.loads(data)), 409, "no file")
+    assert server.ask("DELETE", f"/api/jobs/{job['job']}")[0] == 200
+    assert finished(server, job)["state"] == "cancelled"
+    refused(server.post("/api/files", {**SPHERE, "extension": ".exe"}), 400, "no format")
+    refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "no format")
+    status, _, _ = server.ask("GET", "/api/jobs/nothing")
+    assert status == 404
+
+
+# Documents
+
+
+def test_documents_are_written_whole_and_with_versions(server, folder):
+    status, headers, _ = server.ask("PUT", "/api/documents/part.frep", b"sphere(5)\n")
+    assert status == 200 and open(f"{folder}/part.frep").read() == "sphere(5)\n"
+    version = headers["ETag"]
+    assert server.ask("PUT", "/api/documents/part.frep", b"box(1, 1, 1)\n")[0] == 409, "there is one already"
+    assert server.ask("PUT", "/api/documents/part.frep", b"box(1, 1, 1)\n", If_Match=version)[0] == 200
+    assert server.ask("PUT", "/api/documents/part.frep", b"box(2, 1, 1)\n", If_Match=version)[0] == 409, "changed meanwhile"
+    status, headers, data = server.ask("GET", "/api/documents/part.frep")
+    assert data == b"box(1, 1, 1)\n" and headers["ETag"] != version
+    assert "part.frep" in [each["name"] for each in json.loads(server.ask("GET", "/api/documents")[2])["documents"]]
+    assert [name for name in os.listdir(folder) if name.startswith(".")] == []
+    assert server.ask("DELETE", "/api/documents/part.frep")[0] == 200 and not os.path.exists(f"{folder}/part.frep")
+    assert server.ask("GET", "/api/documents/part.frep")[0] == 404
+
+
+@pytest.mark.parametrize("name", ["../out.frep", "..%2Fout.frep", "%2e%2e%2fout.frep", "a%2Fb.frep", "%2Fetc%2Fpasswd", ".hidden.frep", "x.py", "x.frep%00.txt", "x.sh", "con%0A.frep", "a" * 200 + ".frep"])
+def test_names_stay_in_the_folder(server, folder, name):
+    before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
+    assert server.ask("PUT", f"/api/documents/{name}", b"sphere(1)")[0] in (400, 404, 405)
+    assert server.ask("GET", f"/api/documents/{name}")[0] in (400, 404)
+    assert (sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))) == before
+
+
+def test_links_do_not_lead_out(server, folder, tmp_path):
+    (tmp_path / "secret.frep").write_text("sphere(1)")
+    os.symlink(tmp_path / "secret.frep", f"{folder}/link.frep")
+    assert server.ask("GET", "/api/documents/link.frep")[0] == 403
+    assert server.ask("PUT", "/api/documents/link.frep", b"box(1, 1, 1)", If_Match="*")[0] == 403
+    assert (tmp_path / "secret.frep").read_text() == "sphere(1)"
+
+
+def test_documents_have_limits(server):
+    assert server.ask("PUT", "/api/documents/large.frep", b"#" * 4_000_001)[0] == 413
+    assert server.ask("PUT", "/api/documents/bytes.frep", b"\xff\xfe")[0] == 400
+
+
+def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
+    (tmp_path / "outside.frep").write_text("sphere(1)")
+    with open(f"{folder}/ball.frep", "w") as file:
+        file.write("sphere(3)\n")
+    with open(f"{folder}/indirect.frep", "w") as file:
+        file.write(f'open("{tmp_path}/outside.frep")\n')
+    assert server.post("/api/values", {"text": 'open("ball.frep")', "points": [[0, 0, 0]]}) == (200, {"values": [-3.0]})
+    for name in ("/etc/passwd", f"{tmp_path}/outside.frep", "../../outside.frep", "indirect.frep", "ball.py", "missing.frep"):
+        error = refused(server.post("/api/look", {"text": f'move(\n  open("{name}"), 1)'}), 422)
+        assert error["mistakes"], name
+    refused(server.post("/api/look", {"text": '"x"; open("..\\/ball.frep")'}), 422)
+    os.symlink(tmp_path / "outside.frep", f"{folder}/aside.frep")
+    refused(server.post("/api/look", {"text": 'open("aside.frep")'}), 422, "is not in the folder")
+
+
+# Safety
+
+
+def test_other_names_and_other_pages_are_refused(server):
+    assert server.ask("GET", "/api/documents", Host="elsewhere.example")[0] == 403, "rebinding of names"
+    assert server.ask("GET", "/api/documents", Host=f"localhost:{server.port}")[0] == 200
+    assert server.ask("POST", "/api/look", SPHERE, Origin="http://elsewhere.example")[0] == 403
+    assert server.ask("POST", "/api/look", SPHERE, Origin="null")[0] == 403
+    assert server.ask("GET", "/api/documents", Sec_Fetch_Site="cross-site")[0] == 403
+    assert server.ask("POST", "/api/look", SPHERE, Origin=f"http://127.0.0.1:{server.port}")[0] == 200
+
+
+def test_the_page_has_a_policy(server):
+    status, headers, data = server.ask("GET", "/")
+    assert status == 200 and b"@NONCE@" not in data
+    policy = headers["Content-Security-Policy"]
+    assert "default-src 'none'" in policy and "script-src 'self';" in policy and "frame-ancestors 'none'" in policy
+    assert "unsafe" not in policy
+    assert headers["X-Content-Type-Options"] == "nosniff"
+    sandbox = server.ask("GET", "/page/sandbox.html")[1]["Content-Security-Policy"]
+    assert "sandbox allow-scripts;" in sandbox and "connect-src 'none'" in sandbox and "allow-same-origin" not in sandbox
+    assert server.ask("GET", "/page/..%2Fapp.py")[0] == 404 and server.ask("GET", "/page/app.py")[0] == 404
+    page = sum(len(zlib.compress(server.ask("GET", f"/page/{name}")[2])) for name in ("page.js", "style.css", "sandbox.html"))
+    assert page < 400_000
+
+
+def test_it_listens_on_this_machine_only(server):
+    listening = [line.split() for line in open("/proc/net/tcp").read().splitlines()[1:]]
+    at = [fields[1] for fields in listening if fields[3] == "0A" and int(fields[1].split(":")[1], 16) == server.port]
+    assert at == [f"0100007F:{server.port:04X}"]
+
+
+def test_other_machines_need_the_token(tmp_path):
+    running = Server(tmp_path, "--host", "0.0.0.0", FIELDFAB_TOKEN="a-token-for-this-test")
+    try:
+        assert "?token=a-token-for-this-test" in running.address
+        for headers in ({}, {"Cookie": "fieldfab_token=wrong"}, {"Authorization": "Bearer wrong"}, {"Authorization": "a-token-for-this-test"}):
+            assert running.ask("GET", "/api/documents", **headers)[0] == 401
+        assert running.ask("GET", "/")[0] == 401 and running.ask("GET", "/?token=wrong")[0] == 401
+        assert running.ask("GET", "/page/page.js")[0] == 401
+        status, headers, _ = running.ask("GET", "/?token=a-token-for-this-test")
+        assert status == 302 and headers["Location"] == "/" and "HttpOnly" in headers["Set-Cookie"] and "SameSite=Strict" in headers["Set-Cookie"]
+        assert running.ask("GET", "/api/documents", Cookie=headers["Set-Cookie"].split(";")[0])[0] == 200
+        assert running.ask("GET", "/api/documents", Authorization="Bearer a-token-for-this-test")[0] == 200
+    finally:
+        running.end()
+
+
+def test_scripts_run_only_where_they_are_allowed(server, tmp_path):
+    script = {"text": f"open({str(tmp_path / 'ran')!r}, 'w').close()\nfrom fieldfab.shapes import sphere\nsolid = sphere(5)\n", "language": "py"}
+    refused(server.post("/api/look", script), 403, "--allow-scripts")
+    assert server.ask("PUT", "/api/documents/script.py", b"")[0] == 400
+    assert not (tmp_path / "ran").exists()
+    running = Server(tmp_path, "--allow-scripts")
+    try:
+        status, seen = running.post("/api/look", script)
+        assert status == 200 and abs(seen["bounds"][3] - 5) < 0.2 and (tmp_path / "ran").exists()
+        assert running.ask("PUT", "/api/documents/script.py", b"")[0] == 200
+    finally:
+        running.end()
+
+
+def test_garbage_and_idle_connections_do_no_harm(server):
+    idle = [sockets.create_connection(("127.0.0.1", server.port)) for _ in range(50)]
+    for each in idle[::2]:
+        each.sendall(os.urandom(300))
+    assert server.post("/api/look", SPHERE)[0] == 200
+    for each in idle:
+        each.close()
+
+
+def test_the_command_tells_what_is_wrong(tmp_path):
+    done = subprocess.run([COMMAND, "serve", tmp_path / "nowhere", "--no-browser"], capture_output=True, text=True, timeout=30)
+    assert done.returncode == 2 and "there is no such folder" in done.stderr
+    running = Server(tmp_path)
+    try:
+        done = subprocess.run([COMMAND, "serve", tmp_path, "--no-browser", "--port", str(running.port)], capture_output=True, text=True, timeout=30)
+        assert done.returncode == 2 and "in use" in done.stderr
+        running.process.send_signal(signal.SIGINT)
+        assert running.process.wait(10) == 130
+    finally:
+        running.kill()

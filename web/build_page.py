@@ -1,0 +1,66 @@
+"""Builds the page: build_page.py CLIENT WORK PAGE. Packages are installed into WORK as the lock file has them; npm runs none of their scripts.
+Without npm, and where its registry is out of reach, it says so in one line, and the rest of the build goes on."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+SECONDS = 240
+
+
+def no_page(reason):
+    print(f"the page of `fieldfab serve` is not built: {reason}")
+    sys.exit(0)
+
+
+def run(words, folder):
+    try:
+        return subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, stdin=subprocess.DEVNULL)
+    except subprocess.TimeoutExpired:
+        no_page(f"{words[0]} did not end within {SECONDS} s")
+
+
+def install(client, work):
+    """Packages, unless they are those of the lock file already."""
+    lock = (client / "package-lock.json").read_bytes()
+    installed = work / "installed-lock.json"
+    if installed.exists() and installed.read_bytes() == lock:
+        return
+    npm = shutil.which("npm")
+    if npm is None:
+        no_page("there is no npm (./dev setup)")
+    work.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(client / name, work / name)
+    done = run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline", "--fetch-retries=1"], work)
+    if done.returncode != 0:
+        no_page("npm ci: " + next((line for line in done.stderr.splitlines() if "error" in line.lower()), "it failed"))
+    installed.write_bytes(lock)
+
+
+def main():
+    client, work, page = (pathlib.Path(each).resolve() for each in sys.argv[1:])
+    install(client, work)
+    fresh = work / "page"
+    shutil.rmtree(fresh, ignore_errors=True)
+    fresh.mkdir()
+    link = work / "src"
+    shutil.rmtree(link, ignore_errors=True)
+    shutil.copytree(client / "src", link)  # beside node_modules, where esbuild looks for packages
+    shutil.copy(client / "tsconfig.json", work / "tsconfig.json")
+    for tool in (["tsc", "--noEmit", "-p", "."],
+                 ["esbuild", "src/main.ts", "--bundle", "--minify", "--format=esm", "--target=es2022", "--legal-comments=none", f"--outfile={fresh}/page.js"]):
+        done = run([str(work / "node_modules" / ".bin" / tool[0]), *tool[1:]], work)
+        if done.returncode != 0:
+            sys.exit((done.stdout + done.stderr).strip())  # a mistake of ours ends the build
+    for each in (client / "src").iterdir():
+        if each.suffix in (".html", ".css", ".svg"):
+            shutil.copy(each, fresh / each.name)
+    shutil.rmtree(page, ignore_errors=True)
+    page.parent.mkdir(parents=True, exist_ok=True)
+    shutil.move(fresh, page)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,332 @@
+// A view of the model: a canvas, what the eye sees, and requests for pictures of exactly that.
+import type { Answer, Box, Connection, Window4 } from "./server";
+import { post, Refusal } from "./server";
+import { element, short } from "./elements";
+
+export interface Model { text: string; language: string }
+export interface Camera { alpha: number; beta: number; perspective: number; mode: string; section: { axis: string; at: number; keep: string } | null }
+
+type Point = [number, number, number];
+
+const MOST_PIXELS = 3_900_000;
+
+export function turned([x, y, z]: Point, { alpha, beta }: { alpha: number; beta: number }): Point {
+  const u = Math.cos(alpha) * x - Math.sin(alpha) * y, v = Math.sin(alpha) * x + Math.cos(alpha) * y;
+  return [u, Math.cos(beta) * v - Math.sin(beta) * z, Math.sin(beta) * v + Math.cos(beta) * z];
+}
+
+export class Picture {
+  readonly canvas = element("canvas");
+  readonly told = element("div", { className: "told" });
+  readonly camera: Camera = { alpha: 0.5, beta: -0.95, perspective: 0, mode: "shaded", section: null };
+  bounds: Box | null = null;
+  flat = false;
+  scale = 0; // mm a pixel of the page; 0: not known, show all
+  private offset: [number, number] = [0, 0]; // from the pivot, in the picture's plane, mm
+  private pivot: Point = [0, 0, 0];
+  private model: Model | null = null;
+  private image: { bitmap: ImageBitmap; window: Window4; mode: string } | null = null;
+  private number = 0;
+  private asked = 0; // when the request was sent that has no picture yet; 0: none
+  private again = false;
+  private fitting = true;
+  private measured: Point[] = [];
+  measuring = false;
+  fixed = false; // whether the view is from above for good
+  onParameters: (answer: Answer) => void = () => {};
+  onError: (answer: Answer | null) => void = () => {};
+  onView: () => void = () => {};
+  onPicture: (answer: Answer) => void = () => {};
+
+  constructor(readonly host: HTMLElement, private connection: Connection, private name: string) {
+    host.append(this.canvas, this.told);
+    connection.listeners.set(name, (answer) => { this.taken = this.taken.then(() => this.take(answer)); });
+    connection.onOpen.push(() => { this.asked = 0; this.ask(); });
+    new ResizeObserver(() => { this.draw(); this.ask(); }).observe(host);
+    host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+    host.addEventListener("pointerdown", (event) => this.down(event));
+    host.addEventListener("contextmenu", (event) => event.preventDefault());
+    host.addEventListener("keydown", (event) => this.key(event));
+    new MutationObserver(() => { this.draw(); this.ask(); }).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  }
+
+  get twoD(): boolean { return this.flat || this.camera.mode === "bitmap"; }
+  get size(): [number, number] { return [this.host.clientWidth, this.host.clientHeight]; }
+
+  show(model: Model | null): void {
+    this.model = model;
+    if (model === null) {
+      this.image = null;
+      this.draw();
+      this.onError(null);
+    } else this.ask();
+  }
+
+  fit(): void {
+    this.fitting = true;
+    this.ask();
+  }
+
+  /** Shows a rectangle of the picture's plane, with a margin. */
+  frame(x0: number, y0: number, x1: number, y1: number): void {
+    const [w, h] = this.size;
+    this.pivot = [0, 0, 0];
+    this.offset = [(x0 + x1) / 2, (y0 + y1) / 2];
+    this.scale = Math.max((x1 - x0) / (w - Math.min(200, 0.35 * w)), (y1 - y0) / (h - Math.min(110, 0.35 * h)), 1e-6);
+    this.moved();
+  }
+
+  look(alpha: number, beta: number): void {
+    Object.assign(this.camera, { alpha, beta });
+    this.fit();
+  }
+
+  private centre(): [number, number] {
+    const [x, y] = this.twoD ? this.pivot : turned(this.pivot, this.camera);
+    return [x + this.offset[0], y + this.offset[1]];
+  }
+
+  /** What is seen, in the picture's plane; null until something was. */
+  window(): Window4 | null {
+    if (!this.scale) return null;
+    const [x, y] = this.centre(), [w, h] = this.size;
+    return [x - this.scale * w / 2, y - this.scale * h / 2, x + this.scale * w / 2, y + this.scale * h / 2];
+  }
+
+  /** A place of the page, from the host's corner, in the picture's plane. */
+  place(px: number, py: number): [number, number] {
+    const [x, y] = this.centre(), [w, h] = this.size;
+    return [x + this.scale * (px - w / 2), y - this.scale * (py - h / 2)];
+  }
+
+  /** The other way round. */
+  pixel(u: number, v: number): [number, number] {
+    const [x, y] = this.centre(), [w, h] = this.size;
+    return [w / 2 + (u - x) / this.scale, h / 2 - (v - y) / this.scale];
+  }
+
+  /** Asks for a picture of what is seen now; while one is on its way without having shown anything, as soon as it has. */
+  ask(): void {
+    const [width, height] = this.size;
+    if (!this.model || width < 8 || height < 8) return;
+    if (this.asked && performance.now() - this.asked < 25_000) {
+      this.again = true;
+      return;
+    }
+    const ratio = Math.min(devicePixelRatio || 1, 2, Math.sqrt(MOST_PIXELS / (width * height)));
+    const sent = this.connection.send({
+      number: ++this.number, view: this.name, ...this.model, ...this.camera, coarse: true, smooth: true,
+      width: Math.min(4096, Math.round(width * ratio)), height: Math.min(4096, Math.round(height * ratio)),
+      window: this.fitting ? null : this.window(), near: this.fitting ? null : this.bounds,
+    });
+    this.asked = sent ? performance.now() : 0;
+    this.again = false;
+    this.host.dataset.asked = String(this.number);
+  }
+
+  private taken: Promise<void> = Promise.resolve(); // answers are shown in their order, however long each takes to be unpacked
+
+  private async take(answer: Answer): Promise<void> {
+    if (answer.type === "parameters") return this.onParameters(answer);
+    if (answer.type === "picture" && answer.image) {
+      const bitmap = await createImageBitmap(answer.image);
+      if (answer.number < this.number && answer.quality !== "coarse") return;
+      if (answer.bounds) { this.bounds = answer.bounds; this.flat = answer.flat ?? false; }
+      if (this.fitting && answer.number === this.number && this.bounds) this.adopt(answer.window!);
+      this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!, mode: answer.mode! };
+      this.draw();
+      this.host.dataset.quality = answer.quality;
+      this.host.dataset.shown = String(answer.number);
+      const waited = performance.now() - this.asked;
+      if (answer.quality === "coarse" && this.asked) this.told.textContent = `${short(this.scale, 3)} mm a pixel · ${Math.round(waited)} ms`;
+      this.onError(null);
+      this.onPicture(answer);
+    } else if (answer.type === "error") this.onError(answer);
+    if (answer.number === this.number) {
+      this.asked = 0;
+      if (this.again) this.ask();
+    }
+  }
+
+  private adopt(window: Window4): void {
+    const [x0, y0, z0, x1, y1, z1] = this.bounds!;
+    this.pivot = [(x0 + x1) / 2, (y0 + y1) / 2, (z0 + z1) / 2];
+    const [x, y] = this.twoD ? this.pivot : turned(this.pivot, this.camera);
+    this.offset = [(window[0] + window[2]) / 2 - x, (window[1] + window[3]) / 2 - y];
+    this.scale = (window[2] - window[0]) / this.size[0];
+    this.fitting = false;
+    this.onView();
+  }
+
+  /** A slice, white within, as the theme's colour within and nothing without. */
+  private async tinted(bitmap: ImageBitmap): Promise<ImageBitmap> {
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height), context = canvas.getContext("2d")!;
+    context.drawImage(bitmap, 0, 0);
+    const image = context.getImageData(0, 0, bitmap.width, bitmap.height), data = image.data;
+    const [red, green, blue] = getComputedStyle(document.documentElement).getPropertyValue("--flat").split(",").map(Number);
+    for (let i = 0; i < data.length; i += 4) {
+      data[i + 3] = data[i];
+      data[i] = red, data[i + 1] = green, data[i + 2] = blue;
+    }
+    context.putImageData(image, 0, 0);
+    return canvas.transferToImageBitmap();
+  }
+
+  draw(): void {
+    const [w, h] = this.size, ratio = Math.min(devicePixelRatio || 1, 2);
+    if (this.canvas.width !== Math.round(w * ratio) || this.canvas.height !== Math.round(h * ratio))
+      this.canvas.width = Math.round(w * ratio), this.canvas.height = Math.round(h * ratio);
+    const context = this.canvas.getContext("2d")!;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, w, h);
+    if (!this.scale) return;
+    this.host.dataset.scale = String(this.scale / ratio); // mm a pixel of the canvas
+    if (this.twoD || this.fixed) this.drawGrid(context);
+    if (this.image) {
+      const [x0, y0, x1, y1] = this.image.window, [left, top] = this.pixel(x0, y1), [right, bottom] = this.pixel(x1, y0);
+      context.imageSmoothingEnabled = true;
+      context.drawImage(this.image.bitmap, left, top, right - left, bottom - top);
+    }
+    this.drawMeasured(context);
+  }
+
+  private drawGrid(context: CanvasRenderingContext2D): void {
+    const style = getComputedStyle(document.documentElement), [w, h] = this.size;
+    const step = 10 ** Math.ceil(Math.log10(12 * this.scale)), [left, top] = this.place(0, 0), [right, bottom] = this.place(w, h);
+    const line = (major: boolean, x0: number, y0: number, x1: number, y1: number): void => {
+      context.strokeStyle = style.getPropertyValue(major ? "--grid-major" : "--grid");
+      context.beginPath();
+      context.moveTo(x0, y0);
+      context.lineTo(x1, y1);
+      context.stroke();
+    };
+    context.lineWidth = 1;
+    for (let i = Math.ceil(left / step); i * step <= right; ++i) { const x = Math.round(this.pixel(i * step, 0)[0]) + 0.5; line(i % 10 === 0, x, 0, x, h); }
+    for (let i = Math.ceil(bottom / step); i * step <= top; ++i) { const y = Math.round(this.pixel(0, i * step)[1]) + 0.5; line(i % 10 === 0, 0, y, w, y); }
+  }
+
+  private drawMeasured(context: CanvasRenderingContext2D): void {
+    if (!this.measured.length) return;
+    const flat = (place: Point): [number, number] => { const [u, v] = this.twoD ? place : turned(place, this.camera); return this.pixel(u, v); };
+    const pixels = this.measured.map(flat), colour = getComputedStyle(document.documentElement).getPropertyValue("--accent");
+    context.strokeStyle = context.fillStyle = colour;
+    context.lineWidth = 2;
+    context.beginPath();
+    for (const [x, y] of pixels) { context.moveTo(x + 4, y); context.arc(x, y, 4, 0, 7); }
+    context.fill();
+    if (pixels.length < 2) return;
+    context.beginPath();
+    context.moveTo(...pixels[0]);
+    context.lineTo(...pixels[1]);
+    context.stroke();
+  }
+
+  /** Starts or ends measuring. */
+  measure(on: boolean): void {
+    this.measuring = on;
+    this.measured = [];
+    this.host.classList.toggle("measuring", on);
+    this.told.textContent = on ? "Click two points of the model" : "";
+    this.draw();
+  }
+
+  private async pick(px: number, py: number): Promise<void> {
+    try {
+      const { text, language } = this.model!, { alpha, beta, mode, section } = this.camera;
+      const found = await post<{ place: Point | null; value: number | null; part: string | null }>(
+        "/api/pick", { text, language, alpha, beta, mode, section, at: this.place(px, py) });
+      if (!found.place) { this.told.textContent = "Nothing is there"; return; }
+      if (this.measuring && this.camera.perspective === 0) this.measured = [...this.measured.slice(this.measured.length === 2 ? 2 : 0), found.place];
+      const [a, b] = this.measured, shown = found.place.map((each) => short(each)).join(", ");
+      this.told.textContent = a && b ? `${short(Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]))} mm (${a.map((each, i) => short(b[i] - each)).join(", ")})`
+        : `${found.part ? found.part + ": " : ""}${shown} mm`;
+      this.draw();
+    } catch (error) {
+      this.told.textContent = error instanceof Refusal ? error.message : "The server is away";
+    }
+  }
+
+  // Mouse and keys
+
+  private wheel(event: WheelEvent): void {
+    if (!this.scale) return;
+    event.preventDefault();
+    const box = this.host.getBoundingClientRect();
+    this.zoom(1.0015 ** event.deltaY, event.clientX - box.left, event.clientY - box.top);
+  }
+
+  zoom(factor: number, px = this.size[0] / 2, py = this.size[1] / 2): void {
+    const [w, h] = this.size, scale = Math.min(1e6, Math.max(1e-9, this.scale * factor));
+    this.offset[0] += (px - w / 2) * (this.scale - scale);
+    this.offset[1] -= (py - h / 2) * (this.scale - scale);
+    this.scale = scale;
+    this.moved();
+  }
+
+  private moved(): void {
+    this.fitting = false;
+    this.draw();
+    this.onView();
+    this.ask();
+  }
+
+  pan(dx: number, dy: number): void {
+    this.offset[0] -= dx * this.scale;
+    this.offset[1] += dy * this.scale;
+    this.moved();
+  }
+
+  turn(dx: number, dy: number): void {
+    this.camera.alpha += 0.01 * dx;
+    this.camera.beta = Math.min(0, Math.max(-Math.PI, this.camera.beta + 0.01 * dy));
+    this.moved();
+  }
+
+  private touches = new Map<number, [number, number]>();
+
+  private down(event: PointerEvent): void {
+    if (!this.scale || event.defaultPrevented) return;
+    this.host.focus({ preventScroll: true });
+    this.touches.set(event.pointerId, [event.clientX, event.clientY]);
+    this.host.setPointerCapture(event.pointerId);
+    const panning = this.twoD || this.fixed || event.button !== 0 || event.shiftKey;
+    let way = 0;
+    const move = (next: PointerEvent): void => {
+      const last = this.touches.get(next.pointerId);
+      if (!last) return;
+      const dx = next.clientX - last[0], dy = next.clientY - last[1];
+      way += Math.abs(dx) + Math.abs(dy);
+      if (this.touches.size === 2) {
+        const other = [...this.touches].find(([id]) => id !== next.pointerId)![1], box = this.host.getBoundingClientRect();
+        const before = Math.hypot(last[0] - other[0], last[1] - other[1]), after = Math.hypot(next.clientX - other[0], next.clientY - other[1]);
+        this.pan(dx / 2, dy / 2);
+        if (after > 0) this.zoom(before / after, (next.clientX + other[0]) / 2 - box.left, (next.clientY + other[1]) / 2 - box.top);
+      } else if (panning) this.pan(dx, dy);
+      else this.turn(dx, dy);
+      this.touches.set(next.pointerId, [next.clientX, next.clientY]);
+    };
+    const up = (end: PointerEvent): void => {
+      if (end.pointerId !== event.pointerId) return;
+      this.touches.delete(event.pointerId);
+      this.host.removeEventListener("pointermove", move);
+      this.host.removeEventListener("pointerup", up);
+      this.host.removeEventListener("pointercancel", up);
+      const box = this.host.getBoundingClientRect();
+      if (way < 4 && event.button === 0 && !this.fixed) void this.pick(end.clientX - box.left, end.clientY - box.top);
+    };
+    this.host.addEventListener("pointermove", move);
+    this.host.addEventListener("pointerup", up);
+    this.host.addEventListener("pointercancel", up);
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target !== this.host) return;
+    const arrows: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const way = arrows[event.key];
+    if (way) (this.twoD || this.fixed || event.shiftKey) ? this.pan(20 * way[0], 20 * way[1]) : this.turn(10 * way[0], 10 * way[1]);
+    else if (event.key === "+" || event.key === "=") this.zoom(0.8);
+    else if (event.key === "-") this.zoom(1.25);
+    else return;
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,161 @@
+// The .frep text: an editor with the language's own words, mistakes at their places, and sliders for its parameters.
+import { autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, type CompletionContext, type CompletionResult } from "@codemirror/autocomplete";
+import { defaultKeymap, history, historyKeymap, indentWithTab, redo, undo } from "@codemirror/commands";
+import { javascript } from "@codemirror/lang-javascript";
+import { bracketMatching, HighlightStyle, indentOnInput, StreamLanguage, syntaxHighlighting } from "@codemirror/language";
+import { lintGutter, setDiagnostics } from "@codemirror/lint";
+import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
+import { EditorState, type Extension } from "@codemirror/state";
+import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import { by, slider } from "./elements";
+import { type Mistake, type Parameter, post } from "./server";
+
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--code-comment)", fontStyle: "italic" },
+  { tag: tags.string, color: "var(--code-string)" },
+  { tag: tags.number, color: "var(--code-number)" },
+  { tag: [tags.standard(tags.name), tags.function(tags.variableName)], color: "var(--code-function)" },
+  { tag: [tags.keyword, tags.operator], color: "var(--code-operator)" },
+  { tag: [tags.definition(tags.variableName), tags.propertyName], color: "var(--code-name)" },
+]);
+
+const words = new Set<string>();
+
+export function knowWords(names: string[]): void { for (const name of names) words.add(name); }
+
+const frep = StreamLanguage.define({
+  token(stream) {
+    if (stream.eatSpace()) return null;
+    if (stream.match(/^(#|\/\/).*/)) return "comment";
+    if (stream.match(/^"(\\.|[^"\\])*"?/)) return "string";
+    if (stream.match(/^(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?/)) return "number";
+    if (stream.match(/^[A-Za-z_]\w*/)) return words.has(stream.current()) ? "variableName.function" : stream.match(/^\s*=(?!=)/, false) ? "variableName.definition" : null;
+    stream.next();
+    return "operator";
+  },
+  languageData: { commentTokens: { line: "#" }, closeBrackets: { brackets: ["(", '"'] } },
+});
+
+async function complete(context: CompletionContext): Promise<CompletionResult | null> {
+  if (!context.explicit && !context.matchBefore(/\w+/)) return null;
+  try {
+    const found = await post<{ from: number; to: number; entries: { kind: string; name: string; signature: string; meaning: string; insert: string }[] }>(
+      "/api/words", { text: context.state.doc.toString(), offset: context.pos });
+    const options = found.entries.map((each) => ({
+      label: each.name, detail: each.signature.replace(each.name, ""), info: each.meaning || undefined, type: each.kind,
+      apply: (view: EditorView, _: unknown, from: number, to: number) => {
+        const at = from + (each.insert.endsWith("()") ? each.insert.length - 1 : each.insert.length);
+        view.dispatch({ changes: { from, to, insert: each.insert }, selection: { anchor: at }, userEvent: "input.complete" });
+      },
+    }));
+    return { from: found.from, options, validFor: /^\w*$/ };
+  } catch {
+    return null;
+  }
+}
+
+const nonce = document.querySelector<HTMLMetaElement>('meta[name="style-nonce"]')!.content;
+
+/** What every editor of the page has. */
+function common(changed: (text: string, byHand: boolean) => void): Extension[] {
+  return [
+    EditorView.cspNonce.of(nonce), lineNumbers(), highlightActiveLineGutter(), highlightActiveLine(), history({ minDepth: 100_000 }), drawSelection(), indentOnInput(), bracketMatching(),
+    closeBrackets(), highlightSelectionMatches(), syntaxHighlighting(colours), EditorView.lineWrapping, EditorState.tabSize.of(2),
+    keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, indentWithTab]),
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) changed(update.state.doc.toString(), !update.transactions.some((each) => each.isUserEvent("slider")));
+    }),
+    EditorView.contentAttributes.of({ "aria-label": "Text" }),
+  ];
+}
+
+export class TextView {
+  readonly editor: EditorView;
+  private parameters: Parameter[] = [];
+  private rows = "";
+  onChange: (text: string) => void = () => {};
+
+  constructor() {
+    this.editor = new EditorView({ parent: by("editor"), state: this.state("", false) });
+  }
+
+  private quiet = false;
+
+  private state(text: string, plain: boolean): EditorState {
+    return EditorState.create({
+      doc: text,
+      extensions: [
+        ...common((now, byHand) => {
+          if (byHand) this.parameters = [];
+          if (!this.quiet) this.onChange(now);
+        }),
+        ...(plain ? [] : [frep, autocompletion({ override: [complete] })]), lintGutter(),
+      ],
+    });
+  }
+
+  /** Another document: its undo begins anew. */
+  open(text: string, language: string): void {
+    this.parameters = [];
+    this.rows = "";
+    by("sliders").replaceChildren();
+    this.editor.setState(this.state(text, language !== "frep"));
+  }
+
+  undo(): void { undo(this.editor); }
+  redo(): void { redo(this.editor); }
+
+  /** Marks mistakes, of the text that is in the editor. */
+  mark(mistakes: Mistake[], message: string | null): void {
+    const end = this.editor.state.doc.length;
+    const found = mistakes.map((each) => {
+      const from = Math.min(each.offset, end);
+      return { from, to: Math.min(end, from + Math.max(1, each.length)), severity: "error" as const, message: each.message };
+    });
+    this.editor.dispatch(setDiagnostics(this.editor.state, found));
+    const box = by("message");
+    box.hidden = message === null;
+    const first = mistakes[0];
+    box.textContent = message === null ? "" : first ? `Line ${first.line}, column ${first.column}: ${first.message}${mistakes.length > 1 ? ` (and ${mistakes.length - 1} more)` : ""}` : message;
+    box.onclick = () => {
+      if (!first) return;
+      this.editor.dispatch({ selection: { anchor: Math.min(first.offset, end) }, scrollIntoView: true });
+      this.editor.focus();
+    };
+  }
+
+  /** Sliders for the parameters of a text, where it is the one in the editor. */
+  follow(parameters: Parameter[]): void {
+    const text = this.editor.state.doc.toString();
+    if (parameters.some((each) => Number(text.slice(each.offset, each.offset + each.length)) !== Math.abs(each.value) &&
+        Number(text.slice(each.offset, each.offset + each.length)) !== each.value)) return;
+    this.parameters = parameters;
+    const rows = JSON.stringify(parameters.map(({ name, range, comment }) => [name, range, comment]));
+    const sliding = by("sliders").contains(document.activeElement);
+    if (rows === this.rows && sliding) return;
+    this.rows = rows;
+    by("sliders").replaceChildren(...parameters.map((each, i) => slider(
+      each.name, each.value, each.range ?? [Math.min(0, 2 * each.value), Math.max(0, 2 * each.value) || 1], each.comment, (value) => this.slide(i, value), () => {})));
+  }
+
+  private slide(i: number, value: number): void {
+    const parameter = this.parameters[i];
+    if (!parameter) return;
+    const digits = String(value);
+    this.editor.dispatch({ changes: { from: parameter.offset, to: parameter.offset + parameter.length, insert: digits }, userEvent: "slider" });
+    const longer = digits.length - parameter.length;
+    parameter.length = digits.length;
+    for (const each of this.parameters) if (each.offset > parameter.offset) each.offset += longer;
+  }
+}
+
+/** A small editor of a node's JavaScript. */
+export function codeEditor(parent: HTMLElement, text: string, changed: (text: string) => void): EditorView {
+  return new EditorView({ parent, state: EditorState.create({ doc: text, extensions: [...common((now) => changed(now)), javascript()] }) });
+}
+
+export function markLine(editor: EditorView, line: number | null, message: string | null): void {
+  const at = line !== null && line >= 1 && line <= editor.state.doc.lines ? editor.state.doc.line(line) : null;
+  editor.dispatch(setDiagnostics(editor.state, message === null ? [] : [{ from: at?.from ?? 0, to: at?.to ?? editor.state.doc.length, severity: "error", message }]));
+}

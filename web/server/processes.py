@@ -1,0 +1,111 @@
+"""Worker processes as the server sees them: each has one request at a time, limits, and an end when it does not answer."""
+
+import asyncio
+import contextlib
+import sys
+
+from .frames import frame, read_frame_later
+from .limits import LIMITS
+
+GRACE = 1.0  # seconds in which a worker that is asked to stop may go on
+
+
+class Refused(Exception):
+    """A request that has no answer but this. `status`: HTTP's; `told`: kind, message, and mistakes of a text."""
+
+    def __init__(self, status, kind, message, mistakes=()):
+        super().__init__(message)
+        self.status, self.told = status, {"kind": kind, "message": message, "mistakes": list(mistakes)}
+
+
+STATUS = {"bad_input": 422, "io": 422, "memory": 422, "internal": 500}
+
+
+class Worker:
+    """One process. It is started when it is first asked, and again after it was killed."""
+
+    def __init__(self, memory=LIMITS.memory):
+        self.memory, self.text = memory, None
+        self._process, self._timeout, self._stopping = None, None, False
+
+    async def start(self):
+        if self._process is None:
+            words = (sys.executable, "-m", f"{__package__}.worker", str(self.memory))
+            self._process = await asyncio.create_subprocess_exec(*words, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE)
+
+    async def ask(self, request, seconds):
+        """Yields (head, body) of each answer but the last, which only says that it is one. Raises Refused; returns early where it was stopped."""
+        await self.start()
+        self.text, self._stopping, done = request.get("text"), False, False
+        try:
+            async with asyncio.timeout(seconds) as self._timeout:
+                self._process.stdin.write(frame(request))
+                await self._process.stdin.drain()
+                while True:
+                    head, body = await read_frame_later(self._process.stdout)
+                    if head.get("done"):
+                        done = True
+                        break
+                    yield head, body
+        except TimeoutError:
+            if self._stopping:
+                return
+            raise Refused(422, "time", f"this takes longer than {seconds:g} s, which is what a request may take") from None
+        except (asyncio.IncompleteReadError, ConnectionError):
+            if self._stopping:
+                return
+            raise Refused(422, "memory", "the worker came to its end at this: it takes too much memory, or too deep a stack") from None
+        finally:
+            self._timeout = None
+            if not done:
+                self.kill()
+        if error := head.get("error"):
+            if error["kind"] == "memory":
+                self.kill()
+            raise Refused(STATUS.get(error["kind"], 422), error["kind"], error["message"], error.get("mistakes", ()))
+
+    def stop(self):
+        """Asks it to leave its request; what does not listen is killed."""
+        if self._timeout is None or self._stopping:
+            return
+        self._stopping = True
+        with contextlib.suppress(ConnectionError, RuntimeError):
+            self._process.stdin.write(frame({"do": "stop"}))
+        self._timeout.reschedule(asyncio.get_running_loop().time() + GRACE)
+
+    def kill(self):
+        if self._process is not None:
+            with contextlib.suppress(ProcessLookupError):
+                self._process.kill()
+            self._process = None
+
+
+class Pool:
+    """Workers for what is quick. Who waits longest is next; a text goes to the worker that had it last, where that is free."""
+
+    def __init__(self, count):
+        self._idle = [Worker() for _ in range(count)]
+        self._free = asyncio.Semaphore(count)
+
+    async def start(self):
+        await asyncio.gather(*(worker.start() for worker in self._idle))
+
+    @contextlib.asynccontextmanager
+    async def worker(self, text):
+        async with self._free:
+            worker = next((each for each in self._idle if each.text == text), self._idle[-1])
+            self._idle.remove(worker)
+            try:
+                yield worker
+            finally:
+                self._idle.append(worker)
+
+    async def ask(self, request):
+        """The one answer to a request."""
+        async with self.worker(request.get("text")) as worker:
+            answers = [answer async for answer in worker.ask(request, LIMITS.picture_seconds)]
+        return answers[-1]
+
+    def kill(self):
+        for worker in self._idle:
+            worker.kill()
