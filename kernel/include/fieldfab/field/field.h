@@ -84,13 +84,14 @@ class Field : public std::enable_shared_from_this<Field> {
   /// vector. Yields Interval::unknown() if no bound is known (the default), if the function jumps or if it may be NaN.
   virtual void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept;
 
-  /// Whether facing() proves more than slopes() does. True for meshes: the distance to triangles has creases everywhere,
-  /// while its sign changes only at the triangles.
+  /// Whether facing() proves more than slopes() does. True for meshes: the distance to triangles has creases
+  /// everywhere, while its sign changes only at the triangles.
   [[nodiscard]] virtual bool faceted() const noexcept { return false; }
 
-  /// Appends unit vectors to `directions`, the outward normals of all pieces of surface in `box`: a straight way through
-  /// the box with no negative component along any of them may leave the solid but never enters it. Returns false if the
-  /// normals are unknown or too many; what was appended then has no meaning. The default derives them from slopes().
+  /// Appends unit vectors to `directions`, the outward normals of all pieces of surface in `box`: a straight way
+  /// through the box with no negative component along any of them may leave the solid but never enters it. Returns
+  /// false if the normals are unknown or too many; what was appended then has no meaning. The default derives them
+  /// from slopes().
   virtual bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept;
 
   /// Restricts the Field to each box: writes the interval over the box, and a Field with the same answers at each point
