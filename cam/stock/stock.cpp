@@ -43,7 +43,7 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
     return lattice.box().lower + lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2]));
   };
   const Restriction here = field.restricted({place(near.lower), place(near.upper)});
-  if (here.range.lower > 0 || here.range.upper < 0) return std::make_shared<Brick>(region, here.range.upper < 0);
+  if (here.range.decided()) return std::make_shared<Brick>(region, here.range.inside());
   std::vector<float> values(static_cast<std::size_t>(near.count(0)) * static_cast<std::size_t>(near.count(1)) *
                             static_cast<std::size_t>(near.count(2)));
   const auto value = [&](const Index3& p) -> float& {
@@ -63,8 +63,8 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
     Index3 low = part.lower, high = part.upper;
     for (std::size_t a = 0; a < 3; ++a) --low[a], ++high[a];
     const Restriction within = from->restricted({place(low), place(high)});
-    if (within.range.lower > 0 || within.range.upper < 0)
-      return for_points(part, [&](const Index3& p) { value(p) = within.range.upper < 0 ? -1.0f : 1.0f; });
+    if (within.range.decided())
+      return for_points(part, [&](const Index3& p) { value(p) = within.range.inside() ? -1.0f : 1.0f; });
     std::size_t longest = 0;
     for (std::size_t a = 1; a < 3; ++a)
       if (part.count(static_cast<int>(a)) > part.count(static_cast<int>(longest))) longest = a;

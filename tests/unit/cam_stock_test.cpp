@@ -367,6 +367,16 @@ TEST(Stock, BeginsAsAField) {
   for (const auto& v : mesh.vertices) EXPECT_NEAR(field->value({v[0], v[1], v[2]}), 0, 2e-3);
 }
 
+/// The square root of a negative number is no number, and outside: an interval that holds it decides nothing.
+TEST(Stock, IsOutsideWhereItsFieldIsNoNumber) {
+  const FieldPtr field = frep::make_field(frep::parse_infix("sqrt(x) - 100"));
+  StockSettings settings;
+  settings.cell = 0.5;
+  settings.brick = 16;
+  const Stock stock(*field, {{-4, -4, -4}, {4, 4, 4}}, settings);
+  EXPECT_NEAR(stock.mesh().volume(), 4 * 8 * 8, 2.0);
+}
+
 TEST(Stock, RefusesWhatIsNone) {
   EXPECT_THROW(Stock(Box{{0, 0, 0}, {1, 1, 0}}), Error);
   StockSettings settings;
