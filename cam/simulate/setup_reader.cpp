@@ -79,16 +79,13 @@ class SetupReader {
     return {list[from], list[from + 1], list[from + 2]};
   }
 
-  /// A fifth of a millimetre, or less where the stock is small: about 300 cells along its longest side.
-  static double default_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
-
   void read_job() {
     const Job job = Job::parse(text_, path_, part_, progress_, formats_);
     setup_.machine = job.machine();
     setup_.stock_box = job.stock();
     setup_.zero = zero_of(job);
     setup_.target = target_of(job);
-    setup_.sampling.cell = default_cell(setup_.stock_box);
+    setup_.sampling.cell = StockSettings::usual_cell(setup_.stock_box);
     // What the job itself allows its paths and its model of the part to be off.
     double allowed = 0;
     for (const PlannedOperation& op : job.operations()) {
@@ -226,7 +223,7 @@ class SetupReader {
     }
     if (!setup_.stock_box.valid() || setup_.stock_box.size().minCoeff() <= 0)
       throw refuse(*stock, "", "the stock has no size: its lower corner is not below its upper one");
-    setup_.sampling.cell = table_.number("cell").value_or(default_cell(setup_.stock_box));
+    setup_.sampling.cell = table_.number("cell").value_or(StockSettings::usual_cell(setup_.stock_box));
     setup_.sampling.tolerance = table_.number("tolerance").value_or(0);
     if (const auto rules = table_.text("rules")) setup_.sampling.rules = parse_split_rules(*rules);
   }

@@ -21,7 +21,7 @@
 namespace fieldfab::cam {
 
 /// Paths, and how they want to be joined.
-struct Cuts {
+struct PlannedCuts {
   std::vector<Path> paths;
   bool ordered = false;  ///< their order and start points matter: leave them
   bool inside_first = true, may_reverse = false;
@@ -31,7 +31,7 @@ struct Cuts {
 };
 
 /// Solids have bounds here: the region that stages look at. A flat one is a drawing, the same at every z.
-using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
+using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, PlannedCuts>;
 /// What an Artifact is; in the variant's order.
 enum class Kind { solid, image, bitmap, outline, surface, paths };
 const char* name_of(Kind kind);

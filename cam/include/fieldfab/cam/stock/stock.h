@@ -1,6 +1,7 @@
 /// Simulated stock: a multidirectional heightmap (Hahn 2010) that tools cut.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -35,6 +36,9 @@ struct StockSettings {
   bool both_ends = true;  ///< columns may have a varying lower end as well (Hahn 7.4); else conflicts of sign split cells
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
+
+  /// A cell for a box: a fifth of a millimetre, or less where that leaves fewer than 300 cells along its longest side.
+  [[nodiscard]] static double usual_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
 };
 
 /// A piece of a tool moving evenly from one pose to another, in the part's coordinates.
