@@ -185,7 +185,8 @@ class JobRunner {
   bool back_out(const PlannedOperation& op, Section& section) {
     if (!may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_)) return true;
     progress_.report(0, "deep cuts");
-    if (!deep_cuts_) deep_cuts_ = std::make_unique<DeepCuts>(job_.stock_);
+    if (!deep_cuts_)
+      deep_cuts_ = job_.saved_stock_ ? std::make_unique<DeepCuts>(*job_.saved_stock_) : std::make_unique<DeepCuts>(job_.stock_);
     for (; known_ < job_.program_.sections.size(); ++known_)
       deep_cuts_->cut(job_.program_.sections[known_].moves, job_.program_.sections[known_].tool, frames_[known_], progress_);
     BackedOut report;

@@ -295,8 +295,6 @@ class DeepCutter {
 
 }  // namespace
 
-DeepCuts::DeepCuts(const Box& stock) : stock_(stock, {.cell = StockSettings::usual_cell(stock)}) {}
-
 void DeepCuts::cut(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress) {
   DeepCutter(stock_, tool, plane).carry_out(moves, progress);
 }

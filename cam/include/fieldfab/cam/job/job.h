@@ -11,6 +11,7 @@
 #include "fieldfab/cam/job/stage.h"
 #include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/cam/plan/program.h"
+#include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/solid/formats.h"
 
@@ -62,6 +63,8 @@ class Job {
   [[nodiscard]] const Solid* solid() const { return std::get_if<Solid>(&input_); }
   /// The material, in the part's coordinates, mm.
   [[nodiscard]] const Box& stock() const { return stock_; }
+  /// What is left of it where a file says so; null: all of it.
+  [[nodiscard]] const std::shared_ptr<const Stock>& saved_stock() const { return saved_stock_; }
   /// Where the program's zero lies in the model's coordinates (scaled and turned as [input] says), mm.
   [[nodiscard]] const Vec3& zero() const { return zero_; }
   [[nodiscard]] const std::string& name() const { return program_.name; }
@@ -76,6 +79,7 @@ class Job {
   std::string file_, machine_place_;
   Artifact input_;
   Box stock_;
+  std::shared_ptr<const Stock> saved_stock_;
   Vec3 zero_ = Vec3::Zero();
   std::vector<PlannedOperation> operations_;
   Program program_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fieldfab/cam/plan/planes.h"
@@ -25,7 +26,9 @@ struct BackedOut {
 /// finer simulation finds them clear, too.
 class DeepCuts {
  public:
-  explicit DeepCuts(const Box& stock);
+  explicit DeepCuts(Stock stock) : stock_(std::move(stock)) {}
+  /// A full box, with cells as a simulation has them where nothing else is asked for.
+  explicit DeepCuts(const Box& stock) : DeepCuts(Stock(stock, {.cell = StockSettings::usual_cell(stock)})) {}
 
   /// Carries out moves in a plane's coordinates as they are.
   void cut(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress = Progress::none());

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,7 +49,8 @@ struct SimulationSetup {
   int first_tool = 0;  ///< what a program starts with that names no tool; 0: the lowest number
   Box stock_box;       ///< of the material, in the part's coordinates, mm
   FieldPtr stock;      ///< its shape; null: all of the box
-  FieldPtr fixture;    ///< null: none
+  std::shared_ptr<const Stock> saved;  ///< what is cut instead, and its sampling; null: box and shape
+  FieldPtr fixture;                    ///< null: none
   Box fixture_box;
   FieldPtr target;                   ///< what should come out; null: not known
   double gouge = 0.05;               ///< how deep a cut into the target is one, mm

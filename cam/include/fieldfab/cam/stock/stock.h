@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -64,6 +65,7 @@ struct StockStatistics {
 };
 
 class Brick;
+class StockBytes;
 class Sweep;
 struct Region;
 
@@ -92,6 +94,8 @@ class Stock {
   [[nodiscard]] bool solid(const Index3& point) const;
   /// Volume by the columns, mm^3.
   [[nodiscard]] double volume() const;
+  /// Has no sample remember a cut: all of it is a first surface, the same otherwise.
+  void forget_cuts();
   [[nodiscard]] StockStatistics statistics() const;
   /// How much memory it takes beside another stock of the same lattice, which may share most of it.
   [[nodiscard]] std::uint64_t bytes_unlike(const Stock& other) const;
@@ -102,6 +106,8 @@ class Stock {
 
  private:
   friend class SurfacePieces;
+  friend class StockBytes;
+  Stock(const StockLattice& lattice, const StockSettings& settings);
   [[nodiscard]] std::size_t brick_index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(bricks_along_[1]) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(bricks_along_[0]) +
@@ -117,5 +123,10 @@ class Stock {
   Index3 bricks_along_{1, 1, 1};
   std::vector<std::shared_ptr<Brick>> bricks_;
 };
+
+/// Writes a stock as it is (.fieldstock; docs/simulation.md). What is read again cuts on to the same bits. Throws io, too_large.
+void write_stock(const Stock& stock, const std::filesystem::path& path);
+/// Throws io; bad_input with the path for a file that is damaged or none of these; too_large.
+Stock read_stock(const std::filesystem::path& path);
 
 }  // namespace fieldfab::cam
