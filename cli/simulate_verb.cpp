@@ -37,7 +37,8 @@ class SimulateVerb final : public Verb {
         ->required();
     verb_->add_option("--dialect", dialect_,
                       "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
-    verb_->add_option("-o,--output", output_, "the stock that is left: " + stock_formats());
+    verb_->add_option("-o,--output", output_,
+                      "the stock that is left: " + stock_formats() + "; the last one loses nothing, for the next set-up");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
@@ -84,12 +85,13 @@ class SimulateVerb final : public Verb {
   }
 
  private:
-  static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf"; }
+  static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf .fieldstock"; }
 
   /// What is to be written, before the work: a wrong name is told of at once.
   void check_outputs() const {
     const std::optional<FormatKind> written = openscad::all_formats().written(output_);
-    if (!output_.empty() && written != FormatKind::mesh && extension_of(output_) != ".asdf")
+    if (!output_.empty() && written != FormatKind::mesh && extension_of(output_) != ".asdf" &&
+        extension_of(output_) != ".fieldstock")
       throw Error(ErrorKind::bad_input, output_,
                   fmt::format("cannot write a stock as '{}'; known are {}", extension_of(output_), stock_formats()));
     for (const std::string& path : reports_)

@@ -32,9 +32,10 @@ Interpreter::Interpreter(std::string_view text, const std::string& file, const R
       progress_(progress),
       parameters_(*this),
       flow_(text, file, options.folders, options.most_blocks, parameters_),
-      reader_(parameters_, options.dialect, [this](std::string what) { notes_.add(flow_.line(), std::move(what)); }) {
+      decoder_(parameters_, options.dialect, options.block_delete,
+               [this](std::string what) { notes_.add(flow_.line(), std::move(what)); }) {
   modes_.inch = options.inch;
-  if (forgiving()) modes_.motion = plain_motion_, modes_.retract_to_start = true;
+  if (options.dialect != Dialect::linuxcnc) modes_.motion = 0, modes_.retract_to_start = true;
   const auto store = [&](int first, const AxisValues& values) {
     for (int k = 0; k < 9; ++k) parameters_.stored(first + k) = in_degrees(values).at[static_cast<std::size_t>(k)];
   };
@@ -76,80 +77,29 @@ std::vector<ReadingNote> Interpreter::run() {
 
 bool Interpreter::step() {
   if (!flow_.next(line_)) return false;
-  if (line_.deleted && options_.block_delete) return true;
-  if (forgiving() && !forgive_line()) return true;
-  if (!line_.closed) refuse("'(' without its ')'");
-  if (line_.text.empty()) {
-    if (line_.comment.starts_with("py,")) refuse("Python in a program is not carried out");
-    return true;
+  decoder_.decode(line_, modes_.motion, command_);
+  switch (command_.kind) {
+    case Command::Kind::nothing: return true;
+    case Command::Kind::delimiter:
+      if (!flow_.in_program()) return true;
+      if (begun_) end_program();
+      begun_ = delimited_ = true;
+      return true;
+    case Command::Kind::flow:
+      begun_ = true;
+      flow_.carry_out(line_);
+      return true;
+    case Command::Kind::block:
+      begun_ = true;
+      execute();
+      return true;
   }
-  if (line_.text == "%") {
-    if (!flow_.in_program()) return true;
-    if (begun_) end_program();
-    begun_ = delimited_ = true;
-    return true;
-  }
-  begun_ = true;
-  if (Flow::is_flow(line_)) {
-    flow_.carry_out(line_);
-    return true;
-  }
-  reader_.read(line_.text, block_);
-  if (forgiving()) forgive_block();
-  execute();
   return true;
-}
-
-/// What other controls than LinuxCNC's make of a line before its words are read. False where nothing of it is left.
-bool Interpreter::forgive_line() {
-  std::string& text = line_.text;
-  if (!line_.closed) {
-    notes_.add(flow_.line(), "'(' without its ')': the rest of the line is a comment");
-    line_.closed = true;
-  }
-  if (text.starts_with('%')) text = "%";
-  if (text.starts_with(':')) text[0] = 'o';  // ISO code's O
-  if (options_.dialect == Dialect::grbl && !text.empty() && std::string_view("$!?~").find(text[0]) != std::string_view::npos) {
-    notes_.add(flow_.line(), fmt::format("'{}' is a command to the control: passed over", shown(text)));
-    return false;
-  }
-  Cursor cursor{text};
-  skip_line_number(cursor);
-  for (const std::string_view word : {"if[", "while[", "goto", "do", "end", "then"})
-    if (std::string_view(text).substr(cursor.at).starts_with(word)) refuse("macros (IF, WHILE, GOTO) are not carried out");
-  return true;
-}
-
-/// What they make of a block.
-void Interpreter::forgive_block() {
-  int& motion = block_.g[static_cast<std::size_t>(GGroup::motion)];
-  if (motion == 800) {  // it ends a cycle, and the straight moves or arcs from before it are in force again
-    modes_.motion = plain_motion_;
-    motion = Block::none;
-  } else if (motion == 0 || motion == 10 || motion == 20 || motion == 30) {
-    plain_motion_ = motion;
-  }
-  const int action = block_.code(GGroup::action);
-  if ((motion == 0 || motion == 10) && (action == 100 || action == 280 || action == 300 || action == 520 || action == 920)) {
-    modes_.motion = motion;  // G0 G28 Z0: the axis words are G28's
-    motion = Block::none;
-  }
-  if (options_.dialect != Dialect::fanuc || block_.code(GGroup::action) != 40) return;
-  for (const char letter : {'x', 'u'})  // seconds
-    if (!block_.has('p') && block_.has(letter)) {
-      block_.words ^= 1U << static_cast<unsigned>(letter - 'a') | 1U << static_cast<unsigned>('p' - 'a');
-      block_.values['p' - 'a'] = block_[letter];
-      return;
-    }
-  const std::size_t at = line_.text.find('p');
-  if (at == std::string::npos) return;
-  const std::size_t end = line_.text.find_first_not_of("0123456789", at + 1);
-  if (end == std::string::npos || line_.text[end] != '.') block_.values['p' - 'a'] /= 1000;
 }
 
 void Interpreter::execute() {
-  check_words();
-  if (block_.code(GGroup::feed_mode) != Block::none) set_feed_mode();
+  const ModalWords& set = command_.modal;
+  if (set.feed_mode) set_feed_mode(*set.feed_mode);
   if (block_.has('f')) set_feed();
   set_speed();
   if (block_.has('t')) select_tool();
@@ -162,67 +112,23 @@ void Interpreter::execute() {
       refuse("G4 needs P, the seconds");
     dwell(block_.has('p') ? block_['p'] : block_['s']);
   }
-  if (block_.code(GGroup::plane) != Block::none) set_plane();
-  if (block_.code(GGroup::units) != Block::none) set_units();
-  if (const int code = block_.code(GGroup::lathe); code != Block::none) modes_.diameter = code == 70;
+  if (set.plane) set_plane(*set.plane);
+  if (set.inch) modes_.inch = *set.inch;
+  if (set.diameter) modes_.diameter = *set.diameter;
   if (block_.code(GGroup::compensation) != Block::none) set_compensation();
   if (block_.code(GGroup::length) != Block::none) set_length_compensation();
-  if (const int code = block_.code(GGroup::system); code != Block::none)
-    set_system(code >= 591 ? 7 + code - 591 : 1 + (code - 540) / 10);
-  if (const int code = block_.code(GGroup::path); code != Block::none) modes_.path = code;
-  if (const int code = block_.code(GGroup::distance); code != Block::none) modes_.absolute = code == 900;
-  if (const int code = block_.code(GGroup::arc_distance); code != Block::none) modes_.arcs_absolute = code == 901;
-  if (const int code = block_.code(GGroup::retract); code != Block::none) modes_.retract_to_start = code == 980;
+  if (set.system) set_system(*set.system);
+  if (set.path) modes_.path = *set.path;
+  if (set.absolute) modes_.absolute = *set.absolute;
+  if (set.arcs_absolute) modes_.arcs_absolute = *set.arcs_absolute;
+  if (set.retract_to_start) modes_.retract_to_start = *set.retract_to_start;
   if (block_.code(GGroup::rotation) != Block::none) turn_program();
   action();
   motion();
   do_stop();
 }
 
-/// Words that nothing in the block uses, or that two things want.
-void Interpreter::check_words() {
-  const int action = block_.code(GGroup::action), motion_code = block_.code(GGroup::motion);
-  const bool axes = block_.has_any("xyzabcuvw") || block_.has_radius || block_.has_angle;
-  const bool action_axes = action == 100 || action == 280 || action == 300 || action == 520 || action == 920;
-  const bool takes_axes = action_axes || block_.code(GGroup::length) == 431 || block_.code(GGroup::rotation) == 680;
-  if (axes && !takes_axes && motion_code == Block::none && modes_.motion == 800)
-    refuse("axis words, but no G code in force that uses them");
-  if (takes_axes && motion_code != Block::none && motion_code != 800)
-    refuse("{} and another G code both want the axis words", g_name(motion_code));
-  if (motion_code == 800 && axes && !takes_axes) refuse("G80 has no use for axis words");
-  const int used = motion_code != Block::none ? motion_code : axes && !takes_axes ? modes_.motion : 800;
-  const bool cycle = used >= 730 && used <= 890 && used != 800 && used != 760;
-  const bool arc = used == 20 || used == 30;
-  const int m_io = block_.code(MGroup::in_out), m_stop = block_.code(MGroup::stop), m_override = block_.code(MGroup::override_);
-  const int compensation = block_.code(GGroup::compensation), length = block_.code(GGroup::length);
-  const bool user = block_.code(MGroup::user) != Block::none;
-  const auto need = [&](char letter, bool use) {
-    if (!block_.has(letter) || use || block_.passed_over) return;
-    if (!forgiving()) refuse("nothing in the block uses its {} word", static_cast<char>(letter - 32));
-    notes_.add(flow_.line(), fmt::format("{} in a block that has no use for it is passed over", static_cast<char>(letter - 32)));
-  };
-  need('d', compensation != Block::none || block_.code(GGroup::spindle_mode) == 960);
-  need('e', used == 760 || (m_io >= 66 && m_io <= 68));
-  need('h', length == 430 || length == 432 || length == 434 || used == 760);
-  need('i', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
-  need('j', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
-  need('k', arc || used == 330 || used == 331 || used == 760 || used == 870);
-  need('l', cycle || action == 100 || compensation != Block::none || used == 52 || used == 760 || m_io == 66 || m_stop == 98);
-  need('p', arc || cycle || action == 40 || action == 100 || used == 50 || used == 52 || used == 760 ||
-                block_.code(GGroup::path) == 640 || m_override >= 50 || m_io != Block::none || m_stop == 98 || user ||
-                block_.code(MGroup::spindle) == 19);
-  need('q', used == 50 || used == 730 || used == 760 || used == 830 || used == 870 || block_.code(GGroup::path) == 640 || user ||
-                (m_io >= 66 && m_io <= 68) || action == 100 || block_.code(MGroup::tool) == 61 ||
-                block_.code(MGroup::spindle) == 19);
-  need('r', arc || cycle || used == 760 || action == 100 || block_.code(MGroup::spindle) == 19 ||
-                block_.code(GGroup::rotation) == 680);
-  if (block_.machine_coordinates && ((used != 0 && used != 10) || takes_axes)) {
-    if (axes || motion_code != Block::none) refuse("G53 goes with G0 and G1 only");
-  }
-}
-
-void Interpreter::set_feed_mode() {
-  const int code = block_.code(GGroup::feed_mode);
+void Interpreter::set_feed_mode(int code) {
   if (code != modes_.feed_mode) modes_.feed = 0;  // the number means something else now
   modes_.feed_mode = code;
 }
@@ -280,14 +186,8 @@ void Interpreter::change_tool() {
   give(motion);
 }
 
-void Interpreter::set_spindle() {
-  const int code = block_.code(MGroup::spindle);
-  if (code == 3) modes_.spindle = 1;
-  if (code == 4) modes_.spindle = -1;
-  if (code == 5 || code == 19) modes_.spindle = 0;
-}
-
 void Interpreter::do_modal_m() {
+  const ModalWords& set = command_.modal;
   const int tool = block_.code(MGroup::tool);
   if (tool == 6) change_tool();
   if (tool == 61) {
@@ -299,7 +199,7 @@ void Interpreter::do_modal_m() {
     motion.end = at_;
     give(motion);
   }
-  set_spindle();
+  if (set.spindle) modes_.spindle = *set.spindle;
   if (const int code = block_.code(MGroup::coolant); code != Block::none) {
     modes_.mist = code == 7 || (code == 8 && modes_.mist);
     modes_.flood = code == 8 || (code == 7 && modes_.flood);
@@ -322,21 +222,15 @@ void Interpreter::do_modal_m() {
     case 73: save_state(true); break;
     default: break;
   }
-  control_mode();
-  user_m();
-}
-
-void Interpreter::control_mode() {
-  const int code = block_.code(MGroup::kinematics);
-  if (code == Block::none) return;
-  no_compensation("a change of kinematics");
-  mode_ = code == 428 ? ControlMode::tip : code == 429 ? ControlMode::axes : ControlMode::user;
-  tip_by_length_ = false;
-}
-
-void Interpreter::user_m() {
+  if (set.control) set_control(*set.control);
   if (const int code = block_.code(MGroup::user); code != Block::none)
     notes_.add(flow_.line(), fmt::format("M{} has no meaning here: passed over", code));
+}
+
+void Interpreter::set_control(ControlMode mode) {
+  no_compensation("a change of kinematics");
+  mode_ = mode;
+  tip_by_length_ = false;
 }
 
 void Interpreter::save_state(bool restore_on_return) {
@@ -363,11 +257,7 @@ void Interpreter::restore_state(const Modes& saved) {
   modes_.motion = motion;
 }
 
-void Interpreter::set_units() { modes_.inch = block_.code(GGroup::units) == 200; }
-
-void Interpreter::set_plane() {
-  const int code = block_.code(GGroup::plane);
-  const ArcPlane plane = code == 170 ? ArcPlane::xy : code == 180 ? ArcPlane::zx : ArcPlane::yz;
+void Interpreter::set_plane(ArcPlane plane) {
   if (plane != modes_.plane) no_compensation("a change of plane");
   modes_.plane = plane;
 }

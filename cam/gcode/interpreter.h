@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "block.h"
+#include "decoder.h"
 #include "flow.h"
 #include "frame.h"
 
@@ -69,25 +69,18 @@ class Interpreter final : public PredefinedParameters {
   // interpreter.cpp: the blocks' loop and the order within a block
   bool step();
   void execute();
-  bool forgive_line();
-  void forgive_block();
-  void check_words();
-  void set_feed_mode();
+  void set_feed_mode(int code);
   void set_feed();
   void set_speed();
   void select_tool();
   void change_tool();
-  void set_spindle();
-  void set_units();
-  void set_plane();
+  void set_plane(ArcPlane plane);
   void do_modal_m();
   void do_stop();
   void dwell(double seconds);
   void end_program();
   [[nodiscard]] const ToolEntry& tool_entry(int tool) const;
-  [[nodiscard]] bool forgiving() const { return options_.dialect != Dialect::linuxcnc; }
-  void control_mode();
-  void user_m();
+  void set_control(ControlMode mode);
   void save_state(bool restore_on_return);
   void restore_state(const Modes& saved);
 
@@ -159,9 +152,10 @@ class Interpreter final : public PredefinedParameters {
   mutable Notes notes_;  // a question for a parameter may be worth one
   Parameters parameters_;
   Flow flow_;
-  BlockReader reader_;
+  Decoder decoder_;
   Line line_;
-  Block block_;
+  Command command_;
+  const Block& block_ = command_.block;
 
   Modes modes_;
   Frame frame_;
@@ -169,7 +163,6 @@ class Interpreter final : public PredefinedParameters {
   AxisValues sent_;  // where the last motion that was handed on ended
   Compensation compensation_;
   CycleWords cycle_;
-  int plain_motion_ = 0;  ///< G0 to G3, as of before any cycle; for dialects whose G80 goes back to it
   int tool_ = 0, selected_tool_ = 0;
   ControlMode mode_ = ControlMode::machine;
   bool tip_by_length_ = false;                                 // G43.4 is in force

@@ -57,7 +57,7 @@ AxisValues Interpreter::machine_target() const {
 void Interpreter::require_feed() {
   if (modes_.feed_mode == 930) {
     if (!block_.has('f') || modes_.feed <= 0) refuse("under G93 each feed needs its F word, above 0");
-  } else if (modes_.feed <= 0 && forgiving()) {
+  } else if (modes_.feed <= 0 && options_.dialect != Dialect::linuxcnc) {
     notes_.add(flow_.line(), "a feed without a feed rate (F): its time is not counted");
   } else if (modes_.feed <= 0) {
     refuse("a feed without a feed rate: F is missing or 0");

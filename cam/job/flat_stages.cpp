@@ -56,7 +56,7 @@ Setting stepover_setting(double standard, const std::string& of) {
 Artifact profile_stage(const Artifact& in, const Values& values, Context& context) {
   const std::string& side = values.text("side");
   const Tabs tabs{static_cast<int>(values.number("tabs")), values.number("tab_width"), values.number("tab_height")};
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = profile(std::get<Outline>(in),
                        side == "outside"  ? Side::outside
                        : side == "inside" ? Side::inside
@@ -66,7 +66,7 @@ Artifact profile_stage(const Artifact& in, const Values& values, Context& contex
 }
 
 Artifact isolate_stage(const Artifact& in, const Values& values, Context& context) {
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), stepover_of(values, context),
                        cut_of(values, context, depths_of(values, context.stock)), context.progress);
   cuts.inside_first = false;  // nothing comes loose
@@ -100,7 +100,7 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   }
   const ClearSettings clear = clear_of(values, stepover_of(values, context), context.tool);
   const std::vector<Vec2> left = too_narrow(area, cut.radius + cut.allowance, context.progress);
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = pocket(area, clear, cut, context.progress);
   cuts.ordered = clear.adaptive;
   for (const Vec2& place : left)
@@ -124,7 +124,7 @@ Artifact drill_stage(const Artifact& in, const Values& values, Context& context)
   std::erase_if(found, [&](const Hole& h) { return 2 * h.radius > most; });
   if (found.empty())
     throw Error(ErrorKind::bad_input, "drill", fmt::format("the part has no round holes of at most {:.4g} mm", most));
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = drill(found, is_set(values, "peck") ? values.number("peck") : 0, depths_of(values, context.stock));
   return cuts;
 }
@@ -136,7 +136,7 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   Depths depths = depths_of(values, context.stock);
   // No deeper than the V is wide.
   depths.bottom = std::max(depths.bottom, depths.top - 0.5 * context.tool.diameter / std::tan(context.tool.angle / 2));
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths =
       v_carve(loops, context.tool.angle / 2, values.number("stepover"), cut_of(values, context, depths), context.progress);
   cuts.inside_first = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "fieldfab/cam/plan/deep_cuts.h"
 #include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
@@ -23,7 +24,7 @@ std::string text_of(const Value& value) {
   return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
 }
 
-LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const Box& stock, const Material& material) {
+LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, const Box& stock, const Material& material) {
   LinkSettings s;
   const Values& v = op.values;
   const double radius = op.tool.diameter / 2;
@@ -44,28 +45,6 @@ LinkSettings link_settings(const PlannedOperation& op, const Cuts& cuts, const B
   s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
   s.may_stay_down = cuts.may_stay_down;
   return s;
-}
-
-/// Neither shank nor holder may come down beside material that is higher; as it was before the operation.
-void check_depth(const PlannedOperation& op, const Section& section, const Material& material) {
-  const Tool& tool = op.tool;
-  const double cell = material.heights().cell, shank = 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter);
-  const auto check = [&](const Vec3& tip, double radius, double reach, const std::string& what) {
-    const double depth = material.highest(tip.head<2>(), std::max(0.0, radius - 2 * cell)) - tip.z();
-    if (reach > 0 && depth > reach + 1e-6)
-      throw Error(ErrorKind::bad_input, op.values.place("type"),
-                  fmt::format("{} goes {:.4g} mm deep at x {:.2f}, y {:.2f}; tool {} {}", op.name, depth, tip.x(), tip.y(),
-                              tool.number, what));
-  };
-  Vec3 last = Vec3::Constant(1e300);
-  for (const Move& move : section.moves) {
-    // Places that are close together see the same.
-    if (move.rapid() || ((move.to - last).head<2>().norm() < 0.25 * tool.diameter && move.to.z() >= last.z())) continue;
-    last = move.to;
-    check(move.to, shank, tool.flute, fmt::format("has flutes of {:.4g} mm", tool.flute));
-    check(move.to, std::max(shank, 0.5 * tool.holder_diameter), tool.length,
-          fmt::format("reaches {:.4g} mm out of its holder", tool.length));
-  }
 }
 
 }  // namespace
@@ -156,7 +135,7 @@ class JobRunner {
                     earlier_,
                     progress_,
                     job_.notes_};
-    Cuts cuts = std::get<Cuts>(through_stages(op, context));
+    PlannedCuts cuts = std::get<PlannedCuts>(through_stages(op, context));
     OperationReport report;
     report.name = op.name;
     if (!cuts.ordered) {
@@ -177,7 +156,12 @@ class JobRunner {
       job_.notes_.push_back(fmt::format("{}: there is nothing left to cut", op.name));
       return;
     }
-    if (cuts.leans == 0) check_depth(op, section, material);
+    const bool complete = cuts.leans > 0 || back_out(op, section);
+    if (section.moves.size() < 2) {
+      known_ = std::min(known_, job_.program_.sections.size());
+      job_.notes_.push_back(fmt::format("{}: nothing of it is left", op.name));
+      return;
+    }
     if (op.plane.setup && op.plane.name != setup_)
       section.setup = fmt::format(
           "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "
@@ -191,8 +175,37 @@ class JobRunner {
     report.seconds = duration(section.moves, job_.machine_.dynamics);
     job_.reports_.push_back(report);
     job_.program_.sections.push_back(std::move(section));
+    frames_.push_back(op.plane.setup ? op.plane : Plane{});
     clearances_.push_back(op.values.number("clearance"));
-    if (cuts.finished) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
+    if (cuts.finished && complete) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
+  }
+
+  /// Lets no shank meet material: where the tool is too short it goes less deep, and a note tells what stays. False where that
+  /// was so. A holder that meets material is an error.
+  bool back_out(const PlannedOperation& op, Section& section) {
+    if (!may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_)) return true;
+    progress_.report(0, "deep cuts");
+    if (!deep_cuts_)
+      deep_cuts_ = job_.saved_stock_ ? std::make_unique<DeepCuts>(*job_.saved_stock_) : std::make_unique<DeepCuts>(job_.stock_);
+    for (; known_ < job_.program_.sections.size(); ++known_)
+      deep_cuts_->cut(job_.program_.sections[known_].moves, job_.program_.sections[known_].tool, frames_[known_], progress_);
+    BackedOut report;
+    section.moves = deep_cuts_->back_out(section.moves, op.tool, op.plane, op.values.number("plunge"), report, progress_);
+    if (report.holder)
+      throw Error(
+          ErrorKind::bad_input, op.values.place("type"),
+          fmt::format("{}: the holder of tool {} meets material at x {:.2f}, y {:.2f}, z {:.2f} of the tip; the tool reaches "
+                      "{:.4g} mm out of it",
+                      op.name, op.tool.number, report.holder->x(), report.holder->y(), report.holder->z(), op.tool.length));
+    ++known_;
+    if (report.length == 0) return true;
+    const Box at = op.plane.setup ? report.places : image_of(report.places, op.plane.axes, op.plane.axes * op.plane.origin);
+    job_.notes_.push_back(
+        fmt::format("{}: tool {} is too short with flutes of {:.4g} mm: along {:.0f} mm of its way it stays up to {:.2f} mm "
+                    "higher than planned; {:.3g} mm3 are left, between ({:.2f}, {:.2f}, {:.2f}) and ({:.2f}, {:.2f}, {:.2f})",
+                    op.name, op.tool.number, op.tool.flute, report.length, report.most, report.left, at.lower.x(), at.lower.y(),
+                    at.lower.z(), at.upper.x(), at.upper.y(), at.upper.z()));
+    return false;
   }
 
   /// Moves of a ball that leans, as if it pointed straight down: the ball cuts the same.
@@ -252,6 +265,9 @@ class JobRunner {
   };
   std::map<std::string, Seen> materials_;                      // by plane
   std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
+  std::unique_ptr<DeepCuts> deep_cuts_;                        // once an operation may be too deep
+  std::size_t known_ = 0;                                      // how many sections it has carried out
+  std::vector<Plane> frames_;                                  // that each section's moves are in
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
   std::string setup_;               // how the work lies

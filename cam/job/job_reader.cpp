@@ -216,7 +216,7 @@ class JobReader {
     }
     Box stock = part;
     if (const auto table = table_.table("stock")) {
-      table->only({"lower", "upper", "margin", "thickness", "top", "coordinates"});
+      table->only({"lower", "upper", "margin", "thickness", "top", "coordinates", "file"});
       const double margin = table->number("margin").value_or(0);
       stock = {{part.lower.x() - margin, part.lower.y() - margin, part.lower.z()},
                {part.upper.x() + margin, part.upper.y() + margin, part.upper.z()}};
@@ -230,6 +230,12 @@ class JobReader {
       const Vec3 move = coordinates == "model" ? move_ : Vec3::Zero();
       if (const auto lower = table->list("lower")) stock.lower = vector_of(*table, "lower", 0, *lower) + move;
       if (const auto upper = table->list("upper")) stock.upper = vector_of(*table, "upper", 0, *upper) + move;
+      if (const auto file = table->text("file")) {
+        for (const char* const key : {"lower", "upper", "margin", "thickness", "top", "coordinates"})
+          if (table->has(key)) throw refuse(*table, key, "a saved stock is as it is: file stands alone");
+        job_.saved_stock_ = std::make_shared<const Stock>(cam::read_stock(beside(*file)));
+        stock = job_.saved_stock_->lattice().box();
+      }
       if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
     }
     // A beam or a blade goes through whatever there is.

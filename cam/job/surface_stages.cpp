@@ -58,7 +58,7 @@ Artifact rough_stage(const Artifact& in, const Values& values, Context& context)
   settings.clear.material = &context.material;
   settings.cell = std::max(surface->samples().cell, settings.cut.radius / 20);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = rough(tips, settings, context.progress);
   if (settings.clear.adaptive) {
     cuts.ordered = true;
@@ -103,7 +103,7 @@ std::vector<Path> joined(const std::vector<Path>& paths, const std::function<boo
 }
 
 /// The tool leans along with the surface, where that is asked for.
-void lean(Cuts& cuts, const Values& values, const TipSurface& tips, Context& context) {
+void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Context& context) {
   if (!values.flag("lean")) return;
   const Tool& tool = context.tool;
   if (tool.shape != ToolShape::ball && tool.shape != ToolShape::tapered)
@@ -149,7 +149,8 @@ std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurf
 }
 
 /// Leaves out what earlier operations have finished: on other planes; and on this one, where only the rest is asked for.
-void leave_out_reached(Cuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips, const Context& context) {
+void leave_out_reached(PlannedCuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips,
+                       const Context& context) {
   const bool rest = values.flag("rest");
   if (context.part == nullptr) {
     if (rest) throw Error(ErrorKind::bad_input, values.place("rest"), "needs a solid");
@@ -178,7 +179,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
   FinishSettings settings = finish_of(values, context, *surface);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   const std::string& pattern = values.text("pattern");
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.ordered = true;
   const auto add = [&](std::vector<Path> paths) { cuts.paths.insert(cuts.paths.end(), paths.begin(), paths.end()); };
   settings.both_ways = values.flag("both_ways");
@@ -204,7 +205,7 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   CutSettings cut = cut_of(values, context);
   cut.depths = depths_of(values, context, *surface);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
-  Cuts cuts;
+  PlannedCuts cuts;
   cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
                          cut, context.progress);
   if (values.flag("rest")) leave_out_reached(cuts, values, tips, context), cuts.finished = nullptr;
@@ -219,7 +220,7 @@ Artifact pencil_stage(const Artifact& in, const Values& values, Context& context
   settings.tolerance = values.number("tolerance");
   settings.bottom = is_set(values, "bottom") ? values.number("bottom") : surface->floor();
   const TipSurface tips(surface, context.tool.profile(), values.number("allowance"));
-  Cuts cuts;
+  PlannedCuts cuts;
   const double radius = context.tool.profile().radius();
   cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10), values.number("least_angle") * degrees,
                       context.progress);

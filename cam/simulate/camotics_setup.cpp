@@ -29,7 +29,7 @@ class CamoticsReader {
     read_workpiece(project);
     const double resolution = number(project, "resolution", 0);
     // CAMotics' own default is about 30 cells; ours shows more.
-    const double usual = std::clamp(setup_.stock_box.size().maxCoeff() / 300, 0.005, 0.2);
+    const double usual = StockSettings::usual_cell(setup_.stock_box);
     setup_.sampling.cell = resolution > 0 ? std::min(resolution, usual) : usual;
     return std::move(setup_);
   }

@@ -79,16 +79,13 @@ class SetupReader {
     return {list[from], list[from + 1], list[from + 2]};
   }
 
-  /// A fifth of a millimetre, or less where the stock is small: about 300 cells along its longest side.
-  static double default_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
-
   void read_job() {
     const Job job = Job::parse(text_, path_, part_, progress_, formats_);
     setup_.machine = job.machine();
     setup_.stock_box = job.stock();
     setup_.zero = zero_of(job);
     setup_.target = target_of(job);
-    setup_.sampling.cell = default_cell(setup_.stock_box);
+    setup_.sampling.cell = StockSettings::usual_cell(setup_.stock_box);
     // What the job itself allows its paths and its model of the part to be off.
     double allowed = 0;
     for (const PlannedOperation& op : job.operations()) {
@@ -127,12 +124,15 @@ class SetupReader {
       setup_.sampling.cell_height = setup_.stock_box.size().z() / 2;
     }
     limits_of_machine();
+    if (job.saved_stock()) begin_with(*job.saved_stock());
     if (part_) leave_where_it_was(job.zero());
   }
 
   /// A job counts from its program's zero; a part that was given is wanted where it is.
   void leave_where_it_was(const Vec3& zero) {
     if (zero.isZero()) return;
+    if (setup_.saved)
+      throw Error(ErrorKind::bad_input, path_.string(), "where the stock is a saved one, the program's zero must be the model's");
     if (!setup_.stops.empty() || !setup_.placement.rotation.isIdentity())
       throw Error(ErrorKind::bad_input, path_.string(), "where the part is turned over, the program's zero must be the model's");
     setup_.stock_box = {setup_.stock_box.lower + zero, setup_.stock_box.upper + zero};
@@ -209,7 +209,14 @@ class SetupReader {
   void read_stock() {
     const auto stock = table_.table("stock");
     if (!stock) throw refuse(table_, "", "a set-up needs a [stock]");
-    stock->only({"lower", "upper", "cylinder", "model", "part", "move", "bounds"});
+    stock->only({"lower", "upper", "cylinder", "model", "part", "move", "bounds", "file"});
+    if (const auto file = stock->text("file")) {
+      for (const char* const key : {"lower", "upper", "cylinder", "model", "part", "move", "bounds"})
+        if (stock->has(key)) throw refuse(*stock, key, "a saved stock is as it is: file stands alone");
+      for (const char* const key : {"cell", "tolerance", "rules"})
+        if (table_.has(key)) throw refuse(table_, key, fmt::format("a saved stock has its own {}", key));
+      return begin_with(cam::read_stock(beside(*file)));
+    }
     if (const auto cylinder = stock->list("cylinder")) {
       if (cylinder->size() != 5) throw refuse(*stock, "cylinder", "cylinder is [x, y, radius, z from, z to]");
       const auto& c = *cylinder;
@@ -226,9 +233,17 @@ class SetupReader {
     }
     if (!setup_.stock_box.valid() || setup_.stock_box.size().minCoeff() <= 0)
       throw refuse(*stock, "", "the stock has no size: its lower corner is not below its upper one");
-    setup_.sampling.cell = table_.number("cell").value_or(default_cell(setup_.stock_box));
+    setup_.sampling.cell = table_.number("cell").value_or(StockSettings::usual_cell(setup_.stock_box));
     setup_.sampling.tolerance = table_.number("tolerance").value_or(0);
     if (const auto rules = table_.text("rules")) setup_.sampling.rules = parse_split_rules(*rules);
+  }
+
+  /// Cuts go on where a saved stock's left off; whose lines they were is not known here.
+  void begin_with(Stock saved) {
+    saved.forget_cuts();
+    setup_.stock_box = saved.lattice().box();
+    setup_.sampling = saved.settings();
+    setup_.saved = std::make_shared<const Stock>(std::move(saved));
   }
 
   void read_target() {

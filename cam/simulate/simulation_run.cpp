@@ -21,13 +21,19 @@ std::string tool_list(const std::map<int, Tool>& tools) {
   return numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "));
 }
 
+Stock first_stock(const SimulationSetup& setup, Progress& progress) {
+  if (!setup.saved)
+    return setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress) : Stock(setup.stock_box, setup.sampling);
+  if (const double cell = setup.saved->settings().cell; setup.sampling.cell != cell)
+    throw Error(ErrorKind::bad_input, setup.file,
+                fmt::format("the saved stock has a cell of {:.6g} mm, which does not change", cell));
+  return *setup.saved;
+}
+
 }  // namespace
 
 SimulationRun::SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress)
-    : setup_(setup),
-      progress_(progress),
-      stock_(setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress)
-                         : Stock(setup.stock_box, setup.sampling)) {
+    : setup_(setup), progress_(progress), stock_(first_stock(setup, progress)) {
   if (setup.fixture) fixture_.emplace(*setup.fixture, setup.fixture_box, setup.sampling, progress);
   if (options.remember) playback_ = std::make_shared<Playback>(stock_);
   placement_ = setup_.placement;

@@ -8,6 +8,7 @@ namespace fieldfab::cam {
 void write_stock_mesh(const SimulationResult& result, const std::filesystem::path& path, Progress& progress) {
   std::string extension = path.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension == ".fieldstock") return write_stock(result.stock(), path);
   if (extension != ".ply") return write_mesh(result.surface().mesh, path, progress);
   const std::vector<Colour> colours = vertex_colours(result, default_colouring(result));
   const std::vector<int> lines = result.lines_of_vertices(), tools = result.tools_of_vertices();

@@ -537,6 +537,12 @@ void Brick::assign(const Occupancy& solid, SampleMap samples, const Stock& stock
   tidy(stock.lattice());
 }
 
+void Brick::forget_cuts() {
+  samples_.change([](Sample& sample) { sample.cut = 0; });
+  for (Cell& cell : nodes_)
+    for (Cell::Ends* const ends : {&cell.upper, &cell.lower}) std::fill(ends->cut.begin(), ends->cut.end(), 0);
+}
+
 const Cell& Brick::leaf(const Index3& point) const {
   const Cell* cell = &nodes_[0];
   while (cell->content == Cell::Content::split)

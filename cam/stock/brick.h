@@ -57,6 +57,9 @@ class Brick {
   /// Makes it what a field says: solid points and the samples on their edges.
   void assign(const Occupancy& solid, SampleMap samples, const Stock& stock);
 
+  /// Has all samples say that they are of the first surface.
+  void forget_cuts();
+
   [[nodiscard]] bool solid(const Index3& point, const StockLattice& lattice) const;
   /// The sample that a solid point owns on its edge along an axis, upwards or downwards; where none was kept, the far end.
   [[nodiscard]] Sample sample(const Index3& point, int axis, bool upwards, const StockLattice& lattice) const;
@@ -66,6 +69,7 @@ class Brick {
   [[nodiscard]] double volume(const StockLattice& lattice) const;
 
  private:
+  friend class StockBytes;
   /// The sweeps of a few passes on the lines through the brick, while they are carried out.
   struct Batch;
   struct Change {

@@ -76,6 +76,23 @@ class SampleMap {
   void put(Key key, Sample sample) { place(key, sample) = sample; }
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] std::size_t bytes() const { return slots_.capacity() * sizeof(Slot); }
+  template <class Change>
+  void change(const Change& body) {
+    for (Slot& slot : slots_)
+      if (slot.key != none) body(slot.sample);
+  }
+  /// Slots, of which some are empty; and all samples, `body(key, sample)`, in an order in which a map of as many slots gets them
+  /// into the same ones.
+  [[nodiscard]] std::size_t slots() const { return slots_.size(); }
+  template <class Body>
+  void for_each(const Body& body) const {
+    std::size_t first = 0;
+    while (first < slots_.size() && slots_[first].key != none) ++first;
+    for (std::size_t k = 0, i = first; k < slots_.size(); ++k, i = after(i))
+      if (slots_[i].key != none) body(slots_[i].key, slots_[i].sample);
+  }
+  /// Makes room in an empty map: so many slots.
+  void make_slots(std::size_t count) { slots_ = std::vector<Slot>(count); }
   /// Leaves only those for whose key `wanted` says yes.
   template <class Wanted>
   void sift(const Wanted& wanted) {

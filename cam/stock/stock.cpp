@@ -155,6 +155,10 @@ Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, 
   });
 }
 
+Stock::Stock(const StockLattice& lattice, const StockSettings& settings) : settings_(settings), lattice_(lattice) {
+  divide_into_bricks();
+}
+
 Stock::Stock(const Stock&) = default;
 Stock::Stock(Stock&&) noexcept = default;
 Stock& Stock::operator=(const Stock&) = default;
@@ -280,6 +284,14 @@ double Stock::volume() const {
   double volume = 0;
   for (const auto& brick : bricks_) volume += brick->volume(lattice_);
   return volume;
+}
+
+void Stock::forget_cuts() {
+  parallel_for(bricks_.size(), [&](std::size_t i) {
+    if (bricks_[i]->uniform()) return;
+    bricks_[i] = std::make_shared<Brick>(*bricks_[i]);
+    bricks_[i]->forget_cuts();
+  });
 }
 
 StockStatistics Stock::statistics() const {

@@ -131,7 +131,7 @@ def test_solid_programs_are_what_linuxcnc_reads(tmp_path, operation):
         (FLAT + '[[operation]]\ntype = "pocket"\ntool = 7', 11, "no [[tool]] with number 7"),
         (FLAT + '[[operation]]\ntype = "pocket"\nstepover = "wide"', 11, "must be a number"),
         (FLAT.replace("diameter = 3", "diameter = 60") + '[[operation]]\ntype = "pocket"', 10, "fits into no pocket"),
-        (FLAT.replace("diameter = 3", "diameter = 3\nflute = 2") + '[[operation]]\ntype = "profile"', 11, "flutes of 2 mm"),
+        (FLAT.replace("diameter = 3", "diameter = 3\nlength = 2") + '[[operation]]\ntype = "profile"', 11, "the holder of tool 1 meets material"),
         (FLAT.replace("linuxcnc", "modela") + '[[operation]]\ntype = "profile"', 2, "knows no places below 0"),
         (FLAT.replace("linuxcnc", "othermill").replace('"part.frep"', '"part.frep"\nscale = 4') + '[[operation]]\ntype = "profile"', 2, "can move 140 mm along x"),
         (FLAT.replace("diameter = 3", "diameter = -3") + '[[operation]]\ntype = "profile"', 8, "diameter"),
@@ -153,6 +153,15 @@ def test_bad_jobs_are_refused_with_their_line(tmp_path, text, line, words):
     if line:
         assert f"job.toml:{line}:" in done.stderr
     assert out.read_text() == "old"
+
+
+def test_tools_that_are_too_short_back_out_and_say_so(tmp_path):
+    short = FLAT.replace("diameter = 3", "diameter = 3\nflute = 2") + '[[operation]]\ntype = "profile"'
+    path = job(tmp_path, short, part_frep=PART)
+    done = run("cam", path, "-o", tmp_path / "out.ngc", "--sheet", tmp_path / "sheet.html")
+    assert "1 profile: tool 1 is too short with flutes of 2 mm" in done.stderr
+    assert "is too short with flutes of 2 mm" in (tmp_path / "sheet.html").read_text()
+    assert "nothing is wrong" in run("simulate", tmp_path / "out.ngc", "--setup", path).stdout
 
 
 def test_the_plan_shows_stages_and_where_settings_come_from(tmp_path):

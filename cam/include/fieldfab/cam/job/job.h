@@ -11,6 +11,7 @@
 #include "fieldfab/cam/job/stage.h"
 #include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/cam/plan/program.h"
+#include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/solid/formats.h"
 
@@ -67,6 +68,8 @@ class Job {
   [[nodiscard]] const Solid* solid() const { return std::get_if<Solid>(&input_); }
   /// Box of the material in part coordinates, mm.
   [[nodiscard]] const Box& stock() const { return stock_; }
+  /// Remaining stock from a file; null: the whole box.
+  [[nodiscard]] const std::shared_ptr<const Stock>& saved_stock() const { return saved_stock_; }
   /// Position of the program's zero in model coordinates (after the scaling and rotation of [input]), mm.
   [[nodiscard]] const Vec3& zero() const { return zero_; }
   [[nodiscard]] const std::string& name() const { return program_.name; }
@@ -81,6 +84,7 @@ class Job {
   std::string file_, machine_place_;
   Artifact input_;
   Box stock_;
+  std::shared_ptr<const Stock> saved_stock_;
   Vec3 zero_ = Vec3::Zero();
   std::vector<PlannedOperation> operations_;
   Program program_;

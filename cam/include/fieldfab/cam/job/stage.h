@@ -21,7 +21,7 @@
 namespace fieldfab::cam {
 
 /// Paths, and the constraints on joining them.
-struct Cuts {
+struct PlannedCuts {
   std::vector<Path> paths;
   bool ordered = false;  ///< whether their order and start points must be kept
   bool inside_first = true, may_reverse = false;
@@ -33,7 +33,7 @@ struct Cuts {
 
 /// An intermediate result. A Solid has bounds here: the region of interest. A flat Solid is a drawing, constant along
 /// z.
-using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, Cuts>;
+using Artifact = std::variant<Solid, Image, Bitmap, Outline, std::shared_ptr<const Surface>, PlannedCuts>;
 /// Kind of an Artifact, in the order of the variant.
 enum class Kind { solid, image, bitmap, outline, surface, paths };
 const char* name_of(Kind kind);

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,7 +49,9 @@ struct SimulationSetup {
   int first_tool = 0;  ///< tool of a program that names none; 0: the lowest number
   Box stock_box;       ///< box of the material, part coordinates, mm
   FieldPtr stock;      ///< shape of the material; null: the box
-  FieldPtr fixture;    ///< fixture; null: none
+  /// saved stock to start from, with its own sampling; null: box and shape
+  std::shared_ptr<const Stock> saved;
+  FieldPtr fixture;  ///< fixture; null: none
   Box fixture_box;
   FieldPtr target;           ///< target solid; null: unknown
   double gouge = 0.05;       ///< least depth that counts as a gouge, mm

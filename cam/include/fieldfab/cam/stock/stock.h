@@ -2,7 +2,9 @@
 /// material.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,6 +41,9 @@ struct StockSettings {
   bool both_ends = true;
   std::vector<SplitRule> rules{SplitRule::far_enough_then_furthest, SplitRule::closest_toolcut_direction,
                                SplitRule::split_plane_type, SplitRule::random_selection};
+
+  /// A cell for a box: a fifth of a millimetre, or less where that leaves fewer than 300 cells along its longest side.
+  [[nodiscard]] static double usual_cell(const Box& box) { return std::clamp(box.size().maxCoeff() / 300, 0.005, 0.2); }
 };
 
 /// A linear motion of a tool piece between two poses, in part coordinates.
@@ -65,6 +70,7 @@ struct StockStatistics {
 };
 
 class Brick;
+class StockBytes;
 class Sweep;
 struct Region;
 
@@ -95,6 +101,8 @@ class Stock {
   [[nodiscard]] bool solid(const Index3& point) const;
   /// Volume by integration of the columns, mm^3.
   [[nodiscard]] double volume() const;
+  /// Has no sample remember a cut: all of it is a first surface, the same otherwise.
+  void forget_cuts();
   [[nodiscard]] StockStatistics statistics() const;
   /// Returns the memory that this stock does not share with another stock of the same lattice, bytes.
   [[nodiscard]] std::uint64_t bytes_unlike(const Stock& other) const;
@@ -106,6 +114,8 @@ class Stock {
 
  private:
   friend class SurfacePieces;
+  friend class StockBytes;
+  Stock(const StockLattice& lattice, const StockSettings& settings);
   [[nodiscard]] std::size_t brick_index(int x, int y, int z) const {
     return (static_cast<std::size_t>(z) * static_cast<std::size_t>(bricks_along_[1]) + static_cast<std::size_t>(y)) *
                static_cast<std::size_t>(bricks_along_[0]) +
@@ -121,5 +131,10 @@ class Stock {
   Index3 bricks_along_{1, 1, 1};
   std::vector<std::shared_ptr<Brick>> bricks_;
 };
+
+/// Writes a stock as it is (.fieldstock; docs/simulation.md). What is read again cuts on to the same bits. Throws io, too_large.
+void write_stock(const Stock& stock, const std::filesystem::path& path);
+/// Throws io; bad_input with the path for a file that is damaged or none of these; too_large.
+Stock read_stock(const std::filesystem::path& path);
 
 }  // namespace fieldfab::cam

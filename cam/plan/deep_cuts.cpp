@@ -1,0 +1,314 @@
+#include "fieldfab/cam/plan/deep_cuts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fieldfab::cam {
+namespace {
+
+constexpr double touch = 0.01;   // mm; half of the depth that counts as a contact in a simulation
+constexpr double chord = 0.002;  // mm by which chords of arcs may be off
+
+double shank_radius(const Tool& tool) { return 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter); }
+
+/// A tool as it is planned with. Shank and holder go on upwards without end.
+struct ShortTool {
+  std::vector<ToolPiece> tip;
+  std::optional<ToolPiece> shank, holder;
+  double flute = 0;
+
+  ShortTool(const Tool& tool, double cell, double endless) {
+    Tool cutting = tool;
+    if (tool.flute > 0) cutting.flute = flute = std::max(tool.flute - cell, 0.5 * tool.flute);
+    for (ToolPiece& piece : tool_solid(cutting).pieces)
+      if (piece.role == ToolRole::cutting) tip.push_back(std::move(piece));
+    const auto cylinder = [&](ToolRole role, double from, double radius) -> std::optional<ToolPiece> {
+      if (!(from > 0) || !(radius > 0)) return std::nullopt;
+      return ToolPiece{role, {{Zone::Shape::frustum, from, from + endless, radius, radius, true, true}}};
+    };
+    // A shank no wider than the flutes follows them along walls; a wider one could touch between two lines of the lattice.
+    const double radius = shank_radius(tool), half = tool.radius();
+    shank = cylinder(ToolRole::shank, flute, radius > half + touch ? radius + cell : radius - touch);
+    holder = cylinder(ToolRole::holder, tool.length, std::max(radius, 0.5 * tool.holder_diameter) - touch);
+  }
+};
+
+/// The ends of straight pieces of a move, at most `step` long; the move's start is not among them.
+std::vector<Vec3> pieces_of(const Vec3& from, const Move& move, double step) {
+  std::vector<Vec3> ends;
+  Path path;
+  path.points = {{from, move.bulge}, {move.to}};
+  double longest = step;
+  if (move.bulge != 0) {
+    const double radius = arc_between(from.head<2>(), move.to.head<2>(), move.bulge).radius;
+    longest = std::min(step, 2 * std::sqrt(2 * chord * std::max(radius, chord)));
+  }
+  Vec3 last = from;
+  for (const PathPoint& p : points_along(path, longest)) {
+    const Vec3 way = p.at - last;
+    const int parts = std::isfinite(step) ? std::max(1, static_cast<int>(std::ceil(way.norm() / step))) : 1;
+    for (int k = 1; k <= parts; ++k)
+      if (way.norm() > 0) ends.emplace_back(last + way * k / parts);
+    last = p.at;
+  }
+  return ends;
+}
+
+/// Carries out moves of one tool on one plane.
+class DeepCutter {
+ public:
+  DeepCutter(Stock& stock, const Tool& tool, const Plane& plane)
+      : stock_(stock),
+        plane_(plane),
+        cell_(stock.lattice().spacing().maxCoeff()),
+        tool_(tool, cell_, 2 * stock.lattice().box().diagonal() + 2 * tool.length + tool.flute),
+        step_(std::max(0.5 * tool.diameter, cell_)),
+        clear_(plane.into(stock.lattice().box()).upper.z() + cell_ - tool_.flute),
+        holder_clear_(clear_ + tool_.flute - tool.length) {}
+
+  void carry_out(const std::vector<Move>& moves, Progress& progress) {
+    for (std::size_t k = 1; k < moves.size(); ++k) add(moves[k - 1], moves[k], false);
+    stock_.cut(strokes_, progress);
+    strokes_.clear();
+  }
+
+  std::vector<Move> back_out(const std::vector<Move>& moves, double plunge, BackedOut& report, Progress& progress) {
+    plunge_ = plunge;
+    if (moves.empty()) return {};
+    double highest = moves.front().to.z();
+    for (const Move& move : moves) highest = std::max(highest, move.to.z());
+    safe_ = highest - touch;
+    done_.push_back(moves.front());
+    constexpr std::size_t most = 512;
+    std::size_t at_once = most;
+    for (std::size_t next = 1; next < moves.size();) {
+      progress.report(static_cast<double>(next) / static_cast<double>(moves.size()), "deep cuts");
+      if (before_ && !moves[next].rapid()) {
+        lift(moves[next++], report, progress);
+        if (report.holder) return {};
+        continue;
+      }
+      before_.reset();
+      const std::size_t end = std::min(moves.size(), next + at_once);
+      const std::vector<double> removed = before_contact(moves, next, end, progress);
+      for (const double volume : removed) append(moves[next++], volume);
+      at_once = std::min(most, 2 * at_once);
+      if (next == end) continue;
+      lift(moves[next++], report, progress);
+      if (report.holder) return {};
+      at_once = 8;
+    }
+    finish_pass();
+    if (report.length > 0) report.left = volume_left(progress);
+    return std::move(done_);
+  }
+
+ private:
+  [[nodiscard]] ToolPose pose(const Vec3& tip, const Vec3& axis = Vec3::UnitZ()) const {
+    return {plane_.out_of(tip), plane_.axes * axis};
+  }
+  void add(const ToolPiece& piece, const ToolPose& from, const ToolPose& to, bool removes) {
+    strokes_.push_back({&piece, from, to, 1, removes});
+  }
+  void add_tip(const ToolPose& from, const ToolPose& to) {
+    for (const ToolPiece& piece : tool_.tip) add(piece, from, to, true);
+  }
+  /// Of a move: the tip, and where asked for what must not touch what it leaves.
+  void add(const Move& from, const Move& to, bool ask) {
+    Move start = from;
+    for (const Vec3& end : pieces_of(from.to, to, std::numeric_limits<double>::infinity())) {
+      const ToolPose a = pose(start.to, start.axis), b = pose(end, to.axis);
+      add_tip(a, b);
+      if (ask && tool_.shank && std::min(start.to.z(), end.z()) < clear_) add(*tool_.shank, a, b, false);
+      if (ask && tool_.holder && std::min(start.to.z(), end.z()) < holder_clear_) add(*tool_.holder, a, b, false);
+      start.to = end, start.axis = to.axis;
+    }
+  }
+
+  /// Carries out moves up to the first one with which shank or holder meet material. Returns what each of them removes, mm^3.
+  std::vector<double> before_contact(const std::vector<Move>& moves, std::size_t begin, std::size_t end, Progress& progress) {
+    std::vector<std::size_t> first;  // of each move's strokes
+    Move at = done_.back();
+    for (std::size_t k = begin; k < end; ++k) {
+      first.push_back(strokes_.size());
+      add(at, moves[k], true);
+      at = moves[k];
+    }
+    first.push_back(strokes_.size());
+    Stock after = stock_;
+    const std::vector<StrokeResult> met = after.cut(strokes_, progress);
+    std::vector<double> removed;
+    for (std::size_t k = 0; k + 1 < first.size(); ++k) {
+      double volume = 0;
+      bool contact = false;
+      for (std::size_t i = first[k]; i < first[k + 1]; ++i)
+        if (strokes_[i].removes)
+          volume += met[i].volume;
+        else
+          contact = contact || met[i].points > 0;
+      if (contact) break;
+      removed.push_back(volume);
+    }
+    if (removed.size() == end - begin) {
+      stock_ = std::move(after);
+    } else {
+      after = stock_;  // no bricks are shared with what was only tried
+      strokes_.resize(first[removed.size()]);
+      std::erase_if(strokes_, [](const Stroke& s) { return !s.removes; });
+      stock_.cut(strokes_, progress);
+    }
+    strokes_.clear();
+    return removed;
+  }
+
+  /// Whether a piece going from one place to another meets material.
+  bool meets(Stock& stock, const ToolPiece& piece, const Vec3& from, const Vec3& to, Progress& progress) const {
+    const Stroke stroke{&piece, pose(from), pose(to), 1, false};
+    return stock.cut({&stroke, 1}, progress).front().points > 0;
+  }
+
+  /// The lowest height, in quarters of a cell, at which the shank is clear all the way from one place to another.
+  double lowest_clear(Stock& stock, const Vec3& from, const Vec3& to, Progress& progress) const {
+    const double quarter = 0.25 * cell_;
+    const auto height = [&](std::int64_t k) { return clear_ - static_cast<double>(k) * quarter; };
+    // Clear at `high` quarters down; not at `low`.
+    std::int64_t high = 0,
+                 low = std::max<std::int64_t>(1, std::llround(std::ceil((clear_ - std::min(from.z(), to.z())) / quarter)));
+    while (low - high > 1) {
+      std::vector<std::int64_t> tried;
+      for (std::int64_t k = 1; k < 16; ++k)
+        if (const std::int64_t at = high + (low - high) * k / 16; at > high && (tried.empty() || at > tried.back()))
+          tried.push_back(at);
+      std::vector<Stroke> strokes;
+      for (const std::int64_t k : tried)
+        strokes.push_back({&*tool_.shank, pose({from.x(), from.y(), height(k)}), pose({to.x(), to.y(), height(k)}), 1, false});
+      const std::vector<StrokeResult> met = stock.cut(strokes, progress);
+      for (std::size_t i = 0; i < tried.size(); ++i) {
+        if (met[i].points) {
+          low = tried[i];
+          break;
+        }
+        high = tried[i];
+      }
+    }
+    return height(high);
+  }
+
+  /// Carries out a move no lower than the shank allows.
+  void lift(const Move& move, BackedOut& report, Progress& progress) {
+    Vec3 planned = done_.back().to;
+    std::vector<Vec3> ends{planned};
+    double removed = 0;
+    bool backs_out = false;
+    const auto go = [&](const Vec3& to) {
+      if ((to - ends.back()).norm() < 1e-9) return true;
+      add_tip(pose(ends.back()), pose(to));
+      for (const StrokeResult& result : stock_.cut(strokes_, progress)) removed += result.volume;
+      strokes_.clear();
+      const bool clear = !tool_.holder || !meets(stock_, *tool_.holder, ends.back(), to, progress);
+      ends.push_back(to);
+      if (!clear) report.holder = to;
+      return clear;
+    };
+    const Vec3 start = planned;
+    for (const Vec3& end : pieces_of(start, move, step_)) {
+      // The tool may have been lifted before this piece began.
+      const Vec3 at = ends.back();
+      Vec3 to = end;
+      if (tool_.shank && meets(before_ ? *before_ : stock_, *tool_.shank, at, end, progress)) {
+        if (!before_) before_ = stock_;
+        const double floor = lowest_clear(*before_, at, end, progress);
+        if (at.z() < floor && !go({at.x(), at.y(), floor})) return;
+        to.z() = std::max(to.z(), floor);
+      } else {
+        before_.reset();
+      }
+      if (!go(to)) return;
+      const double rise = to.z() - end.z();
+      if (rise > touch) {
+        report.length += (end - planned).norm();
+        report.most = std::max(report.most, rise);
+        report.places = hull(report.places, {end, end});
+        left_.push_back({planned, end});
+        backs_out = true;
+      }
+      planned = end;
+    }
+    for (const Vec3& p : simplified(ends, 1e-3))
+      if ((p - done_.back().to).norm() > 1e-9) append({p, feed_to(p, move), 0, move.axis}, std::exchange(removed, 0));
+    pass_backs_out_ = pass_backs_out_ || backs_out;
+    removed_ += removed;
+  }
+
+  /// Where the tool comes down again it enters the material.
+  [[nodiscard]] double feed_to(const Vec3& p, const Move& move) const {
+    const Vec3 way = p - done_.back().to;
+    return !move.rapid() && -way.z() > 0.5 * way.head<2>().norm() ? std::min(move.feed, plunge_) : move.feed;
+  }
+
+  /// A pass is what lies between rapids.
+  void append(const Move& move, double removed) {
+    if (move.rapid()) finish_pass();
+    removed_ += removed;
+    done_.push_back(move);
+  }
+  void finish_pass() {
+    constexpr double nothing = 1e-3;  // mm^3
+    // Back to its last place in the air, so that the rapids before and after it meet up there.
+    if (pass_backs_out_ && removed_ < nothing)
+      while (done_.size() > 1 && done_.back().to.z() < safe_) done_.pop_back();
+    pass_backs_out_ = false, removed_ = 0;
+  }
+
+  /// How much more the planned moves would take away.
+  double volume_left(Progress& progress) {
+    Stock planned = stock_;
+    for (const auto& [from, to] : left_) add_tip(pose(from), pose(to));
+    double volume = 0;
+    for (const StrokeResult& result : planned.cut(strokes_, progress)) volume += result.volume;
+    strokes_.clear();
+    return volume;
+  }
+
+  Stock& stock_;
+  const Plane& plane_;
+  double cell_;
+  ShortTool tool_;
+  double step_;          // of the pieces that are looked at one by one, mm
+  double clear_;         // height of the tip from which on the shank is above the stock
+  double holder_clear_;  // the same of the holder
+  double plunge_ = 0;    // mm/min
+  double safe_ = 0;      // height of rapids
+  double removed_ = 0;   // since the last rapid, mm^3
+  bool pass_backs_out_ = false;
+  /// The stock as it was when the tool was lifted, until it may come down again. What the lifted tool cuts beside the shank is
+  /// still there in it: else the tool would come down for each small step of a path.
+  std::optional<Stock> before_;
+  std::vector<Move> done_;
+  std::vector<Stroke> strokes_;
+  struct Piece {
+    Vec3 from, to;
+  };
+  std::vector<Piece> left_;  // as planned, where the tool went higher
+};
+
+}  // namespace
+
+void DeepCuts::cut(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress) {
+  DeepCutter(stock_, tool, plane).carry_out(moves, progress);
+}
+
+std::vector<Move> DeepCuts::back_out(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, double plunge,
+                                     BackedOut& report, Progress& progress) {
+  return DeepCutter(stock_, tool, plane).back_out(moves, plunge, report, progress);
+}
+
+bool may_be_too_deep(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, const Box& stock) {
+  if (!(tool.diameter > 0) || !(stock.size().minCoeff() > 0)) return false;
+  const double top = plane.into(stock).upper.z();
+  const double above = tool.flute > 0 ? tool.flute : tool.length;
+  return above > 0 && std::any_of(moves.begin(), moves.end(), [&](const Move& m) { return m.to.z() + above < top - 1e-6; });
+}
+
+}  // namespace fieldfab::cam
