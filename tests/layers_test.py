@@ -13,6 +13,7 @@ import ast
 import graphlib
 import pathlib
 import re
+import sys
 import zipfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -42,6 +43,8 @@ HEAVY_ALLOWED = {"kernel/include/fieldfab/mesh/openmesh.h"}  # for those who ask
 LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
 FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
 PACKAGE = "fieldfab_workbench"
+# Modules of web/server that run in worker processes: they know nothing of the server.
+WORKER_SIDE = {"worker", "models", "pictures", "files", "frames", "png"}
 
 
 def room_of(path):
@@ -226,6 +229,21 @@ def test_the_python_module_has_no_import_cycle():
     sources = python_sources(ROOT / "python")
     assert python_imports("fieldfab.edit", sources)
     assert python_cycle(sources) == []
+
+
+def test_the_web_server_knows_the_module_only():
+    """It is fieldfab.serve where it is installed: it imports the standard library, aiohttp, NumPy and fieldfab, in layers; nobody else of the house imports it."""
+    sources = python_sources(ROOT / "web" / "server")
+    assert len(sources) > 10 and python_cycle({f"serve.{name}": text for name, text in sources.items()}) == []
+    allowed = sys.stdlib_module_names | {"aiohttp", "fieldfab", "numpy"}
+    for name, text in sources.items():
+        for node in ast.walk(ast.parse(text)):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else [node.module] if isinstance(node, ast.ImportFrom) and not node.level else []
+            assert [each for each in names if each.split(".")[0] not in allowed] == [], name
+            if isinstance(node, ast.ImportFrom) and node.level and name in WORKER_SIDE:
+                assert {node.module or each for each in ([node.module] if node.module else [alias.name for alias in node.names])} <= WORKER_SIDE, name
+    others = [path for folder in ("python", "freecad_workbench") for path in (ROOT / folder).rglob("*.py") if "fieldfab.serve" in path.read_text()]
+    assert others == []
 
 
 def test_saved_documents_find_their_classes():

@@ -48,9 +48,11 @@ NOT_RUN = {
 # Commands that open a window, and what its title begins or ends with.
 WINDOWS = {r"\./dev freecad\b": "^FreeCAD", r"\./dev meshlab\b": "^MeshLab", r"\S*fieldfab edit\b": "Fieldfab$"}
 
+SERVES = r"\S*fieldfab serve\b(?!.*--help)"  # goes on until it is ended
+
 # What words in capitals stand for, one after the other.
 PLACEHOLDERS = {
-    "VERB": ["build", "mesh", "render", "check", "info", "convert", "edit", "cam", "simulate", "openscad"],
+    "VERB": ["build", "mesh", "render", "check", "info", "convert", "edit", "cam", "simulate", "openscad", "serve"],
     "JOB.toml": ["examples/cam/pcb_modela.toml"],
     "PROGRAM": ["part.ngc"],
     "SETUP.toml": ["part.toml"],
@@ -211,7 +213,7 @@ def each_of(places):
     return pytest.mark.parametrize("place", places, ids=lambda place: place.name)
 
 
-@each_of([each for each in TO_RUN if not opens_a_window(each.command)])
+@each_of([each for each in TO_RUN if not opens_a_window(each.command) and not re.match(SERVES, each.command)])
 def test_command(place, folders):
     folder = folders(place.document)
     if place.session:
@@ -248,6 +250,17 @@ def test_command_opens_its_window(place, folders, screen):  # noqa: F811
             shot = os.path.join(SHOTS, f"{place.name.replace('/', '_').replace(':', '_')}.png")
             subprocess.run(["import", "-window", "root", shot], env={**os.environ, "DISPLAY": screen}, check=True)
         assert "Traceback" not in log.read_text(errors="replace")
+
+
+@each_of([each for each in TO_RUN if re.match(SERVES, each.command)])
+def test_command_serves(place, folders):
+    """It says where, and opens that in the browser (here: true)."""
+    for command in forms(place.text):
+        with started(command, folders(place.document), BROWSER="true") as (process, log):
+            end = time.monotonic() + SECONDS
+            while "fabserver: http://" not in log.read_text():
+                assert process.poll() is None and time.monotonic() < end, log.read_text()
+                time.sleep(0.1)
 
 
 PROBE = """

@@ -107,7 +107,9 @@ def pictures(model, request, progress):
                 continue
             pixels = halved(pixels)
         told = {"quality": step, "last": step == steps[-1], "mode": mode, "window": window, "width": pixels.shape[1], "height": pixels.shape[0]}
-        if not guessed:
+        if request["bounds"]:
+            told.update(bounds=bounds, flat=bounds[2] == bounds[5])
+        elif not guessed:
             told.update(bounds=model.bounds, flat=model.flat)
         if heights:
             told["heights"] = heights

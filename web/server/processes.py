@@ -7,7 +7,7 @@ import sys
 from .frames import frame, read_frame_later
 from .limits import LIMITS
 
-GRACE = 1.0  # seconds in which a worker that is asked to stop may go on
+GRACE = 4.0  # seconds in which a worker that is asked to stop may go on: killing one costs more than that on a busy machine
 
 
 class Refused(Exception):

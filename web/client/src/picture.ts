@@ -30,6 +30,7 @@ export class Picture {
   private asked = 0; // when the request was sent that has no picture yet; 0: none
   private again = false;
   private fitting = true;
+  private fitted = 0; // the request whose answer shows all; another one, still on its way, does not
   private measured: Point[] = [];
   measuring = false;
   fixed = false; // whether the view is from above for good
@@ -119,6 +120,7 @@ export class Picture {
       width: Math.min(4096, Math.round(width * ratio)), height: Math.min(4096, Math.round(height * ratio)),
       window: this.fitting ? null : this.window(), near: this.fitting ? null : this.bounds,
     });
+    this.fitted = this.fitting ? this.number : 0;
     this.asked = sent ? performance.now() : 0;
     this.again = false;
     this.host.dataset.asked = String(this.number);
@@ -132,7 +134,7 @@ export class Picture {
       const bitmap = await createImageBitmap(answer.image);
       if (answer.number < this.number && answer.quality !== "coarse") return;
       if (answer.bounds) { this.bounds = answer.bounds; this.flat = answer.flat ?? false; }
-      if (this.fitting && answer.number === this.number && this.bounds) this.adopt(answer.window!);
+      if (this.fitting && answer.number === this.fitted && this.bounds) this.adopt(answer.window!);
       this.image = { bitmap: answer.mode === "bitmap" ? await this.tinted(bitmap) : bitmap, window: answer.window!, mode: answer.mode! };
       this.draw();
       this.host.dataset.quality = answer.quality;
