@@ -47,7 +47,7 @@ class Modify(Solid):
         add = functools.partial(self.add, obj)
         add("Link", "Source", "Modify", "A solid, mesh, Part object or body")
         add("Distance", "Distance", "Modify", "Outwards; below 0 inwards", 1)
-        add("Length", "Wall", "Modify", "Thickness of the wall, inwards", 1.2)
+        add("Length", "Wall", "Modify", "Thickness of the wall, inwards; 0 for a lattice without one", 1.2)
         add("Length", "Period", "Modify", "Edge of the lattice's cell", 10)
         add("Length", "Strut", "Modify", "Thickness of the lattice's walls", 1)
         add("Vector", "Direction", "Modify", "The mirror's normal, or the axis", FreeCAD.Vector(0, 0, 1))
@@ -111,7 +111,8 @@ class Modify(Solid):
     def check(obj, values):
         """Raises ValueError for values that make no solid."""
         for name in ("Wall", "Period", "Strut"):
-            if name in values and not values[name] > 0:
+            bare = name == "Wall" and obj.Operation == "Lattice infill" and values[name] == 0
+            if name in values and not values[name] > 0 and not bare:
                 raise ValueError(tr("{label}: {name} must be above 0").format(label=obj.Label, name=name))
         if "Direction" in values and not any(values["Direction"]) and (obj.Operation != "Transform" or values["Turn"]):
             raise ValueError(tr("{label}: Direction has no length").format(label=obj.Label))
@@ -130,7 +131,7 @@ class Modify(Solid):
     def _lattice_infill(field, Wall, Lattice, Period, Strut):
         shapes = kernel.load().shapes
         lattice = shapes.shell(getattr(shapes, Lattice)(Period), Strut)
-        return (field - field.offset(-Wall)) | (field & lattice)
+        return (field - field.offset(-Wall)) | (field & lattice) if Wall else field & lattice
 
     @staticmethod
     def _mirror(field, Direction, Centre, KeepOriginal):

@@ -460,8 +460,8 @@
         <translation>Wanddicke</translation>
     </message>
     <message>
-        <source>Thickness of the wall, inwards</source>
-        <translation>Dicke der Wand, nach innen</translation>
+        <source>Thickness of the wall, inwards; 0 for a lattice without one</source>
+        <translation>Dicke der Wand nach innen; 0 für ein Gitter ohne Wand</translation>
     </message>
     <message>
         <source>Period</source>

@@ -161,6 +161,13 @@ def test_lattice_infill(document, lattice):
     assert obj.Mesh.BoundBox.XLength == pytest.approx(20, abs=0.05)
 
 
+def test_a_lattice_without_a_wall(document):
+    obj = solids.create(modify.Modify, document)
+    obj.Operation, obj.Source, obj.VoxelSize, obj.Wall = "Lattice infill", frep(document, "box(20, 20, 20)"), 0.5, 0
+    document.recompute()
+    assert sane(obj) == pytest.approx(8000 * 0.31, rel=0.15), "a gyroid's area is 3.09 of a cell's face, here 1 mm thick in cells of 10"
+
+
 def test_values_that_make_no_solid_are_told(document):
     source = frep(document, "sphere(r = 10)")
     obj = solids.create(modify.Modify, document)

@@ -10,6 +10,7 @@ import window
 from window import live, press, wait
 
 from fieldfab_workbench.panels import check_panel, edit_panel
+from fieldfab_workbench.panels.program_preview import ProgramPreview
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
@@ -280,6 +281,9 @@ def test_the_tutorial(desk, tmp_path):
     desk.file(path, "getSaveFileName")
     desk.choose(program)
     desk.command("Fieldfab_WriteMachineFile")
+    live(0.3)
+    [preview] = [widget for widget in QtWidgets.QApplication.topLevelWidgets() if isinstance(widget, ProgramPreview) and widget.isVisible()]
+    preview.findChild(Button).button(Button.Save).click()
     written = path.read_text()
     assert written.startswith("%") and re.search(r"^G1 .*A-?[\d.]+ C-?[\d.]+", written, re.M), "all five axes move"
 
