@@ -22,8 +22,8 @@ struct BackedOut {
   std::optional<Vec3> holder;  ///< place of the tip where the holder meets material; the moves are then of no use
 };
 
-/// The stock while a job is planned, cut as the simulation cuts it. Shanks keep a lattice cell away from material, so that a
-/// finer simulation finds them clear, too.
+/// The stock while a job is planned, cut as the simulation cuts it. Shanks keep a lattice cell away from material, so
+/// that a finer simulation finds them clear, too.
 class DeepCuts {
  public:
   explicit DeepCuts(Stock stock) : stock_(std::move(stock)) {}
@@ -32,9 +32,9 @@ class DeepCuts {
 
   /// Carries out moves in a plane's coordinates as they are.
   void cut(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, Progress& progress = Progress::none());
-  /// Carries out moves whose tool points straight down on the plane. Where the shank would meet material, the tip goes no lower
-  /// than its flutes allow; `plunge` is the speed at which it comes down again, mm/min. Passes that then cut nothing are left
-  /// out. Throws cancelled.
+  /// Executes moves whose tool is orthogonal to the plane. Where the shank would meet material, the tip goes only as
+  /// deep as the flutes allow; `plunge` is the speed at which it comes down again, mm/min. Passes that then cut only
+  /// air are omitted. Throws cancelled.
   std::vector<Move> back_out(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, double plunge,
                              BackedOut& report, Progress& progress = Progress::none());
 

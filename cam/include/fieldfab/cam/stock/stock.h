@@ -132,7 +132,8 @@ class Stock {
   std::vector<std::shared_ptr<Brick>> bricks_;
 };
 
-/// Writes a stock as it is (.fieldstock; docs/simulation.md). What is read again cuts on to the same bits. Throws io, too_large.
+/// Writes a stock without loss (.fieldstock; docs/simulation.md): a stock that is read again is cut to the same bits.
+/// Throws io, too_large.
 void write_stock(const Stock& stock, const std::filesystem::path& path);
 /// Throws io; bad_input with the path for a file that is damaged or none of these; too_large.
 Stock read_stock(const std::filesystem::path& path);
