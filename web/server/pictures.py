@@ -95,7 +95,7 @@ def pictures(model, request, progress):
     if window is None or near is None or near[2] == near[5]:
         near = None
         window = window or fitting_window(model, request)
-    steps = [step for step, wanted in (("coarse", request["coarse"]), ("fine", True), ("smooth", request["smooth"])) if wanted]
+    steps = [step for step, wanted in (("coarse", request["coarse"]), ("fine", request.get("fine", True)), ("smooth", request["smooth"])) if wanted]
     for step in steps:
         # Bounds take longer to find than a coarse picture: the last ones, grown, do for it.
         guessed = step == "coarse" and near is not None and not model.placed
@@ -106,7 +106,7 @@ def pictures(model, request, progress):
             if mode in ("height", "normals"):
                 continue
             pixels = halved(pixels)
-        told = {"quality": step, "last": step == steps[-1], "mode": mode, "window": window, "width": pixels.shape[1], "height": pixels.shape[0]}
+        told = {"quality": step, "last": step == steps[-1] and step != "coarse", "mode": mode, "window": window, "width": pixels.shape[1], "height": pixels.shape[0]}
         if request["bounds"]:
             told.update(bounds=bounds, flat=bounds[2] == bounds[5])
         elif not guessed:

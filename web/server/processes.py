@@ -2,6 +2,8 @@
 
 import asyncio
 import contextlib
+import heapq
+import itertools
 import sys
 
 from .frames import frame, read_frame_later
@@ -81,24 +83,41 @@ class Worker:
 
 
 class Pool:
-    """Workers for what is quick. Who waits longest is next; a text goes to the worker that had it last, where that is free."""
+    """Workers for short requests. Requests wait in order of their rank (0 first), then of their arrival. A text goes to
+    the worker that had it last, if that one is idle."""
 
     def __init__(self, count):
         self._idle = [Worker() for _ in range(count)]
-        self._free = asyncio.Semaphore(count)
+        self._waiting, self._arrivals = [], itertools.count()
 
     async def start(self):
         await asyncio.gather(*(worker.start() for worker in self._idle))
 
     @contextlib.asynccontextmanager
-    async def worker(self, text):
-        async with self._free:
+    async def worker(self, text, rank=0):
+        if not self._idle:
+            turn = asyncio.get_running_loop().create_future()
+            heapq.heappush(self._waiting, (rank, next(self._arrivals), turn))
+            try:
+                worker = await turn
+            except asyncio.CancelledError:
+                if turn.done() and not turn.cancelled():  # it came in the same moment
+                    self._release(turn.result())
+                raise
+        else:
             worker = next((each for each in self._idle if each.text == text), self._idle[-1])
             self._idle.remove(worker)
-            try:
-                yield worker
-            finally:
-                self._idle.append(worker)
+        try:
+            yield worker
+        finally:
+            self._release(worker)
+
+    def _release(self, worker):
+        while self._waiting:
+            _, _, turn = heapq.heappop(self._waiting)
+            if not turn.done():
+                return turn.set_result(worker)
+        self._idle.append(worker)
 
     async def ask(self, request):
         """The one answer to a request."""

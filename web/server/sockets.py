@@ -37,19 +37,31 @@ class View:
             async with self._session.pool.worker(self._next[2]["text"]) as self._worker:
                 (number, name, request), self._next = self._next, None  # the newest, after what may have been a long wait
                 head = {"number": number, "view": name}
-                try:
-                    if request["text"] != self._text and request["language"] == "frep":
-                        self._text = request["text"]
-                        async for parameters, _ in self._worker.ask({"do": "parameters", "text": self._text}, LIMITS.picture_seconds):
-                            self._session.tell({"type": "parameters", **head, **parameters})
-                    if self._next is not None:  # a newer request came between the two, which stops neither
-                        continue
-                    async for told, data in self._worker.ask(request, LIMITS.picture_seconds):
-                        self._session.tell({"type": "picture", **head, **told}, data)
-                except Refused as error:
-                    self._session.tell({"type": "error", **head, **error.told})
-                finally:
+                first = {**request, "fine": not request["coarse"], "smooth": request["smooth"] and not request["coarse"]}
+                good = await self._answer(head, first, parameters=True)
+            if good and request["coarse"] and self._next is None:  # the coarse pictures of all go before the fine ones of any
+                async with self._session.pool.worker(request["text"], rank=1) as self._worker:
+                    if self._next is None:
+                        await self._answer(head, {**request, "coarse": False})
                     self._worker = None
+
+    async def _answer(self, head, request, parameters=False):
+        """Sends the pictures of a request, after the text's parameters if it is new. Returns whether all were made."""
+        try:
+            if parameters and request["text"] != self._text and request["language"] == "frep":
+                self._text = request["text"]
+                async for found, _ in self._worker.ask({"do": "parameters", "text": self._text}, LIMITS.picture_seconds):
+                    self._session.tell({"type": "parameters", **head, **found})
+            if self._next is not None:  # a newer request came between the two, which stops neither
+                return False
+            async for told, data in self._worker.ask(request, LIMITS.picture_seconds):
+                self._session.tell({"type": "picture", **head, **told}, data)
+            return True
+        except Refused as error:
+            self._session.tell({"type": "error", **head, **error.told})
+            return False
+        finally:
+            self._worker = None
 
 
 class Session:
