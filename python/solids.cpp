@@ -320,17 +320,23 @@ void bind_solids(py::module_& module) {
           py::arg("bounds"), "The least and greatest value that the box may hold (never too narrow).")
       .def(
           "bounds",
-          [](const SolidValue& a) -> py::object {
+          [](const SolidValue& a, bool flat) -> py::object {
             const FieldPtr field = a.solid()->field;
             SolidBounds found;
             {
               py::gil_scoped_release release;
               found = solid_bounds(*field);
             }
+            if (flat && !found.bounded[2]) {
+              found.bounded[2] = true;
+              found.box.lower.z() = found.box.upper.z() = 0;
+            }
             if (found.empty || !found.is_bounded()) return py::none();
             return bounds_to_python(found.box);
           },
-          "The box of the solid, found by interval search; None where it is empty or unbounded.")
+          py::arg("flat") = false,
+          "Returns the bounding box of the solid, found by interval search, or None if the solid is empty or unbounded. With "
+          "flat=True a solid that is unbounded along z gets z from 0 to 0.")
       .def(
           "default_voxel",
           [](const SolidValue& a, const py::object& bounds, double cells) {

@@ -38,10 +38,8 @@ class Model:
 
     def _place(self):
         if self._bounds is None:
-            bounds = self.solid.bounds()
-            self._flat = bounds is None
-            if self._flat:  # unbounded along z, or for good
-                bounds = (self.solid & ff.Solid(abs(ff.Z) - 0.5)).bounds()
+            bounds = self.solid.bounds(flat=True)
+            self._flat = bounds is not None and bounds[2] == bounds[5]
             if bounds is None:
                 raise Mistakes("there is nothing to show: the solid is empty, or it is unbounded along x or y")
             grown = max(bounds[3] - bounds[0], bounds[4] - bounds[1]) / 64

@@ -92,11 +92,19 @@ class BoundsSearch {
     bool changed = false;
     if (std::count(found_.bounded, found_.bounded + 3, true) > 0)
       for (int axis = 0; axis < 3 && !found_.empty; ++axis) {
-        if (found_.bounded[axis]) continue;
+        if (found_.bounded[axis] || is_constant_along(axis)) continue;
         search(axis, flat_);
         changed = changed || found_.bounded[axis];
       }
     return changed && !found_.empty;
+  }
+
+  /// Whether the Field is known not to change along an axis.
+  [[nodiscard]] bool is_constant_along(int axis) const {
+    const Vec3 direction = Vec3::Unit(axis);
+    Interval slope;
+    field_.slopes(found_.box, {&direction, 1}, {&slope, 1});
+    return slope == Interval::of(0);
   }
 
   void search(int axis, const Whole& whole) {
