@@ -294,7 +294,7 @@ def own_freecad(folder):
 # Blocks that are no commands.
 
 LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
-UNTESTED = {"text": "a drawing or a table", "cmake": "hosts/sdk_test.py builds it", "cpp": "hosts/sdk_test.py builds it", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
+UNTESTED = {"javascript": "a node of web/examples/circle.json, which hosts/web_page_test.py opens", "text": "a drawing or a table", "cmake": "hosts/sdk_test.py builds it", "cpp": "hosts/sdk_test.py builds it", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
 
 
 # The designs of examples/, without their titles, where a command runs the file.

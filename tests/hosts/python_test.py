@@ -336,7 +336,8 @@ def test_certainty_and_measures():
     told = ff.certainty(plate, voxel=1)
     assert not told.certain and told.count == 1 and told.thickness > 0.9
     assert ff.certainty(plate, voxel=0.1).certain
-    assert not ff.certainty(ff.mesh(plate).solid(), voxel=1).certain
+    assert ff.certainty(ff.mesh(plate).solid(), voxel=1).certain  # by the normals of its triangles
+    assert not ff.certainty(ff.mesh(plate).solid().offset(0.1), voxel=1).certain
     measures = ff.measure(plate)
     assert measures.volume[0] <= 2400 <= measures.volume[1] < 2405
     assert measures.area[0] <= 16108 <= measures.area[1]

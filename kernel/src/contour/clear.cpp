@@ -85,7 +85,7 @@ class BlockInspector {
       if (!open_[Block::cell(at[0], at[1], at[2])]) return;
       if (field.faceted()) return add_faceted(at, field, proof.folded);
       // Where it has been to no avail often, it is not worth much more.
-      constexpr int patience = 8;
+      constexpr int patience = 24;
       const SurfaceProof closer = prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
       ++(closer.one_sheet ? successes_ : failures_);
       if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
