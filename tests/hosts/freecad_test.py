@@ -46,9 +46,9 @@ def test_real_window(home, screen, tmp_path):
         seen = json.loads((home / "result.json").read_text())
         time.sleep(1)
         shot = tmp_path / "freecad.png"
-        subprocess.run(["import", "-window", "root", str(shot)], env=env, check=True, timeout=30)
+        subprocess.run(["import", "-window", "root", str(shot)], env=env, check=True, timeout=120)
         (home / "result.json.taken").touch()
-        freecad.wait(timeout=30)
+        freecad.wait(timeout=120)
     finally:
         if freecad.poll() is None:
             os.killpg(freecad.pid, signal.SIGKILL)

@@ -23,7 +23,7 @@ fine = []
 window.view.shown.connect(fine.append)
 
 
-def wait(condition, seconds=30):
+def wait(condition, seconds=60):
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
