@@ -78,6 +78,8 @@ void watch() {
       return "there is not enough memory for this";
     } catch (const std::system_error&) {
       return "the system refuses what a thread needs";
+    } catch (const std::exception& error) {  // TBB's, where it cannot start a thread
+      return error.what();
     } catch (...) {
     }
     return "internal error: an exception was not caught";

@@ -69,7 +69,9 @@ def test_a_failing_call_leaves_the_old_file(name, call, folder):
 @pytest.mark.parametrize("lasting", [False, True])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_thread_that_cannot_be_started(name, lasting, folder):
-    for number in range(1, 20):
+    """log4cplus, which OpenVDB links to, starts a pool of threads while it is loaded and may wait forever where one of them cannot
+    start. The command tries as many threads before; what fails after that is not tried."""
+    for number in range(1, 2 + max(2, len(os.sched_getaffinity(0))) if name == "convert" else 20):
         done = once(name, folder, call="pthread_create", at=number, threads=4, **({"lasting": 1} if lasting else {}))
         if done.returncode == 0:
             assert done.replaced

@@ -292,55 +292,74 @@ class Mask {
   std::vector<bool> inside_;
 };
 
+struct ThinSolid {
+  bool certain = false;
+  bool empty = true;             ///< No point of the finer lattice is inside.
+  bool seen_by_lattice = false;  ///< A lattice of the cells' size has a point inside.
+  std::string fault;             ///< What the mesh lacks although it is certain, or why it is not valid.
+};
+
+/// Contours a solid with few divisions and, where the mesh says that it is certain, compares it with the solid on a lattice 16
+/// times finer than the cells.
+ThinSolid contour_and_compare(const std::string& text) {
+  constexpr int voxels = 6, finer = 16, side = voxels * finer;
+  const Box bounds = cube_about_zero(3);
+  const FieldPtr solid = solid_of(text);
+  ContourSettings settings{1};
+  settings.most_divided = 30'000;
+  const ContourMesh mesh = contour(*solid, bounds, settings);
+  ThinSolid found;
+  if (!mesh.triangles.empty() && !inspect(mesh).valid()) found.fault = "the mesh is not valid";
+  found.certain = mesh.certainty.certain();
+  if (!found.certain) return found;
+  const Mask made(bounds, side, mesh);
+  const FieldPtr cut = intersect(solid, box_field(bounds));
+  std::vector<float> x(side), y(side), z(side), value(side);
+  for (int k = 0; k < side; ++k)
+    for (int j = 0; j < side; ++j) {
+      for (int l = 0; l < side; ++l) {
+        const Vec3 p = made.point(l, j, k);
+        const auto at = static_cast<std::size_t>(l);
+        x[at] = static_cast<float>(p.x()), y[at] = static_cast<float>(p.y()), z[at] = static_cast<float>(p.z());
+      }
+      cut->values({x.data(), y.data(), z.data(), side}, value.data());
+      for (int l = 0; l < side; ++l) {
+        const float here = value[static_cast<std::size_t>(l)];
+        found.empty = found.empty && !(here < 0);
+        found.seen_by_lattice = found.seen_by_lattice || (here < 0 && l % finer == 0 && j % finer == 0 && k % finer == 0);
+        if ((here < 0) == made.at(l, j, k)) continue;
+        // A mesh may be so small that it holds no point of the lattice.
+        const Vec3 p = made.point(l, j, k);
+        const bool vertex_near = std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
+          return (Vec3(v[0], v[1], v[2]) - p).cwiseAbs().maxCoeff() < settings.voxel;
+        });
+        if (vertex_near || made.changes_near(l, j, k, finer)) continue;
+        found.fault = fmt::format("at {} {} {} the value is {}, and no surface is near", p.x(), p.y(), p.z(), here);
+        return found;
+      }
+    }
+  return found;
+}
+
 /// FIELDFAB_THIN_SOLIDS says how many; the full proof tries 10,000.
 TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   const char* wanted = std::getenv("FIELDFAB_THIN_SOLIDS");
-  const int count = wanted != nullptr ? std::atoi(wanted) : 50;
-  constexpr int voxels = 6, finer = 16, side = voxels * finer;
-  const Box bounds = cube_about_zero(3);
+  const std::size_t count = wanted != nullptr ? static_cast<std::size_t>(std::atoi(wanted)) : 50;
   std::mt19937 random(20261123);
-  int certain = 0, empty = 0, seen_by_lattice = 0;
-  for (int i = 0; i < count; ++i) {
-    const std::string text = random_thin_solid(random);
-    const FieldPtr solid = solid_of(text);
-    ContourSettings settings{1};
-    settings.most_divided = 30'000;
-    const ContourMesh mesh = contour(*solid, bounds, settings);
-    ASSERT_TRUE(mesh.triangles.empty() || inspect(mesh).valid()) << text;
-    if (!mesh.certainty.certain()) continue;
-    ++certain;
-    const Mask made(bounds, side, mesh);
-    const FieldPtr cut = intersect(solid, box_field(bounds));
-    std::vector<float> x(side), y(side), z(side), value(side);
-    bool any = false, coarse = false;
-    for (int k = 0; k < side; ++k)
-      for (int j = 0; j < side; ++j) {
-        for (int l = 0; l < side; ++l) {
-          const Vec3 p = made.point(l, j, k);
-          const auto at = static_cast<std::size_t>(l);
-          x[at] = static_cast<float>(p.x()), y[at] = static_cast<float>(p.y()), z[at] = static_cast<float>(p.z());
-        }
-        cut->values({x.data(), y.data(), z.data(), side}, value.data());
-        for (int l = 0; l < side; ++l) {
-          const float here = value[static_cast<std::size_t>(l)];
-          any = any || here < 0;
-          coarse = coarse || (here < 0 && l % finer == 0 && j % finer == 0 && k % finer == 0);
-          if ((here < 0) == made.at(l, j, k)) continue;
-          // A mesh may be so small that it holds no point of the lattice.
-          const Vec3 p = made.point(l, j, k);
-          const bool vertex_near = std::any_of(mesh.vertices.begin(), mesh.vertices.end(), [&](const auto& v) {
-            return (Vec3(v[0], v[1], v[2]) - p).cwiseAbs().maxCoeff() < settings.voxel;
-          });
-          ASSERT_TRUE(vertex_near || made.changes_near(l, j, k, finer))
-              << "number " << i << ": " << text << " at " << x[static_cast<std::size_t>(l)] << ' ' << y[0] << ' ' << z[0]
-              << " is " << here << ", and no surface is near";
-        }
-      }
-    empty += !any;
-    seen_by_lattice += coarse;
-  }
-  fmt::print("{} of {} certain; a lattice of the cells' size sees something of {}\n", certain, count, seen_by_lattice);
-  EXPECT_GE(certain, count / 5);  // most of these meet each other in edges sharper than the budget shows
+  std::vector<std::string> texts(count);
+  for (std::string& text : texts) text = random_thin_solid(random);
+  std::vector<ThinSolid> found(count);
+  parallel_for(count, [&](std::size_t i) { found[i] = contour_and_compare(texts[i]); });
+  for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(found[i].fault, "") << "number " << i << ": " << texts[i];
+  const auto number = [&](bool ThinSolid::*property) {
+    return std::count_if(found.begin(), found.end(), [&](const ThinSolid& solid) { return solid.certain && solid.*property; });
+  };
+  const auto certain = number(&ThinSolid::certain);
+  fmt::print(
+      "{} of {} certain, {} of them with nothing at the finer lattice's points; a lattice of the cells' size sees something of "
+      "{}\n",
+      certain, count, number(&ThinSolid::empty), number(&ThinSolid::seen_by_lattice));
+  EXPECT_GE(certain, static_cast<std::ptrdiff_t>(count / 5));  // most meet each other in edges sharper than the budget shows
 }
 
 TEST(Certain, TellsWhichCellsWouldShowWhatIsMissing) {
