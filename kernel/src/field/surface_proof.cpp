@@ -144,6 +144,46 @@ void add_gradients_where_undecided(const Field& field, const Box& box, int depth
     if (!here[i].range.decided()) add_gradients_where_undecided(*here[i].field, parts[i], depth - 1, normals);
 }
 
+/// Eight slabs of a box across an axis.
+std::array<Box, 8> slabs(const Box& box, Eigen::Index axis) {
+  std::array<Box, 8> parts;
+  parts.fill(box);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto plane = [&](std::size_t n) {
+      return n == parts.size() ? box.upper[axis]
+                               : box.lower[axis] + static_cast<double>(n) / static_cast<double>(parts.size()) * box.size()[axis];
+    };
+    parts[i].lower[axis] = plane(i);
+    parts[i].upper[axis] = plane(i + 1);
+  }
+  return parts;
+}
+
+/// Whether the slabs across the axis that the surface is seen to face most show one sheet: of thin plates along the axes the
+/// other face lies in slabs of its own.
+bool is_one_sheet_in_slabs(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, const Wanted& wanted) {
+  if (normals.empty()) return false;
+  Eigen::Vector3f facing = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& normal : normals) facing += normal.cwiseAbs();
+  Eigen::Index axis = 0;
+  facing.maxCoeff(&axis);
+  const std::array<Box, 8> parts = slabs(box, axis);
+  std::array<Restriction, 8> here;
+  field.restrict_all(parts, Purpose::value, here);
+  const std::size_t given = normals.size();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!here[i].range.decided()) add_gradients(*here[i].field, parts[i], normals);
+  const Cone cone = cone_about(normals, wanted.least_cosine());
+  normals.resize(given);
+  if (cone.cosine < wanted.least_cosine()) return false;
+  const auto directions = wanted.directions(cone);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!here[i].range.decided() &&
+        !grows_where_undecided(*here[i].field, parts[i], {directions.data() + 3, edges_of_pyramid}, 0))
+      return false;
+  return true;
+}
+
 /// prove_sheet() from Field::facing(). Edges of triangles are not folded unless they are sharper than 30 degrees: those of scans
 /// are too many, and are seen all the same.
 SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
@@ -209,11 +249,13 @@ SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vecto
                                   int deep) {
   if (field.faceted()) return prove_by_facing(field, box, halvings);
   const Wanted wanted(halvings);
+  SurfaceProof proof;
+  proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);
+  if (proof.one_sheet) return proof;
   const std::array<Box, 8> parts = halves(box);
   std::array<Restriction, 8> here;
   field.restrict_all(parts, Purpose::value, here);
   const std::size_t given = normals.size();
-  SurfaceProof proof;
   for (int depth = 0; depth <= std::min(deep, 1) && !proof.one_sheet; ++depth) {
     normals.resize(given);
     for (std::size_t i = 0; i < parts.size(); ++i)
