@@ -77,7 +77,7 @@ void BlockRefiner::advance() {
         given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
         continue;
       }
-      const SurfaceProof closer = prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
+      const SurfaceProof closer = part.faceted() ? proof : prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
       const bool folded = closer.folded || ambiguous;
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});

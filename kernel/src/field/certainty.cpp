@@ -188,7 +188,7 @@ class CellInspector {
       // Where it has been to no avail often, it is not worth much more.
       constexpr std::size_t patience = 64;
       const bool hopeless = task.cells.size() > patience + task.proved;
-      const bool proved = prove_sheet_by_parts(field, box, task.normals, 0, hopeless ? 0 : 2).one_sheet;
+      const bool proved = !field.faceted() && prove_sheet_by_parts(field, box, task.normals, 0, hopeless ? 0 : 2).one_sheet;
       if (proved)
         ++task.proved;
       else

@@ -247,7 +247,6 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
 
 SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings,
                                   int deep) {
-  if (field.faceted()) return prove_by_facing(field, box, halvings);
   const Wanted wanted(halvings);
   SurfaceProof proof;
   proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);
