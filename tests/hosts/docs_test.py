@@ -433,6 +433,16 @@ def test_public_headers_show_no_code():
     assert len(headers) > 50 and [path.name for path in headers if code.search(path.read_text(encoding="utf-8"))] == []
 
 
+# README's first screen.
+
+
+def test_the_first_screen_is_short_and_shows_what_it_is():
+    """All words above the second heading count, those of code, too."""
+    screen = (ROOT / "README.md").read_text(encoding="utf-8").split("\n## ")[0]
+    assert len(screen.split()) <= 150
+    assert "It is for people who" in screen and "](docs/figures/" in screen and "```frep" in screen
+
+
 # The lists above, and all else that is named.
 
 
