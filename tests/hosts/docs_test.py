@@ -394,13 +394,25 @@ def test_the_node_that_is_shown_is_one_of_the_example():
 # Code in docstrings: Python, or a command.
 
 
+# Sources outside the package whose docstrings have code, and where it is run.
+SCRIPTS = {
+    "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
+    "tests/bench/web_drag.py": "a benchmark, which takes minutes",
+}
+
+
+def docstrings_of(path):
+    """Line and docstring of all in a source that has one."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+            yield getattr(node, "lineno", 1), ast.get_docstring(node)
+
+
 def docstrings():
     """Module, line and docstring of all that has one: sources of the package, and what is compiled."""
     for path in sorted((ROOT / "python" / "fieldfab").glob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
-                module = "fieldfab" if path.stem == "__init__" else f"fieldfab.{path.stem}"
-                yield module, getattr(node, "lineno", 1), ast.get_docstring(node)
+        module = "fieldfab" if path.stem == "__init__" else f"fieldfab.{path.stem}"
+        yield from ((module, line, words) for line, words in docstrings_of(path))
     for module in ("fieldfab._core", "fieldfab.language", "fieldfab.cam", "fieldfab.stock"):
         for name, each in inspect.getmembers(importlib.import_module(module)):
             members = inspect.getmembers(each) if inspect.isclass(each) else []
@@ -424,6 +436,14 @@ def test_code_of_a_docstring(module, code, folders, tmp_path, monkeypatch):
         return
     monkeypatch.chdir(tmp_path)
     exec(compile(code, module, "exec"), {})
+
+
+def test_code_in_docstrings_of_other_sources_is_listed():
+    folders = [ROOT / name for name in ("examples", "freecad_workbench", "openscad_import", "packaging", "tests", "web")]
+    sources = [path for folder in folders for path in folder.rglob("*.py")
+               if not {"data", "node_modules", "fieldfab-cache"} & set(path.relative_to(ROOT).parts)]
+    with_code = {str(path.relative_to(ROOT)) for path in sources for _, words in docstrings_of(path) if code_of(words)}
+    assert len(sources) > 100 and with_code == set(SCRIPTS)
 
 
 def test_public_headers_show_no_code():
