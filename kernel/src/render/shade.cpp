@@ -82,6 +82,15 @@ Eigen::Vector3f background(float down) {
   return colour.cwiseProduct(colour);
 }
 
+/// Whether the background is next to a pixel of the surface: a dark line there shows flat designs from above, whose colour may
+/// be that of the background.
+bool is_silhouette(const PixelGrid& grid, const std::vector<float>& heights, int x, int y) {
+  const auto is_empty = [&](int u, int v) {
+    return u >= 0 && v >= 0 && u < grid.width && v < grid.height && !std::isfinite(heights[grid.index(u, v)]);
+  };
+  return is_empty(x - 1, y) || is_empty(x + 1, y) || is_empty(x, y - 1) || is_empty(x, y + 1);
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<float>& heights, const Normals& normals,
@@ -106,6 +115,7 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
       colours[i] = material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
                                          0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
       colours[i] += Eigen::Vector3f::Constant(0.18F * shine * open);
+      if (is_silhouette(grid, heights, x, static_cast<int>(row))) colours[i] *= 0.15F;
     }
   });
   return colours;
