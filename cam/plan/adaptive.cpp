@@ -184,7 +184,8 @@ class Area {
     return cell;
   }
 
-  /// Everything within reach of the tool is material, unless a lattice of material is given.
+  /// Marks as material the area that the tool can cover; if `material` is given, only cells that rise
+  /// above the bottom.
   void lay_out(const Loops& walls) {
     Bitmap& cells = left_.cells();
     Bitmap free(cells.width, cells.height, cells.cell, cells.origin, 0);
