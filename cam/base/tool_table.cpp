@@ -51,7 +51,8 @@ Tool read_tool(const TomlTable& table, Tool tool) {
 
 namespace {
 
-/// The tools of a library that a table names: all of them, or the one whose number it says, with what it says of that.
+/// Tools of a library that a table names: all of them, or the one with the given number, with the
+/// table's settings applied to it.
 std::vector<Tool> tools_of_library(const TomlTable& table, const std::filesystem::path& path, int next) {
   std::vector<Tool> tools = read_tool_library(path);
   const auto number = table.number("number");

@@ -1,4 +1,4 @@
-// Canned cycles G73, G74, G81 to G89, in any of the three planes.
+// Canned cycles G73, G74 and G81 to G89, in all three planes.
 #include <cmath>
 
 #include "interpreter.h"
@@ -7,7 +7,8 @@ namespace fieldfab::cam::gcode {
 namespace {
 
 constexpr std::string_view letters = "xyzabcuvw";
-constexpr double peck_clearance = 0.254;  // mm that G83 and G73 stay away from the hole's bottom, as LinuxCNC does
+// mm; clearance of G83 and G73 above the previous depth, as in LinuxCNC
+constexpr double peck_clearance = 0.254;
 constexpr int most_pecks = 1'000'000;
 
 }  // namespace
@@ -21,7 +22,7 @@ void Interpreter::cycle() {
   if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
   require_feed();
 
-  // Words of the same cycle stay in force; another cycle begins anew.
+  // Words of the same cycle are modal; another cycle starts without them.
   const PlaneAxes axes = axes_of(modes_.plane);
   const bool same = modes_.motion == code;
   const auto sticky = [&](char letter, double& kept, const char* what, bool needed) {
@@ -76,7 +77,7 @@ void Interpreter::cycle() {
   double height = at_.at[axes.third] >= r ? at_.at[axes.third] : clear;
   const bool polar = !modes_.absolute && (block_.has_radius || block_.has_angle);
   for (int i = 0; i < repeats; ++i) {
-    if (polar) {  // each repeat goes on from the one before it
+    if (polar) {  // each repetition is relative to the one before it
       const AxisValues to = target();
       step = {to.at[axes.first] - at_.at[axes.first], to.at[axes.second] - at_.at[axes.second]};
     }
@@ -94,7 +95,7 @@ void Interpreter::cycle() {
   }
 }
 
-/// One hole, from the plane R on.
+/// Machines one hole, starting at the plane R.
 void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, double clear) {
   const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
   const std::size_t third = axes_of(modes_.plane).third;
@@ -159,7 +160,8 @@ void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, d
       break;
     case 870: {
       need_spindle();
-      // I, J and K belong to X, Y and Z: two of them move aside, the third is where the boring ends.
+      // I, J and K belong to X, Y and Z: two of them are the offset aside, the third is the end of
+      // the boring.
       const std::array<double, 3> words{length(cycle_.i), length(cycle_.j), length(cycle_.k)};
       const PlaneAxes axes = axes_of(modes_.plane);
       const double i = words[axes.first], j = words[axes.second], end = modes_.absolute ? words[third] : bottom + words[third];

@@ -10,8 +10,8 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr int deepest = 100;             // brackets within brackets
-constexpr double equal_within = 0.0001;  // for EQ and NE, as LinuxCNC
+constexpr int deepest = 100;             // greatest depth of nested brackets
+constexpr double equal_within = 0.0001;  // tolerance of EQ and NE, as in LinuxCNC
 constexpr double degrees = 180 / std::numbers::pi;
 
 enum class Operator : std::uint8_t {
@@ -111,7 +111,8 @@ double finite(double value) {
 
 double read_bracket(Cursor& cursor, const Parameters& parameters, int depth);
 
-/// Operators of at least `least` rank behind `left`. `next` is the operator that ended it.
+/// Evaluates operators of rank `least` and above that follow the operand `left`. `next` receives
+/// the operator that ends the expression.
 double read_operations(Cursor& cursor, const Parameters& parameters, int depth, double left, int least, Operator& next) {
   while (rank(next) >= least && next != Operator::none) {
     const Operator op = next;
@@ -135,7 +136,7 @@ double read_argument(Cursor& cursor, const Parameters& parameters, int depth) {
   return read_bracket(cursor, parameters, depth);
 }
 
-/// EXISTS[#<name>], or EXISTS[#5], which all numbered ones do.
+/// EXISTS[#<name>], or EXISTS[#5], which is true for all numbered parameters.
 double read_exists(Cursor& cursor, const Parameters& parameters) {
   if (!cursor.take("[#")) refuse("EXISTS must be written as EXISTS[#<name>]");
   bool found = true;

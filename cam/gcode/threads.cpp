@@ -1,4 +1,4 @@
-// G76: a thread cut on a lathe, pass by pass.
+// G76: a thread on a lathe, in passes.
 #include <cmath>
 #include <numbers>
 

@@ -86,7 +86,7 @@ FinishSettings finish_of(const Values& values, const Context& context, const Sur
   return settings;
 }
 
-/// Joins paths where the tool may go straight on from one to the next.
+/// Joins paths if the tool may move straight from one to the next.
 std::vector<Path> joined(const std::vector<Path>& paths, const std::function<bool(const Vec3&, const Vec3&)>& may_go_on) {
   std::vector<Path> out;
   for (const Path& path : paths) {
@@ -102,7 +102,7 @@ std::vector<Path> joined(const std::vector<Path>& paths, const std::function<boo
   return out;
 }
 
-/// The tool leans along with the surface, where that is asked for.
+/// Tilts the tool along the surface, if requested.
 void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Context& context) {
   if (!values.flag("lean")) return;
   const Tool& tool = context.tool;
@@ -134,7 +134,7 @@ Settings lean_settings() {
           only_with("lean", above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part")))};
 }
 
-/// Whether the tool may go straight on over the surface to the next pass.
+/// Whether the tool may move straight over the surface to the next pass.
 std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest, double tolerance) {
   return [tips = std::move(tips), longest, tolerance](const Vec3& from, const Vec3& to) {
     const double length = (to - from).head<2>().norm();
@@ -148,7 +148,8 @@ std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurf
   };
 }
 
-/// Leaves out what earlier operations have finished: on other planes; and on this one, where only the rest is asked for.
+/// Removes what earlier operations have finished: on other planes, and for rest machining also on
+/// this one.
 void leave_out_reached(PlannedCuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips,
                        const Context& context) {
   const bool rest = values.flag("rest");

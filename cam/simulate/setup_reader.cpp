@@ -25,7 +25,7 @@ constexpr double degrees = std::numbers::pi / 180;
 
 Placement placement_of(const Plane& plane) { return {plane.axes, plane.axes * plane.origin}; }
 
-/// How often a machine's text stops the program.
+/// Whether a machine's template stops the program.
 bool stops(const Machine& machine, const std::string& text) {
   const auto found = machine.text.find(text);
   if (found == machine.text.end()) return false;
@@ -86,7 +86,7 @@ class SetupReader {
     setup_.zero = zero_of(job);
     setup_.target = target_of(job);
     setup_.sampling.cell = StockSettings::usual_cell(setup_.stock_box);
-    // What the job itself allows its paths and its model of the part to be off.
+    // Tolerances of the job's paths and of its model of the part.
     double allowed = 0;
     for (const PlannedOperation& op : job.operations()) {
       double sum = 0;
@@ -112,13 +112,14 @@ class SetupReader {
       tool = op.tool.number;
       if (!setup_.first_tool) setup_.first_tool = tool;
     }
-    // A beam goes through the sheet.
+    // A beam cuts through the whole sheet.
     if (setup_.machine.takes == MachineInput::flat_paths) {
       const double over = 1;
       setup_.pen_up = setup_.stock_box.upper.z() + over, setup_.pen_down = setup_.stock_box.lower.z() - over;
       for (auto& [number, beam] : setup_.tools) {
         beam.flute = setup_.stock_box.size().z() + 3 * over;
-        // A narrower slit could pass between samples; through the sheet it is the same everywhere.
+        // A narrower slit could pass between samples. Along the thickness of the sheet one cell
+        // suffices.
         if (beam.diameter > 0) setup_.sampling.cell = std::min(setup_.sampling.cell, beam.diameter / 2);
       }
       setup_.sampling.cell_height = setup_.stock_box.size().z() / 2;
@@ -128,7 +129,8 @@ class SetupReader {
     if (part_) leave_where_it_was(job.zero());
   }
 
-  /// A job counts from its program's zero; a part that was given is wanted where it is.
+  /// Shifts a job's set-up by its program's zero, so that a part given from outside keeps its
+  /// place.
   void leave_where_it_was(const Vec3& zero) {
     if (zero.isZero()) return;
     if (setup_.saved)
@@ -140,7 +142,7 @@ class SetupReader {
     setup_.zero -= zero;
   }
 
-  /// Where the machine's settings put the part's zero.
+  /// Position of the part's zero by the machine's settings.
   static Vec3 zero_of(const Job& job) {
     Vec3 zero = Vec3::Zero();
     for (const auto& [key, axis] : {std::pair{"xmin", 0}, std::pair{"ymin", 1}})
@@ -149,7 +151,8 @@ class SetupReader {
     return zero;
   }
 
-  /// What the job says should be left at least: its part where that is a solid; with drawings all that no operation may cut.
+  /// The target of a job: its part if that is a solid; for drawings everything that no operation
+  /// may cut.
   static FieldPtr target_of(const Job& job) {
     const Solid* const solid = job.solid();
     if (solid == nullptr || !solid->flat) return solid ? solid->field : nullptr;
@@ -183,7 +186,7 @@ class SetupReader {
         setup_.limits[static_cast<std::size_t>(axis.letter - 'A') + 3] = {axis.lower, axis.upper};
   }
 
-  /// A model with its bounds, or those that the table gives.
+  /// A model with its bounds, or those of the table.
   std::pair<FieldPtr, Box> read_model(const TomlTable& table) {
     const std::string name = *table.text("model");
     OpenSettings settings;
@@ -238,7 +241,7 @@ class SetupReader {
     if (const auto rules = table_.text("rules")) setup_.sampling.rules = parse_split_rules(*rules);
   }
 
-  /// Cuts go on where a saved stock's left off; whose lines they were is not known here.
+  /// Continues the cut numbers of a saved stock; their program lines are unknown.
   void begin_with(Stock saved) {
     saved.forget_cuts();
     setup_.stock_box = saved.lattice().box();
@@ -324,7 +327,7 @@ class SetupReader {
   }
 
   std::filesystem::path path_;
-  FieldPtr part_;  ///< of a job; null where it names its model
+  FieldPtr part_;  ///< of a job; null if it names its model
   Progress& progress_;
   const Formats& formats_;
   std::string text_;

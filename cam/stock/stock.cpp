@@ -12,7 +12,7 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Points of a lattice's lines through a region, as a batch for a Field.
+/// Lattice points of the lines through a region, as a batch for a Field.
 struct Batch {
   std::vector<float> x, y, z, value;
   void add(const Vec3& p) {
@@ -24,16 +24,16 @@ struct Batch {
   }
 };
 
-/// An edge of the lattice that a surface crosses, while its crossing is looked for.
+/// An edge of the lattice that the surface crosses, during the search for the crossing.
 struct Crossing {
   Index3 inside;
   int axis;
-  int step;             ///< to the outer end, along the axis
-  double in, out;       ///< shares of the edge from its inner end
-  float at_in, at_out;  ///< values there
+  int step;             ///< towards the outer end, along the axis
+  double in, out;       ///< bracket, as fractions of the edge from its inner end
+  float at_in, at_out;  ///< values at the ends of the bracket
 };
 
-/// Makes a brick what a Field is there.
+/// Makes a brick that represents a Field in a region.
 std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const Stock& stock) {
   const StockLattice& lattice = stock.lattice();
   Region near = region;
@@ -58,7 +58,7 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
       for (p[1] = r.lower[1]; p[1] <= r.upper[1]; ++p[1])
         for (p[0] = r.lower[0]; p[0] <= r.upper[0]; ++p[0]) body(p);
   };
-  // Halved where intervals, of the points and their neighbours, do not tell.
+  // Regions are halved while the interval of their points and neighbours contains both signs.
   const auto sample = [&](const auto& self, const Region& part, const FieldPtr& from) -> void {
     Index3 low = part.lower, high = part.upper;
     for (std::size_t a = 0; a < 3; ++a) --low[a], ++high[a];
@@ -98,7 +98,7 @@ std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const 
             crossings.push_back({p, axis, step, 0, 1, value(p), value(q)});
           }
       }
-  // Regula falsi, halved where it creeps.
+  // Regula falsi, with bisection if it converges slowly.
   const auto share = [](const Crossing& c, bool middle) {
     const double t = std::isfinite(c.at_out) ? c.at_in / (static_cast<double>(c.at_in) - c.at_out) : 0.5;
     return middle ? 0.5 * (c.in + c.out) : c.in + (c.out - c.in) * std::clamp(t, 0.001, 0.999);
@@ -166,7 +166,7 @@ Stock& Stock::operator=(Stock&&) noexcept = default;
 Stock::~Stock() = default;
 
 void Stock::divide_into_bricks() {
-  constexpr int most = 1020;  // what SampleMap's keys can tell apart
+  constexpr int most = 1020;  // range of SampleMap's keys
   brick_ = settings_.brick > 0 ? std::min(settings_.brick, most) : most;
   double bricks = 1;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -187,7 +187,7 @@ Region Stock::brick_region(const Index3& brick) const {
   return region;
 }
 
-/// The bricks with any material that a sweep may reach.
+/// Bricks with material near a sweep.
 std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
   std::vector<std::size_t> found;
   const Vec3& h = lattice_.spacing();
@@ -223,12 +223,12 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
   constexpr std::size_t most_at_once = 1024;
   const Box domain{Vec3::Zero(), lattice_.box().size()};
   std::vector<char> changed(bricks_.size());
-  std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // which strokes come near which brick
+  std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // by brick: strokes near it
   for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
     progress.check();
     const std::size_t count = std::min(most_at_once, strokes.size() - begin);
     std::vector<std::unique_ptr<Sweep>> sweeps(count);
-    std::vector<std::vector<std::size_t>> meets(count);  // which bricks each stroke comes near
+    std::vector<std::vector<std::size_t>> meets(count);  // by stroke: bricks near it
     parallel_for((count + 31) / 32, [&](std::size_t group) {
       for (std::size_t i = group * 32; i < std::min(count, group * 32 + 32); ++i) {
         const Stroke& stroke = strokes[begin + i];
@@ -245,7 +245,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         if (near[brick].empty()) touched.push_back(brick);
         near[brick].push_back(static_cast<std::uint32_t>(i));
       }
-    std::vector<std::vector<StrokeResult>> met(touched.size());  // of each brick's passes
+    std::vector<std::vector<StrokeResult>> met(touched.size());  // results of the passes, by brick
     parallel_for(touched.size(), [&](std::size_t t) {
       std::shared_ptr<Brick>& brick = bricks_[touched[t]];
       if (brick.use_count() > 1) brick = std::make_shared<Brick>(*brick);
@@ -257,7 +257,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
       changed[touched[t]] = 1;
       for (const Brick::Pass& pass : passes) met[t].push_back(pass.result);
     });
-    // One after the other: sums and places are the same for any number of threads.
+    // Sequential, so that sums and positions do not depend on the number of threads.
     for (std::size_t t = 0; t < touched.size(); ++t)
       for (std::size_t k = 0; k < met[t].size(); ++k) {
         StrokeResult& result = results[begin + near[touched[t]][k]];

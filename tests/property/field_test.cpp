@@ -1,4 +1,5 @@
-// Operations over Fields, and the Asdf: intervals hold values, restriction changes nothing, threads change nothing.
+// Operations on Fields, and the Asdf: intervals contain all values; restriction and threads do not
+// change values.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
