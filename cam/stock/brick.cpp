@@ -23,6 +23,17 @@ Index3 point_of(int axis, int u, int v, int k) {
 int from(const StockLattice& lattice, int axis, float coordinate) { return lattice.below(axis, coordinate) + 1; }
 int up_to(const StockLattice& lattice, int axis, float coordinate) { return lattice.above(axis, coordinate) - 1; }
 
+/// Where the surface crosses the edge of the lattice from a point q that a stroke removes to its neighbour p, which stays, mm
+/// from the lattice's corner: at the end of the stroke's interval on that line. `after`: p follows q along axis d.
+float crossing_between(const Index3& p, const Index3& q, int d, bool after, const Window& across, const StockLattice& lattice) {
+  const int u = q[static_cast<std::size_t>(axis_u(d))], v = q[static_cast<std::size_t>(axis_v(d))];
+  const float place = lattice.at(d, q[static_cast<std::size_t>(d)]), other = lattice.at(d, p[static_cast<std::size_t>(d)]);
+  if (!across.has(u, v)) return place;
+  const std::size_t line = across.index(u, v);
+  if (!(across.entry[line] <= across.exit[line])) return place;
+  return after ? std::clamp(across.exit[line], place, other) : std::clamp(across.entry[line], other, place);
+}
+
 }  // namespace
 
 bool WindowSet::start(const Sweep& sweep, const Region& region) {
@@ -328,15 +339,7 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
           const int d = along_u ? ua : va;
           const Window& across = windows.along(d);
           const Index3 p = point_of(axis, pu, pv, k), q = point_of(axis, u, v, k);
-          const int wu = q[static_cast<std::size_t>(axis_u(d))], wv = q[static_cast<std::size_t>(axis_v(d))];
-          const int at_p = p[static_cast<std::size_t>(d)], at_q = q[static_cast<std::size_t>(d)];
-          float place = lattice.at(d, at_q);
-          if (across.has(wu, wv)) {
-            const std::size_t line = across.index(wu, wv);
-            if (across.entry[line] <= across.exit[line])
-              place = after ? std::clamp(across.exit[line], place, lattice.at(d, at_p))
-                            : std::clamp(across.entry[line], lattice.at(d, at_p), place);
-          }
+          const float place = crossing_between(p, q, d, after, across, lattice);
           if (after)
             samples_.keep_upper(SampleMap::key(q, d, region_), {place, stroke.cut});
           else

@@ -52,6 +52,141 @@ Vec3 any_across(const Vec3& axis) {
   return axis.cross(Vec3::Unit(least)).normalized();
 }
 
+/// The surface that the grazing curves of a piece's section sweep between two poses, as strips of triangles.
+class GrazingSurface {
+ public:
+  /// A point of the half section with its normal: distance from the axis, height, radial part, axial part.
+  using SectionPoint = std::array<double, 4>;
+  using Section = std::function<SectionPoint(double)>;
+  using AddStrip = std::function<void(const std::vector<Vec3>&, const std::vector<Vec3>&)>;
+
+  /// `parts`: number of pieces of the section's curve, at least; `sharpest`: its minimum radius of curvature, mm.
+  GrazingSurface(const ToolPose& from, const ToolPose& to, Section section, int parts, double sharpest, double tolerance,
+                 AddStrip add_strip)
+      : from_(from),
+        to_(to),
+        section_(std::move(section)),
+        parts_(parts),
+        sharpest_(sharpest),
+        tolerance_(tolerance),
+        add_strip_(std::move(add_strip)) {}
+
+  void add() { add_between(0, 1, 0); }
+
+ private:
+  /// The grazing points of one circle in one pose, on both sides, with their angles about the axis and their normals.
+  struct Pair {
+    std::array<double, 2> angles{};
+    std::array<Vec3, 2> places, normals;
+    bool closed = false;  ///< the circle has no grazing points
+  };
+  /// Those of one circle at two times.
+  struct Grazing {
+    double t = 0;
+    std::array<Pair, 2> ends;
+  };
+
+  [[nodiscard]] ToolPose pose_at(double time) const {
+    if (time <= 0 || time >= 1) return time <= 0 ? from_ : to_;
+    return {from_.tip + time * motion_, (from_.axis + time * turning_).normalized()};
+  }
+
+  [[nodiscard]] Pair pair(const SectionPoint& point, const ToolPose& pose) const {
+    const auto [distance, height, out, up] = point;
+    const auto [one, other] = across(pose.axis, like_);
+    const Vec3 swing = turning_ - turning_.dot(pose.axis) * pose.axis;
+    // normal . velocity = p . (cos, sin) + q at the angle about the axis.
+    const Vec3 p = out * motion_ + (height * out - distance * up) * swing;
+    const double q = up * motion_.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
+    const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
+    Pair result;
+    result.closed = std::abs(q) > length;
+    for (std::size_t side = 0; side < 2; ++side) {
+      result.angles[side] = middle + (side ? half : -half);
+      const Vec3 outwards = std::cos(result.angles[side]) * one + std::sin(result.angles[side]) * other;
+      result.places[side] = pose.tip + height * pose.axis + distance * outwards;
+      result.normals[side] = out * outwards + up * pose.axis;
+    }
+    return result;
+  }
+
+  [[nodiscard]] Grazing grazing(double t, const std::array<ToolPose, 2>& poses) const {
+    const SectionPoint point = section_(t);
+    return {t, {pair(point, poses[0]), pair(point, poses[1])}};
+  }
+
+  /// Extends a curve to a place, by smaller steps where it bends or the strip is twisted.
+  void extend(std::vector<Grazing>& curve, const Grazing& to, const std::array<ToolPose, 2>& poses, int depth) const {
+    const Grazing& back = curve.back();
+    double turn = 0, twist = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t end = 0; end < 2; ++end)
+        turn = std::max(turn,
+                        std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
+      const Vec3 ways = to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
+      twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
+    }
+    // Two triangles deviate from a twisted quadrilateral by a quarter of the twist.
+    if ((turn > 0.1 || twist > 4 * tolerance_) && depth < 10) {
+      const Grazing middle = grazing(0.5 * (curve.back().t + to.t), poses);
+      extend(curve, middle, poses, depth + 1);
+      extend(curve, to, poses, depth + 1);
+      return;
+    }
+    curve.push_back(to);
+  }
+
+  /// Adds the strips between the grazing curves at two times, one on each side.
+  void add_strips(const std::array<ToolPose, 2>& poses) const {
+    std::vector<Grazing> curve{grazing(0, poses)};
+    for (int i = 1; i <= parts_; ++i) extend(curve, grazing(static_cast<double>(i) / parts_, poses), poses, 0);
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::vector<Vec3> start, end;
+      for (const Grazing& g : curve) start.push_back(g.ends[0].places[side]), end.push_back(g.ends[1].places[side]);
+      add_strip_(start, end);
+    }
+  }
+
+  /// Height of the curve at mid-time above the strip between its ends. Points this near to the piece in its first or last pose
+  /// are not above that pose either: a step along a surface of radius r leaves it by step^2 / 2 r.
+  [[nodiscard]] double height_above_strip(double begin, double end) const {
+    const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
+    const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
+    // A corner's curve may cover only a small part of its parameter range.
+    const int samples = parts_ * (std::isfinite(sharpest_) ? 16 : 2);
+    double most = 0;
+    for (int i = 0; i <= samples; ++i) {
+      const SectionPoint point = section_(static_cast<double>(i) / samples);
+      const double step = to_stamp * (motion_.norm() + std::hypot(point[0], point[1]) * turning_.norm());
+      if (step * step <= 2 * tolerance_ * std::min(point[0], sharpest_)) continue;
+      const Pair middle = pair(point, poses[1]);
+      if (middle.closed) continue;
+      const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
+      for (std::size_t side = 0; side < 2; ++side)
+        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
+    }
+    return most;
+  }
+
+  void add_between(double begin, double end, int depth) const {
+    const bool turns = turning_.squaredNorm() > 1e-24;
+    if (turns && depth < 5 && height_above_strip(begin, end) > tolerance_) {
+      const double middle = 0.5 * (begin + end);
+      add_between(begin, middle, depth + 1);
+      add_between(middle, end, depth + 1);
+      return;
+    }
+    add_strips({pose_at(begin), pose_at(end)});
+  }
+
+  ToolPose from_, to_;
+  Vec3 like_ = any_across(from_.axis), motion_ = to_.tip - from_.tip, turning_ = to_.axis - from_.axis;
+  Section section_;
+  int parts_;
+  double sharpest_, tolerance_;
+  AddStrip add_strip_;
+};
+
 }  // namespace
 
 Sweep::Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to) : piece_(&piece), from_(from), to_(to) {
@@ -194,106 +329,9 @@ void Sweep::add_disc(double height, double radius, double tolerance) {
 /// curve closes. More than `parts` points are used near closed ends, where the curves turn quickly
 /// round the axis, and where the swept strip is twisted.
 void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance) {
-  const Vec3 like = any_across(from_.axis), motion = to_.tip - from_.tip, turning = to_.axis - from_.axis;
-  const auto pose_at = [&](double time) -> ToolPose {
-    if (time <= 0 || time >= 1) return time <= 0 ? from_ : to_;
-    return {from_.tip + time * motion, (from_.axis + time * turning).normalized()};
-  };
-  /// The grazing points of one circle in one pose, on both sides, with their angles about the axis
-  /// and their normals.
-  struct Pair {
-    std::array<double, 2> angles{};
-    std::array<Vec3, 2> places, normals;
-    bool closed = false;  ///< the circle has no grazing points
-  };
-  const auto pair = [&](const SectionPoint& point, const ToolPose& pose) {
-    const auto [distance, height, out, up] = point;
-    const auto [one, other] = across(pose.axis, like);
-    const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
-    // normal . velocity = p . (cos, sin) + q at the angle about the axis.
-    const Vec3 p = out * motion + (height * out - distance * up) * swing;
-    const double q = up * motion.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
-    const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
-    Pair result;
-    result.closed = std::abs(q) > length;
-    for (std::size_t side = 0; side < 2; ++side) {
-      result.angles[side] = middle + (side ? half : -half);
-      const Vec3 outwards = std::cos(result.angles[side]) * one + std::sin(result.angles[side]) * other;
-      result.places[side] = pose.tip + height * pose.axis + distance * outwards;
-      result.normals[side] = out * outwards + up * pose.axis;
-    }
-    return result;
-  };
-  /// Strips between the grazing curves at two times.
-  struct Grazing {
-    double t = 0;
-    std::array<Pair, 2> ends;
-  };
-  const auto add_strips = [&](const std::array<ToolPose, 2>& poses) {
-    const auto grazing = [&](double t) -> Grazing {
-      const SectionPoint point = section(t);
-      return {t, {pair(point, poses[0]), pair(point, poses[1])}};
-    };
-    std::vector<Grazing> curve{grazing(0)};
-    const auto add = [&](const auto& self, const Grazing& to, int depth) -> void {
-      const Grazing& back = curve.back();
-      double turn = 0, twist = 0;
-      for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t end = 0; end < 2; ++end)
-          turn = std::max(
-              turn, std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
-        const Vec3 ways =
-            to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
-        twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
-      }
-      // Two triangles deviate from a twisted quadrilateral by a quarter of the twist.
-      if ((turn > 0.1 || twist > 4 * tolerance) && depth < 10) {
-        const Grazing middle = grazing(0.5 * (curve.back().t + to.t));
-        self(self, middle, depth + 1);
-        self(self, to, depth + 1);
-        return;
-      }
-      curve.push_back(to);
-    };
-    for (int i = 1; i <= parts; ++i) add(add, grazing(static_cast<double>(i) / parts), 0);
-    for (std::size_t side = 0; side < 2; ++side) {
-      std::vector<Vec3> start, end;
-      for (const Grazing& g : curve) start.push_back(g.ends[0].places[side]), end.push_back(g.ends[1].places[side]);
-      add_strip(start, end);
-    }
-  };
-  // Returns the height of the curve at mid-time above the strip between its ends. Points this near
-  // to the piece in its first or last pose are not above that pose either: a step along a surface
-  // of radius r leaves it by step^2 / 2 r.
-  const auto off = [&](double begin, double end) {
-    const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
-    const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
-    // a corner's curve may cover only a small part of its parameter range
-    const int samples = parts * (std::isfinite(sharpest) ? 16 : 2);
-    double most = 0;
-    for (int i = 0; i <= samples; ++i) {
-      const SectionPoint point = section(static_cast<double>(i) / samples);
-      const double step = to_stamp * (motion.norm() + std::hypot(point[0], point[1]) * turning.norm());
-      if (step * step <= 2 * tolerance * std::min(point[0], sharpest)) continue;
-      const Pair middle = pair(point, poses[1]);
-      if (middle.closed) continue;
-      const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
-      for (std::size_t side = 0; side < 2; ++side)
-        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
-    }
-    return most;
-  };
-  const bool turns = turning.squaredNorm() > 1e-24;
-  const auto divide = [&](const auto& self, double begin, double end, int depth) -> void {
-    if (turns && depth < 5 && off(begin, end) > tolerance) {
-      const double middle = 0.5 * (begin + end);
-      self(self, begin, middle, depth + 1);
-      self(self, middle, end, depth + 1);
-      return;
-    }
-    add_strips({pose_at(begin), pose_at(end)});
-  };
-  divide(divide, 0, 1, 0);
+  GrazingSurface(from_, to_, section, parts, sharpest, tolerance, [&](const auto& start, const auto& end) {
+    add_strip(start, end);
+  }).add();
 }
 
 namespace {
