@@ -403,7 +403,7 @@ class Sharpener {
   Box area_box_;
   FieldPtr area_field_;
   std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: number of failures, so that it is not tried forever
-  bool features_only_ = true;                        ///< vertices on smooth surfaces near a crease wait until the crease is done
+  bool features_only_ = true;                        ///< smooth surfaces near a crease wait until it is done
   Samples scratch_;
 };
 
