@@ -22,8 +22,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Fraction of the cube [-1, 1]^3 with weights . u < limit, for weights of at least 0. With sorted
-/// weights it is a sum over the corners below the plane (Scardovelli and
-/// Zaleski 2000).
+/// weights it is a sum over the corners below the plane (Scardovelli and Zaleski 2000).
 double part_below(std::array<double, 3> weights, double limit) {
   const double all = weights[0] + weights[1] + weights[2];
   if (limit <= -all) return 0;
