@@ -1,4 +1,5 @@
-// serve: fabserver, a page in the browser with its render server, which is a part of the Python package (fieldfab.serve).
+// serve: fabserver, a page in the browser with its render server; part of the Python package
+// (fieldfab.serve).
 #include "verbs.h"
 
 namespace fieldfab::cli {

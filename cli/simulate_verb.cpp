@@ -1,4 +1,4 @@
-// simulate: a program carried out on a stock.
+// simulate: carries out a program on a stock.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ class SimulateVerb final : public Verb {
  private:
   static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf .fieldstock"; }
 
-  /// What is to be written, before the work: a wrong name is told of at once.
+  /// Checks output names before the work, so that an invalid name is reported at once.
   void check_outputs() const {
     const std::optional<FormatKind> written = openscad::all_formats().written(output_);
     if (!output_.empty() && written != FormatKind::mesh && extension_of(output_) != ".asdf" &&
@@ -140,7 +140,7 @@ class SimulateVerb final : public Verb {
     return outcome;
   }
 
-  /// What was said of the view.
+  /// Applies the options of the view.
   template <class View>
   void look_from(View& view) const {
     constexpr double degree = std::numbers::pi / 180;

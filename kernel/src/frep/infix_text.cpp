@@ -1,4 +1,5 @@
-// Infix .frep text: docs/frep-language.md is its manual. Precedence is resolved with stacks, so nesting costs memory only.
+// Infix .frep text; its manual is docs/frep-language.md. Precedence is resolved with explicit
+// stacks, so nesting costs memory only.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -15,21 +16,23 @@
 namespace fieldfab::frep {
 namespace {
 
-/// A token with what is next to it, as the parser needs it. Comments are left out, line ends outside parentheses are in.
+/// A token with the context that the parser needs. Comments are left out; line ends outside
+/// parentheses are tokens.
 struct InfixToken {
   enum Kind : std::uint8_t { number, name, words, unclosed_words, sign, unknown, end_of_statement, end } kind;
-  bool unindented;  ///< begins its line
+  bool unindented;  ///< the first token of its line
   std::size_t at;
-  std::string_view text;  ///< of words, what is between the quotes
+  std::string_view text;  ///< of words: the text between the quotes
   [[nodiscard]] bool is(char c) const { return kind == sign && text[0] == c; }
   [[nodiscard]] bool ends() const { return kind == end_of_statement || kind == end; }
   [[nodiscard]] std::size_t length() const { return text.size() + (kind == words ? 2 : 0); }
 };
 
-/// What a name stands for.
+/// Value of a name.
 struct Named : Value {
-  bool part = false;     ///< what part(...) gives
-  bool unknown = false;  ///< of a definition that is wrong, or of a parameter while its function is tried: fits everywhere
+  bool part = false;  ///< whether part(...) made it
+  /// Result of an invalid definition, or parameter during the trial of a function: fits everywhere
+  bool unknown = false;
 };
 
 using Names = std::unordered_map<std::string_view, Named>;
@@ -38,7 +41,7 @@ Named unknown_value() { return {{Expression::x()}, false, true}; }
 
 class InfixParser {
  public:
-  /// Mistakes are added to `found`, where it is given, and thrown otherwise.
+  /// Appends errors to `found` if it is not null, and throws them otherwise.
   InfixParser(std::string_view text, std::string_view name, const Opener& opener, std::vector<Diagnostic>* found = nullptr)
       : source_(text, name), opener_(opener), found_(found) {
     read_tokens(0);
@@ -46,7 +49,7 @@ class InfixParser {
 
   std::vector<TextPart> parse() {
     std::optional<Named> result;
-    std::optional<std::size_t> loose;  // where the last statement that gives its value no name begins
+    std::optional<std::size_t> loose;  // start of the last statement without a name for its value
     for (std::size_t at = 0; tokens_[at].kind != InfixToken::end && !full();) {
       if (tokens_[at].kind == InfixToken::end_of_statement) {
         ++at;
@@ -81,16 +84,16 @@ class InfixParser {
  private:
   struct UserFunction {
     std::vector<std::string_view> parameters;
-    std::size_t first;     // token where the body begins
-    std::size_t order;     // functions may call those defined before them only
-    bool unknown = false;  // the body is wrong
+    std::size_t first;     // first token of the body
+    std::size_t order;     // functions may call only those defined before them
+    bool unknown = false;  // the body is invalid
   };
 
   /// Reads the tokens from byte `from` on, outside parentheses.
   void read_tokens(std::size_t from) {
     const std::string_view text = source_.text();
     Lexer lexer(text, from);
-    int open = 0;  // parentheses: a statement goes on over line ends within them
+    int open = 0;  // depth of parentheses, inside which a statement continues over line ends
     std::size_t line = 1, end = from;
     while (const std::optional<Token> token = lexer.next()) {
       if (token->kind == TokenKind::comment) continue;
@@ -122,7 +125,7 @@ class InfixParser {
     tokens_.push_back({InfixToken::end, false, end, {}});
   }
 
-  // Going on after mistakes.
+  // Recovery after errors.
 
   void report(const TextError& error) {
     if (found_ == nullptr) throw TextError(error);
@@ -140,14 +143,15 @@ class InfixParser {
     report(TextError(ErrorKind::bad_input, source_.place(at), message, at));
   }
 
-  /// Whether further mistakes are not looked for.
+  /// Whether the search for further errors has ended.
   [[nodiscard]] bool full() const {
     constexpr std::size_t most = 100;
     return found_ != nullptr && (found_->size() >= most || operations_ > most_operations);
   }
 
-  /// Makes unknown what a statement would have defined, and moves past it. A statement that leaves a parenthesis open ends where
-  /// a line that is not indented looks like the next.
+  /// Makes the name that a statement defines unknown, and moves past the statement. A statement
+  /// with an open parenthesis ends before a line that is not indented and looks like the next
+  /// statement.
   void go_on_after(std::size_t first, std::size_t& at) {
     trial_ = false;
     callable_ = ~std::size_t{0};
@@ -192,7 +196,7 @@ class InfixParser {
     return source_.number(at);
   }
 
-  /// `name(a, b) = ...`; moves past it.
+  /// Reads `name(a, b) = ...`; moves past it.
   bool define_function(std::size_t& at) {
     if (tokens_[at].kind != InfixToken::name || !tokens_[at + 1].is('(')) return false;
     std::size_t after = at + 2;
@@ -209,7 +213,8 @@ class InfixParser {
     const UserFunction made{parameters, after + 1, functions_.size()};
     if (!functions_.emplace(tokens_[at].text, made).second)
       source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
-    // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
+    // Evaluate the body once, so that errors are reported at their place even in functions that are
+    // never called.
     Names trial;
     for (const std::string_view parameter : parameters) trial.emplace(parameter, unknown_value());
     at = after + 1;
@@ -233,7 +238,8 @@ class InfixParser {
     return value;
   }
 
-  /// What waits for operands: an operator, a parenthesis, or a call with the arguments it has so far.
+  /// An element that waits for operands: an operator, a parenthesis, or a call with its arguments
+  /// so far.
   struct Waiting {
     enum Kind : std::uint8_t { binary, unary, parenthesis, call } kind;
     std::uint8_t precedence;
@@ -241,7 +247,7 @@ class InfixParser {
     std::size_t token;
   };
   struct Argument {
-    std::string_view name;  // empty where positional
+    std::string_view name;  // empty if positional
     std::size_t token;
     Named value;
     std::optional<std::string> words;
@@ -267,7 +273,7 @@ class InfixParser {
   }
   static constexpr std::uint8_t unary_precedence = 5;
 
-  /// The expression that begins at token `at`; moves past it. `locals` are a function's parameters.
+  /// Reads the expression at token `at`; moves past it. `locals` are a function's parameters.
   Named expression(std::size_t& at, const Names* locals) {
     std::vector<Named> values;
     std::vector<Waiting> waiting;
@@ -320,7 +326,7 @@ class InfixParser {
           operand = false;
         } else if (token.kind == InfixToken::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
                    (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
-          values.push_back({{0.0}});  // in place of the words
+          values.push_back({{0.0}});  // placeholder for the words
           ++at;
           operand = false;
         } else if (token.kind == InfixToken::name && tokens_[at + 1].is('(')) {
@@ -473,7 +479,7 @@ class InfixParser {
     }
   }
 
-  /// open("scan.nrrd", threshold = 300): a file's solid.
+  /// open("scan.nrrd", threshold = 300): the solid of a file.
   Named opened(const Call& call) const {
     const std::size_t at = tokens_[call.token].at;
     std::string path;
@@ -539,10 +545,10 @@ class InfixParser {
     return value;
   }
 
-  /// Arguments in the order of the parameters; those that were left out are empty.
+  /// Arguments in the order of the parameters; omitted ones are empty.
   struct Given {
     std::vector<std::optional<Named>> values;
-    std::size_t words = ~std::size_t{0};  ///< which of them are words
+    std::size_t words = ~std::size_t{0};  ///< index of the argument that is words
     std::string text;
   };
   Given arranged(const Call& call, const std::vector<std::string_view>& parameters, bool any_number) const {
@@ -577,7 +583,7 @@ class InfixParser {
     return given;
   }
 
-  /// \n is a new line, \" quotes, \\ a backslash; any other backslash is one.
+  /// Replaces \n by a new line, \" by quotes and \\ by a backslash; keeps any other backslash.
   static std::string unquoted(std::string_view words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -595,7 +601,7 @@ class InfixParser {
   std::vector<Diagnostic>* found_;
   Names names_;
   std::vector<TextPart> parts_;
-  bool trial_ = false;  ///< nothing is opened, and no part is made
+  bool trial_ = false;  ///< trial of a function: opens no file and makes no part
   std::unordered_map<std::string_view, UserFunction> functions_;
   std::size_t callable_ = ~std::size_t{0};  ///< user functions of lower order may be called
   std::size_t operations_ = 0;

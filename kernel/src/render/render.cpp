@@ -20,13 +20,14 @@ Image bitmap(const Field& field, const PixelGrid& grid, Progress& progress) {
   return image;
 }
 
-/// Light as a screen's number stands for it (sRGB), 0 to 1.
+/// Converts an sRGB channel to linear light, 0 to 1.
 float linear(std::uint8_t number) {
   const float share = static_cast<float>(number) / 255;
   return share <= 0.04045F ? share / 12.92F : std::pow((share + 0.055F) / 1.055F, 2.4F);
 }
 
-/// The colour of each pixel that sees something: of the part with the least value there.
+/// Returns the colour of each pixel that sees a part: that of the part with the least value at the
+/// point.
 std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, const Box& bounds, const RenderSettings& settings,
                                           const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
   std::vector<FieldPtr> fields;

@@ -18,10 +18,11 @@ const auto compass = [] {
   return made;
 }();
 
-/// The nearest whole number; for distances in pixels.
+/// The nearest integer; for distances in pixels.
 int nearest(float value) { return static_cast<int>(value + 65536.5F) - 65536; }
 
-/// How open the sky is above each pixel, 0 to 1: horizons in twelve directions, read off the height map at growing distances.
+/// Returns the visible fraction of the sky above each pixel, 0 to 1: from horizons in twelve
+/// directions, found in the height map at growing distances.
 std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
   std::vector<float> openness(grid.count(), 1);
   const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
@@ -49,15 +50,16 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
   return openness;
 }
 
-/// How much of a light from `direction` reaches each pixel, 0 to 1: soft, because nearly hidden counts as half hidden.
+/// Returns the fraction of a light from `direction` that reaches each pixel, 0 to 1. Shadows are
+/// soft: points that are nearly hidden count as half hidden.
 std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& heights, const Eigen::Vector3f& direction,
                               Progress& progress) {
   std::vector<float> light(grid.count(), 1);
   const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
   const float along = direction.head<2>().norm(), dx = direction.x() / along, dy = -direction.y() / along;
-  const float rise = direction.z() / along * pixel;  // for each pixel of distance
+  const float rise = direction.z() / along * pixel;  // per pixel of distance
   const float reach = static_cast<float>(std::max(grid.width, grid.height)) / 3;
-  constexpr float softness = 12;  // what clears the ray by its length over this is in full light
+  constexpr float softness = 12;  // full light if the clearance exceeds the length of the ray over this
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     progress.check();
     for (int x = 0; x < grid.width; ++x) {
