@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
@@ -22,8 +22,6 @@
 
 namespace fieldfab::cli {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 class RenderVerb final : public Verb {
  public:
@@ -44,7 +42,12 @@ class RenderVerb final : public Verb {
   Outcome run(Progress& progress) override {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
-    RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
+    RenderSettings settings{render_mode(mode_),
+                            size_,
+                            alpha_ * radians_per_degree,
+                            beta_ * radians_per_degree,
+                            perspective_ * radians_per_degree,
+                            samples_};
     const Model model = options_.open(progress);
     tell_empty_parts(model, options_.model, progress);
     const Solid solid = united(model);

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/cam/simulate/frames.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/simulate/picture.h"
 #include "fieldfab/cam/simulate/report_json.h"
 #include "fieldfab/cam/simulate/simulate.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
@@ -143,10 +143,9 @@ class SimulateVerb final : public Verb {
   /// Applies the options of the view.
   template <class View>
   void look_from(View& view) const {
-    constexpr double degree = std::numbers::pi / 180;
     if (size_) view.size = *size_;
-    if (alpha_) view.alpha = *alpha_ * degree;
-    if (beta_) view.beta = *beta_ * degree;
+    if (alpha_) view.alpha = *alpha_ * radians_per_degree;
+    if (beta_) view.beta = *beta_ * radians_per_degree;
   }
 
   void write_picture(const cam::SimulationResult& result, Progress& progress) const {

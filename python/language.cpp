@@ -1,9 +1,8 @@
 // The design language in Python: the functions of the library, texts, files.
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "bindings.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
@@ -73,7 +72,7 @@ std::string documentation(const frep::LibraryFunction& function) {
   std::string parameters;
   for (const frep::Parameter& parameter : function.parameters) {
     parameters += fmt::format("{}{}", parameters.empty() ? "" : ", ", parameter.name);
-    const double unit = parameter.quantity == frep::Quantity::angle ? std::numbers::pi / 180 : 1;
+    const double unit = parameter.quantity == frep::Quantity::angle ? radians_per_degree : 1;
     if (parameter.fallback) parameters += fmt::format("={:.4g}", *parameter.fallback * unit);
   }
   if (function.any_number) parameters += ", ...";

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstring>
-#include <numbers>
 
 #include "bindings.h"
 #include "fieldfab/cam/simulate/frames.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/simulate/picture.h"
 #include "fieldfab/cam/simulate/playback.h"
 #include "fieldfab/cam/simulate/simulate.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/openscad/design.h"
@@ -48,7 +48,7 @@ cam::Tool tool_of(const py::dict& given) {
     else if (name == "corner_radius")
       tool.corner_radius = value.cast<double>();
     else if (name == "angle")
-      tool.angle = value.cast<double>() * std::numbers::pi / 180;
+      tool.angle = to_radians(value.cast<double>());
     else if (name == "tip_diameter")
       tool.tip_diameter = value.cast<double>();
     else if (name == "flute")
@@ -109,7 +109,7 @@ void bind_block(py::module_& module) {
 /// Three lengths, three angles in degrees, three lengths.
 cam::AxisValues axes_of(const std::array<double, 9>& given) {
   cam::AxisValues axes;
-  for (std::size_t a = 0; a < 9; ++a) axes.at[a] = given[a] * (a >= 3 && a < 6 ? std::numbers::pi / 180 : 1);
+  for (std::size_t a = 0; a < 9; ++a) axes.at[a] = given[a] * (cam::is_rotary(a) ? radians_per_degree : 1);
   return axes;
 }
 

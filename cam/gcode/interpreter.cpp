@@ -1,8 +1,8 @@
 #include "interpreter.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -15,11 +15,9 @@ std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& fi
 namespace gcode {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 /// Conversion of angles: radians in the interface, degrees in programs.
 AxisValues in_degrees(AxisValues values) {
-  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees;
+  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees_per_radian;
   return values;
 }
 

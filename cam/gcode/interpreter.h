@@ -135,7 +135,7 @@ class Interpreter final : public PredefinedParameters {
 
   // cycles.cpp, threads.cpp
   void cycle();
-  void cycle_hole(const AxisValues& place, double r, double bottom, double clear);
+  class Hole;
   void thread();
 
   // compensation.cpp

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "interpreter.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr std::string_view letters = "xyzabcuvw";
 constexpr double chord_tolerance = 0.001;  // mm, for arcs that become short feeds
 
@@ -36,7 +36,7 @@ AxisValues Interpreter::target() const {
     double radius = std::hypot(from.at[0], from.at[1]), angle = std::atan2(from.at[1], from.at[0]);
     if (block_.has_angle && !block_.has_radius && radius == 0) refuse("^ without @ at the origin");
     if (block_.has_radius) radius = modes_.absolute ? length(block_.radius) : radius + length(block_.radius);
-    if (block_.has_angle) angle = modes_.absolute ? block_.angle * radians : angle + block_.angle * radians;
+    if (block_.has_angle) angle = modes_.absolute ? block_.angle * radians_per_degree : angle + block_.angle * radians_per_degree;
     to.at[0] = radius * std::cos(angle);
     to.at[1] = radius * std::sin(angle);
   }
@@ -185,7 +185,7 @@ Motion Interpreter::stamped(Motion::Kind kind) const {
 
 void Interpreter::feed_of(Motion& motion, const AxisValues& from, double length_along) const {
   const double xyz = length_along >= 0 ? length_along : distance(from, motion.end, 0, 3);
-  const double uvw = distance(from, motion.end, 6, 3), turn = distance(from, motion.end, 3, 3) * radians;
+  const double uvw = distance(from, motion.end, 6, 3), turn = distance(from, motion.end, 3, 3) * radians_per_degree;
   if (modes_.feed_mode == 930) {
     const double along = xyz > 0 ? xyz : uvw > 0 ? uvw : turn;
     motion.feed = modes_.feed * (along > 0 ? along : 1);
@@ -193,7 +193,7 @@ void Interpreter::feed_of(Motion& motion, const AxisValues& from, double length_
     return;
   }
   const bool rotary = xyz == 0 && uvw == 0 && turn > 0;
-  motion.feed = modes_.feed * (rotary ? radians : modes_.feed_unit);
+  motion.feed = modes_.feed * (rotary ? radians_per_degree : modes_.feed_unit);
   if (modes_.feed_mode == 950) motion.feed *= std::abs(modes_.spindle == 0 ? modes_.speed : spindle_at(motion.end));
 }
 
@@ -240,12 +240,12 @@ void Interpreter::send(Motion motion) {
       along = std::hypot(arc_length(from, end, motion.centre, motion.turns), to.at[axes.third] - sent_.at[axes.third]);
     }
     if (along == 0) along = distance(sent_, to, 6, 3);
-    if (along == 0) along = distance(sent_, to, 3, 3) * radians;
+    if (along == 0) along = distance(sent_, to, 3, 3) * radians_per_degree;
     motion.seconds = 60 * along / motion.feed;
   }
   if (arc && !frame_.keeps(motion.plane)) return send_chords(motion);
   motion.end = frame_.tip(to);
-  for (std::size_t k = 3; k < 6; ++k) motion.end.at[k] *= radians;
+  for (std::size_t k = 3; k < 6; ++k) motion.end.at[k] *= radians_per_degree;
   if (arc) {
     AxisValues centre = to;
     centre.at[axes.first] = motion.centre.x(), centre.at[axes.second] = motion.centre.y();

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "simple_machine.h"
 
 namespace fieldfab::cam {
@@ -302,7 +302,7 @@ class HpglReader {
     const Vec2 from = at() - centre;
     if (degrees == 0 || from.norm() == 0) return;
     if (std::abs(degrees) > 360e6) refuse("an arc of {} degrees", degrees);
-    const double angle = degrees * std::numbers::pi / 180;
+    const double angle = to_radians(degrees);
     const Vec2 to = centre + Vec2(std::cos(angle) * from.x() - std::sin(angle) * from.y(),
                                   std::sin(angle) * from.x() + std::cos(angle) * from.y());
     if (!down_) return line_to(to);

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <map>
 
+#include "fieldfab/core/angle.h"
 #include "simple_machine.h"
 
 namespace fieldfab::cam {
 namespace gcode {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t most_variables = 100'000, deepest_gosub = 100;
 constexpr int deepest_brackets = 100;
 
@@ -264,7 +264,7 @@ class SbpReader {
       for (std::size_t k = 0; k < 4; ++k)
         if (const auto speed = field(k)) {
           if (*speed <= 0) refuse("{} with a speed of {}", word, *speed);
-          speeds_[k] = *speed * 60 * (k < 2 ? unit_ : 1 / degrees);
+          speeds_[k] = *speed * 60 * (k < 2 ? unit_ : 1 / degrees_per_radian);
         }
     } else if (word == "SA" || word == "SR") {
       relative_ = word == "SR";
@@ -306,7 +306,7 @@ class SbpReader {
       refuse("'{}' is not known here", shown(line));
     }
   }
-  [[nodiscard]] double scale(std::size_t axis) const { return axis < 3 ? unit_ : 1 / degrees; }
+  [[nodiscard]] double scale(std::size_t axis) const { return axis < 3 ? unit_ : 1 / degrees_per_radian; }
 
   /// M and J, with a number of axes, an axis letter, or H.
   void straight(const std::string& word) {
@@ -342,7 +342,7 @@ class SbpReader {
     const auto moves = [&](std::size_t k) { return to.at[k] != from.at[k]; };
     const std::size_t which = moves(0) || moves(1) ? 0 : moves(2) ? 1 : moves(3) ? 2 : moves(4) || moves(5) ? 3 : 0;
     if (!speeds_[which]) {
-      const double taken = which < 2 ? 1524 : 600 / degrees;
+      const double taken = which < 2 ? 1524 : 600 / degrees_per_radian;
       machine_.notes.add(machine_.line, which < 2 ? "a move before MS: 25.4 mm/s is taken"
                                                   : "no speed for a rotary axis: 10 degrees/s is taken");
       return taken;
@@ -407,7 +407,8 @@ class SbpReader {
     const Vec2 base = relative_ ? centre : Vec2(Vec2::Zero());
     if (const auto x = field(1)) centre.x() = base.x() + *x * unit_;
     if (const auto y = field(2)) centre.y() = base.y() + *y * unit_;
-    const double begin = field(5).value_or(0) / degrees, end = field(6).value_or(360) / degrees, radius = *diameter * unit_ / 2;
+    const double begin = field(5).value_or(0) / degrees_per_radian, end = field(6).value_or(360) / degrees_per_radian,
+                 radius = *diameter * unit_ / 2;
     const auto on_circle = [&](double angle) { return Vec2(centre + radius * Vec2(std::sin(angle), std::cos(angle))); };
     circle.centre = centre;
     const Vec2 start = on_circle(begin);

@@ -7,6 +7,7 @@
 
 #include "fieldfab/cam/plan/deep_cuts.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
@@ -40,7 +41,7 @@ LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, 
   s.link_feed = is_set(v, "link_feed") ? v.number("link_feed") : s.feed;
   const std::string& entry = v.text("entry");
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
-  s.ramp_angle = v.number("ramp_angle") * 3.14159265358979323846 / 180;
+  s.ramp_angle = to_radians(v.number("ramp_angle"));
   s.above = std::min(s.above, v.number("clearance"));
   s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
   s.may_stay_down = cuts.may_stay_down;

@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/toml_table.h"
 #include "base/tool_table.h"
 #include "fieldfab/cam/job/job.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -19,8 +19,6 @@
 
 namespace fieldfab::cam {
 namespace {
-
-constexpr double degrees = std::numbers::pi / 180;
 
 Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from, const std::vector<double>& list) {
   if (list.size() < from + 3) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
@@ -138,7 +136,7 @@ class JobReader {
     }
     if (scale != 1) field = fieldfab::scale(field, Vec3::Constant(scale));
     if (const auto turns = input.list("rotate")) {
-      const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
+      const Vec3 angles = vector_of(input, "rotate", 0, *turns) * radians_per_degree;
       for (int axis = 0; axis < 3; ++axis)
         if (angles[axis] != 0) field = fieldfab::rotate(field, Vec3::Unit(axis), angles[axis]);
     }
@@ -378,7 +376,8 @@ class JobReader {
     const std::string& name = values.text("plane");
     if (name == "five") return five_planes();
     if (name == "stepped") return stepped_planes(static_cast<int>(values.number("steps")));
-    if (name == "view") return {plane_from_view(values.number("alpha") * degrees, values.number("beta") * degrees)};
+    if (name == "view")
+      return {plane_from_view(values.number("alpha") * radians_per_degree, values.number("beta") * radians_per_degree)};
     Plane plane = plane_named(name);
     plane.to_the_middle = !plane.is_top();
     return {plane};

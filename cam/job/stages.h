@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fieldfab/cam/job/stage.h"
+#include "fieldfab/core/angle.h"
 
 namespace fieldfab::cam {
 
@@ -50,7 +51,7 @@ inline ClearSettings clear_of(const Values& values, double stepover, const Tool&
   clear.stepover = stepover;
   clear.adaptive = values.text("pattern") == "adaptive";
   clear.helix_radius = tool.helix_radius();
-  clear.ramp_angle = values.number("ramp_angle") * 3.14159265358979323846 / 180;
+  clear.ramp_angle = to_radians(values.number("ramp_angle"));
   return clear;
 }
 }  // namespace fieldfab::cam

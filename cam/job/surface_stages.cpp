@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "fieldfab/cam/plan/tilt.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "stages.h"
 
 namespace fieldfab::cam {
 namespace {
 
-constexpr double degrees = std::numbers::pi / 180;
 using SurfacePtr = std::shared_ptr<const Surface>;
 
 Depths depths_of(const Values& values, const Context& context, const Surface& surface) {
@@ -110,8 +110,8 @@ void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Conte
     throw Error(ErrorKind::bad_input, values.place("lean"), "only a ball or a tapered ball can lean while it cuts");
   if (context.part == nullptr) throw Error(ErrorKind::bad_input, values.place("lean"), "needs a solid");
   TiltSettings settings;
-  settings.lead = values.number("lead") * degrees;
-  settings.most = values.number("most_lean") * degrees;
+  settings.lead = values.number("lead") * radians_per_degree;
+  settings.most = values.number("most_lean") * radians_per_degree;
   settings.clearance = values.number("body_clearance");
   settings.tolerance = values.number("tolerance");
   TiltReport report;
@@ -184,7 +184,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
   cuts.ordered = true;
   const auto add = [&](std::vector<Path> paths) { cuts.paths.insert(cuts.paths.end(), paths.begin(), paths.end()); };
   settings.both_ways = values.flag("both_ways");
-  settings.angle = values.number("angle") * degrees;
+  settings.angle = values.number("angle") * radians_per_degree;
   if (pattern == "spiral") {
     add(spiral(*tips, settings, context.progress));
   } else {
@@ -223,8 +223,8 @@ Artifact pencil_stage(const Artifact& in, const Values& values, Context& context
   const TipSurface tips(surface, context.tool.profile(), values.number("allowance"));
   PlannedCuts cuts;
   const double radius = context.tool.profile().radius();
-  cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10), values.number("least_angle") * degrees,
-                      context.progress);
+  cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10),
+                      values.number("least_angle") * radians_per_degree, context.progress);
   if (cuts.paths.empty())
     throw Error(ErrorKind::bad_input, "pencil", "there are no valleys that this tool touches on both sides");
   cuts.inside_first = false;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "kinematics.h"
 #include "writers.h"
@@ -253,7 +253,7 @@ class TextWriter {
       return;  // shorter than the last decimal
     for (std::size_t k = 0; k < solver_.axes().size(); ++k) {
       const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
-      templates_.set(letter, pose.angles[k] * 180 / std::numbers::pi);
+      templates_.set(letter, to_degrees(pose.angles[k]));
     }
     if (move.rapid()) {
       stop_cutting();
@@ -277,7 +277,7 @@ class TextWriter {
       coordinate("i", arc.centre.x() - at_.x()), coordinate("j", arc.centre.y() - at_.y());
       coordinate("cx", arc.centre.x() + offset_.x()), coordinate("cy", arc.centre.y() + offset_.y()),
           coordinate("radius", arc.radius);
-      templates_.set("turn", -arc.turn * 180 / std::numbers::pi);
+      templates_.set("turn", -to_degrees(arc.turn));
       out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
     } else {
       out_ += templates_.fill(move.rapid() ? "rapid" : "line");

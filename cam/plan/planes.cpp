@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 
@@ -37,7 +38,7 @@ Plane plane_named(const std::string& name) {
 Plane plane_from_view(double alpha, double beta) {
   // The viewer looks down z after the rotations: this is the direction that they map to z.
   const Vec3 axis = Eigen::AngleAxisd(-alpha, Vec3::UnitZ()) * (Eigen::AngleAxisd(-beta, Vec3::UnitX()) * Vec3::UnitZ());
-  return plane_along(axis, fmt::format("view {:.4g}, {:.4g}", alpha * 180 / std::numbers::pi, beta * 180 / std::numbers::pi));
+  return plane_along(axis, fmt::format("view {:.4g}, {:.4g}", to_degrees(alpha), to_degrees(beta)));
 }
 
 std::vector<Plane> five_planes() {
@@ -55,7 +56,7 @@ std::vector<Plane> stepped_planes(int count) {
       const double beta = tilt * step, alpha = turn * step;
       const double up = std::abs(std::cos(beta)) < 1e-12 ? 0 : std::cos(beta);
       planes.push_back(plane_along({std::sin(beta) * std::cos(alpha), std::sin(beta) * std::sin(alpha), up},
-                                   fmt::format("{:.4g}, {:.4g}", alpha * 180 / std::numbers::pi, beta * 180 / std::numbers::pi)));
+                                   fmt::format("{:.4g}, {:.4g}", to_degrees(alpha), to_degrees(beta))));
     }
   return planes;
 }
@@ -224,7 +225,7 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
   // Opposite directions: by way of the vertical, which every table can reach.
   if (hinge.norm() < 1e-9) hinge = from.axis.cross(Vec3::UnitZ());
   if (hinge.norm() < 1e-9) hinge = Vec3::UnitX();
-  const int steps = std::max(1, static_cast<int>(std::ceil(angle / (5 * std::numbers::pi / 180))));
+  const int steps = std::max(1, static_cast<int>(std::ceil(angle / to_radians(5))));
   for (int i = 1; i <= steps; ++i) {
     Vec3 axis = i == steps ? to.axis : Vec3(Eigen::AngleAxisd(angle * i / steps, hinge.normalized()) * from.axis);
     rapid(centre + radius * axis, axis);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fieldfab/cam/plan/operations.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 
@@ -106,7 +107,7 @@ class MedialAxis {
       const Vec2 u = foot(*edge.cell(), p) - p, v = foot(*edge.twin()->cell(), p) - p;
       return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
     };
-    constexpr double least = 35 * std::numbers::pi / 180;
+    constexpr double least = to_radians(35);
     return std::max({angle(a), angle(b), angle(0.5 * (a + b))}) > least;
   }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -60,7 +61,7 @@ std::vector<AxisValues> PoseMaker::places(const AxisValues& from, const Motion& 
     std::vector<double> stops;
     for (std::size_t a = 0; a < 9; ++a) {
       const bool turns = a >= 3 && a < 6;
-      way[a] = std::abs(motion.end.at[a] - from.at[a]) * (turns ? 180 / std::numbers::pi : 1);
+      way[a] = std::abs(motion.end.at[a] - from.at[a]) * (turns ? degrees_per_radian : 1);
       if (way[a] > 0) stops.push_back(way[a]);
     }
     std::sort(stops.begin(), stops.end());

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "base/toml_table.h"
 #include "base/tool_table.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/job/job.h"
 #include "fieldfab/cam/plan/planes.h"
 #include "fieldfab/cam/simulate/setup.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -20,8 +20,6 @@
 
 namespace fieldfab::cam {
 namespace {
-
-constexpr double degrees = std::numbers::pi / 180;
 
 Placement placement_of(const Plane& plane) { return {plane.axes, plane.axes * plane.origin}; }
 
@@ -279,7 +277,7 @@ class SetupReader {
   AxisValues axes(const TomlTable& table, const std::string& key, const std::vector<double>& list) const {
     if (list.size() < 3 || list.size() > 9) throw refuse(table, key, fmt::format("{} is [x, y, z] and up to six axes more", key));
     AxisValues values;
-    for (std::size_t a = 0; a < list.size(); ++a) values.at[a] = list[a] * (a >= 3 && a < 6 ? degrees : 1);
+    for (std::size_t a = 0; a < list.size(); ++a) values.at[a] = list[a] * (a >= 3 && a < 6 ? radians_per_degree : 1);
     return values;
   }
 
@@ -304,7 +302,7 @@ class SetupReader {
       for (std::size_t a = 0; a < letters.size(); ++a)
         if (const auto list = limits->list(letters[a])) {
           if (list->size() != 2 || !((*list)[0] <= (*list)[1])) throw refuse(*limits, letters[a], "limits are [from, to]");
-          const double unit = a >= 3 && a < 6 ? degrees : 1;
+          const double unit = a >= 3 && a < 6 ? radians_per_degree : 1;
           setup_.limits[a] = {(*list)[0] * unit, (*list)[1] * unit};
         }
     }

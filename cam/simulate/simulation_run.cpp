@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -251,7 +251,7 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
       const double excess = beyond(stations[i]);
       const bool end = i + 1 == stations.size();
       if (excess <= 1e-6 || (!end && excess <= before)) continue;
-      const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
+      const double unit = is_rotary(axis) ? degrees_per_radian : 1;
       log_.add({Kind::over_travel, cut_move(motion), stations[i].xyz() - setup_.zero, excess * unit,
                 fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
                             stations[i].at[axis] * unit, low * unit, high * unit)});
@@ -268,7 +268,7 @@ double SimulationRun::duration_of(const Motion& motion, double length) const {
   linear = motion.kind == Motion::Kind::arc ? length : std::sqrt(linear);
   if (!known_) return 0;
   if (motion.kind == Motion::Kind::rapid) {
-    constexpr double turning = 3600 * std::numbers::pi / 180;  // radians/min, if no speed is given
+    constexpr double turning = to_radians(3600);  // radians/min, if no speed is given
     return 60 * std::max(linear / std::max(setup_.machine.dynamics.rapid, 1.0), turned / turning);
   }
   if (motion.feed <= 0) return 0;

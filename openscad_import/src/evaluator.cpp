@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "imports.h"
 
@@ -13,7 +13,6 @@ namespace fieldfab::openscad {
 namespace {
 
 constexpr int deepest = 2000;  // nodes within nodes that join several; chains of single children do not count
-constexpr double degree = std::numbers::pi / 180;
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> known) {
   return std::any_of(known.begin(), known.end(), [&](const char* one) { return name == one; });
@@ -118,9 +117,9 @@ Eigen::Affine3d Evaluator::placement_of(const Arguments& a, const Node& node) {
     if (angle != nullptr && angle->number() != nullptr) {
       const Vec3 axis = a.find("v") != nullptr ? vector("v", 0) : Vec3::UnitZ();
       if (axis.norm() > 0)
-        placement.linear() = Eigen::AngleAxisd(*angle->number() * degree, axis.normalized()).toRotationMatrix();
+        placement.linear() = Eigen::AngleAxisd(*angle->number() * radians_per_degree, axis.normalized()).toRotationMatrix();
     } else {
-      const Vec3 turns = vector("a", 0) * degree;
+      const Vec3 turns = vector("a", 0) * radians_per_degree;
       placement = Eigen::AngleAxisd(turns.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turns.y(), Vec3::UnitY()) *
                   Eigen::AngleAxisd(turns.x(), Vec3::UnitX());
     }

@@ -160,13 +160,19 @@ bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_
 }
 
 /// Halves unclear cells, level by level, and then the cells that their neighbours need halved.
-/// Cells that only lack a proof are divided if they are few compared with the folded cells or with
-/// the whole surface.
 void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
                     std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < refiners.size(); ++i)
     if (refiners[i]) active.push_back(i);
+  const int finest = halve_unclear_cells(active, settings, crossed, progress, refiners);
+  if (finest < lattice_.voxel_level()) halve_neighbours(open, std::move(active), finest, settings, progress, refiners);
+}
+
+/// Returns the finest level made. Cells that only lack a proof are divided if they are few compared with the folded cells or with
+/// the whole surface.
+int Octree::halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
+                                Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   int finest = lattice_.voxel_level();
   std::size_t budget = settings.most_divided, folded_before = 0;
   while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
@@ -208,8 +214,13 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
   certainty_.finest = lattice_.longest_side(finest);
   if (certainty_.doubt == Doubt::finest_size && finest > 0) certainty_.doubt = Doubt::not_proved;
   if (settings.depth == 0) certainty_.doubt = Doubt::not_looked;
-  if (finest == lattice_.voxel_level()) return;
+  return finest;
+}
 
+/// `active`: the blocks in which cells were halved since the last round.
+void Octree::halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest,
+                              const ContourSettings& settings, Progress& progress,
+                              std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::map<LatticePoint, std::size_t> number;
   for (std::size_t i = 0; i < open.size(); ++i) number.emplace(open[i]->lower, i);
   std::size_t asked = 0;

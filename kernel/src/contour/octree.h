@@ -120,6 +120,10 @@ class Octree {
                                      const ContourSettings& settings) const;
   void refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
               std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  int halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
+                          Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest, const ContourSettings& settings,
+                        Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
   void merge_blocks(const ContourSettings& settings);
   void number_leafs();
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;

@@ -2,11 +2,11 @@
 // stacks, so nesting costs memory only.
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/library.h"
 #include "fieldfab/frep/shapes.h"
@@ -274,126 +274,154 @@ class InfixParser {
   static constexpr std::uint8_t unary_precedence = 5;
 
   /// Reads the expression at token `at`; moves past it. `locals` are a function's parameters.
-  Named expression(std::size_t& at, const Names* locals) {
-    std::vector<Named> values;
-    std::vector<Waiting> waiting;
-    std::vector<Call> calls;
-    const auto reduce = [&] {
-      const Waiting top = waiting.back();
-      waiting.pop_back();
-      if (top.kind == Waiting::unary) {
-        values.back().expression = Expression::make(Opcode::negate, values.back().expression);
-        values.back().part = false;
-      } else {
-        const Named b = std::move(values.back());
-        values.pop_back();
-        values.back() = joined(values.back(), b, top);
-      }
-      if (++operations_ > most_operations) source_.fail(tokens_[at].at, fmt::format("more than {} operations", most_operations));
-    };
-    const auto reduce_to_bracket = [&] {
-      while (!waiting.empty() && waiting.back().kind <= Waiting::unary) reduce();
-    };
-    const auto begin_argument = [&] {
-      Call& call = calls.back();
-      call.next_name = {};
-      call.next_token = at;
-      if (tokens_[at].kind == InfixToken::name && tokens_[at + 1].is('=')) {
-        call.next_name = tokens_[at].text;
-        at += 2;
-      }
-    };
-    const auto end_argument = [&] {
-      Call& call = calls.back();
-      const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
-      call.arguments.push_back({call.next_name, call.next_token, std::move(values.back()), {}});
-      if (first.kind == InfixToken::words) call.arguments.back().words = unquoted(first.text);
-      values.pop_back();
-    };
-    const auto end_call = [&] {
-      waiting.pop_back();
-      values.push_back(apply_call(calls.back(), locals));
-      calls.pop_back();
-      ++at;
-    };
+  Named expression(std::size_t& at, const Names* locals) { return ExpressionReader(*this, at, locals).read(); }
 
-    for (bool operand = true;;) {
-      const InfixToken& token = tokens_[at];
-      if (operand) {
-        if (token.kind == InfixToken::number) {
-          values.push_back({{number(at)}});
-          ++at;
-          operand = false;
-        } else if (token.kind == InfixToken::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
-                   (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
-          values.push_back({{0.0}});  // placeholder for the words
-          ++at;
-          operand = false;
-        } else if (token.kind == InfixToken::name && tokens_[at + 1].is('(')) {
-          waiting.push_back({Waiting::call, 0, '(', at});
-          calls.push_back({at, {}, {}, 0});
-          at += 2;
-          if (tokens_[at].is(')')) {
-            end_call();
-            operand = false;
-          } else {
-            begin_argument();
-          }
-        } else if (token.kind == InfixToken::name) {
-          values.push_back(variable(at, locals));
-          ++at;
-          operand = false;
-        } else if (token.is('(')) {
-          waiting.push_back({Waiting::parenthesis, 0, '(', at++});
-        } else if (token.is('-') && tokens_[at + 1].kind == InfixToken::number && !tokens_[at + 2].is('^')) {
-          values.push_back({{-number(at + 1)}});
-          at += 2;
-          operand = false;
-        } else if (token.is('-') || token.is('!')) {
-          waiting.push_back({Waiting::unary, unary_precedence, '-', at++});
-        } else if (token.is('+')) {
-          ++at;
-        } else {
-          unexpected(at, "a value");
-        }
-        continue;
-      }
+  /// Reads an expression by the shunting-yard algorithm, without recursion: expressions may be as deep as they are long.
+  class ExpressionReader {
+   public:
+    /// Moves `at` to the token after the expression.
+    ExpressionReader(InfixParser& parser, std::size_t& at, const Names* locals)
+        : parser_(parser), tokens_(parser.tokens_), at_(at), locals_(locals) {}
+
+    Named read() {
+      Next next = Next::operand;
+      while (next != Next::end) next = next == Next::operand ? operand() : operation();
+      return std::move(values_.back());
+    }
+
+   private:
+    enum class Next : std::uint8_t { operand, operation, end };
+
+    Next operand() {
+      const InfixToken& token = tokens_[at_];
+      if (token.kind == InfixToken::number) return push({{parser_.number(at_)}}, 1);
+      if (token.kind == InfixToken::words && is_argument()) return push({{0.0}}, 1);  // in place of the words
+      if (token.kind == InfixToken::name && tokens_[at_ + 1].is('(')) return begin_call();
+      if (token.kind == InfixToken::name) return push(parser_.variable(at_, locals_), 1);
+      if (token.is('-') && tokens_[at_ + 1].kind == InfixToken::number && !tokens_[at_ + 2].is('^'))
+        return push({{-parser_.number(at_ + 1)}}, 2);
+      if (token.is('('))
+        waiting_.push_back({Waiting::parenthesis, 0, '(', at_++});
+      else if (token.is('-') || token.is('!'))
+        waiting_.push_back({Waiting::unary, unary_precedence, '-', at_++});
+      else if (token.is('+'))
+        ++at_;
+      else
+        parser_.unexpected(at_, "a value");
+      return Next::operand;
+    }
+
+    Next push(Named value, std::size_t tokens) {
+      values_.push_back(std::move(value));
+      at_ += tokens;
+      return Next::operation;
+    }
+
+    /// Whether a token is all of an argument of a call.
+    [[nodiscard]] bool is_argument() const {
+      return !waiting_.empty() && waiting_.back().kind == Waiting::call && (tokens_[at_ + 1].is(',') || tokens_[at_ + 1].is(')'));
+    }
+
+    Next operation() {
+      const InfixToken& token = tokens_[at_];
       const std::uint8_t rank = token.kind == InfixToken::sign ? precedence(token.text[0]) : std::uint8_t{0};
       if (rank > 0) {
         const bool to_the_right = token.is('^');
-        while (!waiting.empty() && waiting.back().kind <= Waiting::unary &&
-               (waiting.back().precedence > rank || (waiting.back().precedence == rank && !to_the_right)))
+        while (!waiting_.empty() && waiting_.back().kind <= Waiting::unary &&
+               (waiting_.back().precedence > rank || (waiting_.back().precedence == rank && !to_the_right)))
           reduce();
-        waiting.push_back({Waiting::binary, rank, token.text[0], at++});
-        operand = true;
-      } else if (token.is(')')) {
-        reduce_to_bracket();
-        if (waiting.empty()) unexpected(at, "an operator");
-        if (waiting.back().kind == Waiting::call) {
-          end_argument();
-          end_call();
-        } else {
-          waiting.pop_back();
-          ++at;
-        }
-      } else if (token.is(',')) {
-        reduce_to_bracket();
-        if (waiting.empty() || waiting.back().kind != Waiting::call) unexpected(at, "an operator");
-        end_argument();
-        ++at;
-        begin_argument();
-        operand = true;
+        waiting_.push_back({Waiting::binary, rank, token.text[0], at_++});
+        return Next::operand;
+      }
+      while (!waiting_.empty() && waiting_.back().kind <= Waiting::unary) reduce();
+      if (token.is(')')) return close_bracket();
+      if (token.is(',')) return next_argument();
+      parser_.refuse_alone(at_);
+      if (!waiting_.empty())
+        parser_.source_.fail(tokens_[at_].at, fmt::format("the parenthesis opened at column {} is not closed",
+                                                          parser_.column(waiting_.back().token)));
+      if (!token.ends()) parser_.unexpected(at_, "an operator");
+      return Next::end;
+    }
+
+    /// Applies the last operator that waits.
+    void reduce() {
+      const Waiting top = waiting_.back();
+      waiting_.pop_back();
+      if (top.kind == Waiting::unary) {
+        values_.back().expression = Expression::make(Opcode::negate, values_.back().expression);
+        values_.back().part = false;
       } else {
-        reduce_to_bracket();
-        refuse_alone(at);
-        if (!waiting.empty())
-          source_.fail(tokens_[at].at,
-                       fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (!token.ends()) unexpected(at, "an operator");
-        return std::move(values.back());
+        const Named b = std::move(values_.back());
+        values_.pop_back();
+        values_.back() = parser_.joined(values_.back(), b, top);
+      }
+      if (++parser_.operations_ > most_operations)
+        parser_.source_.fail(tokens_[at_].at, fmt::format("more than {} operations", most_operations));
+    }
+
+    Next close_bracket() {
+      if (waiting_.empty()) parser_.unexpected(at_, "an operator");
+      if (waiting_.back().kind == Waiting::call) {
+        end_argument();
+        return end_call();
+      }
+      waiting_.pop_back();
+      ++at_;
+      return Next::operation;
+    }
+
+    Next begin_call() {
+      waiting_.push_back({Waiting::call, 0, '(', at_});
+      calls_.push_back({at_, {}, {}, 0});
+      at_ += 2;
+      if (tokens_[at_].is(')')) return end_call();
+      begin_argument();
+      return Next::operand;
+    }
+
+    void begin_argument() {
+      Call& call = calls_.back();
+      call.next_name = {};
+      call.next_token = at_;
+      if (tokens_[at_].kind == InfixToken::name && tokens_[at_ + 1].is('=')) {
+        call.next_name = tokens_[at_].text;
+        at_ += 2;
       }
     }
-  }
+
+    Next next_argument() {
+      if (waiting_.empty() || waiting_.back().kind != Waiting::call) parser_.unexpected(at_, "an operator");
+      end_argument();
+      ++at_;
+      begin_argument();
+      return Next::operand;
+    }
+
+    void end_argument() {
+      Call& call = calls_.back();
+      const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
+      call.arguments.push_back({call.next_name, call.next_token, std::move(values_.back()), {}});
+      if (first.kind == InfixToken::words) call.arguments.back().words = unquoted(first.text);
+      values_.pop_back();
+    }
+
+    Next end_call() {
+      waiting_.pop_back();
+      values_.push_back(parser_.apply_call(calls_.back()));
+      calls_.pop_back();
+      ++at_;
+      return Next::operation;
+    }
+
+    InfixParser& parser_;
+    const std::vector<InfixToken>& tokens_;
+    std::size_t& at_;
+    const Names* locals_;
+    std::vector<Named> values_;
+    std::vector<Waiting> waiting_;
+    std::vector<Call> calls_;
+  };
 
   [[nodiscard]] std::size_t column(std::size_t token) const {
     const std::size_t at = tokens_[token].at, line = source_.text().substr(0, at).rfind('\n');
@@ -422,7 +450,7 @@ class InfixParser {
     source_.fail(tokens_[at].at, fmt::format("unknown name '{:.40}'{}", name, suggestion(name, known)));
   }
 
-  Named apply_call(const Call& call, const Names* /*locals*/) {
+  Named apply_call(const Call& call) {
     const std::string_view name = tokens_[call.token].text;
     if (const auto user = functions_.find(name); user != functions_.end() && user->second.order < callable_) {
       const std::vector<std::string_view>& parameters = user->second.parameters;
@@ -464,7 +492,7 @@ class InfixParser {
       const Parameter& parameter = function->parameters[std::min(i, function->parameters.size() - 1)];
       if (!given.values[i]) continue;
       values[i] = *given.values[i];
-      if (parameter.quantity == Quantity::angle) values[i]->expression = values[i]->expression * (std::numbers::pi / 180);
+      if (parameter.quantity == Quantity::angle) values[i]->expression = values[i]->expression * radians_per_degree;
       if ((parameter.quantity == Quantity::text) != (given.words == i))
         source_.fail(tokens_[call.token].at,
                      fmt::format("'{}' of '{}' {}", parameter.name, name,

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/shapes.h"
 
@@ -571,7 +572,7 @@ Expression call(const LibraryFunction& function, const std::vector<std::optional
     const bool missing = i >= given.size() || !given[i];
     if (missing && !parameter.fallback)
       throw Error(ErrorKind::bad_input, "", fmt::format("'{}' lacks its argument '{}'", function.name, parameter.name));
-    const double unit = parameter.quantity == Quantity::angle ? std::numbers::pi / 180 : 1;
+    const double unit = parameter.quantity == Quantity::angle ? radians_per_degree : 1;
     const Expression value = missing ? Expression(*parameter.fallback * unit) : *given[i];
     const bool is_plain = parameter.quantity == Quantity::number || parameter.quantity == Quantity::whole;
     arguments.values.push_back(is_plain ? plain(value, function, parameter) : value);
