@@ -1,5 +1,6 @@
-// The figures of the first issue, on one thread, each beside what kokopelli's own library needs on this kind of machine
-// ("x kokopelli" is its time divided by ours; it was measured there, not run here).
+// Benchmarks of the first issue, on one thread, with the times of kokopelli's own library on this
+// kind of machine ("x kokopelli" is its time divided by ours; it was measured there and is not run
+// here).
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -21,7 +22,7 @@ FieldPtr vm(const char* name) {
   return frep::make_field(frep::simplify(frep::parse_vm(read_file(std::string(TEST_DATA "/frep/") + name))));
 }
 
-/// The 35 parts of mtm_az with their bounds; inches, as the files have them.
+/// The 35 parts of mtm_az with their bounds; inches, as in the files.
 const std::vector<std::pair<FieldPtr, Box>>& mtm_az() {
   static const auto parts = [] {
     std::vector<std::pair<FieldPtr, Box>> made;
@@ -64,7 +65,7 @@ void TanglecubeAsdf256(benchmark::State& state) {
 }
 BENCHMARK(TanglecubeAsdf256)->Unit(benchmark::kMillisecond);
 
-/// As fine as kokopelli's, which joins leafs only where nothing is lost to speak of.
+/// As fine as kokopelli's, which merges leafs only if the loss is negligible.
 void TanglecubeAsdf256Exact(benchmark::State& state) {
   const ThreadLimit one(1);
   const FieldPtr field = vm("tanglecube.vm");
@@ -87,7 +88,7 @@ void TanglecubeMesh256(benchmark::State& state) {
 }
 BENCHMARK(TanglecubeMesh256)->Unit(benchmark::kMillisecond);
 
-/// No cells merged: as many triangles as the lattice asks for.
+/// Without merged cells: as many triangles as the lattice has.
 void TanglecubeMesh256Unmerged(benchmark::State& state) {
   const ThreadLimit one(1);
   const FieldPtr field = vm("tanglecube.vm");
@@ -124,7 +125,7 @@ void MtmAzMeshes(benchmark::State& state) {
 }
 BENCHMARK(MtmAzMeshes)->Unit(benchmark::kMillisecond);
 
-/// The baseline: the tape run over whole rows, without intervals.
+/// The baseline: the tape evaluated on whole rows, without intervals.
 void ProsperoRows1024(benchmark::State& state) {
   const FieldPtr field = vm("prospero.vm");
   constexpr std::size_t side = 1024;
@@ -170,7 +171,7 @@ void TextBitmap2048(benchmark::State& state) {
 }
 BENCHMARK(TextBitmap2048)->Unit(benchmark::kMillisecond);
 
-/// A first, coarse picture of all parts: what someone sees at once.
+/// A first, coarse picture of all parts, as shown at once.
 void MtmAzFirstPicture(benchmark::State& state) {
   const ThreadLimit one(1);
   mtm_az();
@@ -179,7 +180,7 @@ void MtmAzFirstPicture(benchmark::State& state) {
 }
 BENCHMARK(MtmAzFirstPicture)->Unit(benchmark::kMillisecond);
 
-/// Values a second of prospero's whole tape: each evaluator beside the portable one is the ratio of their rates.
+/// Values per second of prospero's whole tape, by evaluator; compare with the portable one.
 void Evaluator(benchmark::State& state) {
   const auto evaluator = static_cast<frep::Evaluator>(state.range(0));
   state.SetLabel(std::string(frep::name(evaluator)));
