@@ -186,8 +186,8 @@ TEST_F(AsdfFiles, OfKokopelliAreRead) {
     const double ring = std::hypot(p.x(), p.y()) - 1, truth = std::hypot(ring, p.z()) - 0.4;
     if (std::abs(truth) > 0.05) {
       EXPECT_EQ(torus->value(p) < 0, truth < 0) << p.transpose();
-      // in a leaf: the distance itself, up to the curvature in a cell of 0.13
     } else if (std::abs(torus->value(p)) < 0.2) {
+      // in a leaf: the distance itself, up to the curvature in a cell of 0.13
       EXPECT_NEAR(torus->value(p), truth, 0.03);
     }
   }
