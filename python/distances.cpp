@@ -1,4 +1,4 @@
-// Distance fields in Python.
+// Python bindings of distance fields.
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
 

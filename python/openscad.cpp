@@ -8,13 +8,13 @@ namespace {
 using openscad::NodeIndex;
 using openscad::Tree;
 
-/// A tree that the nodes which Python holds keep alive.
+/// A tree that is kept alive by the nodes that Python holds.
 struct SharedTree {
   std::shared_ptr<const Tree> tree;
   std::shared_ptr<const std::vector<int>> dimensions;
 };
 
-/// One node of it.
+/// One node of the tree.
 struct SharedNode {
   SharedTree whole;
   NodeIndex index;
@@ -44,9 +44,9 @@ SharedTree shared(Tree tree) {
   return {std::make_shared<const Tree>(std::move(tree)), std::move(dimensions)};
 }
 
-/// What OpenSCAD text makes.
+/// Result of an OpenSCAD text.
 struct Design {
-  std::optional<Solid> solid;  ///< a plate of a flat one; nothing of an empty one
+  std::optional<Solid> solid;  ///< a plate for a flat design; std::nullopt for an empty one
   bool flat;
   std::optional<double> voxel;
   std::vector<std::string> notes;

@@ -13,7 +13,7 @@
 namespace fieldfab::python {
 namespace {
 
-/// (vertices, normals, corners, cuts); corners end with -1, as Coin has them.
+/// (vertices, normals, corners, cuts); corners end with -1, as in Coin.
 py::tuple arrays_of(const cam::DrawnSurface& surface) {
   const auto rows = [](const std::vector<std::array<float, 3>>& vectors) {
     py::array_t<float> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
@@ -73,7 +73,7 @@ void bind_surface(py::module_& module) {
           "All of it as one closed mesh, level flats merged.");
 }
 
-/// One number of each move.
+/// An array with one number per move.
 template <class Number, class Of>
 py::array_t<Number> of_moves(const cam::Playhead& head, const Of& of) {
   const cam::Playback& playback = head.playback();

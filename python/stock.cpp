@@ -19,10 +19,10 @@ namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Red, green and blue, as Python has colours.
+/// Red, green and blue, as colours in Python.
 std::array<std::uint8_t, 3> channels_of(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// Poses as rows of x, y, z of the tip and, where there are six numbers, of the tool's axis.
+/// Poses from rows of the tip's x, y and z, optionally followed by the tool's axis.
 std::vector<cam::ToolPose> poses_of(const Rows& rows) {
   if (rows.ndim() != 2 || (rows.shape(1) != 3 && rows.shape(1) != 6))
     throw Error(ErrorKind::bad_input, "poses", "an (n, 3) array of tips or an (n, 6) array of tips and axes is wanted");
@@ -122,7 +122,7 @@ std::vector<std::filesystem::path> paths_of(const Programs& programs) {
   return std::get<std::vector<std::filesystem::path>>(*programs);
 }
 
-/// A simulation in Python, and the place in its playback.
+/// A simulation in Python, with the position in its playback.
 struct Simulated {
   cam::SimulationResult result;
   std::optional<cam::Playhead> playhead;
@@ -134,7 +134,7 @@ Simulated simulated(cam::SimulationResult result) {
   return made;
 }
 
-/// One number of each cut.
+/// An array with one number per cut.
 template <class Of>
 py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
   const cam::Cuts& cuts = result.cuts();
@@ -143,7 +143,7 @@ py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
   return out;
 }
 
-/// A text that may hold bytes of programs: what is no UTF-8 becomes U+FFFD.
+/// Converts a text that may contain bytes of programs: invalid UTF-8 becomes U+FFFD.
 py::str text_of(const std::string& bytes) {
   return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
 }

@@ -71,8 +71,7 @@ class SbpReader {
     at_ = {};
   }
 
-  // Values
-  // ------------------------------------------------------------------------------------------------------------------
+  // ---------- Values
   double value(std::string_view text) {
     std::string_view rest = trimmed(text);
     const double result = sum(rest, 0);
@@ -161,8 +160,7 @@ class SbpReader {
     refuse("'{}' compares nothing", shown(sign));
   }
 
-  // Statements
-  // --------------------------------------------------------------------------------------------------------------
+  // ---------- Statements
   void carry_out(std::string_view line) {
     if (line.empty() || is_label(line)) return;
     if (line.front() == '&') return assign(line);
@@ -238,8 +236,7 @@ class SbpReader {
     at_ = found->second;
   }
 
-  // Commands
-  // ----------------------------------------------------------------------------------------------------------------
+  // ---------- Commands
   static std::vector<std::string_view> fields_of(std::string_view rest) {
     std::vector<std::string_view> fields;
     while (!rest.empty()) {

@@ -1,5 +1,6 @@
-// The figures of the first issue, on one thread, each beside what kokopelli's own library needs on this kind of machine
-// ("x kokopelli" is its time divided by ours; it was measured there, not run here).
+// Benchmarks of the first issue, on one thread, with the times of kokopelli's own library on this
+// kind of machine ("x kokopelli" is its time divided by ours; it was measured there and is not run
+// here).
 #include <benchmark/benchmark.h>
 
 #include <array>

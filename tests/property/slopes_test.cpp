@@ -29,8 +29,7 @@ Box box_near(const Box& whole) {
   return {middle - half, middle + half};
 }
 
-// --- expressions
-// ----------------------------------------------------------------------------------------------------------------
+// ---------- expressions
 
 /// An expression in double precision. Constants have single precision, as in the tape.
 class Twin {
@@ -133,8 +132,7 @@ RC_GTEST_PROP(FieldOperations, SlopesOfExpressionsHoldDifferences, ()) {
   expect_slopes_hold(*frep::make_field(expression), {lower, lower + Vec3::Constant(number(0.01, 1))}, Twin(expression));
 }
 
-// --- volumes
-// --------------------------------------------------------------------------------------------------------------------
+// ---------- volumes
 
 struct Scan {
   SampleLattice lattice;
@@ -231,8 +229,7 @@ TEST(Slopes, OfVolumesAreUnknownForManyCellsAndWhatIsNoNumber) {
   EXPECT_TRUE(slopes[0].maybe_nan);
 }
 
-// --- OpenSCAD
-// -------------------------------------------------------------------------------------------------------------------
+// ---------- OpenSCAD
 
 /// A simple outline about the origin.
 std::string random_outline(double right_of) {
