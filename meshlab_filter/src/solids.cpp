@@ -108,7 +108,7 @@ TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log)
       continue;
     }
     const std::array<std::uint32_t, 3> own{stands[t[0]], stands[t[1]], stands[t[2]]};
-    // Three positions without area are needed to keep the mesh closed
+    // A triangle without area, but with three different vertices, is needed to keep the mesh closed.
     if (own[0] == own[1] || own[1] == own[2] || own[2] == own[0]) {
       ++flat;
       continue;
@@ -180,7 +180,7 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   }
 
   if (sharp) {
-    // Triangles within the solid are no surface to measure from
+    // Triangles within the solid are no surface to measure from.
     if (reach > 0 && inspect(mesh).self_intersections > 0) {
       log.push_back(fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
       ContourMesh enclosed = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);

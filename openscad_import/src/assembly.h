@@ -12,7 +12,7 @@ struct Placed {
   FieldPtr field;
   Box box;  ///< contains the solid
   /// Outside the box the value is at least this factor times the distance to the box along the
-  /// farthest axis
+  /// farthest axis.
   double steepness;
 };
 

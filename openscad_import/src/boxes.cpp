@@ -205,7 +205,7 @@ Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   const std::size_t inner = grid.stride[axis], outer = grid.solid.size() / (inner * grid.size[axis]);
   for (std::size_t cell = 1; cell < after.size(); ++cell) {
     const double middle = 0.5 * (after[cell - 1] + after[cell]);
-    // Cells within `growth`
+    // Cells within `growth`.
     const std::size_t first = cell_at(before, middle - growth), last = cell_at(before, middle + growth);
     for (std::size_t from = first; from <= last; ++from)
       for (std::size_t i = 0; i < outer; ++i) {

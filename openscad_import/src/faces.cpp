@@ -86,7 +86,7 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
     };
     divide(0, corners.size() - 1);
   }
-  // Slivers among the triangles can have any normal and become faces of their own
+  // Slivers among the triangles can have any normal and become faces of their own.
   return is_closed(result) ? result : convex;
 }
 

@@ -24,7 +24,7 @@ class Frames {
 
   [[nodiscard]] int of(const Part& part) const;
   [[nodiscard]] int whole() const { return whole_; }  ///< frame of the whole design
-  /// As rows
+  /// Axes of a frame, as rows.
   [[nodiscard]] const Eigen::Matrix3d& axes(int frame) const { return axes_[static_cast<std::size_t>(frame)]; }
   /// Rotation from the coordinates of one frame to those of another.
   [[nodiscard]] Eigen::Matrix3d turn(int from, int to) const;

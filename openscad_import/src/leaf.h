@@ -19,7 +19,7 @@ struct Shape {
   FieldPtr field = nullptr;
   Box box = {};  ///< contains the shape
   /// Outside the box the value is at least this factor times the distance to it along the farthest
-  /// axis
+  /// axis.
   double steepness = 1;
 
   [[nodiscard]] bool empty() const { return !formula && !field; }

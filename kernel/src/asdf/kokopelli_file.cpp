@@ -1,4 +1,4 @@
-// kokopelli's .asdf files, version 2.0 (their layout: shared/data/SOURCES.txt, docs/asdf-format.md).
+// kokopelli's .asdf files, version 2.0 (layout: shared/data/SOURCES.txt, docs/asdf-format.md).
 #include <bit>
 #include <map>
 

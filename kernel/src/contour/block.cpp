@@ -483,7 +483,7 @@ static double off_straight(const std::vector<SurfacePoint>& points, int axis, co
     const Vec3 p = point.position.cast<double>();
     for (const int along : {(axis + 1) % 3, (axis + 2) % 3})
       if (p[along] == cell.lower[along] || p[along] == cell.upper[along]) {
-        // thin() keeps some points twice
+        // thin() keeps some points twice.
         if (std::find(ends.begin(), ends.end(), p) == ends.end()) ends.push_back(p);
         break;
       }

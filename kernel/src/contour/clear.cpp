@@ -31,7 +31,7 @@ class BlockInspector {
  private:
   using Corner = std::array<int, 3>;  // in cells from the block's lower corner
   // With this many folded cells, half of the block, the surface is no sheet, and smaller cells
-  // would be folded too
+  // would be folded too.
   static constexpr int rough = 256;
 
   [[nodiscard]] LatticePoint point(const Corner& at) const {

@@ -310,7 +310,7 @@ class CurveTracer {
     const Eigen::Vector2d bend((a * m.y() - b * n.y()) / cross, (n.x() * b - m.x() * a) / cross);
     const Eigen::Vector2d along = q - p, off = bend - p;
     const double length = along.norm();
-    // Nearly straight
+    // The curve is nearly straight.
     if (std::abs(along.x() * off.y() - along.y() * off.x()) < 1e-3 * length * length) return std::nullopt;
     const Box face = rectangle(curve);
     Vec3 place = face.lower;

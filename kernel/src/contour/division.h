@@ -14,7 +14,7 @@ struct DivisionRequest {
   LatticePoint lower;
   int level;
   /// Divide only if the cell, or the cell that contains it, has several patches or an ambiguous
-  /// face
+  /// face.
   bool only_ambiguous;
   auto operator<=>(const DivisionRequest&) const = default;
 };

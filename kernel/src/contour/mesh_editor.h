@@ -42,9 +42,9 @@ class MeshEditor {
 
   TriangleMesh& mesh_;
   double cell_;
-  /// By cell, opened triangles only; stale entries stay
+  /// By cell, opened triangles only; stale entries stay.
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> triangles_in_;
-  /// By vertex: index into fans_, or none
+  /// By vertex: index into fans_, or none.
   std::vector<std::uint32_t> fan_of_;
   std::vector<std::vector<std::uint32_t>> fans_;
   std::vector<std::uint32_t> near_;

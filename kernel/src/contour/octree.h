@@ -30,7 +30,7 @@ struct Leaf {
 /// A sign change between neighbouring lattice points.
 struct Crossing {
   std::uint8_t axis;
-  /// Lower end of the edge, in cells from the lower corner of its block or division
+  /// Lower end of the edge, in cells from the lower corner of its block or division.
   std::array<std::uint8_t, 3> lower;
   bool lower_inside;
   SurfacePoint point;
@@ -45,10 +45,10 @@ struct Division {
   std::uint32_t inside = 0;              ///< one bit per lattice point, x fastest
   std::vector<Crossing> crossings = {};  ///< on all edges
   /// By cell: index of the division of a cell that was halved
-  /// again, or none
+  /// again, or none.
   std::array<std::uint32_t, 8> parts{none, none, none, none, none, none, none, none};
   /// By cell: index of a cell that is a leaf, among the leafs of
-  /// the block, or none
+  /// the block, or none.
   std::array<std::uint32_t, 8> leafs{none, none, none, none, none, none, none, none};
 
   [[nodiscard]] std::uint8_t corners(unsigned child) const;
@@ -59,10 +59,10 @@ struct Block {
   static constexpr std::uint16_t no_leaf = std::numeric_limits<std::uint16_t>::max();
 
   LatticePoint lower;
-  /// On edges whose lower end is below 8 on every axis, so that each edge has one block
+  /// On edges whose lower end is below 8 on every axis, so that each edge has one block.
   std::vector<Crossing> crossings;
   std::vector<Leaf> leafs;  ///< leafs of whole cells and larger ones come first
-  /// By cell (x fastest): index into leafs, or no_leaf; empty if all cells are leaf 0
+  /// By cell (x fastest): index into leafs, or no_leaf; empty if all cells are leaf 0.
   std::vector<std::uint16_t> leaf_of;
   std::vector<Division> divisions;
   std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty if no cell is halved

@@ -18,7 +18,7 @@ struct Flaw {
   std::array<std::uint32_t, 3> vertices;
   int count;  ///< number of vertices: 1, 2 or 3
   float error;
-  /// Cube of space that contains the flaw; the flaws of one cube are mended together
+  /// Cube of space that contains the flaw; the flaws of one cube are mended together.
   std::array<std::int32_t, 3> area;
 };
 
@@ -33,7 +33,7 @@ struct Misfit {
 struct Star {
   std::uint32_t vertex;
   std::vector<std::uint32_t> old;  ///< triangles of the patch
-  /// Edges around the patch, each in the direction of the triangle inside
+  /// Edges around the patch, each in the direction of the triangle inside.
   std::vector<std::array<std::uint32_t, 2>> rim;
 };
 
@@ -216,7 +216,7 @@ class Sharpener {
       const bool sharp = target.directions > 1;
       if (features_only_ && !sharp) continue;
       // Found from tangent planes up to `reach` away; a curved crease is located better from nearer
-      // planes
+      // planes.
       if (sharp) {
         const std::array closer_by{0.25F * reaches[r]};
         const PlacedVertex closer =

@@ -20,7 +20,7 @@ struct PlacedVertex {
   Vec3 position;
   double error;
   /// Number of directions that the planes determine: 0 or 1 on a smooth surface, 2 on a crease, 3
-  /// in a corner
+  /// in a corner.
   int directions;
 };
 

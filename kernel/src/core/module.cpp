@@ -19,8 +19,9 @@ std::filesystem::path folder_of_parts() {
   return std::filesystem::canonical(library.dli_fname).parent_path() / ("fieldfab-" FIELDFAB_VERSION);
 }
 
-/// Starts and ends as many threads as a library may start during loading. log4cplus, to which OpenVDB
-/// links, waits forever if one of its threads cannot start; after this test all probably can.
+/// Starts and ends as many threads as a library may start during loading. log4cplus, to which
+/// OpenVDB links, waits forever if one of its threads cannot start; after this test all probably
+/// can.
 /// @throws std::system_error  if the system refuses a thread
 void try_threads() {
   std::vector<std::jthread> threads;

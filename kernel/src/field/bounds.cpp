@@ -7,7 +7,7 @@ namespace fieldfab {
 namespace {
 
 constexpr double far_away = 1e6;  // mm; a solid that reaches this far counts as unbounded
-// Operations per face; boxes undecided after so many stay inside the bounds
+// Operations per face; boxes undecided after so many stay inside the bounds.
 constexpr std::size_t most_work = 40'000'000;
 
 /// A box that may contain some of the solid.

@@ -264,7 +264,7 @@ class Mapped final : public Field {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       Restriction& here = out[i];
       const Interval known = inner_interval(ranges(i), here.range);
-      // A coordinate may be NaN, and no box contains NaN
+      // A coordinate may be NaN, and no box contains NaN.
       if (known.maybe_nan && !here.range.maybe_nan) here.field = a_;
       bool same = here.field == a_;
       for (std::size_t axis = 0; axis < 3; ++axis) same = same && coordinate[axis][i].field == coordinate_[axis];

@@ -17,7 +17,7 @@ inline constexpr Operand first_value = 3;
 /// One operation. In clauses of arity 1, b equals a.
 struct Clause {
   Opcode op;
-  /// Whether the sign of the root depends only on the sign of this clause: all clauses between them
+  /// Whether the sign of the root depends only on the sign of this clause: all clauses in between
   /// are min, max and negation.
   bool only_sign_matters;
   /// Memory for its value during evaluation of a batch. Slots are reused, so that a batch stays in

@@ -31,7 +31,7 @@ struct InfixToken {
 /// Value of a name.
 struct Named : Value {
   bool part = false;  ///< whether part(...) made it
-  /// Result of an invalid definition, or parameter during the trial of a function: fits everywhere
+  /// Result of an invalid definition, or parameter during the trial of a function: fits everywhere.
   bool unknown = false;
 };
 

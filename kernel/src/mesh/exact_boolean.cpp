@@ -69,7 +69,7 @@ bool touches_itself(const Mesh& mesh) {
     Vec3 place;
     double along;
   };
-  // Direction along which different corners usually have different coordinates
+  // Direction along which different corners usually have different coordinates.
   const Vec3 way(0.61803, 0.54931, 0.56226);
   std::vector<Corner> corners;
   corners.reserve(mesh.number_of_vertices());

@@ -26,9 +26,9 @@ bool has_area(const TriangleMesh& mesh) {
   });
 }
 
-/// Decides whether a point is inside: by a winding number above 1/2 for an open mesh. The number is
-/// that of the mesh with lids, an integer found by ray casting, minus that of the lids, which are
-/// few. For a soup of pieces it is a sum over all triangles.
+/// Decides whether a point is inside: whether the magnitude of the winding number exceeds 1/2. The
+/// number is that of the mesh with lids, an integer found by ray casting, minus that of the lids,
+/// which are few. For a soup of pieces it is a sum over all triangles.
 class Inside {
  public:
   Inside(const TriangleMesh& mesh, const TriangleTree& tree) : tree_(tree), middle_(mesh.bounds().centre().z()) {
@@ -172,8 +172,7 @@ class MeshField final : public Field {
     if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
     const TriangleTree::Place nearest = tree_.nearest(p, last.nearest.triangle);
     // No triangle of a closed mesh lies between the points if none is as near: the side is the
-    // same.
-    // False after NaN
+    // same. NaN in the last result gives false.
     const bool same_side = inside_.closed() && (p - last.point).norm() < 0.999999 * std::abs(last.distance);
     const bool inside = same_side ? last.distance < 0 : inside_.at(p);
     return {p, nearest, (inside ? -1 : 1) * (p - nearest.at).norm()};

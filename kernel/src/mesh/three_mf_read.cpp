@@ -240,7 +240,7 @@ class Assembly {
       std::size_t next_child = 0;
       Eigen::Affine3d transform;
     };
-    // A vector would copy hundreds of thousands of elements as it grows
+    // A vector would copy hundreds of thousands of elements as it grows.
     std::deque<Level> levels{{root, 0, transform}};
     while (!levels.empty()) {
       Level& level = levels.back();

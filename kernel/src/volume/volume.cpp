@@ -237,7 +237,7 @@ void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& p
   const int last = lattice.size[2], least = shared ? 2 : 1;
   const auto fitting = static_cast<int>(std::min<std::size_t>(bytes / (lattice.slice() * sizeof(float)), 64));
   const int most = std::clamp(fitting, least, last);
-  // A file can state any size
+  // A file can state any size.
   require_memory(lattice.slice() * static_cast<std::size_t>(most) * sizeof(float), "volume");
   std::vector<float> slab(lattice.slice() * static_cast<std::size_t>(most));
   for (int first = 0; first < last - (shared ? 1 : 0);) {
