@@ -5,16 +5,16 @@
 #include <cmath>
 #include <map>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/solid/open.h"
 #include "fieldfab/solid/surface.h"
-#include "fieldfab/openscad/design.h"
 #include "programs.h"
 
 namespace fieldfab::openscad {

@@ -6,8 +6,8 @@
 #include "evaluator.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/solid/open.h"
 #include "programs.h"
 

@@ -8,12 +8,12 @@
 #include <fstream>
 #include <string>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 
 namespace {

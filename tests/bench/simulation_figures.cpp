@@ -231,8 +231,8 @@ void tilted() {
   for (const Rival& rival : {Rival{ToolShape::flat, 0.156, 31, 2.9e9}, Rival{ToolShape::ball, 0.313, 9.2, 0.74e9}}) {
     double cutting = 0, meshing = 0;
     const auto bytes = static_cast<double>(milled(rival.shape, rival.cell, cutting, meshing).statistics().bytes);
-    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting, meshing,
-               rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
+    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting,
+               meshing, rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
   }
 }
 

@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 
 namespace fieldfab {
 namespace {

@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "filter.h"
 
 namespace fieldfab::meshlab {

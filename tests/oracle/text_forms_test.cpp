@@ -9,12 +9,12 @@
 #include <random>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/solid/open.h"
 #include "mesh/zip_archive.h"
 #include "thin_solid.h"

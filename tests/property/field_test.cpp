@@ -6,11 +6,11 @@
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 #include "fieldfab/volume/distances.h"
 #include "random_expression.h"

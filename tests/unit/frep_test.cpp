@@ -130,7 +130,8 @@ TEST(FrepText, TellsSolidsFromNumbers) {
 }
 
 TEST(FrepText, MakesNamedParts) {
-  const auto parts = parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
+  const auto parts =
+      parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].name, "ball");
   EXPECT_EQ(*parts[0].colour, (Colour{255, 99, 71}));

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab {

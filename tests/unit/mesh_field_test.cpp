@@ -189,8 +189,7 @@ TEST(MeshField, WaysAlongItsNormalsDoNotEnterTheSolid) {
   map.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).scale(Vec3(1, 0.6, 1.3));
   const FieldPtr bar = frep::make_field(frep::parse_infix("box(0.5, 0.5, 3)"));
   std::mt19937 random(3);
-  for (const FieldPtr& solid :
-       {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
+  for (const FieldPtr& solid : {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
     ASSERT_TRUE(solid->faceted());
     int told = 0, crossed = 0;
     for (int n = 0; n < 1500; ++n) {

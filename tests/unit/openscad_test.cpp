@@ -4,9 +4,9 @@
 #include <numbers>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/openscad/design.h"
 
 namespace fieldfab::openscad {

@@ -10,9 +10,9 @@
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/contour/contour.h"
 #include "level_set.h"
 #include "mesh_oracle.h"
 

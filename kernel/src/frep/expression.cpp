@@ -231,8 +231,7 @@ Expression made_again(const Flat::Entry& entry, std::span<const Expression> made
     case Opcode::x: return Expression::x();
     case Opcode::y: return Expression::y();
     case Opcode::z: return Expression::z();
-    case Opcode::opened:
-      return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
+    case Opcode::opened: return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
     default: break;
   }
   return info(entry.op).arity == 1 ? Expression::make(entry.op, made[entry.a])
@@ -244,10 +243,7 @@ Expression remap(const Expression& root, const Expression& x, const Expression& 
   std::vector<Expression> made;
   made.reserve(flat.order.size());
   for (const Flat::Entry& entry : flat.order)
-    made.push_back(entry.op == Opcode::x   ? x
-                   : entry.op == Opcode::y ? y
-                   : entry.op == Opcode::z ? z
-                                           : made_again(entry, made));
+    made.push_back(entry.op == Opcode::x ? x : entry.op == Opcode::y ? y : entry.op == Opcode::z ? z : made_again(entry, made));
   return made.back();
 }
 

@@ -34,8 +34,9 @@ std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, c
   std::vector<Eigen::Vector3f> colours;
   for (const ColouredPart& part : parts) {
     fields.push_back(look(*part.field, bounds, settings).field);
-    colours.push_back(part.colour ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
-                                  : plain_material);
+    colours.push_back(part.colour
+                          ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
+                          : plain_material);
   }
   std::vector<Eigen::Vector3f> materials(grid.count(), plain_material);
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
