@@ -35,11 +35,13 @@ def manual():
     lines = [
         "# The shape library",
         "",
-        "Every function of `.frep` text and of Python's `fieldfab.shapes`, with a picture of its example; made by `./dev docs`. Lengths are mm; angles",
-        "are degrees in `.frep`, radians in Python. Anything that is not a count or a plain number may depend on `x`, `y` and `z`.",
+        "All functions of `.frep` text and of Python's `fieldfab.shapes`, with a picture of each example; made by `./dev docs`.",
+        "Lengths are mm; angles are degrees in `.frep`, radians in Python. All arguments except counts and plain numbers may",
+        "depend on `x`, `y` and `z`.",
         "",
-        "*Exact*: the value is the distance to the surface. *Bound*: it is never more than that, so offsets and walls are at least that far away, and it",
-        "keeps its edges when grown. *–*: only its sign and smoothness are to be relied on.",
+        "*Exact*: the value is the distance to the surface. *Bound*: the value is never more than that, so that offsets and",
+        "walls are at least that far away, and edges stay sharp when the solid grows. *–*: only the sign is defined, and the",
+        "value is smooth.",
     ]
     group = None
     for f in library():

@@ -1,5 +1,6 @@
 """A small library for circuit boards: parts with named pads, traces between them, and what the mill or the laser needs.
 
+    import fieldfab as ff
     from fieldfab import pcb
     board = pcb.Board(30, 20)
     chip = board.add(pcb.soic("ATtiny45", 8), 8, 10)

@@ -1,6 +1,8 @@
 """Python 2 as a dialect: compiles its text for the Python that runs, by rewriting tokens, then the syntax tree.
 
-    exec(compiled(text, "design.ko"), {"__builtins__": builtins_of_python2()})
+    from fieldfab import python2, python2_names
+    names = {"__builtins__": python2_names.builtins_of_python2(exec)}
+    exec(python2.compiled("half = 7 / 2", "design.ko"), names)    # names["half"] is 3
 
 Tokens are rewritten where Python 3 refuses the grammar (print, exec, `except E, e`, backquotes, 0777, tuples as
 parameters), the tree where it accepts the text with another meaning (division, dict.keys(), str.decode). Rewriting

@@ -1,10 +1,14 @@
-"""README.md and docs/*.md: each command is run as it is written there, each session of Python compared with what it prints, each model,
-job, set-up and script read, and each option, file and heading that is named looked for.
+"""README.md, CONTRIBUTING.md and docs/*.md: each command is run as it is written there, each session of Python compared with what it prints,
+each model, job, set-up and script read, and each option, file and heading that is named looked for. So is the code in docstrings of Python.
 
 Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in PLACEHOLDERS."""
 
+import ast
 import contextlib
 import fnmatch
+import importlib
+import inspect
+import json
 import os
 import re
 import shutil
@@ -15,7 +19,7 @@ import time
 import numpy as np
 import pytest
 from conftest import BUILD, COMMAND, ROOT
-from documents import DOCUMENTS, NAME_OF_VERB
+from documents import COMMAND_IN_PROSE, DOCUMENTS, NAME_OF_VERB, code_of
 from freecad_host import screen  # noqa: F401: a fixture
 
 import fieldfab as ff
@@ -38,7 +42,15 @@ NOT_RUN = {
     "cmake --build build": "hosts/sdk_test.py builds docs/install.md's project against a folder of its own",
     "cmake --install build/release --prefix FOLDER": "hosts/sdk_test.py does it",
     "./dev bench": "takes more than ten minutes",
-    "./dev docs": "takes minutes, and writes the documents that are tested",
+    "./dev docs": "takes minutes, and writes the documents that are tested; hosts/site_test.py makes the site",
+    "./dev lint": "takes minutes; text_test.py runs its checks of the text",
+    "./dev format": "writes into the sources",
+    "cmake --preset release": "./dev test does it before this test",
+    "cmake --build build/release -- fieldfab_command unit_volume": "./dev test builds all, before this test",
+    "cmake --build build/release -- fieldfab_command": "./dev test builds all, before this test",
+    "ctest --test-dir build/release -R Volume": "./dev test runs all, before this test",
+    'PYTHONPATH=build/release/python /usr/bin/python3 -m pytest tests/hosts/cam_test.py -k "machine and my_router"':
+        "the module of this build has no such machine; the job with the machine's file is run",
     "./dev install-meshlab": "writes into the system, as root",
     "build/release/bin/simulation_figures": "takes minutes",
     "build/release/bin/volume_figures FOLDER large": "takes minutes and gigabytes",
@@ -131,15 +143,17 @@ def folders(tmp_path_factory):
         if document not in made:
             made[document] = folder = tmp_path_factory.mktemp("tree")
             for each in ROOT.iterdir():
-                if each.name not in ("build", "out", "examples", "dev", ".git"):
+                if each.name not in ("build", "out", "cam", "examples", "dev", ".git"):
                     (folder / each.name).symlink_to(each)
             shutil.copy(ROOT / "dev", folder / "dev")  # it works in the folder where it is
             shutil.copytree(ROOT / "examples", folder / "examples", ignore=shutil.ignore_patterns("fieldfab-cache"))
+            shutil.copytree(ROOT / "cam", folder / "cam")
             (folder / "build").mkdir()
             (folder / "build" / "release").symlink_to(BUILD)
             (folder / "home" / "bin").mkdir(parents=True)
             (folder / "home" / "bin" / "cmake").write_text("#!/bin/sh\n")  # ./dev builds first, and the build is there
             (folder / "home" / "bin" / "cmake").chmod(0o755)
+            (folder / "home" / "bin" / "python3").symlink_to("/usr/bin/python3")  # where another one comes first
         return made[document]
 
     return folder_of
@@ -149,6 +163,7 @@ def environment(folder, **more):
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON", "QT", "DISPLAY", "WAYLAND"))}
     cache = os.environ.get("XDG_CACHE_HOME", os.path.expanduser("~/.cache"))
     return {"FIELDFAB_CACHE": f"{cache}/fieldfab", **kept, "HOME": str(folder / "home"), "XDG_RUNTIME_DIR": str(folder / "home"), "LIBGL_ALWAYS_SOFTWARE": "1",
+            "FIELDFAB_BUILD": str(BUILD), "PYTEST_ADDOPTS": "-p no:cacheprovider",
             "PATH": os.pathsep.join(map(str, (folder / "home" / "bin", BUILD / "bin", os.environ["PATH"]))), **more}
 
 
@@ -294,7 +309,16 @@ def own_freecad(folder):
 # Blocks that are no commands.
 
 LANGUAGES = {"sh", "frep", "toml", "openscad", "xml", "ko"}
-UNTESTED = {"javascript": "a node of web/examples/circle.json, which hosts/web_page_test.py opens", "text": "a drawing or a table", "cmake": "hosts/sdk_test.py builds it", "cpp": "hosts/sdk_test.py builds it", "set": "freecad/window_tutorial.py types it", "tool": "freecad/window_tutorial.py types it"}
+# Blocks of other languages, and which test runs them as they stand.
+ELSEWHERE = {
+    ("docs/web.md", "javascript"): "hosts/web_page_test.py adds a node with this code",
+    ("docs/install.md", "cmake"): "hosts/sdk_test.py builds with it",
+    ("docs/install.md", "cpp"): "hosts/sdk_test.py builds and runs it",
+    ("docs/tutorial.md", "set"): "freecad/window_tutorial.py types it",
+    ("docs/tutorial.md", "tool"): "freecad/window_tutorial.py types it",
+    ("docs/architecture.md", "text"): "a drawing",
+    ("docs/asdf-format.md", "text"): "formulas of a file's layout",
+}
 
 
 # The designs of examples/, without their titles, where a command runs the file.
@@ -357,7 +381,66 @@ def test_script_of_meshlab(place, tmp_path, screen):  # noqa: F811
 
 
 def test_each_block_says_what_it_is():
-    assert [(block.name, block.language) for block in BLOCKS if block.language not in LANGUAGES and block.language not in UNTESTED] == []
+    assert [(block.name, block.language) for block in BLOCKS
+            if block.language not in LANGUAGES and (block.document, block.language) not in ELSEWHERE] == []
+
+
+def test_the_node_that_is_shown_is_one_of_the_example():
+    [shown] = [block.text for block in BLOCKS if block.language == "javascript"]
+    nodes = json.loads((ROOT / "web" / "examples" / "circle.json").read_text())["nodes"]
+    assert shown in [node["code"].strip() for node in nodes]
+
+
+# Code in docstrings: Python, or a command.
+
+
+def docstrings():
+    """Module, line and docstring of all that has one: sources of the package, and what is compiled."""
+    for path in sorted((ROOT / "python" / "fieldfab").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+                module = "fieldfab" if path.stem == "__init__" else f"fieldfab.{path.stem}"
+                yield module, getattr(node, "lineno", 1), ast.get_docstring(node)
+    for module in ("fieldfab._core", "fieldfab.language", "fieldfab.cam", "fieldfab.stock"):
+        for name, each in inspect.getmembers(importlib.import_module(module)):
+            members = inspect.getmembers(each) if inspect.isclass(each) else []
+            for described in [each, *(member for key, member in members if not key.startswith("__"))]:
+                yield f"{module}.{name}", 1, inspect.getdoc(described) or ""
+
+
+DOCSTRINGS = list(docstrings())
+CODE = [(module, line, code) for module, line, words in DOCSTRINGS for code in code_of(words)]
+
+
+def test_docstrings_are_found():
+    assert {"fieldfab._core.Solid", "fieldfab.cam.Job", "fieldfab.pcb"} <= {module for module, _, _ in DOCSTRINGS}
+    assert {"fieldfab.kokopelli", "fieldfab.pcb", "fieldfab.bricks", "fieldfab.python2"} == {module for module, _, _ in CODE}
+
+
+@pytest.mark.parametrize("module, code", [pytest.param(module, code, id=f"{module}:{line}") for module, line, code in CODE])
+def test_code_of_a_docstring(module, code, folders, tmp_path, monkeypatch):
+    if re.match(COMMAND_IN_PROSE, code):
+        run(code, folders("docstrings"), PYTHONPATH=str(BUILD / "python"))
+        return
+    monkeypatch.chdir(tmp_path)
+    exec(compile(code, module, "exec"), {})
+
+
+def test_public_headers_show_no_code():
+    """The programs of examples/cpp are the examples of C++: hosts/sdk_test.py builds and runs them."""
+    headers = [path for folder in ("kernel", "cam", "openscad_import") for path in (ROOT / folder / "include").rglob("*.h")]
+    code = re.compile(r"^\s*///? {4,}\S|[@\\](code|snippet|verbatim)\b|```", re.M)
+    assert len(headers) > 50 and [path.name for path in headers if code.search(path.read_text(encoding="utf-8"))] == []
+
+
+# README's first screen.
+
+
+def test_the_first_screen_is_short_and_shows_what_it_is():
+    """All words above the second heading count, those of code, too."""
+    screen = (ROOT / "README.md").read_text(encoding="utf-8").split("\n## ")[0]
+    assert len(screen.split()) <= 150
+    assert "It is for people who" in screen and "](docs/figures/" in screen and "```frep" in screen
 
 
 # The lists above, and all else that is named.
@@ -371,7 +454,7 @@ def test_lists_name_what_documents_have():
     words = [block.text for block in BLOCKS] + [each for place in TO_RUN for each in (*forms(place.text), place.session)]
     named = {name for each in words for name in given_in(each)}
     assert [name for name in GIVEN if name not in named] == []
-    assert [language for language in UNTESTED if language not in {block.language for block in BLOCKS}] == []
+    assert set(ELSEWHERE) <= {(block.document, block.language) for block in BLOCKS}
 
 
 @pytest.fixture(scope="module")

@@ -1,12 +1,14 @@
-"""What README.md and docs/*.md hold: their blocks by language, their commands, the words that stand in backquotes, their links."""
+"""README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links; code in docstrings."""
 
+import inspect
 import re
+import textwrap
 import typing
 
 from conftest import ROOT
 
 NAME_OF_VERB = r"fieldfab ([a-z]+)((?: --[\w-]+)*)"  # `fieldfab mesh` and `fieldfab build --quantum` name, and are no commands
-COMMAND_IN_PROSE = r"(\./dev|fieldfab|freecad|freecadcmd|meshlab|meshlabserver|openscad|ffmpeg|python3) |build/release/bin/|[A-Z]+=\S+ "
+COMMAND_IN_PROSE = r"(\./dev|ninja|fieldfab|freecad|freecadcmd|meshlab|meshlabserver|openscad|ffmpeg|python3) |build/release/bin/|[A-Z]+=\S+ "
 SHELLS = {"": "sh", "bash": "sh", "console": "sh"}
 
 
@@ -30,13 +32,13 @@ class Place(typing.NamedTuple):
 
 
 def blocks_of(name, words):
-    """The fenced blocks, and the indented ones, which are commands."""
+    """The fenced blocks, also within lists, and the indented ones, which are commands."""
     lines, n = words.splitlines(), 0
     while n < len(lines):
         start, end = n, n + 1
-        if fence := re.fullmatch(r"```(\w*)", lines[n]):
-            start, end = n + 1, lines.index("```", n + 1)
-            yield Place(name, start + 1, "\n".join(lines[start:end]), SHELLS.get(fence[1], fence[1]))
+        if fence := re.fullmatch(r"( *)```(\w*)", lines[n]):
+            start, end = n + 1, lines.index(f"{fence[1]}```", n + 1)
+            yield Place(name, start + 1, textwrap.dedent("\n".join(lines[start:end])), SHELLS.get(fence[2], fence[2]))
             end += 1
         elif lines[n].startswith("    ") and not lines[n - 1].strip():
             while end < len(lines) and (lines[end].startswith("    ") or not lines[end].strip()):
@@ -61,7 +63,7 @@ class Document:
         for block in self.blocks:
             for n in range(block.line - 1, block.line - 1 + len(block.text.splitlines())):
                 lines[n] = ""
-        prose = "\n".join("" if line.startswith("```") else line for line in lines)
+        prose = "\n".join("" if line.lstrip().startswith("```") else line for line in lines)
         self.headings = [line.lstrip("# ") for line in prose.splitlines() if line.startswith("#")]
         at = lambda found: prose.count("\n", 0, found.start()) + 1
         self.spans = [Place(self.name, at(each), " ".join(each[1].split())) for each in re.finditer(r"`([^`]+)`", prose)]
@@ -75,4 +77,10 @@ class Document:
         return sorted(found, key=lambda each: each.line)
 
 
-DOCUMENTS = [Document(path) for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))]
+def code_of(docstring):
+    """The indented blocks of a docstring."""
+    found = re.findall(r"(?:^    .*\n?|^\n)+", inspect.cleandoc(docstring), re.M)
+    return [textwrap.dedent(block).strip() for block in found if block.strip()]
+
+
+DOCUMENTS = [Document(path) for path in (ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md")))]

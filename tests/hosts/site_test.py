@@ -22,7 +22,7 @@ def test_the_site_is_made_without_a_warning(make_site):
     assert done.returncode == 0, done.stdout + done.stderr
     assert "warning" not in done.stdout + done.stderr
     for page, words in [("docs/contouring.html", "self-intersections"), ("packaging/site/python.html", "fieldfab.pcb"),
-                        ("cpp/classfieldfab_1_1Field.html", "restrict_all"), ("searchindex.js", "dexel")]:
+                        ("cpp/classfieldfab_1_1Field.html", "restrict_all"), ("cpp/index.html", "usage: simulate_program"), ("searchindex.js", "dexel")]:
         assert words in (make_site.SITE / page).read_text(encoding="utf-8"), page
 
 

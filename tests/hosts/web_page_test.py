@@ -9,6 +9,7 @@ import time
 
 import pytest
 from conftest import BUILD
+from documents import DOCUMENTS
 from selenium import webdriver
 from selenium.webdriver import ActionChains
 from selenium.webdriver.chrome.service import Service
@@ -211,6 +212,7 @@ def test_a_sheet_from_nothing(page, folder):
     page.saved()
     point, circle = json.loads((folder / "sheet.json").read_text())["nodes"]
     assert circle["parents"] == [point["id"]]
+    assert circle["code"].strip() in [block.text for document in DOCUMENTS for block in document.blocks], "docs/web.md shows it"
     r = math.hypot(circle["x"] - point["x"], circle["y"] - point["y"])
     assert abs(page.coloured() / (math.pi * r * r) - 1) < 0.02
 
