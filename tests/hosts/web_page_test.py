@@ -9,12 +9,10 @@ import time
 
 import pytest
 from conftest import BUILD
-from selenium import webdriver
 from selenium.webdriver import ActionChains
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_server import Server
+from web_server import Server, chromium
 
 SECONDS = 40  # that anything may take on a busy machine
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
@@ -22,20 +20,8 @@ SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
 
 @pytest.fixture(scope="module")
 def browser():
-    options = webdriver.ChromeOptions()
-    options.binary_location = "/usr/bin/chromium"
-    for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-proxy-server", "--window-size=1360,860", "--force-device-scale-factor=1"):
-        options.add_argument(each)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    kept = os.environ.copy()
-    os.environ["no_proxy"] = "127.0.0.1,localhost"
-    try:
-        driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    with chromium() as driver:
         yield driver
-        driver.quit()
-    finally:
-        os.environ.clear()
-        os.environ.update(kept)
 
 
 @pytest.fixture(scope="module")

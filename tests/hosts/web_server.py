@@ -16,6 +16,8 @@ import zlib
 import aiohttp
 import numpy as np
 from conftest import COMMAND
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
 
 
 class Server:
@@ -122,3 +124,25 @@ class Socket:
             answers.append(await self.receive(end - time.monotonic()))
             if wanted(answers[-1][0]):
                 return answers
+
+
+@contextlib.contextmanager
+def chromium():
+    """A browser without a window; WebGL is drawn by the processor."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--no-proxy-server",
+                 "--window-size=1360,860", "--force-device-scale-factor=1"):  # fmt: skip
+        options.add_argument(each)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    kept = os.environ.copy()
+    os.environ["no_proxy"] = "127.0.0.1,localhost"
+    try:
+        driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        try:
+            yield driver
+        finally:
+            driver.quit()
+    finally:
+        os.environ.clear()
+        os.environ.update(kept)
