@@ -8,19 +8,17 @@ from conftest import BUILD, ROOT
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_server import chromium
+from web_server import chromium, wait_until
 
 sys.path.insert(0, str(ROOT / "packaging"))
 import demo  # noqa: E402: it lies there
-
-SECONDS = 60
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     out = tmp_path_factory.mktemp("demo") / "out"
     assert demo.BUILD == BUILD
-    assert demo.main(out, parts=2, voxel=2, head_voxel=8, job=ROOT / "examples" / "cam" / "text_vcarve.toml", frames=4, cell=0.5) == 0
+    assert demo.main(out, parts=2, cells=32, with_prospero=False, voxel=2, head_voxel=8, job=ROOT / "examples" / "cam" / "text_vcarve.toml", frames=4, cell=0.5) == 0
     return out
 
 
@@ -29,13 +27,6 @@ def page(folder):
     with chromium() as driver:
         driver.get(f"file://{folder}/index.html")
         yield driver
-
-
-def until(condition, what):
-    end = time.monotonic() + SECONDS
-    while not condition():
-        assert time.monotonic() < end, what
-        time.sleep(0.05)
 
 
 # What a canvas shows, as text to compare, and how many of its pixels have a colour.
@@ -55,7 +46,7 @@ PIXELS = """
 def shown(page, name):
     figure = page.find_element(By.CSS_SELECTOR, f"figure[data-model={name}]")
     page.execute_script("arguments[0].scrollIntoView({ block: 'center' })", figure)
-    until(lambda: figure.get_attribute("data-shown"), f"the model {name}")
+    wait_until(lambda: figure.get_attribute("data-shown"), f"the model {name}")
     time.sleep(0.3)
     return figure.find_element(By.CSS_SELECTOR, ".scene")
 
@@ -68,10 +59,10 @@ def test_models_are_turned(page, name):
     if name == "mtm_az":
         assert 1000 < coloured < seen, "parts in their colours"
     ActionChains(page).click_and_hold(host).move_by_offset(80, 30).release().perform()
-    until(lambda: page.execute_script(PIXELS, host)[2] != first, "another picture, after a drag")
+    wait_until(lambda: page.execute_script(PIXELS, host)[2] != first, "another picture, after a drag")
     turned = page.execute_script(PIXELS, host)[2]
     host.send_keys(Keys.ARROW_LEFT)
-    until(lambda: page.execute_script(PIXELS, host)[2] != turned, "another picture, after a key")
+    wait_until(lambda: page.execute_script(PIXELS, host)[2] != turned, "another picture, after a key")
 
 
 def test_the_film_plays(page):
@@ -80,8 +71,8 @@ def test_the_film_plays(page):
     image = film.find_element(By.TAG_NAME, "img")
     assert image.get_attribute("src").endswith("frame_0004.png")
     film.find_element(By.TAG_NAME, "button").click()
-    until(lambda: image.get_attribute("src").endswith("frame_0001.png") or image.get_attribute("src").endswith("frame_0002.png"), "the film's beginning")
-    until(lambda: image.get_attribute("src").endswith("frame_0004.png"), "the film's end")
+    wait_until(lambda: image.get_attribute("src").endswith("frame_0001.png") or image.get_attribute("src").endswith("frame_0002.png"), "the film's beginning")
+    wait_until(lambda: image.get_attribute("src").endswith("frame_0004.png"), "the film's end")
     assert page.execute_script("return arguments[0].naturalWidth", image) > 400
 
 

@@ -8,14 +8,16 @@ import signal
 import socket as sockets
 import struct
 import subprocess
+import sys
 import time
 import zlib
 
 import aiohttp
+import distributed
 import numpy as np
 import pytest
-from conftest import COMMAND
-from web_server import Server, Socket, pixels
+from conftest import BUILD, COMMAND
+from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
 
@@ -298,6 +300,37 @@ def test_jobs_are_cancelled_and_refused(server):
     refused(server.post("/api/files", {**SPHERE, "extension": "/../../x.stl"}), 400, "no format")
     status, _, _ = server.ask("GET", "/api/jobs/nothing")
     assert status == 404
+
+
+def test_jobs_run_on_a_cluster(tmp_path):
+    """As on this machine: files, mistakes, progress, an end on request; a cluster that is away is told."""
+    path = {"PYTHONPATH": str(BUILD / "python")}
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, env=path) as cluster:
+        [nanny] = cluster.workers.values()
+        running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+        workers = running.workers()
+        try:
+            job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
+            assert job["state"] == "done" and job["progress"] == 1, job
+            (tmp_path / "ball.stl").write_bytes(running.ask("GET", f"/api/jobs/{job['job']}/file")[2])
+            assert abs(ff.Mesh.load(tmp_path / "ball.stl").volume / (4 / 3 * np.pi * 125) - 1) < 0.01
+            job = finished(running, running.post("/api/files", {"text": "spheer(5)", "extension": ".stl"})[1])
+            assert job["state"] == "failed" and "did you mean 'sphere'?" in job["error"]["message"]
+
+            _, job = running.post("/api/files", {"text": ENDLESS, "extension": ".stl"})
+            wait_until(lambda: children(nanny.pid), "the job's process on the cluster")
+            assert running.workers() == workers, "no process of the server's own"
+            assert running.ask("DELETE", f"/api/jobs/{job['job']}")[0] == 200
+            assert finished(running, job)["state"] == "cancelled"
+            wait_until(lambda: not children(nanny.pid), "its end")
+        finally:
+            running.end()
+    running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+    try:
+        job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
+        assert job["state"] == "failed" and "does not answer" in job["error"]["message"]
+    finally:
+        running.end()
 
 
 # Documents

@@ -24,6 +24,7 @@ def options_of(arguments):
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--no-browser", action="store_true")
     parser.add_argument("--allow-scripts", action="store_true")
+    parser.add_argument("--scheduler")
     return parser.parse_args(arguments)
 
 
@@ -54,7 +55,7 @@ async def serve(options):
     port = listener.getsockname()[1]
     name = f"[{options.host}]" if ":" in options.host else options.host
     hosts = {f"{each}:{port}" for each in ("127.0.0.1", "localhost", "[::1]", name)} if local else None
-    server = Server(options.folder, options.allow_scripts)
+    server = Server(options.folder, options.allow_scripts, scheduler=options.scheduler)
     runner = web.AppRunner(server.app(Guard(hosts, token)), access_log=None)
     await runner.setup()
     await web.SockSite(runner, listener, shutdown_timeout=1).start()

@@ -10,6 +10,7 @@ from aiohttp import web
 import fieldfab as ff
 
 from . import files, openapi
+from .cluster import Cluster
 from .documents import Documents
 from .jobs import Jobs
 from .limits import LIMITS
@@ -24,11 +25,13 @@ NO_PAGE = "The page is not built: npm was out of reach when Fieldfab was built. 
 
 
 class Server:
-    def __init__(self, folder, allow_scripts=False, workers=None):
+    def __init__(self, folder, allow_scripts=False, workers=None, scheduler=None):
+        """`scheduler`: address of a Dask scheduler, where jobs run; without it they run on this machine."""
         self.documents = Documents(folder, allow_scripts)
         self.allow_scripts = allow_scripts
         self.pool = Pool(workers or max(2, os.cpu_count() or 2))
-        self.jobs = Jobs()
+        self.cluster = Cluster(scheduler) if scheduler else None
+        self.jobs = Jobs(self.cluster.worker) if self.cluster else Jobs()
         self.sockets = Sockets(self.pool, self.documents.folder, allow_scripts)
 
     def app(self, guard):
@@ -51,6 +54,7 @@ class Server:
             web.get("/api/jobs/{job}", self.job),
             web.delete("/api/jobs/{job}", self.cancel_job),
             web.get("/api/jobs/{job}/file", self.file_of_job),
+            web.get("/api/jobs/{job}/files/{name}", self.file_of_job),
         ])
         app.on_startup.append(self._start)
         app.on_shutdown.append(self._shut_down)
@@ -66,6 +70,8 @@ class Server:
     async def _clean_up(self, app):
         self.pool.kill()
         self.jobs.close()
+        if self.cluster:
+            await self.cluster.close()
 
     # The page
 
@@ -166,4 +172,8 @@ class Server:
         job = self.jobs.job(request.match_info["job"])
         if job.state != "done":
             raise Refused(409, "state", f"the job is {job.state}; it has no file")
-        return web.FileResponse(job.path, headers={"Content-Disposition": f'attachment; filename="{job.name}"', "X-Content-Type-Options": "nosniff"})
+        name = request.match_info.get("name", job.name)
+        if name not in os.listdir(job.folder):
+            raise Refused(404, "missing", f"the job made no file '{name[:60]}'")
+        headers = {"Content-Disposition": f'attachment; filename="{name}"', "X-Content-Type-Options": "nosniff"}
+        return web.FileResponse(os.path.join(job.folder, name), headers=headers)

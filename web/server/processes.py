@@ -23,6 +23,11 @@ class Refused(Exception):
 STATUS = {"bad_input": 422, "io": 422, "memory": 422, "internal": 500}
 
 
+def raise_error(error):
+    """Raises what a worker told as an error."""
+    raise Refused(STATUS.get(error["kind"], 422), error["kind"], error["message"], error.get("mistakes", ()))
+
+
 class Worker:
     """One process. It is started when it is first asked, and again after it was killed."""
 
@@ -64,7 +69,7 @@ class Worker:
         if error := head.get("error"):
             if error["kind"] == "memory":
                 self.kill()
-            raise Refused(STATUS.get(error["kind"], 422), error["kind"], error["message"], error.get("mistakes", ()))
+            raise_error(error)
 
     def stop(self):
         """Asks it to leave its request; what does not listen is killed."""

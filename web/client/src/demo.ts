@@ -13,10 +13,10 @@ function modelOf(name: string): Promise<ArrayBuffer> {
 }
 
 async function show(figure: HTMLElement): Promise<void> {
-  const host = figure.querySelector<HTMLElement>(".scene")!, { model, smooth } = figure.dataset, picture = [...host.children];
+  const host = figure.querySelector<HTMLElement>(".scene")!, { model, colour } = figure.dataset, picture = [...host.children];
   try {
     const scene = new Scene(host);
-    scene.model.add(await readGlb(await modelOf(model!), smooth !== undefined));
+    scene.model.add(await readGlb(await modelOf(model!), colour));
     for (const each of picture) each.remove();
     host.tabIndex = 0;
     scene.fit();

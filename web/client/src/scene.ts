@@ -17,7 +17,7 @@ export class Scene {
     const light = new DirectionalLight(new Color(1, 1, 1), 2.4);
     light.position.set(-0.5, 0.8, 1);  // of the eye: it stays over the left shoulder
     this.camera.add(light);
-    this.world.add(this.model, this.camera, new AmbientLight(new Color(1, 1, 1), 1.1));
+    this.world.add(this.model, this.camera, new AmbientLight(new Color(1, 1, 1), 0.8));
     this.renderer.setPixelRatio(Math.min(devicePixelRatio || 1, 2));
     host.append(this.renderer.domElement);
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
@@ -75,8 +75,8 @@ export class Scene {
   }
 }
 
-/** The model of a .glb file as Fieldfab writes it (metres, y up), in mm with z up. */
-export async function readGlb(data: ArrayBuffer, smooth: boolean): Promise<unknown> {
+/** The model of a .glb file as Fieldfab writes it (metres, y up), in mm with z up. `colour`: of what has none, and is smooth. */
+export async function readGlb(data: ArrayBuffer, colour?: string): Promise<unknown> {
   const { scene } = await new GLTFLoader().parseAsync(data, "");
   scene.rotation.x = Math.PI / 2;
   scene.scale.setScalar(1000);
@@ -84,7 +84,8 @@ export async function readGlb(data: ArrayBuffer, smooth: boolean): Promise<unkno
     if (!each.isMesh) return;
     each.material.roughness = 0.65;
     each.material.metalness = 0;
-    if (smooth) {
+    if (colour) {
+      each.material.color.set(colour);
       each.geometry.computeVertexNormals();
       each.material.flatShading = false;
       each.material.needsUpdate = true;
