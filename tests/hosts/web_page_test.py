@@ -7,12 +7,15 @@ import os
 import socket
 import time
 
+import numpy as np
 import pytest
 from conftest import BUILD
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from web_server import Server, chromium
+
+import fieldfab as ff
 
 SECONDS = 40  # that anything may take on a busy machine
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
@@ -294,6 +297,27 @@ def test_names_and_texts_never_become_html(page, folder):
     page.choose("<img src=x onerror=document.title='evil'>")
     assert page.script("return document.querySelector('#bold, .node img, #inspector img')") is None
     assert "evil.json" in page.browser.title
+
+
+def test_a_scan_by_upload(page, folder, tmp_path):
+    """A scan becomes a model whose threshold is slid beside its histogram; the picture follows."""
+    at = np.indices((32, 32, 32)) - 15.5
+    ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32), origin=(-15.5, -15.5, -15.5)).save(tmp_path / "ball.nii.gz")
+    page.open()
+    page.until(lambda: page.find("#new-scan").is_displayed(), "the gallery")
+    page.find("#scan-file").send_keys(str(tmp_path / "ball.nii.gz"))
+    page.until(lambda: page.find("#histogram svg").is_displayed(), "the histogram")
+    page.settled()
+    page.find("#mode option[value=bitmap]").click()
+    page.settled()
+    area = page.coloured()
+    level = float(page.find("#sliders input[type=number]").get_attribute("value"))
+    assert abs(area / (math.pi * (8 + (100 - level) / 40) ** 2) - 1) < 0.05
+    bar = page.find("#histogram svg")
+    ActionChains(page.browser).move_to_element_with_offset(bar, round(-0.3 * bar.size["width"]), 0).click().perform()
+    page.until(lambda: f'{float(page.find("#sliders input[type=number]").get_attribute("value")):g}' in (folder / "ball.frep").read_text() and page.coloured() > 1.1 * area, "a lower threshold")
+    page.shot("web_scan")
+    assert (folder / "ball.nii.gz").read_bytes() == (tmp_path / "ball.nii.gz").read_bytes()
 
 
 def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):

@@ -387,6 +387,60 @@ def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
     refused(server.post("/api/look", {"text": 'open("aside.frep")'}), 422, "is not in the folder")
 
 
+# Scans
+
+
+def ball_scan(path, radius=8, size=32):
+    """Densities 0 to 200, 100 at the surface of a ball; a sample a mm."""
+    at = np.indices((size, size, size)) - (size - 1) / 2
+    ff.Volume(np.clip(100 + 40 * (radius - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)).save(path)
+    return path.read_bytes()
+
+
+def test_a_scan_is_uploaded_looked_at_and_shown(server, folder, tmp_path):
+    data = ball_scan(tmp_path / "ball.nii.gz")
+    assert server.ask("PUT", "/api/scans/ball.nii.gz", data)[0] == 201
+    assert open(f"{folder}/ball.nii.gz", "rb").read() == data
+    assert server.ask("PUT", "/api/scans/ball.nii.gz", b"other")[0] == 409 and open(f"{folder}/ball.nii.gz", "rb").read() == data
+    assert json.loads(server.ask("GET", "/api/documents")[2])["scans"] == ["ball.nii.gz"]
+    status, scan = server.post("/api/scan", {"name": "ball.nii.gz"})
+    assert status == 200 and scan["size"] == [32, 32, 32] and sum(scan["counts"]) == 32**3 and len(scan["counts"]) <= 256
+    assert scan["from"] <= 0 and scan["to"] >= 200 and 60 < scan["halfway"] < 140
+    for level, within in ((100, False), (60, True)):
+        text = f'level = {level}\nopen("ball.nii.gz", threshold = level)\n'
+        values = server.post("/api/values", {"text": text, "points": [[15.5, 15.5, 15.5], [15.5, 15.5 + 8.5, 15.5]]})[1]["values"]
+        assert values[0] < 0 and (values[1] < 0) == within
+    assert server.ask("DELETE", "/api/scans/ball.nii.gz")[0] == 200 and not os.path.exists(f"{folder}/ball.nii.gz")
+    refused(server.post("/api/scan", {"name": "ball.nii.gz"}), 404, "no scan")
+
+
+@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.nrrd", "x.frep", "x.nii%00.sh", "a" * 200 + ".nii"])
+def test_scans_stay_in_the_folder(server, folder, name):
+    before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
+    assert server.ask("PUT", f"/api/scans/{name}", b"data")[0] in (400, 404, 405)
+    assert server.ask("DELETE", f"/api/scans/{name}")[0] in (400, 404, 405)
+    assert (sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))) == before
+
+
+def test_scans_are_whole_or_refused(server, folder, tmp_path):
+    os.symlink(tmp_path / "elsewhere.nii", f"{folder}/link.nii")
+    (tmp_path / "elsewhere.nii").write_bytes(b"secret")
+    refused(server.post("/api/scan", {"name": "link.nii"}), 404)
+    assert server.ask("PUT", "/api/scans/link.nii", b"data")[0] == 409 and (tmp_path / "elsewhere.nii").read_bytes() == b"secret"
+    assert server.ask("PUT", "/api/scans/empty.nii", b"")[0] == 400
+    assert server.ask("PUT", "/api/scans/garbage.nii", os.urandom(4000))[0] == 201
+    refused(server.post("/api/scan", {"name": "garbage.nii"}), 422)
+    os.remove(f"{folder}/garbage.nii"), os.remove(f"{folder}/link.nii")
+    with sockets.create_connection(("127.0.0.1", server.port)) as half:  # it ends in the middle
+        half.sendall(f"PUT /api/scans/half.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 100000\r\n\r\n".encode() + bytes(50_000))
+        wait_until(lambda: any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's beginning")
+    wait_until(lambda: not any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's end")
+    assert not os.path.exists(f"{folder}/half.nii")
+    with sockets.create_connection(("127.0.0.1", server.port)) as long:
+        long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 2000000000\r\n\r\n".encode())
+        assert b" 413 " in long.recv(1000)
+
+
 # Safety
 
 

@@ -16,6 +16,7 @@ from .jobs import Jobs
 from .limits import LIMITS
 from .processes import Pool, Refused
 from .protocol import checked, wrong
+from .scans import Scans
 from .safety import SANDBOX_POLICY, guarding, policy
 from .sockets import Sockets
 
@@ -28,7 +29,7 @@ class Server:
     def __init__(self, folder, allow_scripts=False, workers=None, scheduler=None):
         """`scheduler`: address of a Dask scheduler, where jobs run; without it they run on this machine."""
         self.documents = Documents(folder, allow_scripts)
-        self.allow_scripts = allow_scripts
+        self.scans, self.allow_scripts = Scans(folder), allow_scripts
         self.pool = Pool(workers or max(2, os.cpu_count() or 2))
         self.cluster = Cluster(scheduler) if scheduler else None
         self.jobs = Jobs(self.cluster.worker) if self.cluster else Jobs()
@@ -47,6 +48,9 @@ class Server:
             web.delete("/api/documents/{name}", self.remove_document),
             web.get("/api/examples", self.list_examples),
             web.get("/api/examples/{name}", self.read_example),
+            web.put("/api/scans/{name}", self.upload_scan),
+            web.delete("/api/scans/{name}", self.remove_scan),
+            web.post("/api/scan", self.look_at_scan),
             web.get("/api/library", self.library),
             web.post("/api/picture", self.picture),
             *(web.post(f"/api/{do}", self.answer_to(do)) for do in ("look", "values", "pick", "parameters", "words")),
@@ -95,7 +99,7 @@ class Server:
     # Documents
 
     async def list_documents(self, request):
-        return web.json_response({"documents": self.documents.names(), "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
+        return web.json_response({"documents": self.documents.names(), "scans": self.scans.names(), "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
 
     async def read_document(self, request):
         data, version = self.documents.read(request.match_info["name"])
@@ -109,6 +113,19 @@ class Server:
     async def remove_document(self, request):
         self.documents.remove(request.match_info["name"])
         return web.json_response({})
+
+    async def upload_scan(self, request):
+        await self.scans.upload(request.match_info["name"], request)
+        return web.json_response({}, status=201)
+
+    async def remove_scan(self, request):
+        self.scans.remove(request.match_info["name"])
+        return web.json_response({})
+
+    async def look_at_scan(self, request):
+        wanted = await self._checked("scan", request)
+        head, _ = await self.pool.ask({**wanted, "path": self.scans.existing(wanted["name"])})
+        return web.json_response(head)
 
     async def list_examples(self, request):
         names = sorted(path.name for path in EXAMPLES.iterdir()) if EXAMPLES.is_dir() else []

@@ -11,6 +11,9 @@ class Limits:
     documents: int = 2_000  # documents that are listed
     side: int = 4096  # pixels along a side of a picture
     pixels: int = 4_000_000
+    scan: int = 1_000_000_000  # bytes of a scan that is uploaded
+    uploads: int = 2  # at a time
+    upload_seconds: float = 600
     points: int = 100_000  # values at points in one request
     views: int = 8  # views of one socket
     sockets: int = 200

@@ -123,6 +123,7 @@ REQUESTS = {
     "values": {**MODEL, "points": (points, MUST)},
     "pick": {**MODEL, **VIEW, "at": (lambda v, n: numbers(v, n, 2), MUST)},
     "parameters": {"text": (text, MUST)},
+    "scan": {"name": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST)},
     "words": {"text": (text, MUST), "offset": (lambda v, n: whole(v, n, 0, LIMITS.text), MUST)},
     "file": {**MODEL, "extension": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST), "voxel": (optional(lambda v, n: number(v, n, 1e-6)), None),
              "thickness": (lambda v, n: number(v, n, 1e-6), 1.0)},

@@ -14,7 +14,7 @@ import fieldfab as ff
 
 from . import files, pictures
 from .frames import frame, read_frame
-from .models import Mistakes, Models, parameters_of, utf16
+from .models import Mistakes, Models, parameters_of, scan_told, utf16
 
 PR_SET_PDEATHSIG = 1
 
@@ -74,6 +74,9 @@ class Worker:
     def parameters(self, request):
         self.answer({"parameters": parameters_of(request["text"])})
 
+    def scan(self, request):
+        self.answer(scan_told(request["path"]))
+
     def words(self, request):
         """Names that fit at an offset, which is JavaScript's here."""
         data = request["text"].encode()
@@ -87,7 +90,7 @@ class Worker:
         self.answer(files.write(self._models.of(request), request, self.told_progress))
 
     def serve(self):
-        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.words, self.file)}
+        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.scan, self.words, self.file)}
         while True:
             request = self.requests.get()
             try:

@@ -1,6 +1,7 @@
 // The page: one document, its views, and what the buttons do.
 import { by, element, pressed } from "./elements";
 import { Picture } from "./picture";
+import { lookAt, textOfScan, upload } from "./scan";
 import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
 import { emptySheet, writeSheet } from "./sheet";
 import { SheetView } from "./sheet_view";
@@ -190,6 +191,25 @@ by("open").onclick = () => void gallery();
 by("close-gallery").onclick = () => by<HTMLDialogElement>("gallery").close();
 by("new-text").onclick = () => void create("model.frep", "size = 20  # 5 to 60, the side\nr = 6      # 1 to 20, the hole\nrounded_box(size, size, size / 2, 2) - cylinder(r, size)\n");
 by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet()));
+
+by("new-scan").onclick = () => by("scan-file").click();
+by<HTMLInputElement>("scan-file").onchange = async () => {
+  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan"), file = input.files?.[0];
+  if (!file) return;
+  button.disabled = true;
+  try {
+    await upload(file, (share) => { button.textContent = `${Math.round(100 * share)} %`; })
+      .catch((error) => { if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`))) throw error; });
+    button.textContent = "Reading …";
+    await create(file.name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(file.name, await lookAt(file.name)));
+  } catch (error) {
+    alert(error instanceof Refusal ? error.message : "The server is away");
+  } finally {
+    input.value = "";
+    button.disabled = false;
+    button.textContent = "Scan …";
+  }
+};
 
 // Links that hold a model
 
