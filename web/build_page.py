@@ -52,7 +52,7 @@ def main():
     shutil.copy(client / "tsconfig.json", work / "tsconfig.json")
     bundle = ["--bundle", "--minify", "--target=es2022"]
     for tool in (["tsc", "--noEmit", "-p", "."],
-                 ["esbuild", "src/main.ts", *bundle, "--format=esm", "--legal-comments=none", f"--outfile={fresh}/page.js"],
+                 ["esbuild", "src/main.ts", *bundle, "--format=esm", "--legal-comments=none", "--splitting", "--entry-names=page", f"--outdir={fresh}"],
                  ["esbuild", "src/demo.ts", *bundle, "--format=iife", "--legal-comments=eof", f"--outfile={work}/demo.js"]):
         done = run([str(work / "node_modules" / ".bin" / tool[0]), *tool[1:]], work)
         if done.returncode != 0:

@@ -17,6 +17,7 @@ import distributed
 import numpy as np
 import pytest
 from conftest import BUILD, COMMAND
+from rs274 import moves
 from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
@@ -385,6 +386,70 @@ def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
     refused(server.post("/api/look", {"text": '"x"; open("..\\/ball.frep")'}), 422)
     os.symlink(tmp_path / "outside.frep", f"{folder}/aside.frep")
     refused(server.post("/api/look", {"text": 'open("aside.frep")'}), 422, "is not in the folder")
+
+
+# Machining
+
+TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40}
+JOB = {"machine": "linuxcnc", "zero": "corner", "stock": {"margin": 2, "top": 1}, "tools": [TOOL], "operations": [{"type": "rough", "tool": 1, "allowance": 0}]}
+BLOCK = "box(30, 20, 8) - move(box(8, 8, 8), 0, 0, 4)"
+
+
+def test_the_tables_of_machines_and_operations(server):
+    told = json.loads(server.ask("GET", "/api/machining")[2])
+    assert {each["id"] for each in told["machines"]} == set(ff.cam.machines())
+    rough = next(each for each in told["operations"] if each["name"] == "rough")
+    assert {"cell", "stepover", "allowance", "bottom"} <= {each["name"] for each in rough["settings"]} and {"feed", "spindle"} <= {each["name"] for each in told["joining"]}
+
+
+def test_a_program_is_planned_and_simulated(server, tmp_path):
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": JOB, "simulate": True})[1])
+    assert job["state"] == "done", job
+    told, file = job["result"], lambda name: server.ask("GET", f"/api/jobs/{job['job']}/files/{name}")
+    assert told["good"] and told["events"] == [] and told["removed"] > 300 and 20 < told["seconds"] < 2000 and told["stock"][3] - told["stock"][0] > 34
+    (tmp_path / "program.ngc").write_bytes(file("program.ngc")[2])
+    places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 6),))
+    assert len(places) > 20 and places[:, 2].min() > -9.1 and "STRAIGHT_FEED" in kinds
+    assert server.ask("GET", f"/api/jobs/{job['job']}/file")[2] == (tmp_path / "program.ngc").read_bytes()
+    for name in ("sheet.html", "report.html"):
+        status, headers, data = file(name)
+        assert status == 200 and b"<html" in data and "sandbox" in headers["Content-Security-Policy"] and "script" not in headers["Content-Security-Policy"].replace("sandbox allow-popups", "")
+    stock, data = json.loads(file("stock.json")[2]), file("stock.bin")[2]
+    volumes = [drawn_volume(stock["stills"][: i + 1], data) for i in (0, len(stock["stills"]) - 1)]
+    assert abs(volumes[0] - volumes[1] - told["removed"]) < 0.05 * told["removed"], "what is drawn is what was removed"
+    assert {int(pose[6]) for pose in stock["poses"]} == {1} and set(stock["tools"]["1"]) >= {"cutting"}
+    (tmp_path / "part.frep").write_text(BLOCK)
+    (tmp_path / "job.toml").write_bytes(file("job.toml")[2])
+    subprocess.run([COMMAND, "cam", tmp_path / "job.toml", "-o", tmp_path / "again.ngc"], check=True, capture_output=True)
+    assert (tmp_path / "again.ngc").read_text().splitlines()[3:] == (tmp_path / "program.ngc").read_text().splitlines()[3:], "the command plans the same"
+    assert file("setup.py")[0] == 404 and file("..%2F..%2Fapp.py")[0] == 404
+
+
+def drawn_volume(stills, data):
+    """The volume within the newest pieces of a surface."""
+    newest = {piece["piece"]: piece for still in stills for piece in still["pieces"]}
+    total = 0
+    for piece in newest.values():
+        vertices = np.frombuffer(data, "<f4", 3 * piece["vertices"], piece["at"]).reshape(-1, 3).astype(float)
+        a, b, c = vertices[np.frombuffer(data, "<u2" if piece["vertices"] < 65536 else "<u4", 3 * piece["triangles"], piece["corners"]).reshape(-1, 3).T]
+        total += np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    return total
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"machine": "../mine.toml"}, "must be one of"), ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is no setting"), ({"stock": {"file": "/etc/passwd"}}, "'file' is no setting"),
+    ({"input": {"model": "x"}}, "must be an object of"), ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"), ({"operations": [{'type"]\n': "x"}]}, "no setting"),
+    ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"), ({"tools": [TOOL] * 51}, "at most 50"),
+])  # fmt: skip
+def test_jobs_name_no_files(server, change, words):
+    refused(server.post("/api/machine", {"text": BLOCK, "job": {**JOB, **change}}), 400, words)
+
+
+def test_what_a_job_lacks_is_told(server):
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "operations": [{"type": "rough", "tool": 1, "stepovr": 1}]}})[1])
+    assert job["state"] == "failed" and "stepover" in job["error"]["message"]
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "tools": [{**TOOL, "name": '"]x'}], "operations": []}})[1])
+    assert job["state"] == "failed" and "operation" in job["error"]["message"]
 
 
 # Scans

@@ -9,7 +9,7 @@ from aiohttp import web
 
 import fieldfab as ff
 
-from . import files, openapi
+from . import files, machining, openapi
 from .cluster import Cluster
 from .documents import Documents
 from .jobs import Jobs
@@ -17,7 +17,7 @@ from .limits import LIMITS
 from .processes import Pool, Refused
 from .protocol import checked, wrong
 from .scans import Scans
-from .safety import SANDBOX_POLICY, guarding, policy
+from .safety import REPORT_POLICY, SANDBOX_POLICY, guarding, policy
 from .sockets import Sockets
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -54,7 +54,9 @@ class Server:
             web.get("/api/library", self.library),
             web.post("/api/picture", self.picture),
             *(web.post(f"/api/{do}", self.answer_to(do)) for do in ("look", "values", "pick", "parameters", "words")),
+            web.get("/api/machining", self.machining_tables),
             web.post("/api/files", self.start_file),
+            web.post("/api/machine", self.start_machining),
             web.get("/api/jobs/{job}", self.job),
             web.delete("/api/jobs/{job}", self.cancel_job),
             web.get("/api/jobs/{job}/file", self.file_of_job),
@@ -170,6 +172,14 @@ class Server:
             raise wrong(f"'{wanted['extension'][:20]}' is no format of files; these are: {' '.join(sorted(files.written_formats()))}")
         return web.json_response(self.jobs.start(wanted, "model" + wanted["extension"]).told(), status=202)
 
+    async def machining_tables(self, request):
+        return web.json_response(machining.tables())
+
+    async def start_machining(self, request):
+        wanted = await self._checked("machine", request)
+        name = "program" + ff.cam.machine(wanted["job"]["machine"])["extension"]
+        return web.json_response(self.jobs.start(wanted, name).told(), status=202)
+
     async def job(self, request):
         """Answers when something is new since `state` and `progress` of the query, after 10 s at the latest."""
         job = self.jobs.job(request.match_info["job"])
@@ -193,4 +203,6 @@ class Server:
         if name not in os.listdir(job.folder):
             raise Refused(404, "missing", f"the job made no file '{name[:60]}'")
         headers = {"Content-Disposition": f'attachment; filename="{name}"', "X-Content-Type-Options": "nosniff"}
+        if name.endswith(".html"):  # our own reports: no scripts, nothing from elsewhere, an origin of their own
+            headers = {"Content-Security-Policy": REPORT_POLICY, "X-Content-Type-Options": "nosniff"}
         return web.FileResponse(os.path.join(job.folder, name), headers=headers)

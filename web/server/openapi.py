@@ -15,7 +15,8 @@ KINDS = {
     **{name: {"type": "string"} for name in ("extension", "name")},
     **{name: {"type": "array", "nullable": True, "items": {"type": "number"}, "minItems": 6, "maxItems": 6} for name in ("bounds", "near")},
     **{name: {"type": "integer", "minimum": 8, "maximum": LIMITS.side} for name in ("width", "height")},
-    **{name: {"type": "boolean"} for name in ("coarse", "smooth")},
+    **{name: {"type": "boolean"} for name in ("coarse", "smooth", "simulate")},
+    "job": {"type": "object", "description": "machine, material, setting, zero, stock, tools, operations, as docs/cam.md has them"},
 }
 
 
@@ -43,7 +44,11 @@ def description():
     paths = {f"/api/{do}": {"post": {**said(summary), "requestBody": body_of(do)}} for do, summary in posts.items()}
     paths["/api/picture"] = {"post": {**said("a picture", kind="image/png"), "requestBody": body_of("picture")}}
     paths["/api/files"] = {"post": {**said("a job that writes a file", "202"), "requestBody": body_of("file")}}
+    paths["/api/machining"] = {"get": said("the tables of machines, operations and their settings")}
+    paths["/api/machine"] = {"post": {**said("a job that plans a program, and simulates it where that is wanted", "202"), "requestBody": body_of("machine")}}
     paths["/api/jobs/{job}"] = {**in_path("job"), "get": said("state, progress, result or error of a job"), "delete": said("cancels a job")}
+    paths["/api/jobs/{job}/files/{name}"] = {"parameters": [*in_path("job")["parameters"], *in_path("name")["parameters"]],
+                                             "get": said("another file that it made", kind="application/octet-stream")}
     paths["/api/jobs/{job}/file"] = {**in_path("job"), "get": said("the file that a job wrote", kind="application/octet-stream")}
     paths["/api/documents"] = {"get": said("the documents")}
     paths["/api/documents/{name}"] = {**in_path("name"), "get": said("a document", kind="text/plain"), "put": said("writes a document; If-Match: its version, * or none"),

@@ -12,7 +12,7 @@ import threading
 
 import fieldfab as ff
 
-from . import files, pictures
+from . import files, machining, pictures
 from .frames import frame, read_frame
 from .models import Mistakes, Models, parameters_of, scan_told, utf16
 
@@ -89,8 +89,12 @@ class Worker:
         self._told = None
         self.answer(files.write(self._models.of(request), request, self.told_progress))
 
+    def machine(self, request):
+        self._told = None
+        self.answer(machining.machine(self._models.of(request), request, self.told_progress))
+
     def serve(self):
-        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.scan, self.words, self.file)}
+        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.scan, self.words, self.file, self.machine)}
         while True:
             request = self.requests.get()
             try:

@@ -1,5 +1,6 @@
 // The page: one document, its views, and what the buttons do.
 import { by, element, pressed } from "./elements";
+import { MachineView } from "./machine";
 import { Picture } from "./picture";
 import { lookAt, textOfScan, upload } from "./scan";
 import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
@@ -11,7 +12,7 @@ import { knowWords, TextView } from "./text_view";
 const MOST_TEXT = 1_000_000;
 const connection = new Connection(), store = new Store();
 const picture = new Picture(by("picture"), connection, "main"), above = new Picture(by("sheet"), connection, "sheet");
-const text = new TextView(), sheet = new SheetView(above);
+const machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
 let kind: "" | "text" | "sheet" = "", made = "";
 
 // Themes
@@ -40,6 +41,7 @@ function show(model: string): void {
   }
   const wanted = model.trim() ? { text: model, language } : null;
   picture.show(wanted);
+  machine.follow(wanted);
   if (kind === "sheet") above.show(wanted);
 }
 
@@ -54,10 +56,21 @@ picture.onError = (answer) => tell(answer?.mistakes ?? [], answer?.message ?? nu
 picture.onPicture = (answer) => {
   if (answer.flat === undefined) return;
   by("right").classList.toggle("flat", answer.flat);
+  machine.flat = answer.flat;
 };
 text.onChange = (now) => { store.change(now); show(now); };
 sheet.onText = show;
 sheet.onChange = (document) => store.change(document);
+
+/** The panels of the machine in place of the document. */
+function showMachine(on: boolean): void {
+  pressed(by("machine"), on);
+  by("left").classList.toggle("machining", on);
+  by("machine-view").hidden = !on;
+  if (!on) machine.hide();
+  else void machine.open(store.name, made.trim() ? { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name) } : null);
+}
+by("machine").onclick = () => showMachine(!isOn("machine"));
 
 // Documents
 
@@ -94,6 +107,7 @@ function display(name: string, content: string): void {
   above.show(null);
   picture.fit();
   document.body.classList.add("has-document");
+  showMachine(false);
   if (isSheet) {
     showText(false);
     try {
@@ -175,7 +189,7 @@ async function gallery(): Promise<void> {
   if (!dialog.open) dialog.showModal();
   try {
     const [{ documents }, { examples }] = await Promise.all([(await ask("/api/documents")).json(), (await ask("/api/examples")).json()]);
-    by("documents").replaceChildren(...documents.map(({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
+    by("documents").replaceChildren(...documents.filter((each: { name: string }) => !each.name.endsWith(".job")).map(({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
     if (!documents.length) by("documents").append(element("p", { className: "quiet" }, "None yet."));
     const sheetsFirst = (examples as string[]).sort((a, b) => Number(b.endsWith(".json")) - Number(a.endsWith(".json")) || a.localeCompare(b));
     by("examples").replaceChildren(...sheetsFirst.map((name) => {
