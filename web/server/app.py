@@ -1,5 +1,6 @@
 """The server's addresses (docs/web.md has them as a table)."""
 
+import asyncio
 import json
 import os
 import pathlib
@@ -126,7 +127,7 @@ class Server:
 
     async def look_at_scan(self, request):
         wanted = await self._checked("scan", request)
-        head, _ = await self.pool.ask({**wanted, "path": self.scans.existing(wanted["name"])})
+        head, _ = await self._asked(request, {**wanted, "path": self.scans.existing(wanted["name"])})
         return web.json_response(head)
 
     async def list_examples(self, request):
@@ -153,15 +154,27 @@ class Server:
     async def _checked(self, do, request):
         return checked(do, await self._given(request), self.documents.folder, self.allow_scripts)
 
+    async def _asked(self, request, wanted):
+        """The pool's answer, as long as the one who asked is there."""
+        task = asyncio.create_task(self.pool.ask(wanted))
+        try:
+            while not task.done():
+                await asyncio.wait([task], timeout=0.5)
+                if request.transport is None or request.transport.is_closing():
+                    raise Refused(400, "gone", "the connection was closed")
+            return task.result()
+        finally:
+            task.cancel()
+
     def answer_to(self, do):
         async def answer(request):
-            head, _ = await self.pool.ask(await self._checked(do, request))
+            head, _ = await self._asked(request, await self._checked(do, request))
             return web.json_response(head)
 
         return answer
 
     async def picture(self, request):
-        head, data = await self.pool.ask({**await self._checked("picture", request), "coarse": False})
+        head, data = await self._asked(request, {**await self._checked("picture", request), "coarse": False})
         return web.Response(body=data, content_type="image/png", headers={"Fieldfab-Picture": json.dumps(head)})
 
     # Jobs

@@ -19,6 +19,9 @@ class Limits:
     sockets: int = 200
     unsent: int = 16  # answers that a socket may leave unread
     picture_seconds: float = 20
+    crowded_seconds: float = 5  # the same where another request has waited for so long
+    much_seconds: float = 3  # of workers that a socket took lately, beyond which others go first
+    at_once: int = 2  # pictures of one socket in the making, or waiting for a worker
     job_seconds: float = 300
     jobs: int = 2  # at a time; more wait
     waiting_jobs: int = 20

@@ -152,12 +152,11 @@ export class MachineView {
   /** A list of tables, each a panel of its own, that can be added to, ordered and shortened. */
   private list(title: string, items: Values[], made: () => Values, panel: (item: Values, i: number) => HTMLElement): HTMLElement {
     const add = element("button", { ariaLabel: `Add to ${title.toLowerCase()}` }, "+");
-    add.onclick = (event) => { event.preventDefault(); items.push(made()); this.changed(); this.draw(); };
+    add.onclick = () => { items.push(made()); this.changed(); this.draw(); };
     const host = this.panel(title, true, ...items.map((item, i) => {
       const shown = panel(item, i), buttons = ([["↑", "Earlier", -1], ["✕", "Remove", 0]] as const).map(([sign, words, way]) => {
         const button = element("button", { ariaLabel: words, disabled: way < 0 && i === 0 }, sign);
-        button.onclick = (event) => {
-          event.preventDefault();
+        button.onclick = () => {
           items.splice(i, 1);
           if (way) items.splice(i + way, 0, item);
           this.changed();
@@ -165,11 +164,9 @@ export class MachineView {
         };
         return button;
       });
-      shown.firstElementChild!.append(element("span", { className: "space" }), ...buttons);
-      return shown;
+      return element("div", { className: "titled" }, shown, element("div", { className: "panel-tools" }, ...buttons));
     }));
-    host.firstElementChild!.append(element("span", { className: "space" }), add);
-    return host;
+    return element("div", { className: "titled" }, host, element("div", { className: "panel-tools" }, add));
   }
 
   private draw(): void {
