@@ -6,7 +6,7 @@ import io
 import FreeCADGui
 import numpy as np
 
-from .. import kernel, meshes
+from .. import kernel, meshes, units
 from ..certainty import is_uncertain, with_doubt
 from ..deviations import colours, deviations, nice_reach
 from ..icons import icon
@@ -85,7 +85,7 @@ class CheckPanel:
             self.work.ask(check, self._checked)
             self.coloured = result
             off = result[-1]
-            self.figures.setText(tr("Mesh to solid: {mean:.3g} mm on average, {most:.3g} mm at most.").format(mean=np.abs(off).mean(), most=np.abs(off).max()))
+            self.figures.setText(tr("Mesh to solid: {mean} on average, {most} at most.").format(mean=units.told(np.abs(off).mean(), digits=3), most=units.told(np.abs(off).max(), digits=3)))
             self.colour.setEnabled(True)
             self._show_colours()
 
@@ -98,12 +98,12 @@ class CheckPanel:
         words, good = words.format(broken=len(broken), count=len(report.rows)), not broken
         if good and is_uncertain(self.obj):
             words, good = with_doubt(words, self.obj.Certainty)
-        self.verdict.setText(words)
+        self.verdict.setText(units.in_words(words))
         self.verdict.setStyleSheet(f"color: {COLOURS[good]}")
         self.table.setRowCount(len(report.rows))
         for i, row in enumerate(report.rows):
-            figures = tr("{measured:.4g} of {bound:.4g}").format(measured=row.measured, bound=row.bound)
-            texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures} {row.unit}")
+            figures = tr("{measured} of {bound}").format(measured=f"{units.shown(row.measured, row.unit):.4g}", bound=units.told(row.bound, row.unit))
+            texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures}")
             for column, text in enumerate(texts):
                 item = QtWidgets.QTableWidgetItem(text.strip())
                 item.setToolTip(row.name)
@@ -121,7 +121,7 @@ class CheckPanel:
             self.shown = DeviationView(self.obj, *self.coloured[:-1])
 
     def _failed(self, error):
-        self.verdict.setText(str(error))
+        self.verdict.setText(units.in_words(str(error)))
         self.verdict.setStyleSheet(f"color: {COLOURS[False]}")
 
     def _show_progress(self, fraction, message):

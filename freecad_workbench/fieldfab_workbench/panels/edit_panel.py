@@ -2,6 +2,7 @@
 
 import FreeCADGui
 
+from .. import units
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
 from ..words import tr
@@ -46,7 +47,7 @@ class EditPanel:
         raise NotImplementedError
 
     def say(self, text, good=False):
-        self.message.setText(text)
+        self.message.setText(units.in_words(text))
         self.message.setStyleSheet(f"color: {COLOURS[good]}")
 
     def say_valid(self):

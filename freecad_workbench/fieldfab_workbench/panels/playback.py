@@ -5,6 +5,7 @@ import time
 
 import numpy as np
 
+from .. import units
 from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ColourLegend, ScaleLegend
 from ..views.part_view import PartView
@@ -207,7 +208,8 @@ class Playback(QtWidgets.QWidget):
             self.axes[letter] = label = QtWidgets.QLabel()
             label.setFont(fixed)
             label.setFrameShape(QtWidgets.QFrame.StyledPanel)
-            label.setToolTip((tr("Where axis {letter} stands, mm") if i < 3 else tr("Where axis {letter} stands, degrees")).format(letter=letter))
+            unit = units.shown_unit("mm") if i < 3 else tr("degrees")
+            label.setToolTip(tr("Where axis {letter} stands, {unit}").format(letter=letter, unit=unit))
             self.axes_row.addWidget(label, i // 3, i % 3)
 
     # What the user does.
@@ -334,7 +336,10 @@ class Playback(QtWidgets.QWidget):
         self.time.setText(f"{clock(seconds)} / {clock(self.player.length)}")
         for letter, label in self.axes.items():
             value = self._moment["axes"]["XYZABC".index(letter)]
-            label.setText(f"{letter} {value:9.3f}" + ("" if letter in "XYZ" else "\N{DEGREE SIGN}"))
+            if letter in "XYZ":
+                label.setText(f"{letter} {units.shown(value):9.{4 if units.in_inches() else 3}f}")
+            else:
+                label.setText(f"{letter} {value:9.3f}\N{DEGREE SIGN}")
         self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(tool=self._moment["tool"]))
 
     def _show_line(self, line):

@@ -5,7 +5,7 @@ import os
 
 import FreeCADGui
 
-from .. import scans
+from .. import scans, units
 from ..files import whole_stack
 from ..newest import Newest
 from ..shim import QtWidgets
@@ -90,8 +90,8 @@ class ScanPanel(ScanForm):
 
     def _opened(self, overview):
         self.overview, volume = overview, overview.volume
-        self.told.setText(tr("{count} samples of {spacing} mm, {kind}").format(
-            count=_by(volume.size), spacing=_by(round(s, 4) for s in volume.spacing), kind=volume.type))
+        self.told.setText(tr("{count} samples of {spacing}, {kind}").format(
+            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "), kind=volume.type))
         self.histogram.set_densities(overview.counts, overview.edges)
         self.threshold.setSingleStep((overview.edges[-1] - overview.edges[0]) / 200)
         if not self.own_spacing.isChecked():
@@ -187,10 +187,6 @@ class ScanPanel(ScanForm):
         self.work.stop()
         self.preview.close()
         super().close()
-
-
-def _by(numbers):
-    return " × ".join(f"{n:g}" for n in numbers)
 
 
 def _rounded(number):

@@ -7,7 +7,7 @@ import time
 import FreeCAD
 import FreeCADGui
 
-from .. import work
+from .. import units, work
 from ..certainty import doubt_of, with_doubt
 from ..objects.solid import key_of
 from ..shim import QtCore
@@ -26,7 +26,7 @@ PIXELS = 3  # that a cell may fill
 
 
 def _said(stage):
-    return {"coarse": tr("Coarse preview: cells of {cell:.3g} mm"), "finer": tr("Preview: cells of {cell:.3g} mm"), "final": tr("As it will be"),
+    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("As it will be"),
             "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 
@@ -246,7 +246,7 @@ class Preview:
         self._say_stage()
 
     def _say_stage(self):
-        words = _said("final" if self._refinement.exact else self.stage).format(cell=self._refinement.voxel)
+        words = _said("final" if self._refinement.exact else self.stage).format(cell=units.told(self._refinement.voxel, digits=3))
         self.say(*with_doubt(words, self._doubt))
 
     def _watch_camera(self):
