@@ -156,7 +156,7 @@ class SetupPanel(EditPanel):
         self.plan_button.setToolTip(tr("Plans all paths; the window stays free meanwhile"))
         self.plan_button.clicked.connect(lambda: self.stop() if self.task else self.plan())
         self.bar = QtWidgets.QProgressBar()
-        self.bar.setRange(0, 1000)
+        self.planned = work.Gauge(self.bar)
         self.bar.setTextVisible(False)
         row.addWidget(self.plan_button)
         row.addWidget(self.bar, 1)
@@ -284,14 +284,14 @@ class SetupPanel(EditPanel):
 
     def _look(self):
         task = self.task
-        self.bar.setValue(round(1000 * task.fraction))
+        self.planned.show(task.fraction)
         if task.is_alive():
             self._report(tr("Planning: {message}").format(message=task.message) if task.message else tr("Planning"))
             return
         self.timer.stop()
         self.task = None
         self.plan_button.setText(tr("Plan"))
-        self.bar.setValue(0)
+        self.planned.stop()
         try:
             plan = task.outcome()
         except work.Cancelled:

@@ -17,6 +17,7 @@ from ..sources import with_cell
 from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..words import marked, tr
+from ..work import Gauge
 from .edit_panel import COLOURS
 
 HEADINGS = ("", marked("Measured, and its bound"))
@@ -35,7 +36,7 @@ class CheckPanel:
         self.verdict = QtWidgets.QLabel(tr("Checking {label} against OpenVDB and CGAL…").format(label=obj.Label))
         self.verdict.setWordWrap(True)
         self.progress = QtWidgets.QProgressBar()
-        self.progress.setRange(0, 1000)
+        self.gauge = Gauge(self.progress)
         self.table = QtWidgets.QTableWidget(0, len(HEADINGS))
         self.table.setHorizontalHeaderLabels([heading and tr(heading) for heading in HEADINGS])
         self.table.verticalHeader().hide()
@@ -127,7 +128,7 @@ class CheckPanel:
     def _show_progress(self, fraction, message):
         self.progress.setVisible(fraction is not None)
         if fraction is not None:
-            self.progress.setValue(round(1000 * fraction))
+            self.gauge.show(fraction)
             self.progress.setFormat(message or "%p %")
 
     def text(self):

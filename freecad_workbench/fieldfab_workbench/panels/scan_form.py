@@ -91,7 +91,6 @@ class ScanForm(EditPanel):
         self.estimate = QtWidgets.QLabel()
         self.estimate.setWordWrap(True)
         self.progress = QtWidgets.QProgressBar()
-        self.progress.setRange(0, 1000)
         self.progress.setTextVisible(True)
         room = self.progress.sizePolicy()
         room.setRetainSizeWhenHidden(True)

@@ -12,6 +12,7 @@ from ..shim import QtWidgets
 from ..views.coin_mesh import MeshBytes
 from ..views.scan_preview import ScanPreview
 from ..words import tr
+from ..work import Gauge
 from .scan_form import ScanForm, set_quietly
 
 RAW = (".raw", ".vol", ".dcm")  # whose type or size the file itself may not tell
@@ -26,7 +27,7 @@ class ScanPanel(ScanForm):
         self._unseen = obj.Mesh.CountFacets == 0
         FreeCADGui.Selection.clearSelection()  # its green would cover the picture
         self.preview = ScanPreview(obj)
-        self.work = Newest(self._failed, self._show_progress)
+        self.work, self.reading = Newest(self._failed, self._show_progress), Gauge(self.progress)
         self.form.destroyed.connect(self.work.stop)  # whoever closes it
         self._connect()
         self._changed_file()
@@ -162,7 +163,7 @@ class ScanPanel(ScanForm):
     def _show_progress(self, fraction, message):
         self.progress.setVisible(fraction is not None and self.overview is None)
         if fraction is not None:
-            self.progress.setValue(round(1000 * fraction))
+            self.reading.show(fraction)
             self.progress.setFormat(f"{message} %p %")
 
     def accept(self):

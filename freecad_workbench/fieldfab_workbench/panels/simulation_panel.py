@@ -83,7 +83,7 @@ class SimulationPanel(EditPanel):
         self.start_button = QtWidgets.QPushButton(tr("Simulate"))
         self.start_button.clicked.connect(self.start_or_stop)
         self.bar = QtWidgets.QProgressBar()
-        self.bar.setRange(0, 1000)
+        self.carried_out = work.Gauge(self.bar)
         self.bar.setTextVisible(False)
         row.addWidget(self.start_button)
         row.addWidget(self.bar, 1)
@@ -123,13 +123,13 @@ class SimulationPanel(EditPanel):
             return
         if self.task is None:
             return
-        self.bar.setValue(round(1000 * self.task.fraction))
+        self.carried_out.show(self.task.fraction)
         if self.task.is_alive():
             if self.task.message:
                 self.say(self.task.message, True)
             return
         task, self.task = self.task, None
-        self.bar.setValue(0)
+        self.carried_out.stop()
         self.start_button.setText(tr("Simulate"))
         try:
             result = task.outcome()

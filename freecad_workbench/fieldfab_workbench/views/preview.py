@@ -69,6 +69,11 @@ class Preview:
         self._wanted, self._changed = (source, dict(settings)), time.monotonic()
         self._look()
 
+    def rest(self):
+        """Does no more before the next change; the picture stays."""
+        self._stop()
+        self._wanted = self._ready = None
+
     def close(self, *_):
         if not self._timer.isActive():
             return

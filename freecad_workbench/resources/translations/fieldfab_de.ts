@@ -2111,12 +2111,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Netz zum Körper: {mean} im Mittel, {most} höchstens.</translation>
     </message>
     <message>
+        <source>Computing</source>
+        <translation>Wird berechnet</translation>
+    </message>
+    <message>
         <source>Edit {label}</source>
         <translation>{label} bearbeiten</translation>
     </message>
     <message>
         <source>Valid</source>
         <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>Computing: {message}</source>
+        <translation>Wird berechnet: {message}</translation>
     </message>
     <message>
         <source>Event</source>
