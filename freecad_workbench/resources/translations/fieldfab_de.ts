@@ -2943,6 +2943,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Verfeinert, wo Sie hinsehen</translation>
     </message>
     <message>
+        <source>No solid is seen that could be cut</source>
+        <translation>Kein Körper ist zu sehen, der geschnitten werden könnte</translation>
+    </message>
+    <message>
         <source>Show {label}</source>
         <translation>{label} zeigen</translation>
     </message>
@@ -3335,6 +3339,21 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each part that it makes, not the script.</source>
         <translation>Fragt nach einem Python-Skript oder einem von kokopelli und ob es laufen darf, denn es kann alles, was Sie können. Das Dokument behält die Formel jedes Teils, den es macht, nicht das Skript.</translation>
+    </message>
+</context>
+<context>
+    <name>Fieldfab_Section</name>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Cut what the view shows, to see what is inside, or show it whole again</source>
+        <translation>Schneiden, was die Ansicht zeigt, um ins Innere zu sehen, oder es wieder ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Cuts all solids of the view, across the axis that points most to you. Drag the handle on the plane to move it. Cut faces are orange. It also cuts what panels show: solids that are being edited, scans, the stock of a simulation. Choose it again to see all. Nothing of the document is changed.</source>
+        <translation>Schneidet alle Körper der Ansicht quer zu der Achse, die am meisten auf den Betrachter zeigt. Ziehen am Griff verschiebt die Ebene. Schnittflächen sind orange. Auch was Aufgabenfenster zeigen, wird geschnitten: Körper in Bearbeitung, Scans, das Rohteil einer Simulation. Noch einmal wählen zeigt wieder alles. Am Dokument ändert sich nichts.</translation>
     </message>
 </context>
 <context>
