@@ -8,7 +8,7 @@ import numpy as np
 from .. import units
 from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ColourLegend, ScaleLegend
-from ..views.part_view import PartView
+from ..views.part_view import PartView, is_open
 from ..views.player import Player
 from ..views.program_view import COLOURS, RAPID_COLOUR, lines
 from ..views.stock_scene import StockScene
@@ -25,13 +25,6 @@ ABOUT = 40  # seconds that a program lasts at the speed that is chosen at first
 def clock(seconds):
     """Minutes and seconds: 1:02.3"""
     return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
-
-
-def is_open(document):
-    try:
-        return bool(document.Name)
-    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
-        return False
 
 
 def _is_in_the_way(obj):

@@ -6,9 +6,10 @@ import os
 from .. import kernel, meshes, work
 from ..objects.simulation import planned_of, verdict
 from ..shim import QtCore, QtWidgets, flags
+from ..views.part_view import is_open
 from ..words import tr
 from .edit_panel import EditPanel
-from .playback import Playback, is_open
+from .playback import Playback
 from .setup_form import SetupForm
 
 FRAMES = 200  # pictures of a film

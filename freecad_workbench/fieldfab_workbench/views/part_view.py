@@ -9,6 +9,13 @@ from ..shim import QtWidgets
 STILL = 4  # pixels that the pointer may move in a click
 
 
+def is_open(document):
+    try:
+        return bool(document.Name)
+    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
+        return False
+
+
 class PartView:
     """Shows a node in the active view of a document, looks at places, tells clicks as rays."""
 

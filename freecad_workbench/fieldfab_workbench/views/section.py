@@ -6,6 +6,7 @@ from pivy import coin
 
 from ..shim import QtCore
 from ..words import tr
+from .part_view import is_open
 
 CAP_COLOUR = (0.96, 0.66, 0.28)
 FRAME_COLOUR = (0.75, 0.35, 0.05)
@@ -21,7 +22,7 @@ class Section:
     light: that is the cut face, of previews and of a stock while it is cut, too. `close()` leaves the view as it was. Raises ValueError where nothing is seen."""
 
     def __init__(self, document):
-        self._document, self._view = document.Name, FreeCADGui.getDocument(document.Name).ActiveView
+        self._document, self._view = document, FreeCADGui.getDocument(document.Name).ActiveView
         self._scene = self._view.getSceneGraph()
         lower, upper = self._bounds()
         towards = -self._view.getViewDirection()
@@ -62,8 +63,9 @@ class Section:
 
     def _look(self):
         """Follows what comes and goes."""
-        if self._document not in FreeCAD.listDocuments():
+        if not is_open(self._document):
             self._timer.stop()
+            self._sensor.detach()
             return
         wanted = self._wanted()
         if wanted != list(self._solids.getChildren() or ()):
@@ -80,7 +82,7 @@ class Section:
 
     def _wanted(self):
         """The nodes of all that bounds solids."""
-        meshes = [obj.ViewObject.RootNode for obj in FreeCAD.getDocument(self._document).Objects if hasattr(obj, "Mesh")]
+        meshes = [obj.ViewObject.RootNode for obj in self._document.Objects if hasattr(obj, "Mesh")]
         return meshes + [node for node in self._scene.getChildren() if node.getName().getString() == STOCK]
 
     def _bounds(self):
@@ -141,18 +143,19 @@ def _overriding(kind, **fields):
     return node
 
 
-_sections = {}
+_sections = []
 
 
 def section_of(document):
     """The Section of a document; None where there is none."""
-    return _sections.get(document.Name)
+    _sections[:] = [each for each in _sections if is_open(each._document)]
+    return next((each for each in _sections if each._document == document), None)
 
 
 def toggle(document):
     """Cuts what a document's view shows, or ends that. Raises ValueError where nothing is seen."""
-    shown = _sections.pop(document.Name, None)
-    if shown is not None and shown._document in FreeCAD.listDocuments() and shown._view == FreeCADGui.getDocument(document.Name).ActiveView:
+    if shown := section_of(document):
+        _sections.remove(shown)
         shown.close()
     else:
-        _sections[document.Name] = Section(document)
+        _sections.append(Section(document))

@@ -129,6 +129,22 @@ def test_the_stock_of_a_simulation_is_cut(document, opened, tmp_path):  # noqa: 
     press(Button.Cancel)
 
 
+def test_a_closed_document_takes_its_section_along(document):  # noqa: F811
+    other = FreeCAD.newDocument("Other")
+    frep(other, HOLLOW, 1)
+    first = cut(other)
+    FreeCAD.closeDocument(other.Name)
+    live(0.5)
+    assert not first._timer.isActive()
+    again = FreeCAD.newDocument("Other")
+    solid = frep(again, HOLLOW, 1)
+    own = solid.ViewObject.RootNode.getNumChildren()
+    live(0.5)
+    assert section.section_of(again) is None and solid.ViewObject.RootNode.getNumChildren() == own
+    FreeCAD.closeDocument(again.Name)
+    FreeCAD.setActiveDocument(document.Name)
+
+
 def test_nothing_to_cut_is_told(document):  # noqa: F811
     with pytest.raises(ValueError, match="No solid"):
         section.toggle(document)
