@@ -145,8 +145,8 @@ class SetupPanel(EditPanel):
         self.machine_place.addWidget(self.machine_rows)
         offer(self.material, self.obj.getEnumerationsOfProperty("Material"), self.obj.Material)
         self.material.setEnabled(self.material.count() > 1)
-        known = [tr("travel {travel}").format(travel=units.told_all(told["travel"]))] if any(told["travel"]) else []
-        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit))) for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
+        known = [tr("travel {travel}").format(travel=units.told_all(told["travel"], digits=6))] if any(told["travel"]) else []
+        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit), 6)) for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
         known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
         self.limits.setText("; ".join([told["description"], *known]))
 

@@ -5,6 +5,7 @@ import FreeCADGui
 from .. import units, work
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
+from ..views.part_view import is_there
 from ..words import tr
 from .wheel import WheelGuard
 
@@ -114,6 +115,9 @@ class EditPanel:
 
     def _look_at_making(self):
         task = self.making
+        if not is_there(self.obj):
+            self.stop_making()
+            return
         self.gauge.show(task.fraction)
         if task.is_alive():
             words = tr("Computing: {message}").format(message=task.message) if task.message else tr("Computing")

@@ -8,7 +8,7 @@ import numpy as np
 from .. import units
 from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ColourLegend, ScaleLegend
-from ..views.part_view import PartView, is_open
+from ..views.part_view import PartView, is_there
 from ..views.player import Player
 from ..views.program_view import COLOURS, RAPID_COLOUR, lines
 from ..views.stock_scene import StockScene
@@ -184,7 +184,7 @@ class Playback(QtWidgets.QWidget):
             if legend is not None:
                 legend.close()
         self.player = self.scene = self.legend = self.colours = None
-        there = self.document.Objects if is_open(self.document) else []
+        there = self.document.Objects if is_there(self.document) else []
         for obj in self.parts:
             if obj in there:
                 obj.ViewObject.Visibility = False
@@ -265,7 +265,7 @@ class Playback(QtWidgets.QWidget):
         self._began = (time.monotonic(), self.seconds)
 
     def _tick(self):
-        if not is_open(self.document):
+        if not is_there(self.document):
             self.timer.stop()
             self.player.close()
             return

@@ -6,7 +6,7 @@ import os
 from .. import kernel, meshes, work
 from ..objects.simulation import planned_of, verdict
 from ..shim import QtCore, QtWidgets, flags
-from ..views.part_view import is_open
+from ..views.part_view import is_there
 from ..words import tr
 from .edit_panel import EditPanel
 from .playback import Playback
@@ -117,7 +117,7 @@ class SimulationPanel(EditPanel):
         self.task.start()
 
     def _watch(self):
-        if not is_open(self.document):
+        if not is_there(self.document):
             self.timer.stop()
             if self.task is not None:
                 self.task.cancel()

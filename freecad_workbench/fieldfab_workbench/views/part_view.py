@@ -9,10 +9,11 @@ from ..shim import QtWidgets
 STILL = 4  # pixels that the pointer may move in a click
 
 
-def is_open(document):
+def is_there(thing):
+    """False of a document that was closed, and of an object that was deleted."""
     try:
-        return bool(document.Name)
-    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
+        return bool(thing.Name)
+    except (ReferenceError, RuntimeError):  # as FreeCAD says it
         return False
 
 

@@ -13,6 +13,7 @@ from ..objects.solid import key_of
 from ..shim import QtCore
 from ..words import tr
 from . import inventor
+from .part_view import is_there
 from .refinement import ANGLE, Refinement
 
 BUDGET = 0.06  # seconds that the first picture of a change may take
@@ -140,7 +141,7 @@ class Preview:
 
     # The window's side: everything here is done within a few ms.
     def _look(self):
-        if not self._is_there():
+        if not is_there(self.obj):
             self.close()
             return
         self._take()
@@ -159,12 +160,6 @@ class Preview:
                 self._stop()
                 self._refined_for = self._eye
                 self._start(self._detail)
-
-    def _is_there(self):
-        try:
-            return bool(self.obj.Name)
-        except ReferenceError:  # deleted, or its document closed
-            return False
 
     def _stop(self):
         if self._task:

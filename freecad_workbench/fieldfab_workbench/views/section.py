@@ -6,7 +6,7 @@ from pivy import coin
 
 from ..shim import QtCore
 from ..words import tr
-from .part_view import is_open
+from .part_view import is_there
 
 CAP_COLOUR = (0.96, 0.66, 0.28)
 FRAME_COLOUR = (0.75, 0.35, 0.05)
@@ -63,7 +63,7 @@ class Section:
 
     def _look(self):
         """Follows what comes and goes."""
-        if not is_open(self._document):
+        if not is_there(self._document):
             self._timer.stop()
             self._sensor.detach()
             return
@@ -148,7 +148,7 @@ _sections = []
 
 def section_of(document):
     """The Section of a document; None where there is none."""
-    _sections[:] = [each for each in _sections if is_open(each._document)]
+    _sections[:] = [each for each in _sections if is_there(each._document)]
     return next((each for each in _sections if each._document == document), None)
 
 
