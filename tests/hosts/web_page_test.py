@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 from conftest import BUILD
 from documents import DOCUMENTS
+from rs274 import moves
 from selenium.webdriver import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from rs274 import moves
 from web_server import Server, chromium
 
 import fieldfab as ff
