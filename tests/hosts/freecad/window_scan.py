@@ -23,18 +23,6 @@ Button = QtWidgets.QDialogButtonBox
 
 
 @pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
-@pytest.fixture
 def opened(monkeypatch):
     """The scan panels that were opened, newest last."""
     made = []
