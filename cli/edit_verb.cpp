@@ -1,4 +1,4 @@
-// edit: the live view of a model, which is a window of the Python package (fieldfab.edit).
+// edit: live view of a model, a window of the Python package (fieldfab.edit).
 #include <unistd.h>
 
 #include <cerrno>

@@ -26,7 +26,7 @@ constexpr auto patience = std::chrono::milliseconds(300);
 std::atomic<Progress*> running{nullptr};
 enum class State { working, settled, ended };  // ended: from outside
 std::atomic<State> state{State::working};
-sem_t asked;  // to stop
+sem_t asked;  // posted to request a stop
 
 void on_interrupt(int /*signal*/) {
   const int kept = errno;
@@ -35,13 +35,13 @@ void on_interrupt(int /*signal*/) {
   errno = kept;
 }
 
-// A handler, unlike SIG_IGN, is not passed on to programs that are started.
+// Unlike SIG_IGN, a handler is not inherited by started programs.
 void on_write_error(int /*signal*/) {}
 
 void handle(int signal, void (*handler)(int)) {
   struct sigaction before {
   }, action{};
-  // What was started with nohup is not to be hung up.
+  // A command started with nohup keeps ignoring SIGHUP.
   if (::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN && signal == SIGHUP) return;
   action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
@@ -55,13 +55,14 @@ void handle(int signal, void (*handler)(int)) {
   ::_exit(code);
 }
 
-/// What a library does that has no other way to tell of a lack of memory: glibc for thread_local objects, GMP.
+/// Libraries call abort() if they cannot report a lack of memory otherwise: glibc for thread_local
+/// objects, GMP.
 void on_abort(int /*signal*/) {
-  ::alarm(1);  // the end, if a lock is held that a folder's removal needs
+  ::alarm(1);  // ends the process if a lock is held that the removal of a folder needs
   end_now(internal_error, {"fieldfab: internal error: a library gave up\n"});
 }
 
-/// Ends the process where the work does not.
+/// Ends the process if the work does not stop.
 void watch() {
   while (sem_wait(&asked) != 0) {
   }
@@ -78,14 +79,14 @@ void watch() {
       return "there is not enough memory for this";
     } catch (const std::system_error&) {
       return "the system refuses what a thread needs";
-    } catch (const std::exception& error) {  // TBB's, where it cannot start a thread
+    } catch (const std::exception& error) {  // TBB's, if it cannot start a thread
       return error.what();
     } catch (...) {
     }
     return "internal error: an exception was not caught";
   }();
   static thread_local bool again = false;
-  if (std::exchange(again, true)) ::_exit(internal_error);  // while it was ended
+  if (std::exchange(again, true)) ::_exit(internal_error);  // thrown during the end itself
   if (state.exchange(State::ended) == State::ended)
     for (;;) ::pause();  // another thread is ending the process
   end_now(internal_error, {"fieldfab: ", what, "\n"});

@@ -1,12 +1,12 @@
-// render, info and convert: pictures of solids, and files told apart and turned into each other.
+// render, info and convert: images of solids, and recognition and conversion of files.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/check/vdb.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
@@ -22,8 +22,6 @@
 
 namespace fieldfab::cli {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 class RenderVerb final : public Verb {
  public:
@@ -44,7 +42,12 @@ class RenderVerb final : public Verb {
   Outcome run(Progress& progress) override {
     if (extension_of(options_.output) != ".png")
       throw Error(ErrorKind::bad_input, options_.output, "pictures are written as .png");
-    RenderSettings settings{render_mode(mode_), size_, alpha_ * degree, beta_ * degree, perspective_ * degree, samples_};
+    RenderSettings settings{render_mode(mode_),
+                            size_,
+                            alpha_ * radians_per_degree,
+                            beta_ * radians_per_degree,
+                            perspective_ * radians_per_degree,
+                            samples_};
     const Model model = options_.open(progress);
     tell_empty_parts(model, options_.model, progress);
     const Solid solid = united(model);
@@ -65,7 +68,8 @@ class RenderVerb final : public Verb {
   }
 
  private:
-  /// A bitmap needs x and y only: it shows the plane z = z0, and z = 0 of a solid whose bounds are found.
+  /// Bounds of a bitmap, which needs x and y only: it shows the plane z = z0, or z = 0 if the
+  /// bounds are searched.
   Box plane_bounds(const Solid& solid, Progress& progress) const {
     if (const auto wanted = options_.region()) return *wanted;
     const SolidBounds found = solid_bounds(*solid.field, progress);
@@ -127,7 +131,7 @@ class InfoVerb final : public Verb {
     outcome.json["parts"] = std::move(parts);
     return outcome;
   }
-  /// The bounds as a line, and in the outcome's JSON.
+  /// Returns the bounds as a text, and adds them to the JSON.
   static std::string tell_bounds(const SolidBounds& found, Outcome& outcome) {
     if (found.empty) {
       outcome.json["bounds"] = nullptr;
@@ -158,10 +162,10 @@ class InfoVerb final : public Verb {
     tell_measures(*solid.field, found, outcome, progress);
     return outcome;
   }
-  /// Volume and area, where the solid has a thickness and an end.
+  /// Adds volume and area, if the solid is bounded and has a thickness.
   static void tell_measures(const Field& field, const SolidBounds& found, Outcome& outcome, Progress& progress) {
     if (found.empty || !found.is_bounded() || !(found.box.size().minCoeff() > 0)) return;
-    // Faces that lie in the bounds are inside of what is measured.
+    // Grown, so that faces in the bounds lie inside the measured region.
     const Measures measures = measure(field, found.box.grown(1e-3 * found.box.diagonal()), {}, progress);
     outcome.line += ", " + measures.text();
     outcome.json.update(json_of(measures));
@@ -314,7 +318,7 @@ class ConvertVerb final : public Verb {
   void write(FormatKind to, Outcome& outcome, Progress& progress) const {
     const Formats& formats = openscad::all_formats();
     if (to == FormatKind::mesh) {
-      // A mesh as it is; `fieldfab mesh` makes it anew.
+      // A mesh is converted as it is; `fieldfab mesh` contours it.
       if (formats.is_read_as(FormatKind::mesh, options_.model)) return rewrite_mesh(progress);
       const Outcome made = write_surface(options_, progress);
       for (const char* const key : {"certain", "uncertain"})
@@ -376,7 +380,7 @@ class ConvertVerb final : public Verb {
                            : frep::print_dot(expression);
   }
 
-  /// An OpenSCAD design as one expression. Throws bad_input where it has none.
+  /// Returns an OpenSCAD design as one expression. Throws bad_input if it has none.
   [[nodiscard]] Model design_as_formula(Progress& progress) const {
     const std::filesystem::path path = options_.model;
     const auto design =

@@ -1,4 +1,4 @@
-/// What the kernel tells, as JSON for programs.
+/// Results of the kernel as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace fieldfab::cli {
 /// [lower x, y, z, upper x, y, z], mm.
 nlohmann::ordered_json json_of(const Box& box);
 nlohmann::ordered_json json_of(const Certainty& certainty);
-/// {"volume": [least, most], "area": [least, most]} in mm3 and mm2; null where there is no bound.
+/// {"volume": [least, most], "area": [least, most]} in mm3 and mm2; null for an infinite bound.
 nlohmann::ordered_json json_of(const Measures& measures);
 
 }  // namespace fieldfab::cli

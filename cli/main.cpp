@@ -1,4 +1,5 @@
-// The `fieldfab` command: options in, one verb, one line out. docs: `fieldfab --help`, README.md.
+// The `fieldfab` command: reads options, runs one verb, prints one line. docs: `fieldfab --help`,
+// README.md.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -32,7 +33,7 @@ int complain(int code, const std::string& message) {
   return code;
 }
 
-/// Reports progress on one line that is written over and over, to terminals only unless forced.
+/// Shows progress on one line that is overwritten; on terminals only, unless forced.
 class ProgressLine {
  public:
   void show(bool wanted) { wanted_ = wanted; }
@@ -54,10 +55,10 @@ class ProgressLine {
   std::string message_;
 };
 
-/// The one line, or the one object, that a verb comes to.
+/// Returns the line, or the JSON object, for a verb's outcome.
 std::string text_of(const Outcome& outcome, bool json) {
   if (!json) return outcome.line + "\n";
-  // Names of files may hold any bytes, JSON only UTF-8.
+  // File names may contain any bytes, JSON only UTF-8.
   return outcome.json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -105,7 +106,7 @@ int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
   return outcome.code;
 }
 
-/// Runs the command; tells what went wrong.
+/// Runs the command; reports errors.
 int guarded(int argc, char** argv) {
   ProgressLine line;
   int code = internal_error;
@@ -124,14 +125,14 @@ int guarded(int argc, char** argv) {
   } catch (const Error& error) {
     code = exit_code(error.kind());
     complaint = error.what();
-  } catch (const std::filesystem::filesystem_error& error) {  // a folder that cannot be read, for instance
+  } catch (const std::filesystem::filesystem_error& error) {  // for instance a folder that cannot be read
     code = bad_input;
     complaint = fmt::format("{}: {}", error.path1().string(), error.code().message());
   } catch (const std::bad_alloc&) {
     line.clear();
-    tell({"fieldfab: there is not enough memory for this\n"});  // without asking for any
+    tell({"fieldfab: there is not enough memory for this\n"});  // does not allocate memory
     return internal_error;
-  } catch (const std::system_error& error) {  // no thread, for instance
+  } catch (const std::system_error& error) {  // for instance if a thread cannot be started
     complaint = fmt::format("the system refuses: {}", error.code().message());
   } catch (const std::exception& error) {
     complaint = fmt::format("internal error: {}", error.what());
@@ -147,7 +148,7 @@ int main(int argc, char** argv) {
   fieldfab::cli::open_closed_streams();
   try {
     return fieldfab::cli::guarded(argc, argv);
-  } catch (const std::bad_alloc&) {  // for the words of a complaint
+  } catch (const std::bad_alloc&) {  // thrown while an error message is built
     fieldfab::cli::tell({"fieldfab: there is not enough memory for this\n"});
     return fieldfab::cli::internal_error;
   }

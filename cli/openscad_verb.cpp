@@ -1,4 +1,4 @@
-// openscad: makes the meshes that a design asks of fieldfab.scad, then runs OpenSCAD.
+// openscad: makes the meshes that a design requests through fieldfab.scad, then runs OpenSCAD.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -48,7 +48,7 @@ class OpenscadVerb final : public Verb {
   using Times = std::vector<std::filesystem::file_time_type>;
   static Times times_of(const std::vector<std::filesystem::path>& files) {
     Times times;
-    std::error_code ignored;  // an editor may be replacing it just now
+    std::error_code ignored;  // an editor may be replacing the file
     for (const auto& file : files) times.push_back(std::filesystem::last_write_time(file, ignored));
     return times;
   }
@@ -67,7 +67,7 @@ class OpenscadVerb final : public Verb {
         tell({fmt::format("fieldfab: {} made, {} kept\n", report.made, report.kept)});
       } catch (const Error& error) {
         if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::internal) throw;
-        tell({"fieldfab: ", printable(error.what()), "\n"});  // the next save may mend it
+        tell({"fieldfab: ", printable(error.what()), "\n"});  // the next save may correct it
       }
     }
   }

@@ -9,7 +9,7 @@
 namespace fieldfab::cli {
 namespace {
 
-/// 2G, 512M, 100000K or bytes.
+/// Parses 2G, 512M, 100000K or a number of bytes.
 std::size_t bytes(const std::string& text) {
   double number = 0;
   const auto [next, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -61,7 +61,7 @@ std::vector<frep::OpenOption> ScanArguments::options() const {
                                    {"crop", &crop},
                                    {"denoise", &denoise}}) {
     if (text->empty()) continue;
-    double number = 0;  // a plain number stays one in texts
+    double number = 0;  // a plain number is printed as a number
     const auto [end, failure] = std::from_chars(text->data(), text->data() + text->size(), number);
     if (failure == std::errc{} && end == text->data() + text->size() && std::isfinite(number))
       given.push_back({name, number});

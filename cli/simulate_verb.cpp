@@ -1,8 +1,7 @@
-// simulate: a program carried out on a stock.
+// simulate: carries out a program on a stock.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/cam/simulate/frames.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/simulate/picture.h"
 #include "fieldfab/cam/simulate/report_json.h"
 #include "fieldfab/cam/simulate/simulate.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/text.h"
@@ -87,7 +87,7 @@ class SimulateVerb final : public Verb {
  private:
   static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf .fieldstock"; }
 
-  /// What is to be written, before the work: a wrong name is told of at once.
+  /// Checks output names before the work, so that an invalid name is reported at once.
   void check_outputs() const {
     const std::optional<FormatKind> written = openscad::all_formats().written(output_);
     if (!output_.empty() && written != FormatKind::mesh && extension_of(output_) != ".asdf" &&
@@ -140,13 +140,12 @@ class SimulateVerb final : public Verb {
     return outcome;
   }
 
-  /// What was said of the view.
+  /// Applies the options of the view.
   template <class View>
   void look_from(View& view) const {
-    constexpr double degree = std::numbers::pi / 180;
     if (size_) view.size = *size_;
-    if (alpha_) view.alpha = *alpha_ * degree;
-    if (beta_) view.beta = *beta_ * degree;
+    if (alpha_) view.alpha = *alpha_ * radians_per_degree;
+    if (beta_) view.beta = *beta_ * radians_per_degree;
   }
 
   void write_picture(const cam::SimulationResult& result, Progress& progress) const {

@@ -1,4 +1,4 @@
-// build, mesh and check: what is made of a solid.
+// build, mesh and check: results computed from a solid.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The surfaces of all parts; the outcome tells of them together and, where they are several, of each.
+/// Computes the surfaces of all parts. The outcome describes them together, and each if there are
+/// several.
 std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& options, Outcome& outcome, Progress& progress) {
   const Resolution wanted = options.wanted();
   std::vector<MeshPart> parts;
@@ -113,7 +114,7 @@ class BuildVerb final : public Verb {
   }
 
  private:
-  /// A volume goes into the file sample by sample, whatever its size.
+  /// Imports a volume sample by sample, whatever its size.
   Outcome import(Progress& progress) const {
     const Stopwatch clock;
     const ScanOptions wanted = options_.scan.parsed();
@@ -135,7 +136,7 @@ class BuildVerb final : public Verb {
              {"leafs", counts.leafs},
              {"blocks", counts.blocks},
              {"bytes", bytes},
-             {"certain", true},  // its cells are those between the samples
+             {"certain", true},  // cells lie between neighbouring samples
              {"seconds", clock.seconds()}},
             0};
   }
@@ -233,7 +234,7 @@ class CheckVerb final : public Verb {
     return outcome;
   }
 
-  /// Tells which parts overlap, and by how much at least: by volumes that are proved.
+  /// Reports the parts that overlap, with a proved lower bound of the common volume.
   void tell_overlaps(const Model& model, Outcome& outcome, Progress& progress) const {
     auto overlaps = nlohmann::ordered_json::array();
     std::vector<Box> bounds;
@@ -262,7 +263,7 @@ class CheckVerb final : public Verb {
 Outcome write_surface(const ModelOptions& options, Progress& progress) {
   const Stopwatch clock;
   const Model model = options.open(progress);
-  // Other formats get one mesh of all, so that it is valid where parts touch or overlap.
+  // Other formats get one mesh of all parts, so that it is valid if parts touch or overlap.
   const bool one = model.parts.size() > 1 && !openscad::all_formats().find(options.output)->parts;
   Outcome outcome;
   const std::vector<MeshPart> parts =

@@ -13,13 +13,13 @@
 namespace fieldfab::cli {
 namespace {
 
-/// Whether all was written; errno tells why not.
+/// Returns whether all was written; errno has the reason otherwise.
 bool write_all(int descriptor, std::string_view text) noexcept {
   while (!text.empty()) {
     const ssize_t done = ::write(descriptor, text.data(), text.size());
     if (done >= 0) {
       text.remove_prefix(static_cast<std::size_t>(done));
-    } else if (errno == EAGAIN) {  // a pipe that its reader has made non-blocking
+    } else if (errno == EAGAIN) {  // a pipe that its reader made non-blocking
       pollfd waiting{descriptor, POLLOUT, 0};
       ::poll(&waiting, 1, -1);
     } else if (errno != EINTR) {
@@ -32,7 +32,7 @@ bool write_all(int descriptor, std::string_view text) noexcept {
 }  // namespace
 
 void open_closed_streams() noexcept {
-  // The lowest free number is taken.
+  // open() returns the lowest free number.
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
     if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF) ::open("/dev/null", O_RDWR);
 }

@@ -1,4 +1,5 @@
-/// The standard streams, written to in ways that neither throw nor end the process where one is closed, full or dead.
+/// Output to the standard streams that neither throws nor ends the process if a stream is closed,
+/// full or broken.
 #pragma once
 
 #include <initializer_list>
@@ -6,14 +7,14 @@
 
 namespace fieldfab::cli {
 
-/// Puts /dev/null in the place of closed standard streams: the next file opened would take their numbers, and get what
-/// is printed.
+/// Replaces closed standard streams by /dev/null. Otherwise the next file opened would get their
+/// numbers, and the printed text.
 void open_closed_streams() noexcept;
 
-/// Writes to standard error; drops what cannot be written. Allocates no memory.
+/// Writes to standard error; drops text that cannot be written. Allocates no memory.
 void tell(std::initializer_list<std::string_view> parts) noexcept;
 
-/// Writes to standard output. Throws Error(io) where it takes less than all.
+/// Writes to standard output. Throws Error(io) unless all of it is written.
 void answer(std::string_view text);
 
 }  // namespace fieldfab::cli

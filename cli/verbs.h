@@ -1,4 +1,4 @@
-/// The verbs of the `fieldfab` command, and what they share.
+/// Verbs of the `fieldfab` command, and functions that they share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,20 +14,20 @@
 
 namespace fieldfab::cli {
 
-/// The end of a file's name that tells its format, in lower case: ".stl", ".nii.gz".
+/// Returns the end of a file name that determines its format, in lower case: ".stl", ".nii.gz".
 std::string extension_of(const std::filesystem::path& path);
 
-/// What a verb came to: one line for people, the same for programs, and the exit code.
+/// Result of a verb: one line for people, the same as JSON, and the exit code.
 struct Outcome {
   std::string line;
   nlohmann::ordered_json json;
   int code = 0;
 };
 
-/// Adds to the answer as JSON whether it shows all of the solid.
+/// Adds to the JSON whether the result represents the whole solid.
 void tell_certainty(const Certainty& certainty, Outcome& outcome);
 
-/// How to take a volume: options of every verb on a MODEL.
+/// Options of each verb on a MODEL for reading volumes.
 struct ScanArguments {
   std::string threshold, size, type, byte_order, spacing, series, crop, denoise, memory = "512M";
   std::optional<std::uint64_t> skip;
@@ -35,13 +35,13 @@ struct ScanArguments {
   bool below = false, keep_largest = false, fill_holes = false;
 
   void declare(CLI::App& verb);
-  /// What was given, by the names that open() has.
+  /// Returns the options given, by the names that open() uses.
   [[nodiscard]] std::vector<frep::OpenOption> options() const;
-  /// The same for a volume that is read here. Throws bad_input for text that means nothing.
+  /// Returns the options for a volume that the caller reads. Throws bad_input for invalid text.
   [[nodiscard]] ScanOptions parsed() const;
 };
 
-/// Options that every verb on a MODEL takes.
+/// Options of each verb on a MODEL.
 struct ModelOptions {
   std::string model, output, part;
   std::optional<double> resolution, voxel, max_error, thickness;
@@ -50,47 +50,55 @@ struct ModelOptions {
   bool smooth = false;
   ScanArguments scan;
 
-  /// Declares them; `output` with the given description where the verb writes a file.
+  /// Declares the options; `output` gets the given description if the verb writes a file.
   void declare(CLI::App& verb, const std::string& output_help);
-  /// The region asked for. Throws bad_input for text that is not six numbers.
+  /// Returns the region given. Throws bad_input unless the text is six numbers.
   [[nodiscard]] std::optional<Box> region() const;
-  /// Opens the model, or runs it where it is a script; keeps the part wanted; flat ones are given --thickness.
+  /// Opens the model, or runs it if it is a script. Keeps the part wanted, and gives flat parts
+  /// --thickness.
   [[nodiscard]] Model open(Progress& progress) const;
-  /// The same as one solid, for a file that holds one.
+  /// Opens the model as one solid, for a file that holds one.
   [[nodiscard]] Solid open_solid(Progress& progress) const { return as_one(open(progress), progress); }
-  /// A model as one solid, for a file that holds one: tells what that leaves out of several parts.
+  /// Returns a model as one solid, for a file that holds one. Reports the metadata of several parts
+  /// that are lost.
   [[nodiscard]] Solid as_one(const Model& opened, Progress& progress) const;
-  /// Makes a plate of a solid that turns out to be flat where neither bounds nor a thickness were given: its outlines are then
-  /// divided into 512 cells, and it is 8 cells thick. Returns the thickness, mm; nothing where the solid was left alone.
+  /// Makes a plate of a solid that proves to be flat, unless bounds or a thickness were given: 512
+  /// cells across its outlines, and 8 cells thick. Returns the thickness, mm, or nullopt if the
+  /// solid is unchanged.
   std::optional<double> make_plate_if_flat(Solid& solid, Progress& progress);
-  /// As asked for. Throws bad_input for what is not positive.
+  /// Returns the resolution given. Throws bad_input unless it is positive.
   [[nodiscard]] Resolution wanted() const;
-  /// The smallest cell, mm: as asked for, or the solid's default.
+  /// Returns the smallest cell, mm: as given, or the solid's default.
   [[nodiscard]] double cell(const Box& bounds, const Solid& solid) const;
-  /// The cells of a lattice, as asked for or lattice_cells(), and whether they show all of the solid.
+  /// Returns the cells of a lattice, as given or from lattice_cells(), and whether they represent
+  /// the whole solid.
   [[nodiscard]] LatticeCells lattice_cells(const Box& bounds, const Solid& solid, Progress& progress) const;
-  /// Whether the model is a volume to be taken sample by sample: no other lattice was asked for.
+  /// Whether the model is a volume to be imported sample by sample, since no other lattice was
+  /// requested.
   [[nodiscard]] bool takes_samples() const;
   /// Throws bad_input unless `output` is given.
   void need_output() const;
 };
 
-/// Tells what a reader or a planner noticed, a line each, on stderr.
+/// Prints notes of a reader or a planner to stderr, one per line.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Becomes a module of the Python package, run as a program with these arguments. Throws io where it cannot.
+/// Replaces the process by a module of the Python package, run as a program with these arguments.
+/// Throws io on failure.
 [[noreturn]] void become_python(const std::string& module, const std::vector<std::string>& arguments);
 
-/// Writes the surface of a model, as `fieldfab mesh` does: `options.output` is a mesh file's name. The outcome tells of it.
+/// Writes the surface of a model, like `fieldfab mesh`; `options.output` is the name of a mesh
+/// file. The outcome describes it.
 Outcome write_surface(const ModelOptions& options, Progress& progress);
 
-/// The place of a part for messages: where its text makes it, or else `file`; with its name where the model has several.
+/// Returns the place of a part for messages: the place in its text that makes it, or else `file`;
+/// with its name if the model has several parts.
 std::string place_of(const Solid& part, const Model& model, const std::string& file);
 
-/// Tells that a file holds several parts as one.
+/// Reports that a file holds several parts as one.
 void tell_parts_lost(std::size_t parts, const std::string& output);
 
-/// Tells which of several parts are empty, as far as intervals show.
+/// Reports the parts that are empty, as far as intervals prove it, if there are several parts.
 void tell_empty_parts(const Model& model, const std::string& file, Progress& progress);
 
 /// A verb: declared on the command line, then run.

@@ -1,4 +1,4 @@
-/// The Python module in parts: each file binds one room of the kernel.
+/// Parts of the Python module: each file binds one folder of the kernel.
 #pragma once
 
 #include <pybind11/functional.h>
@@ -20,25 +20,26 @@ namespace py = pybind11;
 
 void bind_solids(py::module_& module);
 void bind_language(py::module_& module);
-/// As the module `language`.
+/// Adds the submodule `language`.
 void bind_grammar(py::module_& parent);
 void bind_distances(py::module_& module);
 void bind_results(py::module_& module);
 void bind_volumes(py::module_& module);
 void bind_openscad(py::module_& module);
 void bind_cam(py::module_& parent);
-/// Of the module `cam`.
+/// Adds to the module `cam`.
 void bind_workflow(py::module_& module);
 void bind_stock(py::module_& parent);
 void bind_playback(py::module_& module);
 
-/// A Progress that asks a Python callable, or nobody; also looks for Ctrl-C. The callable gets (fraction, message) and returns
-/// False to cancel. Made with the lock held; used without it.
+/// A Progress that calls a Python callable (or none) and checks for Ctrl-C. The callable receives
+/// (fraction, message) and returns False to cancel. Construct it with the interpreter lock held;
+/// use it without.
 class PythonProgress {
  public:
   explicit PythonProgress(py::object callable);
   Progress& get() { return progress_; }
-  /// Rethrows what the callable raised, if it did. Call with the lock held after the work has stopped.
+  /// Rethrows an exception of the callable. Call with the lock held after the work has stopped.
   void rethrow();
 
  private:
@@ -47,23 +48,23 @@ class PythonProgress {
   Progress progress_;
 };
 
-/// Bounds as Python gives them: None, six numbers, or two points of three.
+/// Bounds in Python: None, six numbers, or two points.
 std::optional<Box> bounds_of(const py::object& given);
 /// (x0, y0, z0, x1, y1, z1).
 py::object bounds_to_python(const Box& box);
-/// The region to work in, found where none is given (see working_bounds).
+/// The region to work in; default: working_bounds().
 Box region_of(const Solid& solid, const py::object& given, Progress& progress);
 /// The smallest cell from voxel= or resolution=, or the solid's default.
 double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<double> resolution, const Solid& solid);
 
-/// Python's Solid: a value of the design language, and what is made of it once it is asked for.
+/// Python's Solid: a value of the design language, and the solid, which is made on demand.
 class SolidValue {
  public:
   SolidValue(frep::Value given) : value(std::move(given)) {}  // NOLINT(google-explicit-constructor): values are solids
   explicit SolidValue(Solid solid) : value{solid.expression, true}, made_(std::make_shared<const Solid>(std::move(solid))) {}
   virtual ~SolidValue() = default;
 
-  /// With all that is known of it. Call with Python's lock held.
+  /// The solid with its metadata. Call with Python's lock held.
   [[nodiscard]] const std::shared_ptr<const Solid>& solid() const;
   [[nodiscard]] const Field& field() const { return *solid()->field; }
 
@@ -73,20 +74,21 @@ class SolidValue {
   mutable std::shared_ptr<const Solid> made_;
 };
 
-/// .frep text in Python: bytes of file names that are no UTF-8 are surrogates, as in Python's own names of files.
+/// .frep text in Python: invalid UTF-8 in file names becomes surrogate escapes, as in Python's own
+/// file names.
 inline py::str python_text(const std::string& text) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
 }
 
-/// The Solid of a Python object: a Solid, or a number. Throws TypeError for any other.
+/// The Solid of a Python object: a Solid or a number. Throws TypeError for any other.
 std::shared_ptr<const Solid> solid_of(const py::object& solid);
-/// Its Field.
+/// The Field of a Python object, as for solid_of().
 FieldPtr field_of(const py::object& solid);
 
-/// The colour of a name, "#rrggbb", or three numbers from 0 to 255; none of None.
+/// A colour from a name, "#rrggbb", or three numbers from 0 to 255; std::nullopt for None.
 std::optional<Colour> colour_of(const py::object& given);
-/// Parts as Python has them: (a Solid or a Mesh, name or None, colour or None) each.
+/// A part in Python: (a Solid or a Mesh, name or None, colour or None).
 struct PythonPart {
   py::object what;  ///< converted by the caller
   std::string name;

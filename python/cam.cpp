@@ -38,7 +38,7 @@ cam::Loops loops_of(const std::vector<Rows>& given) {
   return loops;
 }
 
-/// x, y, z, feed, bulge and the tool's axis of each move.
+/// Rows of x, y, z, feed, bulge and the tool's axis, one per move.
 Rows rows_of(const std::vector<cam::Move>& moves) {
   Rows rows({static_cast<py::ssize_t>(moves.size()), py::ssize_t{8}});
   auto out = rows.mutable_unchecked<2>();

@@ -1,4 +1,4 @@
-// Distance fields in Python.
+// Python bindings of distance fields.
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
 
@@ -25,7 +25,8 @@ class AsdfValue : public SolidValue {
 }  // namespace
 
 void bind_distances(py::module_& module) {
-  py::class_<AsdfValue, SolidValue, std::shared_ptr<AsdfValue>>(module, "Asdf", "An adaptively sampled distance field (Keeter, Appendix C.1).")
+  py::class_<AsdfValue, SolidValue, std::shared_ptr<AsdfValue>>(module, "Asdf",
+                                                                "An adaptively sampled distance field (Keeter, Appendix C.1).")
       .def_static(
           "load",
           [](const std::filesystem::path& path, int level, const py::object& region) {
@@ -68,7 +69,7 @@ void bind_distances(py::module_& module) {
   module.def(
       "build",
       [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-          std::optional<double> max_error, bool merge_leafs, const py::object& progress) {
+         std::optional<double> max_error, bool merge_leafs, const py::object& progress) {
         const auto wanted = solid_of(solid);
         return AsdfValue(long_work(progress, [&](Progress& p) {
           const Box region = region_of(*wanted, bounds, p);

@@ -1,4 +1,4 @@
-// The .frep language for editors written in Python.
+// Python bindings of the .frep language, for editors.
 #include <fmt/format.h>
 
 #include "bindings.h"
@@ -32,7 +32,7 @@ const std::vector<frep::Word>& option_words() {
   return words;
 }
 
-/// As parse() takes a text: a prefix math string has no mistakes.
+/// Diagnostics of a text as parse() reads it: a prefix math string has no mistakes.
 std::vector<frep::Diagnostic> diagnostics(const std::string& text, const std::optional<std::filesystem::path>& folder) {
   OpenSettings settings;
   settings.opens_others = folder.has_value();
@@ -48,7 +48,7 @@ std::vector<frep::Diagnostic> diagnostics(const std::string& text, const std::op
   }
 }
 
-/// The text with other numbers for its parameters of these names, and else as it is.
+/// The text with new numbers for the given parameters, otherwise unchanged.
 std::string with_values(const std::string& text, const std::map<std::string, double>& values) {
   std::string made;
   std::size_t done = 0;

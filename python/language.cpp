@@ -1,9 +1,8 @@
-// The design language in Python: the functions of the library, texts, files.
+// Python bindings of the design language: library functions, texts, files.
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "bindings.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/frep_field.h"
@@ -24,10 +23,10 @@ OpenSettings settings_for(Scripts scripts, bool opens_others) {
   return settings;
 }
 
-/// What is known of one part of a model, as Python's Solid.
+/// A part of a model as Python's Solid, with its metadata.
 SolidValue as_value(Solid solid) { return SolidValue(std::move(solid)); }
 
-/// Numbers given one by one or in (nested) lists: outline([(0, 0), (1, 0), (0, 1)]).
+/// Appends numbers that are single or in (nested) lists: outline([(0, 0), (1, 0), (0, 1)]).
 void add_numbers(const py::handle& item, std::vector<std::optional<Value>>& to) {
   if (py::isinstance<SolidValue>(item) || !py::isinstance<py::iterable>(item)) {
     to.emplace_back(item.cast<SolidValue>().value);
@@ -68,12 +67,12 @@ SolidValue call_library(const frep::LibraryFunction& function, const py::args& a
   return frep::call(function, given, text);
 }
 
-/// "name(a, b=1): what it is; exact."
+/// "name(a, b=1): description; exact."
 std::string documentation(const frep::LibraryFunction& function) {
   std::string parameters;
   for (const frep::Parameter& parameter : function.parameters) {
     parameters += fmt::format("{}{}", parameters.empty() ? "" : ", ", parameter.name);
-    const double unit = parameter.quantity == frep::Quantity::angle ? std::numbers::pi / 180 : 1;
+    const double unit = parameter.quantity == frep::Quantity::angle ? radians_per_degree : 1;
     if (parameter.fallback) parameters += fmt::format("={:.4g}", *parameter.fallback * unit);
   }
   if (function.any_number) parameters += ", ...";
@@ -122,7 +121,8 @@ void bind_library(py::module_ shapes) {
           documentation(function).c_str());
 }
 
-/// The options of open(), from Python's keywords: truths are numbers, sequences are numbers apart by commas.
+/// Options of open() from Python's keywords: booleans become numbers, sequences become numbers
+/// separated by commas.
 std::vector<frep::OpenOption> options_of(const py::kwargs& keywords) {
   std::vector<frep::OpenOption> options;
   for (const auto& [key, given] : keywords) {
@@ -140,7 +140,7 @@ std::vector<frep::OpenOption> options_of(const py::kwargs& keywords) {
   return options;
 }
 
-/// Opens a file as open() of .frep text does: its parts are one solid, or one of them is named.
+/// Opens a file as open() of .frep text does: all parts as one solid, or the named part.
 SolidValue open_file(const std::filesystem::path& path, const py::kwargs& keywords) {
   const std::vector<frep::OpenOption> options = options_of(keywords);
   const OpenSettings settings = settings_for(Scripts::refused, true);
@@ -169,7 +169,7 @@ py::list parts_to_python() {
   return parts;
 }
 
-/// A model as Python has it: [(solid, name or None, colour or None), ...].
+/// A model in Python: [(solid, name or None, colour or None), ...].
 py::list parts_of(Model model) {
   py::list parts;
   for (Solid& part : model.parts) {
@@ -180,7 +180,8 @@ py::list parts_of(Model model) {
   return parts;
 }
 
-/// Infix .frep text, or a prefix math string where it reads as one and not as infix.
+/// Infix .frep text; if that fails, a prefix math string. If both fail, the error of the infix text
+/// is thrown.
 SolidValue parse_any(const std::string& text, const std::optional<std::filesystem::path>& folder) {
   const OpenSettings settings = settings_for(Scripts::refused, folder.has_value());
   try {
@@ -202,7 +203,7 @@ void define_number(py::module_& module, const char* name, Function function) {
       py::arg("value"));
 }
 
-/// What a file holds, and what else its reader knows.
+/// Content of a file, with its reader's metadata.
 struct OpenedModel {
   Model model;
   std::vector<std::filesystem::path> files;

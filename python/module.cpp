@@ -28,7 +28,7 @@ PYBIND11_MODULE(_core, module) {
   static py::exception<Error> error_type(module, "Error");
   error_type.doc() =
       "What went wrong, in one line. `kind` is bad_input, io, too_large, cancelled or internal; `place` says where.";
-  error_type.attr("kind") = "bad_input";  // of one that is made in Python
+  error_type.attr("kind") = "bad_input";  // of an error that is constructed in Python
   error_type.attr("place") = "";
   py::register_exception_translator([](std::exception_ptr raised) {
     try {

@@ -8,13 +8,13 @@ namespace {
 using openscad::NodeIndex;
 using openscad::Tree;
 
-/// A tree that the nodes which Python holds keep alive.
+/// A tree that is kept alive by the nodes that Python holds.
 struct SharedTree {
   std::shared_ptr<const Tree> tree;
   std::shared_ptr<const std::vector<int>> dimensions;
 };
 
-/// One node of it.
+/// One node of the tree.
 struct SharedNode {
   SharedTree whole;
   NodeIndex index;
@@ -44,9 +44,9 @@ SharedTree shared(Tree tree) {
   return {std::make_shared<const Tree>(std::move(tree)), std::move(dimensions)};
 }
 
-/// What OpenSCAD text makes.
+/// Result of an OpenSCAD text.
 struct Design {
-  std::optional<Solid> solid;  ///< a plate of a flat one; nothing of an empty one
+  std::optional<Solid> solid;  ///< a plate for a flat design; std::nullopt for an empty one
   bool flat;
   std::optional<double> voxel;
   std::vector<std::string> notes;
@@ -54,7 +54,8 @@ struct Design {
 
 Design design_of(const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness,
                  bool smooth, Progress& progress) {
-  const std::shared_ptr<const OpenedSolid> made = openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
+  const std::shared_ptr<const OpenedSolid> made =
+      openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
   Design design{{}, made->flat, made->voxel, {}};
   for (const std::string& note : made->notes) design.notes.push_back(printable(note));
   if (made->field == nullptr) return design;
@@ -101,8 +102,7 @@ void bind_openscad(py::module_& module) {
           py::arg("index"));
   py::class_<Design>(module, "OpenScadDesign", "What OpenSCAD text makes.")
       .def_property_readonly(
-          "solid",
-          [](const Design& design) { return design.solid ? std::optional(SolidValue(*design.solid)) : std::nullopt; },
+          "solid", [](const Design& design) { return design.solid ? std::optional(SolidValue(*design.solid)) : std::nullopt; },
           "The solid, which has its own faces (see mesh()); None where the design is empty.")
       .def_readonly("voxel", &Design::voxel, "Cells that do not miss its thinnest part, mm; None where nothing is known of it.")
       .def_readonly("flat", &Design::flat, "Whether the design is 2D; its solid is a plate then.")

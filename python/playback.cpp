@@ -1,11 +1,11 @@
 #include <cstring>
-#include <numbers>
 
 #include "bindings.h"
 #include "fieldfab/cam/simulate/frames.h"
 #include "fieldfab/cam/simulate/playback.h"
 #include "fieldfab/cam/stock/stock.h"
 #include "fieldfab/cam/stock/surface.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/mesh/triangle_mesh.h"
@@ -13,7 +13,7 @@
 namespace fieldfab::python {
 namespace {
 
-/// (vertices, normals, corners, cuts); corners end with -1, as Coin has them.
+/// (vertices, normals, corners, cuts); corners end with -1, as in Coin.
 py::tuple arrays_of(const cam::DrawnSurface& surface) {
   const auto rows = [](const std::vector<std::array<float, 3>>& vectors) {
     py::array_t<float> out({static_cast<py::ssize_t>(vectors.size()), py::ssize_t{3}});
@@ -73,7 +73,7 @@ void bind_surface(py::module_& module) {
           "All of it as one closed mesh, level flats merged.");
 }
 
-/// One number of each move.
+/// An array with one number per move.
 template <class Number, class Of>
 py::array_t<Number> of_moves(const cam::Playhead& head, const Of& of) {
   const cam::Playback& playback = head.playback();
@@ -127,7 +127,7 @@ void bind_moves(py::module_& module) {
             const cam::Playback::Moment moment = playback.at(seconds);
             const cam::Playback::Move& move = playback.move(moment.move);
             std::array<double, 9> axes = moment.axes.at;
-            for (std::size_t a = 3; a < 6; ++a) axes[a] *= 180 / std::numbers::pi;
+            for (std::size_t a = 3; a < 6; ++a) axes[a] *= degrees_per_radian;
             const auto list = [](const Vec3& v) { return std::array<double, 3>{v.x(), v.y(), v.z()}; };
             return py::dict(py::arg("move") = moment.move, py::arg("line") = move.line, py::arg("tool") = move.tool,
                             py::arg("rapid") = move.rapid, py::arg("tip") = list(moment.pose.tip),

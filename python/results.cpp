@@ -152,7 +152,8 @@ void bind_results(py::module_& module) {
         const bool whole = bounds.is_none();
         return long_work(progress, [&](Progress& p) {
           if (auto faces = exact && whole && wanted->faces != nullptr ? wanted->faces(std::nullopt, p) : std::nullopt) {
-            if (!(cell_of(faces->bounds(), voxel, resolution, *wanted) > 0))  // it does not matter, but is a mistake all the same
+            // checked although it has no effect here
+            if (!(cell_of(faces->bounds(), voxel, resolution, *wanted) > 0))
               throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
             return ContourMesh{*std::move(faces), {}};
           }

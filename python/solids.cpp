@@ -1,4 +1,4 @@
-// Solid in Python: one class for what shapes, files and formulas give, and for the numbers that formulas are made of.
+// Python's Solid: one class for shapes, files and formulas, and for numbers in formulas.
 #include <fmt/format.h>
 #include <pybind11/operators.h>
 
@@ -75,11 +75,12 @@ py::tuple gradients(const SolidValue& solid, const Floats& points) {
   return py::make_tuple(out, slopes);
 }
 
-/// Values at points given by coordinates that broadcast against each other; a number where all three are.
+/// Values at points with coordinates that are broadcast; a number if all three are numbers.
 py::object evaluate(const SolidValue& solid, const py::object& x, const py::object& y, const py::object& z) {
   const py::module_ numpy = py::module_::import("numpy");
   const py::sequence broadcast = numpy.attr("broadcast_arrays")(x, y, z);
-  const Floats xs(broadcast[0]), ys(broadcast[1]), zs(broadcast[2]);  // laid out and rounded to float
+  // contiguous and converted to float
+  const Floats xs(broadcast[0]), ys(broadcast[1]), zs(broadcast[2]);
   Floats out(std::vector<py::ssize_t>(xs.shape(), xs.shape() + xs.ndim()));
   float* to = out.mutable_data();
   const FieldPtr field = solid.solid()->field;
@@ -92,7 +93,7 @@ py::object evaluate(const SolidValue& solid, const py::object& x, const py::obje
   return out;
 }
 
-/// A solid at other points: rows * (x, y, z).
+/// A transformed solid: its points are rows * (x, y, z).
 SolidValue placed(const SolidValue& solid, const Eigen::Affine3d& to_outer) {
   const Eigen::Affine3d to_inner = to_outer.inverse();
   const auto row = [&](int i) {
@@ -126,7 +127,7 @@ SolidValue scaled(const SolidValue& solid, const Vec3& factors) {
 
 SolidValue in_memory(FieldPtr field, const char* kind) { return SolidValue(fieldfab::solid_of(std::move(field), kind)); }
 
-/// Without the newline that ends a file.
+/// Text without the newline at the end of a file.
 py::str text_of(const SolidValue& solid, const std::filesystem::path& folder) {
   std::string text = frep::print_infix(solid.value.expression, folder);
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -214,7 +215,8 @@ void PythonProgress::rethrow() {
 }
 
 void bind_solids(py::module_& module) {
-  module.attr("default_cells") = default_cells;  // along the longest side, where a solid has no resolution of its own
+  // along the longest side, for a solid without a resolution of its own
+  module.attr("default_cells") = default_cells;
   py::class_<SolidValue, std::shared_ptr<SolidValue>> solid(
       module, "Solid",
       "A solid, as a function of a point that is negative inside, or a number that may depend on x, y and z. Shapes, files and "

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstring>
-#include <numbers>
 
 #include "bindings.h"
 #include "fieldfab/cam/simulate/frames.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/simulate/picture.h"
 #include "fieldfab/cam/simulate/playback.h"
 #include "fieldfab/cam/simulate/simulate.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 #include "fieldfab/openscad/design.h"
@@ -19,10 +19,10 @@ namespace {
 
 using Rows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Red, green and blue, as Python has colours.
+/// Red, green and blue, as colours in Python.
 std::array<std::uint8_t, 3> channels_of(const Colour& colour) { return {colour.red, colour.green, colour.blue}; }
 
-/// Poses as rows of x, y, z of the tip and, where there are six numbers, of the tool's axis.
+/// Poses from rows of the tip's x, y and z, optionally followed by the tool's axis.
 std::vector<cam::ToolPose> poses_of(const Rows& rows) {
   if (rows.ndim() != 2 || (rows.shape(1) != 3 && rows.shape(1) != 6))
     throw Error(ErrorKind::bad_input, "poses", "an (n, 3) array of tips or an (n, 6) array of tips and axes is wanted");
@@ -48,7 +48,7 @@ cam::Tool tool_of(const py::dict& given) {
     else if (name == "corner_radius")
       tool.corner_radius = value.cast<double>();
     else if (name == "angle")
-      tool.angle = value.cast<double>() * std::numbers::pi / 180;
+      tool.angle = to_radians(value.cast<double>());
     else if (name == "tip_diameter")
       tool.tip_diameter = value.cast<double>();
     else if (name == "flute")
@@ -109,7 +109,7 @@ void bind_block(py::module_& module) {
 /// Three lengths, three angles in degrees, three lengths.
 cam::AxisValues axes_of(const std::array<double, 9>& given) {
   cam::AxisValues axes;
-  for (std::size_t a = 0; a < 9; ++a) axes.at[a] = given[a] * (a >= 3 && a < 6 ? std::numbers::pi / 180 : 1);
+  for (std::size_t a = 0; a < 9; ++a) axes.at[a] = given[a] * (cam::is_rotary(a) ? radians_per_degree : 1);
   return axes;
 }
 
@@ -122,7 +122,7 @@ std::vector<std::filesystem::path> paths_of(const Programs& programs) {
   return std::get<std::vector<std::filesystem::path>>(*programs);
 }
 
-/// A simulation in Python, and the place in its playback.
+/// A simulation in Python, with the position in its playback.
 struct Simulated {
   cam::SimulationResult result;
   std::optional<cam::Playhead> playhead;
@@ -134,7 +134,7 @@ Simulated simulated(cam::SimulationResult result) {
   return made;
 }
 
-/// One number of each cut.
+/// An array with one number per cut.
 template <class Of>
 py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
   const cam::Cuts& cuts = result.cuts();
@@ -143,7 +143,7 @@ py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
   return out;
 }
 
-/// A text that may hold bytes of programs: what is no UTF-8 becomes U+FFFD.
+/// Converts a text that may contain bytes of programs: invalid UTF-8 becomes U+FFFD.
 py::str text_of(const std::string& bytes) {
   return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
 }

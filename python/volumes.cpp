@@ -1,4 +1,4 @@
-// Volumes: CT scans and other densities on a lattice.
+// Python bindings of volumes: CT scans and other densities on a lattice.
 #include "bindings.h"
 #include "fieldfab/asdf/asdf.h"
 #include "fieldfab/core/parallel.h"
@@ -14,7 +14,7 @@ constexpr std::size_t memory = std::size_t{512} << 20;
 
 Vec3 vector_of(const Triple& v) { return {v[0], v[1], v[2]}; }
 
-/// A threshold as Python gives it: None, a number, "otsu" or "90%".
+/// A threshold in Python: None, a number, "otsu" or "90%".
 ThresholdRule rule_of(const py::object& threshold) {
   if (threshold.is_none()) return {};
   if (py::isinstance<py::str>(threshold)) return ThresholdRule::parse(threshold.cast<std::string>());

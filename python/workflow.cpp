@@ -1,4 +1,4 @@
-// The graph of stages and the machines, told so that panels can be made from them.
+// The graph of stages and the machines, as data from which panels are generated.
 #include <cmath>
 
 #include "bindings.h"

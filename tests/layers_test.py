@@ -44,7 +44,7 @@ LAYERS = ("base", "objects", "files", "views", "panels", "commands", "start")
 FILES = ("files", "importing", "openscad_files", "part_files", "path_jobs")
 PACKAGE = "fieldfab_workbench"
 # Modules of web/server that run in worker processes: they know nothing of the server.
-WORKER_SIDE = {"worker", "models", "pictures", "files", "frames", "png"}
+WORKER_SIDE = {"worker", "models", "pictures", "files", "machining", "frames", "png", "remote"}
 
 
 def room_of(path):
@@ -232,10 +232,10 @@ def test_the_python_module_has_no_import_cycle():
 
 
 def test_the_web_server_knows_the_module_only():
-    """It is fieldfab.serve where it is installed: it imports the standard library, aiohttp, NumPy and fieldfab, in layers; nobody else of the house imports it."""
+    """It is fieldfab.serve where it is installed: it imports the standard library, aiohttp, NumPy, Dask and fieldfab, in layers; nobody else of the house imports it."""
     sources = python_sources(ROOT / "web" / "server")
     assert len(sources) > 10 and python_cycle({f"serve.{name}": text for name, text in sources.items()}) == []
-    allowed = sys.stdlib_module_names | {"aiohttp", "fieldfab", "numpy"}
+    allowed = sys.stdlib_module_names | {"aiohttp", "distributed", "fieldfab", "numpy"}
     for name, text in sources.items():
         for node in ast.walk(ast.parse(text)):
             names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else [node.module] if isinstance(node, ast.ImportFrom) and not node.level else []

@@ -1,4 +1,5 @@
-"""Builds the page: build_page.py CLIENT WORK PAGE. Packages are installed into WORK as the lock file has them; npm runs none of their scripts.
+"""Builds the page: build_page.py CLIENT WORK PAGE, and the script of the demo's static page, WORK/demo.js. Packages are installed into WORK
+as the lock file has them; npm runs none of their scripts.
 Without npm, and where its registry is out of reach, it says so in one line, and the rest of the build goes on."""
 
 import pathlib
@@ -49,8 +50,10 @@ def main():
     shutil.rmtree(link, ignore_errors=True)
     shutil.copytree(client / "src", link)  # beside node_modules, where esbuild looks for packages
     shutil.copy(client / "tsconfig.json", work / "tsconfig.json")
+    bundle = ["--bundle", "--minify", "--target=es2022"]
     for tool in (["tsc", "--noEmit", "-p", "."],
-                 ["esbuild", "src/main.ts", "--bundle", "--minify", "--format=esm", "--target=es2022", "--legal-comments=none", f"--outfile={fresh}/page.js"]):
+                 ["esbuild", "src/main.ts", *bundle, "--format=esm", "--legal-comments=none", "--splitting", "--entry-names=page", f"--outdir={fresh}"],
+                 ["esbuild", "src/demo.ts", *bundle, "--format=iife", "--legal-comments=eof", f"--outfile={work}/demo.js"]):
         done = run([str(work / "node_modules" / ".bin" / tool[0]), *tool[1:]], work)
         if done.returncode != 0:
             sys.exit((done.stdout + done.stderr).strip())  # a mistake of ours ends the build

@@ -1,4 +1,4 @@
-/// Enumerations by the names that files have for their values.
+/// Names of enumerators in files.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 
 namespace fieldfab::cam {
 
-/// The value whose name it is: `names` are in the enumeration's order. Throws bad_input at `place`, with the nearest name; `what`
-/// is the key that has the value.
+/// Returns the enumerator with a name. `names` are in the enumeration's order; `what` is the key of
+/// the value. Throws Error(bad_input) at `place`, with the nearest name.
 template <class Enumeration, std::size_t count>
 Enumeration named(std::string_view name, const std::array<std::string_view, count>& names, std::string_view what,
                   const std::string& place) {

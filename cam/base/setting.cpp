@@ -23,7 +23,7 @@ const T& get(const Values& values, const std::string& name) {
   return *value;
 }
 
-/// Least number of letters to change, add or leave out.
+/// Levenshtein distance.
 std::size_t distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

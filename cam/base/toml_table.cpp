@@ -11,7 +11,7 @@
 namespace fieldfab::cam {
 
 struct TomlTable::Node {
-  std::shared_ptr<const toml::table> root;  // keeps all of it alive
+  std::shared_ptr<const toml::table> root;  // owns the parsed file
   const toml::table* table = nullptr;
   std::string file;
 };
@@ -22,8 +22,8 @@ std::string at(const std::string& file, const toml::source_region& region) {
   return fmt::format("{}:{}", file, region.begin.line);
 }
 
-/// Refuses letters beyond ASCII outside of strings and comments, where TOML has none: toml++ 3.0 does not get through some of
-/// them (an unreachable place is reached; found by fuzzing).
+/// Rejects characters beyond ASCII outside of strings and comments, where TOML permits none: some
+/// of them make toml++ 3.0 reach unreachable code (found by fuzzing).
 void check_letters(std::string_view text, const std::string& file) {
   int line = 1;
   for (std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; i < text.size(); ++i) {
@@ -31,7 +31,7 @@ void check_letters(std::string_view text, const std::string& file) {
     if (c == '#') {
       i = std::min(text.find('\n', i), text.size()) - 1;
     } else if (c == '"' || c == '\'') {
-      // To the quotes that end it: three where it began with three, else one, on the same line.
+      // Up to the closing quotes: three after three opening ones, else one on the same line.
       const std::string_view three = c == '"' ? "\"\"\"" : "\'\'\'";
       const bool many = text.substr(i).starts_with(three);
       for (i += many ? 3 : 1; i < text.size() && (many || text[i] != '\n'); ++i) {

@@ -43,7 +43,7 @@ Profile::Profile(std::vector<Vec2> points) : points_(std::move(points)) {
 
 double Profile::height(double distance) const {
   if (!points_.empty()) {
-    // From the outside inwards: of two points at one distance the lower one counts.
+    // From the outside inwards: of two points at equal distance the lower one counts.
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
       const Vec2 &a = points_[i], &b = points_[i + 1];
@@ -87,10 +87,10 @@ FlatCornerCone Profile::closed_form() const {
 Profile Profile::grown(double by) const {
   if (by == 0) return *this;
   if (points_.empty()) {
-    // The cone moves along its normal; the cylinder outwards.
+    // The cone is offset along its normal, the cylinder outwards.
     return {flat_, corner_ + by, taper_, radius_ + by * (taper_ > 0 ? std::cos(taper_) : 1)};
   }
-  // Point by point the lower envelope of discs of radius `by` about the profile.
+  // Lower envelope of discs of radius `by` about the profile, point by point.
   constexpr int steps = 256;
   std::vector<Vec2> outer;
   for (int i = 0; i <= steps; ++i) {

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A file of JSON, and what is wrong with it.
+/// A JSON file, and errors in it.
 class JsonFile {
  public:
   explicit JsonFile(const std::filesystem::path& path)
@@ -27,7 +27,7 @@ class JsonFile {
   [[nodiscard]] const Json& root() const { return root_; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// A value of a table; null where it is missing.
+  /// A value of a table; null if missing.
   static const Json& get(const Json& table, const char* key) {
     static const Json missing;
     const auto found = table.is_object() ? table.find(key) : table.end();
@@ -43,7 +43,7 @@ class JsonFile {
     if (!value.is_number() || !std::isfinite(value.get<double>())) throw refuse(fmt::format("'{}' is no number", key));
     return value.get<double>();
   }
-  /// The number of a tool.
+  /// Number of a tool.
   [[nodiscard]] int whole(const Json& table, const char* key) const {
     const double value = number(table, key);
     if (!(value >= 0 && value <= 99999) || value != std::floor(value))
@@ -56,7 +56,7 @@ class JsonFile {
   Json root_;
 };
 
-/// A tool that has been read, if it is one.
+/// Validates a tool.
 Tool checked(const JsonFile& file, Tool tool) {
   try {
     (void)tool.profile();
@@ -66,7 +66,7 @@ Tool checked(const JsonFile& file, Tool tool) {
   return tool;
 }
 
-/// FreeCAD's quantities: "5.0000 mm", "1/4 in", "60.0000 °"; mm and radians.
+/// FreeCAD's quantities: "5.0000 mm", "1/4 in", "60.0000 °"; returns mm or radians.
 double quantity(const JsonFile& file, const Json& table, const char* key) {
   const Json& value = JsonFile::get(table, key);
   if (value.is_null()) return 0;
@@ -103,7 +103,7 @@ double quantity(const JsonFile& file, const Json& table, const char* key) {
   return number * unit->second;
 }
 
-/// A tool bit of FreeCAD; nothing where no Tool is like it.
+/// A tool bit of FreeCAD; std::nullopt if Tool cannot represent it.
 std::optional<Tool> tool_bit(const JsonFile& file, int number) {
   const Json& size = JsonFile::get(file.root(), "parameter");
   const auto of = [&](const char* key) { return quantity(file, size, key); };
@@ -119,14 +119,14 @@ std::optional<Tool> tool_bit(const JsonFile& file, int number) {
   } else if (shape == "ballend") {
     tool.shape = ToolShape::ball;
   } else if (shape == "bullnose") {
-    // Older files say how wide the flat is, newer ones how round the corner.
+    // Older files give the flat's width, newer ones the corner radius.
     tool.shape = ToolShape::bull;
     tool.corner_radius = of("CornerRadius");
     if (tool.corner_radius == 0) tool.corner_radius = tool.radius() - of("FlatRadius");
   } else if (shape == "v-bit" || shape == "chamfer") {
     tool.shape = ToolShape::v;
     tool.angle = of("CuttingEdgeAngle"), tool.tip_diameter = of("TipDiameter");
-    // Its edge ends where it is as wide as the tool: the height beside it is often another one.
+    // The edge ends at the tool's diameter: the height in the file is often different.
     if (tool.angle > 0 && tool.angle < std::numbers::pi)
       tool.flute = std::max(tool.flute, (tool.diameter - tool.tip_diameter) / 2 / std::tan(tool.angle / 2));
   } else if (shape == "drill") {
@@ -145,7 +145,8 @@ std::vector<Tool> freecad_library(const JsonFile& file) {
   if (!rows.is_array()) throw file.refuse("has no tools");
   std::vector<Tool> tools;
   for (const Json& row : rows) {
-    // FreeCAD keeps tools in a folder Bit beside the one of libraries; or the path leads there.
+    // FreeCAD stores tools in a folder Bit beside the folder of libraries; otherwise the path is
+    // relative.
     const std::filesystem::path name = JsonFile::text(row, "path"), beside = file.path().parent_path() / name,
                                 bit = file.path().parent_path().parent_path() / "Bit" / name;
     if (name.empty()) throw file.refuse("a tool has no path");
@@ -155,7 +156,7 @@ std::vector<Tool> freecad_library(const JsonFile& file) {
   return tools;
 }
 
-/// A tool of Fusion; nothing where no Tool is like it.
+/// A tool of Fusion; std::nullopt if Tool cannot represent it.
 std::optional<Tool> fusion_tool(const JsonFile& file, const Json& row) {
   const std::string type = JsonFile::text(row, "type"), unit_name = JsonFile::text(row, "unit");
   const double unit = unit_name == "inches" ? 25.4 : 1;
@@ -189,7 +190,7 @@ std::optional<Tool> fusion_tool(const JsonFile& file, const Json& row) {
   } else {
     return std::nullopt;
   }
-  // A holder of several segments counts as wide as its widest.
+  // The greatest diameter of a holder with several segments.
   const Json& holder = JsonFile::get(row, "holder");
   const double holder_unit = JsonFile::text(holder, "unit") == "inches" ? 25.4 : 1;
   if (const Json& segments = JsonFile::get(holder, "segments"); segments.is_array())

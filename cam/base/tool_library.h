@@ -1,4 +1,5 @@
-/// Tools as other programs keep them: FreeCAD's Path workbench (.fctb, a tool; .fctl, a library) and Fusion (.json).
+/// Tool libraries of other programs: FreeCAD's Path workbench (.fctb, a tool; .fctl, a library) and
+/// Fusion (.json).
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,9 @@
 
 namespace fieldfab::cam {
 
-/// The tools of a library with their numbers; a .fctb has one tool, of number 1. Kinds that no Tool can be (probes, saws, thread
-/// mills) are left out of libraries. Throws bad_input with the file, io.
+/// Reads the numbered tools of a library; a .fctb file has one tool with number 1. Libraries may
+/// contain kinds that Tool cannot represent (probes, saws, thread mills); these are omitted. Throws
+/// Error(bad_input) with the file, Error(io).
 std::vector<Tool> read_tool_library(const std::filesystem::path& path);
 
 }  // namespace fieldfab::cam

@@ -21,13 +21,13 @@ double widest(const Zone& zone) {
   return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
 }
 
-/// The cutting part up to `length`, without a free profile.
+/// The cutting part up to the height `length`, for shapes without a free profile.
 ToolPiece cutter(const Tool& tool, double length) {
   const double r = tool.radius();
   ToolPiece piece;
-  double reached = 0;  // up to where the tip reaches
+  double reached = 0;  // upper end of the tip
   const auto cone = [&](double from, double from_radius) {
-    const double slope = std::tan(tool.angle / 2);  // radius by height
+    const double slope = std::tan(tool.angle / 2);  // radius per height
     if (!(slope > 0)) throw Error(ErrorKind::bad_input, "tool", fmt::format("tool {} needs an angle", tool.number));
     const double end = from + (r - from_radius) / slope;
     piece.zones.push_back(frustum(from, from_radius, std::min(end, length), std::min(r, from_radius + (length - from) * slope)));
@@ -44,7 +44,7 @@ ToolPiece cutter(const Tool& tool, double length) {
   } else if (tool.shape == ToolShape::drill) {
     cone(0, 0);
   } else if (tool.shape == ToolShape::tapered) {
-    // The cone touches the tip's ball: where the ball's normal is the cone's.
+    // The cone is tangent to the ball of the tip: the normals agree there.
     const double half = tool.angle / 2, tip = tool.corner_radius;
     piece.zones.push_back({Zone::Shape::ball, tip, 0, tip, 0, false, false});
     cone(tip * (1 - std::sin(half)), tip * std::cos(half));
@@ -86,7 +86,7 @@ ToolSolid ToolSolid::shrunk(double by) const {
         if (zone.r1 <= 0) continue;
       } else {
         const double slope = (zone.r1 - zone.r0) / (zone.z1 - zone.z0), along = by * std::sqrt(1 + slope * slope);
-        // Inner ends of a smooth piece stay where they are, so that the zones still meet.
+        // Inner ends of a smooth piece keep their height, so that its zones still join.
         const double low = zone.lower_edge ? by : 0, high = zone.upper_edge ? by : 0;
         zone.r0 += slope * low - along, zone.r1 -= slope * high + along;
         zone.z0 += low, zone.z1 -= high;
@@ -115,7 +115,8 @@ std::vector<ToolPiece> convex_pieces(const std::vector<Vec2>& section, ToolRole 
     if (b.y() - a.y() < 1e-9) continue;  // a step: the next zone has another radius
     const double slope = (b.x() - a.x()) / (b.y() - a.y());
     const Zone zone = frustum(a.y(), a.x(), b.y(), b.x());
-    // It belongs to the piece below where the outline bends inwards there and makes no step outwards.
+    // The zone is joined to the piece below if the outline is convex there and has no step
+    // outwards.
     const bool convex = !pieces.empty() && slope <= last_slope + 1e-9 && std::abs(pieces.back().zones.back().r1 - a.x()) < 1e-9 &&
                         std::abs(pieces.back().zones.back().z1 - a.y()) < 1e-9;
     if (convex)
@@ -129,7 +130,7 @@ std::vector<ToolPiece> convex_pieces(const std::vector<Vec2>& section, ToolRole 
 }
 
 ToolSolid tool_solid(const Tool& tool) {
-  if (tool.shape != ToolShape::form) (void)tool.profile();  // its own complaints first
+  if (tool.shape != ToolShape::form) (void)tool.profile();  // the tool's own errors first
   ToolSolid solid;
   double length = tool.flute > 0 ? tool.flute : tool.length > 0 ? tool.length : 10 * tool.diameter;
   if (tool.shape == ToolShape::profile || tool.shape == ToolShape::form) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "fieldfab/cam/base/tool_solid.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "tool_library.h"
 
@@ -25,7 +25,7 @@ Tool read_tool(const TomlTable& table, Tool tool) {
   tool.name = table.text("name").value_or(tool.name);
   if (const auto shape = table.text("shape")) tool.shape = tool_shape_named(*shape, table.place("shape"));
   get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("tip_diameter", tool.tip_diameter);
-  if (double angle = 0; table.has("angle")) get("angle", angle), tool.angle = angle * std::numbers::pi / 180;
+  if (double angle = 0; table.has("angle")) get("angle", angle), tool.angle = to_radians(angle);
   get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
   get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
   tool.flutes = static_cast<int>(table.number("flutes").value_or(tool.flutes));
@@ -51,7 +51,8 @@ Tool read_tool(const TomlTable& table, Tool tool) {
 
 namespace {
 
-/// The tools of a library that a table names: all of them, or the one whose number it says, with what it says of that.
+/// Tools of a library that a table names: all of them, or the one with the given number, with the
+/// table's settings applied to it.
 std::vector<Tool> tools_of_library(const TomlTable& table, const std::filesystem::path& path, int next) {
   std::vector<Tool> tools = read_tool_library(path);
   const auto number = table.number("number");

@@ -1,4 +1,4 @@
-/// Tools as job and set-up files describe them.
+/// Tools in job and set-up files.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,11 @@
 
 namespace fieldfab::cam {
 
-/// Reads a [[tool]] table; what it does not say is as in `tool`. Throws bad_input with FILE:LINE.
+/// Reads a [[tool]] table. Missing keys keep their values of `tool`. Throws Error(bad_input) with
+/// FILE:LINE.
 Tool read_tool(const TomlTable& table, Tool tool);
-/// All [[tool]] tables of a file; `folder`: where the tool libraries that they name are. Throws bad_input, also for two of one
-/// number, io.
+/// Reads all [[tool]] tables of a file. `folder`: location of the tool libraries that they name.
+/// Throws Error(bad_input), also for two tools with one number, and Error(io).
 std::vector<Tool> read_tools(const TomlTable& file, const std::filesystem::path& folder);
 
 }  // namespace fieldfab::cam

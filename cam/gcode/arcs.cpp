@@ -1,4 +1,4 @@
-// G2 and G3.
+// Arcs: G2 and G3.
 #include <cmath>
 #include <numbers>
 
@@ -7,10 +7,12 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-// As far as LinuxCNC lets a circle's two radii, or a radius and half its chord, differ.
-constexpr double radius_tolerance = 0.00127;          // mm
-constexpr double spiral_tolerance = 0.0282842712475;  // mm, where it is more than one thousandth of the radius, too
-constexpr double most_spiral = 100;                   // times that
+// LinuxCNC's tolerances of the difference between a circle's two radii, or between a radius and
+// half its chord.
+constexpr double radius_tolerance = 0.00127;  // mm
+// mm, for radii whose difference is also more than a thousandth of the radius
+constexpr double spiral_tolerance = 0.0282842712475;
+constexpr double most_spiral = 100;  // factor of that
 
 }  // namespace
 
@@ -19,12 +21,12 @@ double Interpreter::arc_length(const Vec2& from, const Vec2& to, const Vec2& cen
   const double around = 2 * std::numbers::pi;
   double sweep = std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x());
   if (turns < 0) sweep = -sweep;
-  while (sweep <= 1e-12) sweep += around;  // no angle means all around
+  while (sweep <= 1e-12) sweep += around;  // no angle means a full circle
   while (sweep > around + 1e-12) sweep -= around;
   return (sweep + around * (std::abs(turns) - 1)) * a.norm();
 }
 
-/// Centre and turns of the block's arc, from I, J, K or R.
+/// Centre and number of turns of the block's arc, from I, J, K or R.
 Interpreter::Circle Interpreter::circle(const Vec2& from, const Vec2& to) const {
   static constexpr std::array<std::array<char, 3>, 3> offset_letters{{{'i', 'j', 'k'}, {'k', 'i', 'j'}, {'j', 'k', 'i'}}};
   const auto& [first, second, other] = offset_letters[static_cast<std::size_t>(modes_.plane)];
@@ -47,7 +49,8 @@ Interpreter::Circle Interpreter::circle(const Vec2& from, const Vec2& to) const 
     if (half == 0) refuse("an arc with R that ends where it begins");
     if (half - size > radius_tolerance) refuse("the radius {} is too small to reach the arc's end", block_['r']);
     const double aside = std::sqrt(std::max(0.0, size * size - half * half));
-    const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);  // of the way from the arc's start to its end
+    // of the direction from the arc's start to its end
+    const Vec2 left = Vec2(-chord.y(), chord.x()) / (2 * half);
     circle.centre = (from + to) / 2 + left * aside * (direction * (radius > 0 ? 1 : -1));
     return circle;
   }

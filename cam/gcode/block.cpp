@@ -283,7 +283,7 @@ void BlockReader::read_g(int code, Block& block) {
 
 void BlockReader::read_m(int code, Block& block) {
   int group = code < 0 ? Block::none : m_group(code);
-  // M70 to M73 save LinuxCNC's modes; other controls have switches of their own there.
+  // M70 to M73 save LinuxCNC's modal state. On other controls they are machine functions.
   if (group == static_cast<int>(MGroup::state) && dialect_ != Dialect::linuxcnc) group = Block::none;
   if (group == static_cast<int>(MGroup::user) && dialect_ != Dialect::linuxcnc) group = Block::none;
   if (group == Block::none && passes_over_m(dialect_, code)) {

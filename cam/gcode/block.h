@@ -15,18 +15,19 @@
 
 namespace fieldfab::cam::gcode {
 
-/// A line without spaces, without comments, in lower case.
+/// A line in lower case, without spaces and comments.
 struct Line {
   std::string text;
-  std::string_view comment;  ///< the last one, as it was written
-  bool deleted = false;      ///< began with '/'
-  bool closed = true;        ///< whether each '(' had its ')'
+  std::string_view comment;  ///< the last comment, unchanged
+  bool deleted = false;      ///< starts with '/'
+  bool closed = true;        ///< whether each '(' has its ')'
 
-  /// Takes in a line of a file. Keeps the memory that it has.
+  /// Reads a line of a file. Reuses its memory.
   void read(std::string_view raw);
 };
 
-/// Where a block's G codes belong: only one of each group may stand in a block (but for those that only stand for themselves).
+/// Modal groups of G codes. A block may have one code of each group (except G codes that form a
+/// group of their own).
 enum class GGroup : std::uint8_t {
   action,
   motion,
@@ -47,18 +48,18 @@ enum class GGroup : std::uint8_t {
 };
 enum class MGroup : std::uint8_t { stop, in_out, tool, spindle, coolant, override_, state, kinematics, user, count };
 
-/// G codes are kept times ten (G59.3 is 593).
+/// A block. G codes are stored times ten (G59.3 is 593).
 struct Block {
   static constexpr int none = -1;
   std::array<int, static_cast<std::size_t>(GGroup::count)> g{};
   std::array<int, static_cast<std::size_t>(MGroup::count)> m{};
-  std::uint32_t words = 0;  ///< a bit for each letter
+  std::uint32_t words = 0;  ///< one bit per letter
   std::array<double, 26> values{};
   bool has_radius = false, has_angle = false;  ///< @ and ^
   double radius = 0, angle = 0;
   int spindle = none;                ///< $
   bool machine_coordinates = false;  ///< G53
-  bool passed_over = false;          ///< it has a code without a meaning here, whose words are not looked at
+  bool passed_over = false;          ///< whether it has an ignored code, whose words are not checked
 
   void clear();
   [[nodiscard]] bool has(char letter) const { return (words >> static_cast<unsigned>(letter - 'a') & 1U) != 0; }
@@ -72,16 +73,17 @@ struct Block {
   [[nodiscard]] int code(MGroup group) const { return m[static_cast<std::size_t>(group)]; }
 };
 
-/// "G59.3" for 593.
+/// The name of a stored code: "G59.3" for 593.
 std::string g_name(int code);
 
-/// Reads blocks; settings of parameters (#1=2) take effect behind the whole block, as RS274/NGC wants it.
+/// Reads blocks. Assignments of parameters (#1=2) take effect after the whole block, as RS274/NGC
+/// requires.
 class BlockReader {
  public:
-  /// `note` takes what is passed over in all dialects but LinuxCNC's.
+  /// `note` receives a message for each ignored code, in dialects other than LinuxCNC's.
   BlockReader(Parameters& parameters, Dialect dialect, std::function<void(std::string)> note)
       : parameters_(parameters), dialect_(dialect), note_(std::move(note)) {}
-  /// Refuses what is no block.
+  /// Throws Refusal for an invalid block.
   void read(std::string_view text, Block& block);
 
  private:
@@ -96,7 +98,7 @@ class BlockReader {
   std::vector<std::pair<std::variant<int, std::string>, double>> settings_;
 };
 
-/// Steps over N and its number.
+/// Skips N and its number.
 void skip_line_number(Cursor& cursor);
 
 }  // namespace fieldfab::cam::gcode

@@ -1,5 +1,6 @@
-// G41, G42 and their .1: the tool's centre runs beside the path, its radius away. A move waits until the next one is known, since
-// in an inner corner it ends before the path does.
+// Cutter compensation, G41, G42 and their .1: the tool's centre follows the path at the distance of
+// its radius. A move is kept until the next one is known, because in an inner corner it ends before
+// the programmed end.
 #include <cmath>
 #include <numbers>
 
@@ -8,12 +9,12 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr double straight_within = 0.05;  // radians: lesser corners count as none
+constexpr double straight_within = 0.05;  // radians: smaller corners are ignored
 constexpr double nowhere = 1e-9;          // mm
 
 Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-/// From one direction to another: above 0 to the left.
+/// Signed angle between two directions; positive is a turn to the left.
 double angle_between(const Vec2& from, const Vec2& to) { return std::atan2(cross(from, to), from.dot(to)); }
 
 }  // namespace
@@ -22,7 +23,8 @@ void Interpreter::set_compensation() {
   const int code = block_.code(GGroup::compensation);
   if (code == 400) {
     flush();
-    if (compensation_.side != 0 && compensation_.entered) at_ = compensation_.programmed;  // words left out mean the path's place
+    // a missing word means the position on the path
+    if (compensation_.side != 0 && compensation_.entered) at_ = compensation_.programmed;
     compensation_ = {};
     return;
   }
@@ -44,7 +46,7 @@ void Interpreter::set_compensation() {
   compensation_.programmed = at_;
 }
 
-/// The tool's centre where the path is at a place with a heading.
+/// The tool's centre at a point of the path with a heading.
 Vec2 Interpreter::beside(const Vec2& at, const Vec2& heading) const {
   return at + left_of(heading) * (compensation_.side * compensation_.radius);
 }
@@ -55,7 +57,7 @@ void Interpreter::flush() {
   for (Motion& motion : waiting) send(std::move(motion));
 }
 
-/// Hands on what waited, and lets this move of the plane wait.
+/// Hands on the pending moves and keeps this move of the plane as pending.
 void Interpreter::give_waiting(Motion motion, const Vec2& heading) {
   flush();
   const PlaneAxes axes = axes_of(motion.plane);
@@ -66,16 +68,18 @@ void Interpreter::give_waiting(Motion motion, const Vec2& heading) {
   compensation_.waiting.push_back(std::move(motion));
 }
 
-/// The corner between the move that waits and the next one, which leaves with `heading` on the track `next`: an arc round an
-/// outer one (a straight move for rapids); in an inner one the move that waits ends where the tracks meet.
+/// The corner between the pending move and the next one, which leaves with `heading` on the track
+/// `next`. An outer corner becomes an arc (a straight move for rapids); at an inner corner the
+/// pending move ends at the intersection of the tracks.
 void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next, const Motion& pattern) {
   Compensation& comp = compensation_;
   const PlaneAxes axes = axes_of(modes_.plane);
   if (comp.waiting.empty() || comp.radius == 0) return;
   const double turn = angle_between(comp.heading, heading) * comp.side;
   if (std::abs(turn) < straight_within) return;
-  if (turn < 0 || std::numbers::pi - turn < straight_within) {  // all the way back is an outer corner, too
-    Motion arc = pattern;                                       // other axes than the third make their way on the corner's arc
+  if (turn < 0 || std::numbers::pi - turn < straight_within) {  // a reversal counts as an outer corner
+    // axes other than the third move during the corner's arc
+    Motion arc = pattern;
     if (pattern.kind != Motion::Kind::rapid) arc.kind = Motion::Kind::arc;
     arc.end.at[axes.third] = at_.at[axes.third];
     const Vec2 end = beside(at, heading);
@@ -86,7 +90,7 @@ void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next,
     return;
   }
   Motion& before = comp.waiting.front();
-  const Vec2 from = beside(at, comp.heading);  // where it would end
+  const Vec2 from = beside(at, comp.heading);  // end of the pending move without the corner
   Vec2 meet = from;
   const auto unreachable = [] { refuse("an inner corner that the tool cannot reach without gouging"); };
   if (before.kind != Motion::Kind::arc && !next.circle) {
@@ -94,7 +98,7 @@ void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next,
     if (back > (from - comp.start).norm() + 1e-9) unreachable();
     meet = from - comp.heading * back;
   } else {
-    // Of the places where the tracks meet, the one next to the corner.
+    // The intersection of the tracks nearest to the corner.
     Track last;
     last.circle = before.kind == Motion::Kind::arc;
     last.point = last.circle ? before.centre : from;
@@ -173,14 +177,14 @@ void Interpreter::compensated_arc(const AxisValues& to, const Circle& circle) {
   comp.programmed = to;
   const Vec2 place = beside(end, arriving);
   if (!comp.entered) {
-    // An arc from where the tool is, that arrives with the path's direction.
+    // Entry arc from the tool's position, tangent to the path's direction at its end.
     const Vec2 way = place - begin, inward = (circle.centre - end) / radius;
     const double along = way.dot(inward);
     if (std::abs(along) < nowhere) refuse("the entry arc of cutter compensation cannot be made");
     motion.centre = place - inward * (way.squaredNorm() / (2 * along));
   } else {
-    // An arc's two radii differ by its rounding; which of them counts is as in LinuxCNC, since nearly tangent tracks make much of
-    // it.
+    // The two radii of an arc differ by rounding. The choice follows LinuxCNC, because nearly
+    // tangent tracks amplify the difference.
     const bool behind_arc = !comp.waiting.empty() && comp.waiting.front().kind == Motion::Kind::arc;
     const double track = behind_arc ? radius : (begin - circle.centre).norm();
     corner(begin, leaving, {true, circle.centre, {}, track + (inside ? -comp.radius : comp.radius)}, motion);

@@ -1,4 +1,4 @@
-// Canned cycles G73, G74, G81 to G89, in any of the three planes.
+// Canned cycles G73, G74 and G81 to G89, in all three planes.
 #include <cmath>
 
 #include "interpreter.h"
@@ -7,10 +7,137 @@ namespace fieldfab::cam::gcode {
 namespace {
 
 constexpr std::string_view letters = "xyzabcuvw";
-constexpr double peck_clearance = 0.254;  // mm that G83 and G73 stay away from the hole's bottom, as LinuxCNC does
+// mm; clearance of G83 and G73 above the previous depth, as in LinuxCNC
+constexpr double peck_clearance = 0.254;
 constexpr int most_pecks = 1'000'000;
 
 }  // namespace
+
+/// One hole of a canned cycle, from the plane R on. Heights are of the plane's third axis, mm.
+class Interpreter::Hole {
+ public:
+  Hole(Interpreter& interpreter, int code, const AxisValues& place, double r, double bottom, double clear)
+      : in_(interpreter),
+        code_(code),
+        place_(place),
+        axes_(axes_of(interpreter.modes_.plane)),
+        r_(r),
+        bottom_(bottom),
+        clear_(clear),
+        turning_(interpreter.modes_.spindle) {}
+
+  void make() {
+    switch (code_) {
+      case 810: feed(bottom_); return rapid(clear_);
+      case 820:
+        feed(bottom_);
+        in_.dwell(in_.cycle_.p);
+        return rapid(clear_);
+      case 730:
+      case 830: return peck();
+      case 740:
+      case 840: return tap();
+      case 850:
+        feed(bottom_);
+        feed(r_);
+        return rapid(clear_);
+      case 860: return bore();
+      case 870: return back_bore();
+      case 880: return bore_by_hand();
+      default:  // 890
+        feed(bottom_);
+        in_.dwell(in_.cycle_.p);
+        return feed(clear_);
+    }
+  }
+
+ private:
+  void go(Motion::Kind kind, double height, double i = 0, double j = 0) {
+    AxisValues to = place_;
+    to.at[axes_.third] = height;
+    to.at[axes_.first] += i, to.at[axes_.second] += j;
+    in_.move(kind, to);
+  }
+  void rapid(double height) { go(Motion::Kind::rapid, height); }
+  void feed(double height) { go(Motion::Kind::feed, height); }
+  void set_spindle(int turning) { in_.modes_.spindle = turning; }
+  void need_spindle() const {
+    if (turning_ == 0) refuse("{} while the spindle stands still", g_name(code_));
+  }
+
+  void peck() {
+    const double peck = in_.length(in_.cycle_.q);
+    if ((r_ - bottom_) / peck > most_pecks) refuse("more than {} pecks", most_pecks);
+    for (double depth = r_ - peck; depth > bottom_; depth -= peck) {
+      in_.flow_.count();
+      feed(depth);
+      if (code_ == 830) rapid(r_);
+      rapid(depth + peck_clearance);
+    }
+    feed(bottom_);
+    rapid(clear_);
+  }
+
+  void tap() {
+    if (turning_ != (code_ == 840 ? 1 : -1))
+      refuse("{} needs a spindle that turns {}", g_name(code_), code_ == 840 ? "clockwise" : "anticlockwise");
+    feed(bottom_);
+    set_spindle(-turning_);
+    in_.dwell(in_.cycle_.p);
+    feed(clear_);
+    set_spindle(turning_);
+  }
+
+  void bore() {
+    need_spindle();
+    feed(bottom_);
+    in_.dwell(in_.cycle_.p);
+    set_spindle(0);
+    rapid(clear_);
+    set_spindle(turning_);
+  }
+
+  void back_bore() {
+    need_spindle();
+    // I, J and K belong to X, Y and Z: two of them move aside, the third is where the boring ends.
+    const CycleWords& given = in_.cycle_;
+    const std::array<double, 3> words{in_.length(given.i), in_.length(given.j), in_.length(given.k)};
+    const double i = words[axes_.first], j = words[axes_.second];
+    const double end = in_.modes_.absolute ? words[axes_.third] : bottom_ + words[axes_.third];
+    go(Motion::Kind::rapid, r_, i, j);
+    set_spindle(0);
+    go(Motion::Kind::rapid, bottom_, i, j);
+    rapid(bottom_);
+    set_spindle(turning_);
+    feed(end);
+    feed(bottom_);
+    set_spindle(0);
+    go(Motion::Kind::rapid, bottom_, i, j);
+    go(Motion::Kind::rapid, clear_, i, j);
+    rapid(clear_);
+    set_spindle(turning_);
+  }
+
+  void bore_by_hand() {
+    need_spindle();
+    feed(bottom_);
+    in_.dwell(in_.cycle_.p);
+    set_spindle(0);
+    Motion stop = in_.stamped(Motion::Kind::stop);
+    stop.end = in_.at_;
+    in_.give(stop);
+    in_.notes_.add(in_.flow_.line(), "G88: the operator is taken to draw the tool out straight");
+    rapid(clear_);
+    set_spindle(turning_);
+  }
+
+  Interpreter& in_;
+  int code_;  ///< G code times ten
+  AxisValues place_;
+  PlaneAxes axes_;
+  double r_, bottom_, clear_;
+  int turning_;  ///< of the spindle, before the hole
+};
 
 void Interpreter::cycle() {
   const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
@@ -21,7 +148,7 @@ void Interpreter::cycle() {
   if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
   require_feed();
 
-  // Words of the same cycle stay in force; another cycle begins anew.
+  // Words of the same cycle are modal; another cycle starts without them.
   const PlaneAxes axes = axes_of(modes_.plane);
   const bool same = modes_.motion == code;
   const auto sticky = [&](char letter, double& kept, const char* what, bool needed) {
@@ -76,7 +203,7 @@ void Interpreter::cycle() {
   double height = at_.at[axes.third] >= r ? at_.at[axes.third] : clear;
   const bool polar = !modes_.absolute && (block_.has_radius || block_.has_angle);
   for (int i = 0; i < repeats; ++i) {
-    if (polar) {  // each repeat goes on from the one before it
+    if (polar) {  // each repetition is relative to the one before it
       const AxisValues to = target();
       step = {to.at[axes.first] - at_.at[axes.first], to.at[axes.second] - at_.at[axes.second]};
     }
@@ -87,114 +214,10 @@ void Interpreter::cycle() {
       place.at[axes.third] = r;
       move(Motion::Kind::rapid, place);
     }
-    cycle_hole(place, r, bottom, clear);
+    Hole(*this, code, place, r, bottom, clear).make();
     height = clear;
     flow_.count();
     if (i % 1024 == 0) progress_.check();
-  }
-}
-
-/// One hole, from the plane R on.
-void Interpreter::cycle_hole(const AxisValues& place, double r, double bottom, double clear) {
-  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
-  const std::size_t third = axes_of(modes_.plane).third;
-  const auto go = [&](Motion::Kind kind, double height, double i = 0, double j = 0) {
-    AxisValues to = place;
-    to.at[third] = height;
-    to.at[axes_of(modes_.plane).first] += i, to.at[axes_of(modes_.plane).second] += j;
-    move(kind, to);
-  };
-  const auto rapid = [&](double height) { go(Motion::Kind::rapid, height); };
-  const auto feed = [&](double height) { go(Motion::Kind::feed, height); };
-  const int turning = modes_.spindle;
-  const auto need_spindle = [&] {
-    if (turning == 0) refuse("{} while the spindle stands still", g_name(code));
-  };
-  switch (code) {
-    case 810:
-      feed(bottom);
-      rapid(clear);
-      break;
-    case 820:
-      feed(bottom);
-      dwell(cycle_.p);
-      rapid(clear);
-      break;
-    case 730:
-    case 830: {
-      const double peck = length(cycle_.q);
-      if ((r - bottom) / peck > most_pecks) refuse("more than {} pecks", most_pecks);
-      for (double depth = r - peck; depth > bottom; depth -= peck) {
-        flow_.count();
-        feed(depth);
-        if (code == 830) rapid(r);
-        rapid(depth + peck_clearance);
-      }
-      feed(bottom);
-      rapid(clear);
-      break;
-    }
-    case 740:
-    case 840:
-      if (turning != (code == 840 ? 1 : -1))
-        refuse("{} needs a spindle that turns {}", g_name(code), code == 840 ? "clockwise" : "anticlockwise");
-      feed(bottom);
-      modes_.spindle = -turning;
-      dwell(cycle_.p);
-      feed(clear);
-      modes_.spindle = turning;
-      break;
-    case 850:
-      feed(bottom);
-      feed(r);
-      rapid(clear);
-      break;
-    case 860:
-      need_spindle();
-      feed(bottom);
-      dwell(cycle_.p);
-      modes_.spindle = 0;
-      rapid(clear);
-      modes_.spindle = turning;
-      break;
-    case 870: {
-      need_spindle();
-      // I, J and K belong to X, Y and Z: two of them move aside, the third is where the boring ends.
-      const std::array<double, 3> words{length(cycle_.i), length(cycle_.j), length(cycle_.k)};
-      const PlaneAxes axes = axes_of(modes_.plane);
-      const double i = words[axes.first], j = words[axes.second], end = modes_.absolute ? words[third] : bottom + words[third];
-      go(Motion::Kind::rapid, r, i, j);
-      modes_.spindle = 0;
-      go(Motion::Kind::rapid, bottom, i, j);
-      rapid(bottom);
-      modes_.spindle = turning;
-      feed(end);
-      feed(bottom);
-      modes_.spindle = 0;
-      go(Motion::Kind::rapid, bottom, i, j);
-      go(Motion::Kind::rapid, clear, i, j);
-      rapid(clear);
-      modes_.spindle = turning;
-      break;
-    }
-    case 880: {
-      need_spindle();
-      feed(bottom);
-      dwell(cycle_.p);
-      modes_.spindle = 0;
-      Motion stop = stamped(Motion::Kind::stop);
-      stop.end = at_;
-      give(stop);
-      notes_.add(flow_.line(), "G88: the operator is taken to draw the tool out straight");
-      rapid(clear);
-      modes_.spindle = turning;
-      break;
-    }
-    default:  // 890
-      feed(bottom);
-      dwell(cycle_.p);
-      feed(clear);
-      break;
   }
 }
 

@@ -54,7 +54,8 @@ ModalWords modal_words(const Block& block) {
   return set;
 }
 
-/// What other controls than LinuxCNC's make of a line before its words are read. False where nothing of it is left.
+/// Applies the rules of controls other than LinuxCNC to a line before its words are read. Returns
+/// false if the line becomes empty.
 bool Decoder::forgive_line(Line& line) {
   std::string& text = line.text;
   if (!line.closed) {
@@ -62,7 +63,7 @@ bool Decoder::forgive_line(Line& line) {
     line.closed = true;
   }
   if (text.starts_with('%')) text = "%";
-  if (text.starts_with(':')) text[0] = 'o';  // ISO code's O
+  if (text.starts_with(':')) text[0] = 'o';  // O in ISO code
   if (dialect_ == Dialect::grbl && !text.empty() && std::string_view("$!?~").find(text[0]) != std::string_view::npos) {
     note_(fmt::format("'{}' is a command to the control: passed over", shown(text)));
     return false;
@@ -74,10 +75,10 @@ bool Decoder::forgive_line(Line& line) {
   return true;
 }
 
-/// What they make of a block.
+/// Applies the rules of these controls to a block.
 void Decoder::forgive_block(const Line& line, Block& block, int& motion_in_force) {
   int& motion = block.g[static_cast<std::size_t>(GGroup::motion)];
-  if (motion == 800) {  // it ends a cycle, and the straight moves or arcs from before it are in force again
+  if (motion == 800) {  // G80 ends a cycle and restores the motion mode from before it
     motion_in_force = plain_motion_;
     motion = Block::none;
   } else if (motion == 0 || motion == 10 || motion == 20 || motion == 30) {
@@ -85,11 +86,11 @@ void Decoder::forgive_block(const Line& line, Block& block, int& motion_in_force
   }
   const int action = block.code(GGroup::action);
   if ((motion == 0 || motion == 10) && (action == 100 || action == 280 || action == 300 || action == 520 || action == 920)) {
-    motion_in_force = motion;  // G0 G28 Z0: the axis words are G28's
+    motion_in_force = motion;  // G0 G28 Z0: the axis words belong to G28
     motion = Block::none;
   }
   if (dialect_ != Dialect::fanuc || block.code(GGroup::action) != 40) return;
-  for (const char letter : {'x', 'u'})  // seconds
+  for (const char letter : {'x', 'u'})  // dwell in seconds
     if (!block.has('p') && block.has(letter)) {
       block.words ^= 1U << static_cast<unsigned>(letter - 'a') | 1U << static_cast<unsigned>('p' - 'a');
       block.values['p' - 'a'] = block[letter];
@@ -101,7 +102,7 @@ void Decoder::forgive_block(const Line& line, Block& block, int& motion_in_force
   if (end == std::string::npos || line.text[end] != '.') block.values['p' - 'a'] /= 1000;
 }
 
-/// Words that nothing in the block uses, or that two things want.
+/// Checks for words that no code of the block uses, or that two codes use.
 void Decoder::check_words(const Block& block, int motion_in_force) const {
   const int action = block.code(GGroup::action), motion_code = block.code(GGroup::motion);
   const bool axes = block.has_any("xyzabcuvw") || block.has_radius || block.has_angle;

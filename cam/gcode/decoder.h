@@ -1,4 +1,4 @@
-// The first step of reading a program: lines become typed commands.
+// First stage of reading a program: conversion of lines to typed commands.
 #pragma once
 
 #include <functional>
@@ -9,39 +9,39 @@
 
 namespace fieldfab::cam::gcode {
 
-/// What a block's modal words set, by meaning.
+/// Settings by the modal words of a block, by meaning.
 struct ModalWords {
   std::optional<int> feed_mode;  ///< G code times ten
   std::optional<ArcPlane> plane;
   std::optional<bool> inch, diameter, absolute, arcs_absolute, retract_to_start;
-  std::optional<int> system;   ///< of coordinates: 1 is G54
+  std::optional<int> system;   ///< coordinate system: 1 is G54
   std::optional<int> path;     ///< G code times ten
   std::optional<int> spindle;  ///< 1 clockwise, -1 anticlockwise, 0 off
   std::optional<ControlMode> control;
 };
 
-/// What a line asks for.
+/// A decoded line.
 struct Command {
   enum class Kind : std::uint8_t {
-    nothing,    ///< a comment, a deleted line, a command to the control
+    nothing,    ///< a comment, a deleted line, or a command to the control
     delimiter,  ///< %
     flow,       ///< an O word, for Flow
     block,
   };
   Kind kind = Kind::nothing;
-  Block block;       ///< of a block: its words, as the dialect has them
+  Block block;       ///< of a block: its words, after the dialect's rules
   ModalWords modal;  ///< of a block
 };
 
-/// Lines to commands, in the dialect's way. Knows nothing of where the tool stands.
+/// Converts lines to commands by the rules of a dialect. Does not know the tool's position.
 class Decoder {
  public:
-  /// `note` takes what is passed over in all dialects but LinuxCNC's.
+  /// `note` receives a message for each ignored code, in dialects other than LinuxCNC's.
   Decoder(Parameters& parameters, Dialect dialect, bool block_delete, std::function<void(std::string)> note)
       : dialect_(dialect), block_delete_(block_delete), note_(std::move(note)), reader_(parameters, dialect, note_) {}
 
-  /// Decodes a line where the code `motion` is in force, which some dialects' G80 and G28 set. Refuses what is no block, words
-  /// that nothing in it uses, and words that two things want.
+  /// Decodes a line. `motion`: the motion mode in force, which G80 and G28 of some dialects change.
+  /// Throws Refusal for an invalid block, unused words, and words used twice.
   void decode(Line& line, int& motion, Command& command);
 
  private:
@@ -54,7 +54,7 @@ class Decoder {
   bool block_delete_;
   std::function<void(std::string)> note_;
   BlockReader reader_;
-  int plain_motion_ = 0;  ///< G0 to G3, as of before any cycle; for dialects whose G80 goes back to it
+  int plain_motion_ = 0;  ///< G0 to G3 from before a cycle, for dialects whose G80 restores it
 };
 
 /// The modal words of a block.

@@ -19,7 +19,7 @@ Dialect dialect_named(std::string_view name, const std::string& place) { return 
 namespace gcode {
 
 std::optional<std::string> passed_over_g(Dialect dialect, int code) {
-  // Fanuc's and Haas's; G5 and G5.1 are splines elsewhere.
+  // Codes of Fanuc and Haas. G5 and G5.1 are splines in other dialects.
   static const std::map<int, std::string> fanuc{{50, "high-speed machining"},
                                                 {51, "look-ahead"},
                                                 {80, "look-ahead"},

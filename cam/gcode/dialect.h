@@ -1,4 +1,4 @@
-// What the dialects but LinuxCNC's know besides: codes without a motion, which a simulation passes over.
+// Codes without motion of dialects other than LinuxCNC's, which a simulation ignores.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace fieldfab::cam::gcode {
 
-/// What a G code (times ten) that this interpreter does not carry out is in a dialect, where it moves nothing: "exact stop". None
-/// for others; LinuxCNC's has none.
+/// Description ("exact stop") of a G code (times ten) that the dialect knows, that moves nothing,
+/// and that this interpreter ignores; std::nullopt for other codes. LinuxCNC's dialect has none.
 std::optional<std::string> passed_over_g(Dialect dialect, int code);
 
-/// Whether an M code that is not known here may be passed over. Those that change which block comes next may not.
+/// Whether an unknown M code may be ignored. Codes that change the order of blocks may not.
 bool passes_over_m(Dialect dialect, int code);
 
 }  // namespace fieldfab::cam::gcode

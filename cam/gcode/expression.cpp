@@ -3,16 +3,15 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "refusal.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr int deepest = 100;             // brackets within brackets
-constexpr double equal_within = 0.0001;  // for EQ and NE, as LinuxCNC
-constexpr double degrees = 180 / std::numbers::pi;
+constexpr int deepest = 100;             // greatest depth of nested brackets
+constexpr double equal_within = 0.0001;  // tolerance of EQ and NE, as in LinuxCNC
 
 enum class Operator : std::uint8_t {
   none,
@@ -111,7 +110,8 @@ double finite(double value) {
 
 double read_bracket(Cursor& cursor, const Parameters& parameters, int depth);
 
-/// Operators of at least `least` rank behind `left`. `next` is the operator that ended it.
+/// Evaluates operators of rank `least` and above that follow the operand `left`. `next` receives
+/// the operator that ends the expression.
 double read_operations(Cursor& cursor, const Parameters& parameters, int depth, double left, int least, Operator& next) {
   while (rank(next) >= least && next != Operator::none) {
     const Operator op = next;
@@ -135,7 +135,7 @@ double read_argument(Cursor& cursor, const Parameters& parameters, int depth) {
   return read_bracket(cursor, parameters, depth);
 }
 
-/// EXISTS[#<name>], or EXISTS[#5], which all numbered ones do.
+/// EXISTS[#<name>], or EXISTS[#5], which is true for all numbered parameters.
 double read_exists(Cursor& cursor, const Parameters& parameters) {
   if (!cursor.take("[#")) refuse("EXISTS must be written as EXISTS[#<name>]");
   bool found = true;
@@ -154,20 +154,20 @@ double read_function(Cursor& cursor, const Parameters& parameters, int depth) {
   if (cursor.take("acos")) {
     const double x = argument();
     if (std::abs(x) > 1) refuse("ACOS of {}, which is not between -1 and 1", x);
-    return std::acos(x) * degrees;
+    return std::acos(x) * degrees_per_radian;
   }
   if (cursor.take("asin")) {
     const double x = argument();
     if (std::abs(x) > 1) refuse("ASIN of {}, which is not between -1 and 1", x);
-    return std::asin(x) * degrees;
+    return std::asin(x) * degrees_per_radian;
   }
   if (cursor.take("atan")) {
     const double y = argument();
     if (!cursor.take('/')) refuse("ATAN must be written as ATAN[y]/[x]");
     const double x = argument();
-    return std::atan2(y, x) * degrees;
+    return std::atan2(y, x) * degrees_per_radian;
   }
-  if (cursor.take("cos")) return std::cos(argument() / degrees);
+  if (cursor.take("cos")) return std::cos(argument() / degrees_per_radian);
   if (cursor.take("exp")) return std::exp(argument());
   if (cursor.take("fix")) return std::floor(argument());
   if (cursor.take("fup")) return std::ceil(argument());
@@ -177,13 +177,13 @@ double read_function(Cursor& cursor, const Parameters& parameters, int depth) {
     return std::log(x);
   }
   if (cursor.take("round")) return std::round(argument());
-  if (cursor.take("sin")) return std::sin(argument() / degrees);
+  if (cursor.take("sin")) return std::sin(argument() / degrees_per_radian);
   if (cursor.take("sqrt")) {
     const double x = argument();
     if (x < 0) refuse("SQRT of {}, which is below 0", x);
     return std::sqrt(x);
   }
-  if (cursor.take("tan")) return std::tan(argument() / degrees);
+  if (cursor.take("tan")) return std::tan(argument() / degrees_per_radian);
   refuse("'{}' found where a value should be", shown(cursor.text.substr(cursor.at)));
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t deepest_call = 100;
 constexpr std::size_t deepest_block = 1000;
 constexpr std::uintmax_t largest_file = 64U << 20;
 
-// Longer ones before those that they begin with.
+// A keyword must precede its own prefixes.
 constexpr std::array<std::string_view, 15> keywords{"endsub",   "sub",   "call", "return",    "elseif", "else",  "endif",   "if",
                                                     "endwhile", "while", "do",   "endrepeat", "repeat", "break", "continue"};
 
@@ -81,7 +81,7 @@ bool Flow::take_apart(const Line& line, Word& word, bool strict) const {
     word.label = std::string(read_name(cursor));
   } else if (strict || (cursor.peek() >= '0' && cursor.peek() <= '9')) {
     word.label = std::to_string(read_whole(cursor, parameters_));
-  } else {  // a computed label among lines that are left out
+  } else {  // a computed label in a skipped range
     try {
       word.label = std::to_string(read_whole(cursor, parameters_));
     } catch (const Refusal&) {
@@ -159,7 +159,7 @@ void Flow::carry_out(const Line& line) {
   } else if (keyword == "call") {
     call(line, word);
   } else if (keyword.empty()) {
-    subroutines_.emplace(word.label, at_);  // O1000 alone: the name of a program, for M98
+    subroutines_.emplace(word.label, at_);  // O1000 alone: the number of a program, for M98
   } else if (keyword == "if" || keyword == "elseif" || keyword == "else" || keyword == "endif") {
     carry_out_condition(line, word);
   } else {
@@ -187,7 +187,7 @@ void Flow::carry_out_condition(const Line& line, const Word& word) {
     }
   } else {
     close_to(label, Kind::condition, word.keyword.c_str());
-    if (word.keyword != "endif") skip_to(label, {"endif"}, "if");  // the branch before it was taken
+    if (word.keyword != "endif") skip_to(label, {"endif"}, "if");  // an earlier branch was executed
     open_.pop_back();
   }
 }
@@ -202,10 +202,10 @@ void Flow::again(Open& loop) {
       open_.pop_back();
     }
   } else if (loop.kind == Kind::loop) {
-    at_ = loop.start;  // before WHILE, which is asked again
+    at_ = loop.start;  // before WHILE, whose condition is evaluated again
     open_.pop_back();
   } else {
-    skip_to(loop.label, {"while"}, "do");  // its condition decides
+    skip_to(loop.label, {"while"}, "do");  // its condition decides on another round
     at_ = before_;
   }
 }

@@ -1,14 +1,15 @@
 #include "frame.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "fieldfab/core/angle.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
 void turn(double& first, double& second, double angle) {
   if (angle == 0) return;
-  const double c = std::cos(angle * std::numbers::pi / 180), s = std::sin(angle * std::numbers::pi / 180), x = first;
+  const double c = std::cos(to_radians(angle)), s = std::sin(to_radians(angle)), x = first;
   first = c * x - s * second;
   second = s * x + c * second;
 }

@@ -1,4 +1,4 @@
-// Where a program's coordinates lie in the machine's.
+// Transformation between program and machine coordinates.
 #pragma once
 
 #include <optional>
@@ -7,14 +7,14 @@
 
 namespace fieldfab::cam::gcode {
 
-/// G68: the program turned about a point of a plane.
+/// G68: rotation of the program about a point of a plane.
 struct Turned {
   ArcPlane plane = ArcPlane::xy;
   Vec2 about = Vec2::Zero();
   double angle = 0;  ///< degrees, anticlockwise
 };
 
-/// Indices of a plane's axes: the first and the second span it, the third stands on it.
+/// Indices of a plane's axes: the first and the second span it, the third is normal to it.
 struct PlaneAxes {
   std::size_t first, second, third;
 };
@@ -26,23 +26,23 @@ constexpr PlaneAxes axes_of(ArcPlane plane) {
   }
 }
 
-/// The chain from the program's coordinates to the machine's: G68, then G92 or G52, then the work offset with its rotation about
-/// z. All in mm and degrees.
+/// Chain of transformations from program to machine coordinates: G68, then G92 or G52, then the
+/// work offset with its rotation about z. All in mm and degrees.
 struct Frame {
   AxisValues origin;       ///< of the work coordinate system
-  double rotation = 0;     ///< of it, degrees (G10 L2 R)
+  double rotation = 0;     ///< of that system, degrees (G10 L2 R)
   AxisValues axis_offset;  ///< G92, G52
   AxisValues tool;         ///< length compensation
   std::optional<Turned> turned;
 
-  /// Where the tool's tip goes to, machine coordinates.
+  /// Position of the tool's tip in machine coordinates.
   [[nodiscard]] AxisValues tip(const AxisValues& program) const;
-  /// Where the axes then stand.
+  /// Corresponding position of the axes.
   [[nodiscard]] AxisValues axes(const AxisValues& program) const { return added(tip(program), tool, 1); }
-  /// The program's coordinates of a place of the tip, or of the axes.
+  /// Program coordinates for a position of the tip, or of the axes.
   [[nodiscard]] AxisValues of_tip(const AxisValues& tip) const;
   [[nodiscard]] AxisValues of_axes(const AxisValues& axes) const { return of_tip(added(axes, tool, -1)); }
-  /// Whether an arc in that plane stays one of that plane.
+  /// Whether an arc in that plane is mapped to an arc in that plane.
   [[nodiscard]] bool keeps(ArcPlane plane) const {
     return (rotation == 0 || plane == ArcPlane::xy) && (!turned || turned->plane == plane);
   }

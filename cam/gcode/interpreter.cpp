@@ -1,8 +1,8 @@
 #include "interpreter.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -15,11 +15,9 @@ std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& fi
 namespace gcode {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-
-/// Angles of the interface are radians, those of a program degrees.
+/// Conversion of angles: radians in the interface, degrees in programs.
 AxisValues in_degrees(AxisValues values) {
-  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees;
+  for (std::size_t k = 3; k < 6; ++k) values.at[k] *= degrees_per_radian;
   return values;
 }
 
@@ -105,7 +103,8 @@ void Interpreter::execute() {
   if (block_.has('t')) select_tool();
   do_modal_m();
   if (block_.code(GGroup::action) == 40) {
-    // Marlin's programs say G4 S3 for three seconds; S means the spindle nowhere else in such a block.
+    // G4 S3 in programs for Marlin means three seconds. In other dialects S in such a block sets
+    // the spindle.
     if (!block_.has('p') && block_.has('s'))
       notes_.add(flow_.line(), "G4 with S and no P is taken as seconds, as Marlin does");
     else if (!block_.has('p'))
@@ -129,7 +128,7 @@ void Interpreter::execute() {
 }
 
 void Interpreter::set_feed_mode(int code) {
-  if (code != modes_.feed_mode) modes_.feed = 0;  // the number means something else now
+  if (code != modes_.feed_mode) modes_.feed = 0;  // the number has another meaning in the new mode
   modes_.feed_mode = code;
 }
 
@@ -137,7 +136,7 @@ void Interpreter::set_feed() {
   const double feed = block_['f'];
   if (feed < 0) refuse("F{} is below 0", feed);
   modes_.feed = feed;
-  modes_.feed_unit = unit();  // F comes before G20 and G21 in a block's order
+  modes_.feed_unit = unit();  // F precedes G20 and G21 in a block's order of execution
   if (const int units = block_.code(GGroup::units);
       units != Block::none && (units == 200) != modes_.inch && modes_.feed_mode != 930)
     notes_.add(flow_.line(), fmt::format("F in the block of {} still counts in the units before it", g_name(units)));
@@ -180,7 +179,7 @@ void Interpreter::change_tool() {
   no_compensation("M6");
   tool_ = selected_tool_;
   modes_.spindle = 0;
-  at_ = sent_;  // where it stands counts, not where a path ended that was compensated
+  at_ = sent_;  // the actual position, not the programmed end of a compensated path
   Motion motion = stamped(Motion::Kind::tool_change);
   motion.end = at_;
   give(motion);

@@ -1,4 +1,4 @@
-// Carries out blocks: modal state, offsets, motions.
+// Execution of blocks: modal state, offsets, motions.
 #pragma once
 
 #include <deque>
@@ -11,30 +11,30 @@
 
 namespace fieldfab::cam::gcode {
 
-/// What stays in force from block to block, and M70 keeps.
+/// Modal state, which M70 saves.
 struct Modes {
   int motion = 800;  ///< G code times ten; 800: none
   ArcPlane plane = ArcPlane::xy;
   bool absolute = true, arcs_absolute = false, inch = false, diameter = false;
-  bool retract_to_start = false;  ///< G98; LinuxCNC begins with G99
+  bool retract_to_start = false;  ///< G98; LinuxCNC's default is G99
   int feed_mode = 940;
-  int system = 1;  ///< of coordinates: 1 is G54
+  int system = 1;  ///< coordinate system: 1 is G54
   int path = 640;
   double feed = 0;       ///< the F word: units of length (or degrees) per minute, per revolution, or 1/minutes
-  double feed_unit = 1;  ///< mm in the unit of length that F was given in
+  double feed_unit = 1;  ///< mm per unit of length at the time of F
   double speed = 0;      ///< the S word: revolutions per minute, or m/min under G96
   int spindle = 0;       ///< 1 clockwise, -1 anticlockwise
   bool constant_surface = false;
   double most_speed = 0;  ///< G96 D
   bool mist = false, flood = false, feed_override = true, speed_override = true;
   AxisValues tool_offset;
-  bool axis_offset = false;  ///< G92 or G52, as M70 saw it
+  bool axis_offset = false;  ///< whether G92 or G52 was in force at M70
 };
 
-/// What canned cycles keep from block to block. Lengths in the program's units, as they were given.
+/// Modal words of canned cycles. Lengths in the program's units.
 struct CycleWords {
   double r = 0, z = 0, p = 0, q = 0, i = 0, j = 0, k = 0;
-  double start = 0;  ///< where the third axis stood before the first of a row of cycles, mm
+  double start = 0;  ///< coordinate along the third axis before the first of consecutive cycles, mm
 };
 
 class Interpreter final : public PredefinedParameters {
@@ -47,18 +47,18 @@ class Interpreter final : public PredefinedParameters {
   [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
  private:
-  /// Compensation for the cutter's radius.
+  /// Cutter compensation.
   struct Compensation {
     int side = 0;  ///< 1: left of the path (G41), -1: right, 0: off
     double radius = 0;
-    bool entered = false;         ///< whether the entry move has been made
-    AxisValues programmed;        ///< where the path itself stands
-    Vec2 heading = Vec2::Zero();  ///< direction in which the path arrived there
-    /// The last move in the plane, whose end depends on the next one, and what came after it.
+    bool entered = false;         ///< whether the entry move is complete
+    AxisValues programmed;        ///< position on the programmed path
+    Vec2 heading = Vec2::Zero();  ///< direction of the path at that position
+    /// The last move in the plane, whose end depends on the next one, and the motions after it.
     std::deque<Motion> waiting;
-    Vec2 start = Vec2::Zero();  ///< where that move begins
+    Vec2 start = Vec2::Zero();  ///< start of that move
   };
-  /// A straight line or a circle that the tool's centre follows.
+  /// A line or a circle that the tool's centre follows.
   struct Track {
     bool circle = false;
     Vec2 point = Vec2::Zero();      ///< on the line, or the circle's centre
@@ -66,7 +66,7 @@ class Interpreter final : public PredefinedParameters {
     double radius = 0;              ///< of the circle
   };
 
-  // interpreter.cpp: the blocks' loop and the order within a block
+  // interpreter.cpp: the loop over blocks and the order within a block
   bool step();
   void execute();
   void set_feed_mode(int code);
@@ -84,7 +84,7 @@ class Interpreter final : public PredefinedParameters {
   void save_state(bool restore_on_return);
   void restore_state(const Modes& saved);
 
-  // offsets.cpp: coordinate systems, length compensation, homes
+  // offsets.cpp: coordinate systems, length compensation, home positions
   void set_system(int system);
   void read_system();
   void set_length_compensation();
@@ -97,18 +97,19 @@ class Interpreter final : public PredefinedParameters {
   void change_frame(const std::function<void()>& change);
   void no_compensation(const char* what) const;
 
-  // motions.cpp: straight moves and what all moves share
+  // motions.cpp: straight moves and the processing that all motions share
   void motion();
   [[nodiscard]] AxisValues target() const;
   [[nodiscard]] AxisValues machine_target() const;
-  [[nodiscard]] double word(char letter) const;  ///< a word as it acts on its axis: mm or degrees
+  [[nodiscard]] double word(char letter) const;  ///< a word's value in the unit of its axis: mm or
+                                                 ///< degrees
   [[nodiscard]] double length(double value) const { return value * unit(); }
   [[nodiscard]] double unit() const { return modes_.inch ? 25.4 : 1; }
   void straight(const AxisValues& to);
   void spindle_synchronous();
   void probe(const AxisValues& to);
   void require_feed();
-  /// Makes a motion of what is in force and hands it on (program coordinates: mm, degrees).
+  /// Makes a motion with the modal state and hands it on (program coordinates: mm, degrees).
   void move(Motion::Kind kind, const AxisValues& to, double length_along = -1);
   void move_arc(const AxisValues& to, const Vec2& centre, int turns);
   void give(Motion motion);
@@ -134,7 +135,7 @@ class Interpreter final : public PredefinedParameters {
 
   // cycles.cpp, threads.cpp
   void cycle();
-  void cycle_hole(const AxisValues& place, double r, double bottom, double clear);
+  class Hole;
   void thread();
 
   // compensation.cpp
@@ -149,7 +150,7 @@ class Interpreter final : public PredefinedParameters {
   ReadingOptions options_;
   MotionSink sink_;
   Progress& progress_;
-  mutable Notes notes_;  // a question for a parameter may be worth one
+  mutable Notes notes_;  // mutable, because a query of a parameter may add a note
   Parameters parameters_;
   Flow flow_;
   Decoder decoder_;
@@ -159,14 +160,15 @@ class Interpreter final : public PredefinedParameters {
 
   Modes modes_;
   Frame frame_;
-  AxisValues at_;    // where the program stands: mm, degrees
-  AxisValues sent_;  // where the last motion that was handed on ended
+  AxisValues at_;    // position in the program: mm, degrees
+  AxisValues sent_;  // end of the last motion that was handed on
   Compensation compensation_;
   CycleWords cycle_;
   int tool_ = 0, selected_tool_ = 0;
   ControlMode mode_ = ControlMode::machine;
-  bool tip_by_length_ = false;                                 // G43.4 is in force
-  bool delimited_ = false, finished_ = false, begun_ = false;  // % stood first; the end was reached; something was read
+  bool tip_by_length_ = false;  // G43.4 is in force
+  // % was first; the end was reached; something was read
+  bool delimited_ = false, finished_ = false, begun_ = false;
   std::optional<Modes> saved_;
   struct SavedInCall {
     std::size_t depth;
@@ -175,7 +177,7 @@ class Interpreter final : public PredefinedParameters {
   std::vector<SavedInCall> saved_in_calls_;
   std::vector<std::array<double, 3>> control_points_;  // G5.2: x, y, weight
   int nurbs_order_ = 0;
-  std::optional<Vec2> last_control_;  // G5: of the last cubic, for the next one
+  std::optional<Vec2> last_control_;  // G5: last control point of the previous cubic
 };
 
 }  // namespace fieldfab::cam::gcode

@@ -1,15 +1,15 @@
-// Straight moves, and what every motion goes through on its way to the sink.
+// Straight moves, and the processing that all motions share.
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "interpreter.h"
 
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr std::string_view letters = "xyzabcuvw";
-constexpr double chord_tolerance = 0.001;  // mm, of what becomes short feeds
+constexpr double chord_tolerance = 0.001;  // mm, for arcs that become short feeds
 
 double distance(const AxisValues& a, const AxisValues& b, std::size_t first, std::size_t count) {
   double sum = 0;
@@ -36,14 +36,14 @@ AxisValues Interpreter::target() const {
     double radius = std::hypot(from.at[0], from.at[1]), angle = std::atan2(from.at[1], from.at[0]);
     if (block_.has_angle && !block_.has_radius && radius == 0) refuse("^ without @ at the origin");
     if (block_.has_radius) radius = modes_.absolute ? length(block_.radius) : radius + length(block_.radius);
-    if (block_.has_angle) angle = modes_.absolute ? block_.angle * radians : angle + block_.angle * radians;
+    if (block_.has_angle) angle = modes_.absolute ? block_.angle * radians_per_degree : angle + block_.angle * radians_per_degree;
     to.at[0] = radius * std::cos(angle);
     to.at[1] = radius * std::sin(angle);
   }
   return to;
 }
 
-/// G53: the words are places of the axes; an axis without a word stands still.
+/// G53: the words are axis positions; an axis without a word does not move.
 AxisValues Interpreter::machine_target() const {
   if (compensation_.side != 0) refuse("G53 cannot be used while cutter compensation is on");
   if (frame_.turned) refuse("G53 cannot be used while G68 is in force");
@@ -84,7 +84,7 @@ void Interpreter::motion() {
   if (nurbs_order_ != 0 && used != 52 && used != 53) refuse("{} between G5.2 and G5.3", g_name(used));
   const bool is_cycle = used >= 730 && used <= 890 && used != 760 && used != 800;
   if (!axes && used != 20 && used != 30 && used != 800 && used != 52 && used != 53) {
-    if (used == 0 || used == 10) {  // nothing but a mode
+    if (used == 0 || used == 10) {  // only sets the mode
       modes_.motion = used;
       return;
     }
@@ -128,7 +128,7 @@ void Interpreter::straight(const AxisValues& to) {
     move(kind, to);
 }
 
-/// G33 and G33.1: a feed of K each revolution.
+/// G33 and G33.1: a feed of K per revolution.
 void Interpreter::spindle_synchronous() {
   no_compensation("G33");
   if (!block_.has('k')) refuse("G33 needs K, the pitch");
@@ -145,7 +145,7 @@ void Interpreter::spindle_synchronous() {
     at_ = place;
   };
   go(to, 1);
-  if (code == 331) go(start, -1);  // the spindle turns back, and so does the tap
+  if (code == 331) go(start, -1);  // the spindle reverses, and the tap retracts
 }
 
 void Interpreter::probe(const AxisValues& to) {
@@ -163,7 +163,7 @@ void Interpreter::probe(const AxisValues& to) {
 double Interpreter::spindle_at(const AxisValues& to) const {
   double speed = modes_.speed;
   if (modes_.constant_surface) {
-    // S is m/min, or feet/min under G20; X is the radius.
+    // S is in m/min (feet/min under G20); X is the radius.
     const double around = 2 * std::numbers::pi * std::abs(to.at[0]), surface = speed * (modes_.inch ? 304.8 : 1000);
     speed = modes_.most_speed > 0 ? modes_.most_speed : 1e5;
     if (around > 0) speed = std::min(speed, surface / around);
@@ -185,15 +185,15 @@ Motion Interpreter::stamped(Motion::Kind kind) const {
 
 void Interpreter::feed_of(Motion& motion, const AxisValues& from, double length_along) const {
   const double xyz = length_along >= 0 ? length_along : distance(from, motion.end, 0, 3);
-  const double uvw = distance(from, motion.end, 6, 3), turn = distance(from, motion.end, 3, 3) * radians;
+  const double uvw = distance(from, motion.end, 6, 3), turn = distance(from, motion.end, 3, 3) * radians_per_degree;
   if (modes_.feed_mode == 930) {
     const double along = xyz > 0 ? xyz : uvw > 0 ? uvw : turn;
     motion.feed = modes_.feed * (along > 0 ? along : 1);
-    motion.seconds = -1;  // send() knows how far it goes
+    motion.seconds = -1;  // send() computes it, with the length of the motion
     return;
   }
   const bool rotary = xyz == 0 && uvw == 0 && turn > 0;
-  motion.feed = modes_.feed * (rotary ? radians : modes_.feed_unit);
+  motion.feed = modes_.feed * (rotary ? radians_per_degree : modes_.feed_unit);
   if (modes_.feed_mode == 950) motion.feed *= std::abs(modes_.spindle == 0 ? modes_.speed : spindle_at(motion.end));
 }
 
@@ -218,7 +218,7 @@ void Interpreter::move_arc(const AxisValues& to, const Vec2& centre, int turns) 
   give(motion);
 }
 
-/// To the sink, or to those that wait for the corner before them.
+/// Hands a motion to the sink, or appends it to the pending ones until their corner is known.
 void Interpreter::give(Motion motion) {
   if (!compensation_.waiting.empty())
     compensation_.waiting.push_back(std::move(motion));
@@ -226,7 +226,7 @@ void Interpreter::give(Motion motion) {
     send(std::move(motion));
 }
 
-/// Program coordinates become the machine's.
+/// Converts a motion to machine coordinates and sends it.
 void Interpreter::send(Motion motion) {
   const AxisValues to = motion.end;
   for (const double value : to.at)
@@ -240,12 +240,12 @@ void Interpreter::send(Motion motion) {
       along = std::hypot(arc_length(from, end, motion.centre, motion.turns), to.at[axes.third] - sent_.at[axes.third]);
     }
     if (along == 0) along = distance(sent_, to, 6, 3);
-    if (along == 0) along = distance(sent_, to, 3, 3) * radians;
+    if (along == 0) along = distance(sent_, to, 3, 3) * radians_per_degree;
     motion.seconds = 60 * along / motion.feed;
   }
   if (arc && !frame_.keeps(motion.plane)) return send_chords(motion);
   motion.end = frame_.tip(to);
-  for (std::size_t k = 3; k < 6; ++k) motion.end.at[k] *= radians;
+  for (std::size_t k = 3; k < 6; ++k) motion.end.at[k] *= radians_per_degree;
   if (arc) {
     AxisValues centre = to;
     centre.at[axes.first] = motion.centre.x(), centre.at[axes.second] = motion.centre.y();
@@ -256,7 +256,7 @@ void Interpreter::send(Motion motion) {
   sink_(motion);
 }
 
-/// An arc that the frame turns out of its plane: short feeds.
+/// Short feeds for an arc that the frame rotates out of its plane.
 void Interpreter::send_chords(const Motion& arc) {
   notes_.add(arc.line, "an arc in a plane that the rotation in force does not keep: given as short straight feeds");
   const PlaneAxes axes = axes_of(arc.plane);

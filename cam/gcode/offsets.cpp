@@ -1,5 +1,5 @@
-// Coordinate systems, G92, tool lengths, homes, G68. Whatever changes them, the machine does not move: the program's coordinates
-// do.
+// Coordinate systems, G92, tool lengths, home positions, G68. A change of them moves the program's
+// coordinates, never the machine.
 #include <cmath>
 
 #include "interpreter.h"
@@ -22,7 +22,7 @@ void Interpreter::change_frame(const std::function<void()>& change) {
   sent_ = frame_.of_axes(sent);
 }
 
-/// Takes the frame's parts from the parameters.
+/// Reads the frame's parts from the parameters.
 void Interpreter::read_system() {
   const int first = number::system_start(modes_.system);
   for (int k = 0; k < 9; ++k) {
@@ -38,7 +38,8 @@ void Interpreter::set_system(int system) {
   if (system != modes_.system) no_compensation("another coordinate system");
   if (system == modes_.system && compensation_.side != 0) return;
   if (frame_.turned && system != modes_.system) refuse("another coordinate system while G68 is in force");
-  if (system == modes_.system) return;  // goes on with it, whatever its parameters have become
+  // the system in force keeps its values, even if its parameters have changed
+  if (system == modes_.system) return;
   change_frame([&] {
     modes_.system = system;
     parameters_.stored(number::coordinate_system) = system;
@@ -53,7 +54,7 @@ void Interpreter::set_length_compensation() {
     const int tool = block_.has('h') ? whole(block_['h']) : tool_;
     if (tool < 0) refuse("H{} is below 0", tool);
     if (code == 432 && !block_.has('h')) refuse("G43.2 needs H");
-    const Vec3 length = tool_entry(tool == 0 ? tool_ : tool).offset;  // 0: the one in the spindle
+    const Vec3 length = tool_entry(tool == 0 ? tool_ : tool).offset;  // 0 means the tool in the spindle
     for (std::size_t k = 0; k < 3; ++k) offset.at[k] += length[static_cast<Eigen::Index>(k)];
   } else if (code == 431) {
     offset = frame_.tool;
@@ -89,11 +90,11 @@ void Interpreter::action() {
   }
 }
 
-/// G10: L2 and L20 coordinate systems; L1, L10 and L11 the tool table.
+/// G10: L2 and L20 set coordinate systems; L1, L10 and L11 set the tool table.
 void Interpreter::set_data() {
   if (!block_.has('l')) refuse("G10 needs L");
   const int what = whole(block_['l']);
-  if (what == 0) return;  // reads the tool table anew: it is what it was
+  if (what == 0) return;  // reloads the tool table, which cannot have changed
   if (what != 1 && what != 2 && what != 10 && what != 11 && what != 20) refuse("G10 L{} is not known here", what);
   if (!block_.has('p')) refuse("G10 needs P");
   const int number = whole(block_['p']);
@@ -103,7 +104,8 @@ void Interpreter::set_data() {
     if (what == 20 && block_.has('r')) refuse("G10 L20 has no use for R");
     const int system = number == 0 ? modes_.system : number, first = number::system_start(system);
     if (frame_.turned) refuse("G10 L{} while G68 is in force", what);
-    // What the system becomes; for L20 the one in which the axes, where they stand, have the places given.
+    // The new system. For L20 it is the one in which the axes, at their position, have the given
+    // coordinates.
     Frame frame = frame_;
     for (int k = 0; k < 9; ++k) frame.origin.at[static_cast<std::size_t>(k)] = parameters_.stored(first + k);
     frame.rotation = block_.has('r') ? block_['r'] : parameters_.stored(first + 9);
@@ -148,7 +150,8 @@ void Interpreter::set_data() {
   if (block_.has('r')) tool.diameter = 2 * length(block_['r']);
 }
 
-/// G28 and G30: by way of the place that the words give to the one kept; only the axes with words, all where there are none.
+/// G28 and G30: by way of the point given by the words to the stored point. Only the axes with
+/// words move; without words, all.
 void Interpreter::go_home(int first) {
   no_compensation("G28");
   if (frame_.turned) refuse("G28 and G30 cannot be used while G68 is in force");
@@ -209,7 +212,7 @@ void Interpreter::set_axis_offset() {
   });
 }
 
-/// G68 and G69: the program turned about a point of the plane, as Fanuc's controls do.
+/// G68 and G69: rotation of the program about a point of the plane, as on Fanuc controls.
 void Interpreter::turn_program() {
   no_compensation("G68 and G69");
   if (block_.code(GGroup::rotation) == 690) {

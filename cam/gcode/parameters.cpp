@@ -7,7 +7,8 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr std::size_t most_names = 100'000;  // each program writes its own: a bound on memory, far beyond any real one
+// limits the memory that a program's own names take, far above the number in any real program
+constexpr std::size_t most_names = 100'000;
 
 bool computed(int parameter) { return parameter >= number::tool && parameter <= 5428; }
 

@@ -2,26 +2,28 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "simple_machine.h"
 
 namespace fieldfab::cam {
 namespace gcode {
 namespace {
 
-/// One instruction: a mnemonic and its numbers.
+/// An instruction: a mnemonic and its numbers.
 struct Instruction {
-  std::string mnemonic;  ///< upper case, with its '!' but without '^'
+  std::string mnemonic;  ///< upper case, with '!', without '^'
   std::vector<double> numbers;
 };
 
-/// Takes instructions off a text. Letters begin one, numbers follow, ';' or the next letter end it.
+/// Splits a text into instructions. Letters start an instruction, numbers follow, ';' or the next
+/// letter ends it.
 class InstructionReader {
  public:
   InstructionReader(std::string_view text, SimpleMachine& machine) : text_(text), machine_(machine) {}
 
-  /// The next one; `letters` is how many a mnemonic has, given its first (RML has Z and H beside those of two).
+  /// Reads the next instruction. `letters` returns the length of a mnemonic from its first letter
+  /// (RML has Z and H beside those of two letters).
   template <class Letters>
   bool next(Instruction& instruction, const Letters& letters) {
     instruction.mnemonic.clear();
@@ -37,7 +39,7 @@ class InstructionReader {
     read_numbers(instruction);
     return true;
   }
-  /// Takes printer escapes and what belongs to them; the cutters' files begin and end with such.
+  /// Skips printer escapes with their data; files for cutters begin and end with them.
   bool skip_escape() {
     skip_separators();
     if (done()) return false;
@@ -58,7 +60,7 @@ class InstructionReader {
       number = c >= '0' && c <= '9' ? std::min<std::size_t>(number * 10 + static_cast<std::size_t>(c - '0'), 100'000) : number;
     }
     if (!done()) ++at_;
-    if (data) at_ = std::min(text_.size(), at_ + number);  // that many bytes belong to it
+    if (data) at_ = std::min(text_.size(), at_ + number);  // number of bytes of data
     return true;
   }
 
@@ -98,7 +100,7 @@ void want(const Instruction& instruction, bool right, const char* what) {
   if (!right) refuse("{} needs {}", instruction.mnemonic, what);
 }
 
-/// RML: the tool is moved by Z in all three axes, or up and down between two heights by PU and PD.
+/// RML: Z moves the tool in three axes; PU and PD move it up and down between two heights.
 class RmlReader {
  public:
   RmlReader(SimpleMachine& machine, double tick) : machine_(machine), tick_(tick) {}
@@ -155,7 +157,7 @@ class RmlReader {
   }
 
  private:
-  /// To x, y, z in ticks, at the lesser of what the two speeds allow.
+  /// Moves to x, y, z in ticks, at the lower of the two limits of speed.
   void go(const std::array<double, 3>& ticks) {
     AxisValues to = machine_.at();
     for (std::size_t k = 0; k < 3; ++k) to.at[k] = ticks[k] * tick_ + (relative_ ? machine_.at().at[k] : 0);
@@ -176,7 +178,7 @@ class RmlReader {
         machine_.rapid(to);
     }
   }
-  /// Up or down, to the heights of !PZ.
+  /// Moves up or down, to the heights of !PZ.
   void level() {
     const std::optional<double>& height = down_ ? low_ : high_;
     if (!height) {
@@ -300,7 +302,7 @@ class HpglReader {
     const Vec2 from = at() - centre;
     if (degrees == 0 || from.norm() == 0) return;
     if (std::abs(degrees) > 360e6) refuse("an arc of {} degrees", degrees);
-    const double angle = degrees * std::numbers::pi / 180;
+    const double angle = to_radians(degrees);
     const Vec2 to = centre + Vec2(std::cos(angle) * from.x() - std::sin(angle) * from.y(),
                                   std::sin(angle) * from.x() + std::cos(angle) * from.y());
     if (!down_) return line_to(to);
@@ -310,7 +312,7 @@ class HpglReader {
     if (around != std::floor(around)) end.at[0] = to.x(), end.at[1] = to.y();
     machine_.arc(end, centre, static_cast<int>(turns) * (degrees > 0 ? 1 : -1), speed());
   }
-  /// About where the pen is; it comes back there.
+  /// A circle about the pen's position, to which it returns.
   void circle(double radius) {
     const Vec2 centre = at();
     const bool was_down = down_;
@@ -366,7 +368,7 @@ std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& fil
   gcode::SimpleMachine machine(file, options, sink, progress);
   return machine.run([&] {
     gcode::check_tick(tick);
-    machine.spindle = 1;  // pens, blades and beams have none that could stand still
+    machine.spindle = 1;  // pens, blades and beams have no spindle that could be off
     gcode::HpglReader reader(machine, tick, up, down);
     gcode::InstructionReader instructions(text, machine);
     gcode::Instruction instruction;

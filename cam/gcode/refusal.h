@@ -1,4 +1,4 @@
-// How the readers of programs say what they cannot take: without a place, which only their outermost loop knows.
+// Errors of the readers of programs, without a place: only the outermost loop knows it.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 
 namespace fieldfab::cam::gcode {
 
-/// A message on its way to the loop over blocks, which adds file and line and throws it on as Error(bad_input).
+/// Carries a message to the loop over blocks, which adds file and line and throws Error(bad_input).
 struct Refusal {
   std::string message;
 };
@@ -23,7 +23,7 @@ template <class... Arguments>
   throw Refusal{fmt::format(text, std::forward<Arguments>(arguments)...)};
 }
 
-/// Any text as it may stand in a message: short, and without control characters.
+/// A text as shown in messages: short, and without control characters.
 inline std::string shown(std::string_view text) {
   std::string out(text.substr(0, 40));
   for (char& c : out)
@@ -31,8 +31,8 @@ inline std::string shown(std::string_view text) {
   return out;
 }
 
-/// Notes for the caller: each message once, with the line that it was first needed for, so that their number does not grow
-/// with the program.
+/// Notes for the caller: each message once, with the first line that caused it, so that their
+/// number does not grow with the program.
 class Notes {
  public:
   void add(int line, std::string message) {

@@ -4,13 +4,13 @@
 #include <charconv>
 #include <map>
 
+#include "fieldfab/core/angle.h"
 #include "simple_machine.h"
 
 namespace fieldfab::cam {
 namespace gcode {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t most_variables = 100'000, deepest_gosub = 100;
 constexpr int deepest_brackets = 100;
 
@@ -71,7 +71,7 @@ class SbpReader {
     at_ = {};
   }
 
-  // Values ------------------------------------------------------------------------------------------------------------------
+  // ---------- Values
   double value(std::string_view text) {
     std::string_view rest = trimmed(text);
     const double result = sum(rest, 0);
@@ -133,7 +133,7 @@ class SbpReader {
     rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
     return number;
   }
-  /// The name behind '&', which is taken off.
+  /// Removes the name behind '&' and returns it.
   static std::string variable_name(std::string_view& rest) {
     rest.remove_prefix(1);
     std::size_t length = 0;
@@ -160,7 +160,7 @@ class SbpReader {
     refuse("'{}' compares nothing", shown(sign));
   }
 
-  // Statements --------------------------------------------------------------------------------------------------------------
+  // ---------- Statements
   void carry_out(std::string_view line) {
     if (line.empty() || is_label(line)) return;
     if (line.front() == '&') return assign(line);
@@ -236,7 +236,7 @@ class SbpReader {
     at_ = found->second;
   }
 
-  // Commands ----------------------------------------------------------------------------------------------------------------
+  // ---------- Commands
   static std::vector<std::string_view> fields_of(std::string_view rest) {
     std::vector<std::string_view> fields;
     while (!rest.empty()) {
@@ -261,7 +261,7 @@ class SbpReader {
       for (std::size_t k = 0; k < 4; ++k)
         if (const auto speed = field(k)) {
           if (*speed <= 0) refuse("{} with a speed of {}", word, *speed);
-          speeds_[k] = *speed * 60 * (k < 2 ? unit_ : 1 / degrees);
+          speeds_[k] = *speed * 60 * (k < 2 ? unit_ : 1 / degrees_per_radian);
         }
     } else if (word == "SA" || word == "SR") {
       relative_ = word == "SR";
@@ -303,9 +303,9 @@ class SbpReader {
       refuse("'{}' is not known here", shown(line));
     }
   }
-  [[nodiscard]] double scale(std::size_t axis) const { return axis < 3 ? unit_ : 1 / degrees; }
+  [[nodiscard]] double scale(std::size_t axis) const { return axis < 3 ? unit_ : 1 / degrees_per_radian; }
 
-  /// M and J with a number of axes, an axis' letter, or H.
+  /// M and J, with a number of axes, an axis letter, or H.
   void straight(const std::string& word) {
     AxisValues to = machine_.at();
     const auto set = [&](std::size_t axis, std::size_t index) {
@@ -333,13 +333,13 @@ class SbpReader {
     else
       machine_.feed(to, speed_to(to));
   }
-  /// Speeds are set for x and y together, for z, for a and for b.
+  /// Speed of a move. Speeds are set for x and y together, and separately for z, a and b.
   double speed_to(const AxisValues& to) {
     const AxisValues& from = machine_.at();
     const auto moves = [&](std::size_t k) { return to.at[k] != from.at[k]; };
     const std::size_t which = moves(0) || moves(1) ? 0 : moves(2) ? 1 : moves(3) ? 2 : moves(4) || moves(5) ? 3 : 0;
     if (!speeds_[which]) {
-      const double taken = which < 2 ? 1524 : 600 / degrees;
+      const double taken = which < 2 ? 1524 : 600 / degrees_per_radian;
       machine_.notes.add(machine_.line, which < 2 ? "a move before MS: 25.4 mm/s is taken"
                                                   : "no speed for a rotary axis: 10 degrees/s is taken");
       return taken;
@@ -354,7 +354,8 @@ class SbpReader {
     int repeats = 1, feature = 0;
     bool stay_down = false, from_zero = false;
   };
-  /// What CG and CP have in common; `first` is where "inside, outside, true" stands, `later` where the plunge stands.
+  /// Parameters that CG and CP share. `first`: index of "inside, outside, true"; `later`: index of
+  /// the plunge.
   void common(Circle& circle, std::size_t first, std::size_t later) {
     if (first < fields_.size() && !fields_[first].empty() && upper(fields_[first]) != "T")
       refuse("a circle inside or outside of the line needs the cutter's diameter, which is not known here");
@@ -371,7 +372,8 @@ class SbpReader {
     circle.stay_down = field(later + 5).value_or(0) != 0;
     circle.from_zero = field(later + 6).value_or(0) != 0;
   }
-  /// CG: from where the tool is, to an end, about a centre given from the start (or with a diameter).
+  /// CG: from the tool's position to an end point, about a centre relative to the start (or with a
+  /// diameter).
   void circle_to() {
     Circle circle;
     const Vec2 from(machine_.at().at[0], machine_.at().at[1]);
@@ -392,7 +394,7 @@ class SbpReader {
     }
     cut(circle);
   }
-  /// CP: about a centre, from one angle to another, both clockwise from the top.
+  /// CP: about a centre, between two angles that are clockwise from the top.
   void circle_about() {
     Circle circle;
     const auto diameter = field(0);
@@ -402,7 +404,8 @@ class SbpReader {
     const Vec2 base = relative_ ? centre : Vec2(Vec2::Zero());
     if (const auto x = field(1)) centre.x() = base.x() + *x * unit_;
     if (const auto y = field(2)) centre.y() = base.y() + *y * unit_;
-    const double begin = field(5).value_or(0) / degrees, end = field(6).value_or(360) / degrees, radius = *diameter * unit_ / 2;
+    const double begin = field(5).value_or(0) / degrees_per_radian, end = field(6).value_or(360) / degrees_per_radian,
+                 radius = *diameter * unit_ / 2;
     const auto on_circle = [&](double angle) { return Vec2(centre + radius * Vec2(std::sin(angle), std::cos(angle))); };
     circle.centre = centre;
     const Vec2 start = on_circle(begin);
@@ -463,7 +466,7 @@ class SbpReader {
       machine_.rapid(place);
     }
   }
-  /// ZX, ZY, ZZ, ZA, ZB, Z2 to Z5: where the tool is becomes zero.
+  /// ZX, ZY, ZZ, ZA, ZB, Z2 to Z5: set the zero at the tool's position.
   void zero(char which) {
     static constexpr std::string_view letters = "XYZAB";
     AxisValues place = machine_.at();

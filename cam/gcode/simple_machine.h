@@ -1,4 +1,5 @@
-// What the readers of the simpler languages (ShopBot, RML, HPGL) share: a machine that is told places one after the other.
+// Common part of the readers of the simpler languages (ShopBot, RML, HPGL): a machine that moves
+// from point to point.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,8 @@
 
 namespace fieldfab::cam::gcode {
 
-/// Turns places in the program's coordinates (mm, radians) into motions; the first work offset is where the program's zero lies.
+/// Converts positions in program coordinates (mm, radians) to motions. The first work offset is the
+/// position of the program's zero.
 class SimpleMachine {
  public:
   SimpleMachine(std::string file, const ReadingOptions& options, const MotionSink& sink, Progress& progress)
@@ -26,14 +28,14 @@ class SimpleMachine {
   Notes notes;
 
   [[nodiscard]] const AxisValues& at() const { return at_; }
-  /// The place where the machine stands is called `place` from now on.
+  /// Assigns the coordinates `place` to the machine's current position.
   void call_it(const AxisValues& place) {
     for (std::size_t k = 0; k < 9; ++k) origin_.at[k] += at_.at[k] - place.at[k];
     at_ = place;
   }
 
   void rapid(const AxisValues& to) { move(Motion::Kind::rapid, to, 0); }
-  /// `feed` in mm/min, radians/min where only rotary axes move.
+  /// `feed` in mm/min; in radians/min if only rotary axes move.
   void feed(const AxisValues& to, double feed) {
     if (!(feed > 0)) refuse("a feed of {} mm/min", feed);
     move(Motion::Kind::feed, to, feed);
@@ -55,13 +57,13 @@ class SimpleMachine {
   }
   void say(Motion::Kind kind) { give(stamped(kind), at_); }
 
-  /// Counts one command: throws cancelled, refuses beyond the most.
+  /// Counts one command. Throws Error(cancelled), and Refusal beyond the limit.
   void count(double share) {
     if (++counted_ > most_) refuse("more than {} blocks: this program seems to have no end", most_);
     if (counted_ % 1024 == 0) progress_.check();
     if (counted_ % 65536 == 0) progress_.report(share, "reading the program");
   }
-  /// Carries out all of a program, adds file and line to what is refused, and gives the notes.
+  /// Executes a whole program: adds file and line to refusals, and returns the notes.
   template <class Run>
   std::vector<ReadingNote> run(const Run& all) {
     try {

@@ -1,4 +1,4 @@
-// G5, G5.1 and G5.2 ... G5.3: curves in X and Y, given as short straight feeds.
+// G5, G5.1 and G5.2 to G5.3: curves in X and Y, approximated by short straight feeds.
 #include <cmath>
 
 #include "interpreter.h"
@@ -6,16 +6,17 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-constexpr double chord_tolerance = 0.001;  // mm between the curve and its feeds
+constexpr double chord_tolerance = 0.001;  // mm; greatest distance of the curve from its feeds
 constexpr int deepest_halving = 16;
 constexpr std::size_t most_points = 100'000;
 
-/// Halves until three points between lie near enough to the chord. Calls `give` for each piece's end.
+/// Bisects a curve until three inner points are near enough to the chord. Calls `give` for the end
+/// of each piece.
 template <class Curve, class Give>
 void flatten(const Curve& curve, double from, const Vec2& begin, double to, const Vec2& end, int depth, const Give& give) {
   const Vec2 chord = end - begin;
   const double length = chord.norm();
-  bool near = depth < deepest_halving - 2;  // never less than four pieces
+  bool near = depth < deepest_halving - 2;  // at least four pieces
   for (const double share : {0.25, 0.5, 0.75}) {
     const Vec2 off = curve(from + share * (to - from)) - begin;
     const double along = length > 0 ? off.dot(chord) / length : 0;
@@ -71,7 +72,8 @@ void Interpreter::spline() {
   });
 }
 
-/// G5.2 and the lines after it: control points of a NURBS. The first is where the tool is.
+/// G5.2 and the lines after it: control points of a NURBS curve. The first one is the tool's
+/// position.
 void Interpreter::nurbs_point() {
   no_compensation("G5.2");
   if (modes_.plane != ArcPlane::xy) refuse("splines are of the plane G17");
@@ -106,11 +108,12 @@ void Interpreter::nurbs_end() {
   control_points_.clear();
   modes_.motion = 800;
   if (points.size() < order) refuse("a NURBS of order {} needs as many control points; there are {}", order, points.size());
-  // Uniform knots, the ends as often as the order.
+  // Uniform knot vector with end knots of multiplicity equal to the order.
   const std::size_t spans = points.size() - order + 1;
   const auto knot = [&](std::size_t i) { return i < order ? 0.0 : static_cast<double>(std::min(i - order + 1, spans)); };
   std::vector<std::array<double, 3>> work(order);
-  const auto curve_in = [&](std::size_t span, double t) -> Vec2 {  // de Boor's scheme, of the points times their weights
+  // de Boor's algorithm, in homogeneous coordinates
+  const auto curve_in = [&](std::size_t span, double t) -> Vec2 {
     for (std::size_t i = 0; i < order; ++i) {
       const auto& [x, y, w] = points[span + i];
       work[i] = {x * w, y * w, w};

@@ -1,7 +1,7 @@
-// G76: a thread cut on a lathe, pass by pass.
+// G76: a thread on a lathe, in passes.
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "interpreter.h"
 
 namespace fieldfab::cam::gcode {
@@ -39,7 +39,7 @@ void Interpreter::thread() {
     at_ = to;
     give(motion);
   };
-  const double slope = std::tan(slant * std::numbers::pi / 180);
+  const double slope = std::tan(to_radians(slant));
   const double taper_pitch = taper > 0 ? pitch * std::hypot(taper, full) / taper : pitch;
   const auto pass = [&](double depth) {
     const double cut = start.at[0] + peak + inward * depth, safe = start.at[0] - inward * (full - depth);

@@ -1,4 +1,4 @@
-// Stages that lead on: outlines, surfaces and bitmaps of what there is.
+// Stages that convert the input: outlines, surfaces and bitmaps.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,8 +10,9 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Squares for a region where nothing was said: a fortieth of the tool, but no finer than a 2000th of the region's longer side;
-/// then a quarter of the tool at most, since corners lose up to a cell.
+/// Default size of a region's squares: a fortieth of the tool's diameter, but not below a 2000th of
+/// the region's longer side; in that case at most a quarter of the diameter, because corners are
+/// inaccurate by up to one cell.
 double cell_for(const Values& values, const Vec2& size, const Context& context) {
   if (is_set(values, "cell")) return values.number("cell");
   const double longest = size.maxCoeff(), tool = context.tool.diameter;
@@ -23,8 +24,8 @@ Setting cell_setting() {
   return above_zero(number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
 }
 
-/// Squares are halved until they miss nothing. Where that is to no avail the outline of the cell asked for is taken, and a note
-/// tells what it lacks.
+/// Contour of a slice. Squares are halved until no part is missed. If that fails, returns the
+/// outline for the requested cell and adds a note on what it lacks.
 Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double z, Context& context) {
   constexpr int halvings = 4;
   MissedParts missed;
@@ -42,7 +43,7 @@ Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double 
   return loops;
 }
 
-/// Tells where a surface is kept higher than it is known to be.
+/// Adds a note on places where a surface is raised above its proved height.
 void note_doubtful(const Surface& surface, Context& context) {
   const Surface::Doubtful& doubtful = surface.doubtful();
   if (doubtful.count > 0)
@@ -62,7 +63,7 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
     const double z = is_set(values, "slice") ? values.number("slice") : 0;
     loops = slice_of(solid, bounds, cell, z, context);
   } else {
-    // What a thin needle from above meets: the part's shadow.
+    // Contact of a thin needle from above: the part's shadow.
     const auto surface = Surface::of(*solid.field, *solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
     note_doubtful(*surface, context);
     const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
@@ -90,7 +91,7 @@ double pixel_of(const Image& image, const Values& values) {
   throw Error(ErrorKind::bad_input, "image", "the picture has no physical size; give pixel (mm) or dpi");
 }
 
-/// Brightness of a pixel from 0 to 1; row 0 is the lowest one.
+/// Brightness of a pixel from 0 to 1; row 0 is the lowest.
 double brightness(const Image& image, int column, int row) {
   const auto channels = static_cast<std::size_t>(image.channels);
   const std::size_t i = (static_cast<std::size_t>(image.height - 1 - row) * static_cast<std::size_t>(image.width) +
@@ -106,7 +107,7 @@ Artifact bitmap_of_image(const Artifact& in, const Values& values, Context&) {
   const Image& image = std::get<Image>(in);
   const double pixel = pixel_of(image, values), threshold = values.number("threshold");
   const bool invert = values.flag("invert");
-  // A frame of one empty pixel closes what touches the border.
+  // One row of empty pixels on each side closes outlines at the border.
   Bitmap bitmap(image.width + 2, image.height + 2, pixel, Vec2::Constant(-0.5 * pixel), 0);
   for (int row = 0; row < image.height; ++row)
     for (int column = 0; column < image.width; ++column)

@@ -69,11 +69,11 @@ Artifact isolate_stage(const Artifact& in, const Values& values, Context& contex
   PlannedCuts cuts;
   cuts.paths = isolate(std::get<Outline>(in), static_cast<int>(values.number("offsets")), stepover_of(values, context),
                        cut_of(values, context, depths_of(values, context.stock)), context.progress);
-  cuts.inside_first = false;  // nothing comes loose
+  cuts.inside_first = false;  // no piece comes loose
   return cuts;
 }
 
-/// Straight ways between neighbouring rings that stay where the tool's middle may be.
+/// Whether a straight line between neighbouring rings stays within permitted tool centres.
 std::function<bool(const Vec3&, const Vec3&)> within(FieldPtr distance, double clear, double longest) {
   return [distance = std::move(distance), clear, longest](const Vec3& from, const Vec3& to) {
     if (std::abs(from.z() - to.z()) > 1e-6) return false;
@@ -92,7 +92,7 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   Outline area = std::get<Outline>(in);
   const CutSettings cut = cut_of(values, context, depths_of(values, context.stock));
   if (values.text("side") == "outside") {
-    // All of the stock around the part.
+    // The stock around the part.
     const Rectangle stock = Rectangle::of(context.stock).grown(cut.radius);
     const Vec2 a = stock.lower, b = stock.upper;
     area.distance = intersect(complement(area.distance), outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}}));
@@ -134,7 +134,7 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   const Outline& outline = std::get<Outline>(in);
   const Loops loops = contours(*outline.distance, outline.bounds, {outline.cell}, context.progress);
   Depths depths = depths_of(values, context.stock);
-  // No deeper than the V is wide.
+  // The depth is limited by the tool's radius.
   depths.bottom = std::max(depths.bottom, depths.top - 0.5 * context.tool.diameter / std::tan(context.tool.angle / 2));
   PlannedCuts cuts;
   cuts.paths =
@@ -144,9 +144,9 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   return cuts;
 }
 
-/// An area over its depth, and all above it.
+/// The part of an area at and above its depth.
 FieldPtr over_depth(FieldPtr area, const Values& values, const Box& stock) {
-  const double beyond = 10;  // so that no face of this lies on one of the stock
+  const double beyond = 10;  // so that no face coincides with one of the stock
   Box reach = stock.grown(beyond);
   if (const double bottom = depths_of(values, stock).bottom; bottom > stock.lower.z()) reach.lower.z() = bottom;
   return intersect(std::move(area), box_field(reach));

@@ -1,4 +1,4 @@
-// The graph of stages: all of them, and chains through it.
+// The graph of stages, and chains through it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ const Stage& operation(const std::string& name, const std::string& place) {
 }
 
 std::vector<const Stage*> chain(Kind from, const Stage& operation) {
-  // Breadth first, backwards from nothing but the kinds.
+  // Breadth-first search over the kinds of artifacts.
   std::map<Kind, const Stage*> came_by;
   std::deque<Kind> waiting{from};
   came_by[from] = nullptr;

@@ -1,4 +1,5 @@
-/// A program's picture as an element of an HTML page: an <svg>, or where that would be large, an <img> with its pixels in it.
+/// A program's picture as an element of an HTML page: an <svg>, or if that would be large, an <img>
+/// with embedded pixels.
 #pragma once
 
 #include <string>

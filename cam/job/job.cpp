@@ -1,4 +1,4 @@
-// Running a job: each operation down its chain of stages, ordering, linking; and writing what comes out.
+// Execution of a job: each operation through its chain of stages, ordering, linking, and output.
 #include "fieldfab/cam/job/job.h"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 
 #include "fieldfab/cam/plan/deep_cuts.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
@@ -28,11 +29,11 @@ LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, 
   LinkSettings s;
   const Values& v = op.values;
   const double radius = op.tool.diameter / 2;
-  // Above the stock, and above what a height map may have higher than it.
+  // Above the stock, and above paths that are higher than it.
   double top = stock.upper.z();
   for (const Path& path : cuts.paths)
     for (const PathPoint& p : path.points) top = std::max(top, p.at.z());
-  // A leaning tool's holder hangs lower than its tip.
+  // The holder of a tilted tool is lower than that of a vertical one.
   const double wide = std::max({op.tool.holder_diameter, op.tool.shank, op.tool.diameter}) / 2;
   s.clearance = top + v.number("clearance") + wide * std::sin(cuts.leans);
   s.helix_radius = op.tool.helix_radius();
@@ -40,7 +41,7 @@ LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, 
   s.link_feed = is_set(v, "link_feed") ? v.number("link_feed") : s.feed;
   const std::string& entry = v.text("entry");
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
-  s.ramp_angle = v.number("ramp_angle") * 3.14159265358979323846 / 180;
+  s.ramp_angle = to_radians(v.number("ramp_angle"));
   s.above = std::min(s.above, v.number("clearance"));
   s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
   s.may_stay_down = cuts.may_stay_down;
@@ -66,7 +67,7 @@ std::string Job::plan() const {
 
 namespace {
 
-/// The input as a plane sees it.
+/// The input in a plane's coordinates.
 Artifact seen_from(const Artifact& input, const Plane& plane) {
   const auto* const solid = std::get_if<Solid>(&input);
   if (solid == nullptr || (plane.is_top() && !plane.to_the_middle)) return input;
@@ -80,7 +81,7 @@ Artifact seen_from(const Artifact& input, const Plane& plane) {
 
 }  // namespace
 
-/// Runs one operation after the other; keeps what they share.
+/// Runs the operations in sequence and stores their common data.
 class JobRunner {
  public:
   JobRunner(Job& job, Progress& progress) : job_(job), progress_(progress) {}
@@ -92,7 +93,8 @@ class JobRunner {
   }
 
  private:
-  /// Down the chain of stages; operations share what the first stages made, where their settings are the same.
+  /// Runs the chain of stages. Operations share the results of the first stages if their settings
+  /// are equal.
   Artifact through_stages(const PlannedOperation& op, Context& context) {
     Artifact artifact = seen_from(op.own_input ? *op.own_input : job_.input_, op.plane);
     std::string key = op.plane.name;
@@ -180,8 +182,9 @@ class JobRunner {
     if (cuts.finished && complete) earlier_.emplace_back(op.plane, cuts.finished, 0.5);
   }
 
-  /// Lets no shank meet material: where the tool is too short it goes less deep, and a note tells what stays. False where that
-  /// was so. A holder that meets material is an error.
+  /// Keeps the shank clear of material: if the tool is too short, it cuts less deep, and a note
+  /// reports the remaining material. Returns false in that case. A holder that meets material is an
+  /// error.
   bool back_out(const PlannedOperation& op, Section& section) {
     if (!may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_)) return true;
     progress_.report(0, "deep cuts");
@@ -208,7 +211,7 @@ class JobRunner {
     return false;
   }
 
-  /// Moves of a ball that leans, as if it pointed straight down: the ball cuts the same.
+  /// Moves of a tilted ball, converted to a vertical tool: the ball cuts the same.
   static std::vector<Move> upright(std::vector<Move> moves, const Tool& tool) {
     const double ball = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
     for (Move& move : moves) move.to += ball * (move.axis - Vec3::UnitZ()), move.axis = Vec3::UnitZ();
@@ -221,11 +224,11 @@ class JobRunner {
     return *space;
   }
 
-  /// What is left as the operation's plane sees it.
+  /// The remaining material in the coordinates of the operation's plane.
   Material& material_of(const PlannedOperation& op, const Box& stock) {
     const auto found = materials_.find(op.plane.name);
     if (found != materials_.end()) return found->second.material;
-    // As fine as the smallest tool needs, as far as memory is not wasted on it.
+    // As fine as the smallest tool requires, within a limit of memory.
     double smallest = stock.size().head<2>().maxCoeff() / 100;
     for (const PlannedOperation& other : job_.operations_)
       if (other.tool.diameter > 0) smallest = std::min(smallest, other.tool.diameter / 8);
@@ -234,7 +237,8 @@ class JobRunner {
     return materials_.emplace(op.plane.name, Seen{op.plane, block}).first->second.material;
   }
 
-  /// Algorithm 6.1 wherever the tool's direction changes; and upright at the end.
+  /// Adds moves (Algorithm 6.1) at each change of the tool's direction, and to the vertical at the
+  /// end.
   void join_planes() {
     auto& sections = job_.program_.sections;
     const Kinematics& k = job_.machine_.kinematics;
@@ -258,19 +262,21 @@ class JobRunner {
   Job& job_;
   Progress& progress_;
   std::map<std::string, Artifact> made_;
-  /// What is left as a plane sees it.
+  /// The remaining material in a plane's coordinates.
   struct Seen {
     Plane plane;
     Material material;
   };
   std::map<std::string, Seen> materials_;                      // by plane
-  std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // about each part
-  std::unique_ptr<DeepCuts> deep_cuts_;                        // once an operation may be too deep
-  std::size_t known_ = 0;                                      // how many sections it has carried out
-  std::vector<Plane> frames_;                                  // that each section's moves are in
+  std::map<const Field*, std::unique_ptr<FreeSpace>> spaces_;  // by part
+  std::unique_ptr<DeepCuts> deep_cuts_;                        // made when an operation may be too deep
+  // number of sections that deep_cuts_ has executed
+  std::size_t known_ = 0;
+  // coordinate system of each section's moves
+  std::vector<Plane> frames_;
   std::vector<Reached> earlier_;
   std::vector<double> clearances_;  // of each section
-  std::string setup_;               // how the work lies
+  std::string setup_;               // orientation of the work
 };
 
 void Job::run(Progress& progress) {
@@ -299,7 +305,7 @@ void Job::write(const std::filesystem::path& path, Progress& progress) const {
   try {
     text = write_program(program_, machine_, machine_values_);
   } catch (const Error& error) {
-    // What the machine cannot do is said at the line that chooses it.
+    // Errors of the machine refer to the line that selects it.
     if (error.place() != "machine") throw;
     throw Error(error.kind(), machine_place_, error.what());
   }

@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/toml_table.h"
 #include "base/tool_table.h"
 #include "fieldfab/cam/job/job.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -19,8 +19,6 @@
 
 namespace fieldfab::cam {
 namespace {
-
-constexpr double degrees = std::numbers::pi / 180;
 
 Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from, const std::vector<double>& list) {
   if (list.size() < from + 3) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
@@ -138,7 +136,7 @@ class JobReader {
     }
     if (scale != 1) field = fieldfab::scale(field, Vec3::Constant(scale));
     if (const auto turns = input.list("rotate")) {
-      const Vec3 angles = vector_of(input, "rotate", 0, *turns) * degrees;
+      const Vec3 angles = vector_of(input, "rotate", 0, *turns) * radians_per_degree;
       for (int axis = 0; axis < 3; ++axis)
         if (angles[axis] != 0) field = fieldfab::rotate(field, Vec3::Unit(axis), angles[axis]);
     }
@@ -157,7 +155,7 @@ class JobReader {
     return solid_of(field, "part", box, flat);
   }
 
-  /// One model, or several: together as they are, or laid out on a sheet.
+  /// One model, or several: together as they are, or arranged on a sheet.
   Solid read_models(const TomlTable& input) {
     const auto name = input.text("model");
     std::vector<std::string> names = input.texts("models");
@@ -184,7 +182,7 @@ class JobReader {
     Solid solid = read_models(input);
     Vec3 move = Vec3::Zero();
     if (const auto by = input.list("move")) move = vector_of(input, "move", 0, *by);
-    // Where the program's zero is on the part.
+    // Position of the program's zero on the part.
     const std::string zero = input.text("zero").value_or("model");
     const Box b = *solid.bounds;
     if (zero == "corner")
@@ -203,7 +201,7 @@ class JobReader {
     return solid;
   }
 
-  /// The material: given, or the part's bounds with a margin.
+  /// The stock: given, or the part's bounds with a margin.
   void read_stock() {
     Box part;
     if (const auto* const solid = std::get_if<Solid>(&job_.input_)) {
@@ -238,12 +236,12 @@ class JobReader {
       }
       if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
     }
-    // A beam or a blade goes through whatever there is.
+    // A beam or a blade cuts through any thickness.
     if (job_.machine_.takes == MachineInput::flat_paths && stock.size().z() == 0) stock.lower.z() -= 1;
     job_.stock_ = stock;
     if (auto* const solid = std::get_if<Solid>(&job_.input_); solid != nullptr && !solid->flat) {
-      // The part must lie in the stock, but for how loosely its bounds were found. What is machined from above stands on the
-      // stock's floor.
+      // The part must lie in the stock, within the accuracy of its bounds. A part that is machined
+      // from above stands on the stock's floor.
       Box& bounds = *solid->bounds;
       const double loose = 0.02 * bounds.size().maxCoeff();
       const Box& held = stock;
@@ -273,7 +271,7 @@ class JobReader {
       add_operation(TomlTable::parse(toml, path_.string()).tables("operation")[0], 1);
     }
     for (const TomlTable& table : tables) add_operation(table, ++index);
-    // One plane after the other, each with all of its operations.
+    // Planes in sequence, each with all of its operations.
     std::vector<std::string> seen;
     for (const PlannedOperation& op : job_.operations_)
       if (std::find(seen.begin(), seen.end(), op.plane.name) == seen.end()) seen.push_back(op.plane.name);
@@ -286,7 +284,7 @@ class JobReader {
     const auto number = table.number("tool");
     if (!number) {
       if (tools_.empty()) {
-        Tool beam;  // a beam or a blade of no width
+        Tool beam;  // a beam or a blade of width 0
         beam.shape = ToolShape::flat;
         const auto kerf = job_.machine_values_.given.find("kerf");
         beam.diameter = kerf == job_.machine_values_.given.end() ? 0 : std::get<double>(kerf->second.value);
@@ -364,7 +362,8 @@ class JobReader {
     }
   }
 
-  /// A set-up of its own, with the zero where the job has it: in the corner or the centre of what is then the part's top.
+  /// Makes the plane a set-up of its own, with the program's zero as in the job: in the corner or
+  /// the centre of the part's new top.
   void turn_by_hand(Plane& plane) const {
     if (plane.is_top()) return;
     plane.setup = true;
@@ -377,13 +376,14 @@ class JobReader {
     const std::string& name = values.text("plane");
     if (name == "five") return five_planes();
     if (name == "stepped") return stepped_planes(static_cast<int>(values.number("steps")));
-    if (name == "view") return {plane_from_view(values.number("alpha") * degrees, values.number("beta") * degrees)};
+    if (name == "view")
+      return {plane_from_view(values.number("alpha") * radians_per_degree, values.number("beta") * radians_per_degree)};
     Plane plane = plane_named(name);
     plane.to_the_middle = !plane.is_top();
     return {plane};
   }
 
-  /// The job's value, else the tool's, the material's, the default.
+  /// Value of a setting: the job's, else the tool's, the material's, the default.
   [[nodiscard]] Given resolve(const Setting& setting, const TomlTable& table, const Tool& tool) const {
     if (const auto value = table.value(setting.name))
       return {checked(setting, *value, table.place(setting.name)), "job", table.place(setting.name)};
@@ -402,9 +402,9 @@ class JobReader {
   Progress& progress_;
   const Formats& formats_;
   TomlTable table_;
-  FieldPtr given_;  // the part, where it comes from no file
+  FieldPtr given_;  // the part, if it does not come from a file
   std::vector<Tool> tools_;
-  /// A model that only one operation works on, placed as the input is.
+  /// A model for one operation only, placed as the input.
   Solid read_own_model(const TomlTable& operation, const std::string& name) {
     const auto input = table_.table("input");
     if (input->has("image")) throw refuse(operation, "model", "a job with an image as its input has no other models");
@@ -413,7 +413,7 @@ class JobReader {
 
   Vec3 move_ = Vec3::Zero();    // of the input
   Box part_;                    // the input's bounds
-  std::string zero_ = "model";  // where on the part the program's zero is
+  std::string zero_ = "model";  // position of the program's zero on the part
   Job job_;
 };
 

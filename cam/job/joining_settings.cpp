@@ -1,4 +1,4 @@
-// What all operations can be told: how their paths are joined to moves.
+// Settings of all operations: how paths are linked to moves.
 #include "stages.h"
 
 namespace fieldfab::cam {

@@ -17,7 +17,7 @@ namespace {
 
 using Colour = std::array<double, 3>;
 
-/// A straight piece of the tool's way, on the picture's plane.
+/// A straight segment of the tool's path, projected to the picture's plane.
 struct Line {
   Vec2 from, to;
   Colour colour;
@@ -31,7 +31,7 @@ struct Drawing {
 
 Vec2 seen(const Vec3& p, bool oblique) {
   if (!oblique) return p.head<2>();
-  // Turned by 30 degrees about z, then looked at from 30 degrees above the ground.
+  // Rotated by 30 degrees about z, then seen from 30 degrees above the ground.
   const double turn = 0.5236, tilt = 0.5236, c = std::cos(turn), s = std::sin(turn);
   const double x = c * p.x() - s * p.y(), y = s * p.x() + c * p.y();
   return {x, y * std::sin(tilt) + p.z() * std::cos(tilt)};
@@ -76,9 +76,9 @@ Drawing draw(const Program& program, const PictureSettings& settings) {
     }
   }
   if (!settings.rapids) std::erase_if(drawing.lines, [](const Line& line) { return line.rapid; });
-  // Rapids first, so that cuts lie over them.
+  // Rapids first, so that cuts are drawn over them.
   std::stable_partition(drawing.lines.begin(), drawing.lines.end(), [](const Line& line) { return line.rapid; });
-  // The cuts, and what there is room for of the rapids about them.
+  // Bounds of the cuts, and of rapids near them.
   for (const Line& line : drawing.lines)
     if (!line.rapid) drawing.bounds.add(line.from), drawing.bounds.add(line.to);
   if (!(drawing.bounds.size().minCoeff() > 0)) drawing.bounds = {Vec2::Zero(), Vec2::Ones()};
@@ -86,7 +86,7 @@ Drawing draw(const Program& program, const PictureSettings& settings) {
   return drawing;
 }
 
-/// Lines of about a pixel's width, with smooth edges, on white.
+/// Antialiased lines about one pixel wide, on white.
 Image rasterised(const Drawing& drawing, int size) {
   const Vec2 extent = drawing.bounds.size();
   const double scale = size / extent.maxCoeff();
@@ -131,7 +131,7 @@ std::string as_svg(const Drawing& drawing) {
       size.x(), size.y());
   const auto x = [&](const Vec2& p) { return p.x() - drawing.bounds.lower.x(); };
   const auto y = [&](const Vec2& p) { return drawing.bounds.upper.y() - p.y(); };
-  // Lines that go on from one another in nearly the same colour are one path.
+  // Consecutive lines of similar colour form one path.
   Vec2 end = Vec2::Constant(1e300);
   Colour colour{-1000, 0, 0};
   bool open = false;

@@ -1,4 +1,4 @@
-// The set-up sheet: one HTML file for the person at the machine.
+// The set-up sheet: one HTML file for the machine's operator.
 #include <fmt/format.h>
 
 #include <set>

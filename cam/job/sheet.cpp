@@ -14,7 +14,7 @@
 namespace fieldfab::cam {
 namespace {
 
-/// A drawing of a part that lies flat, its lower left corner at the origin.
+/// A drawing of a part that lies flat, with its lower left corner at the origin.
 Solid laid_flat(const Solid& part) {
   Eigen::Index thinnest = 0;
   part.bounds->size().minCoeff(&thinnest);
@@ -30,7 +30,8 @@ Solid laid_flat(const Solid& part) {
   turn.pretranslate(move);
   FieldPtr drawing = transform(part.field, turn);
   if (!part.flat) {
-    // The same at all heights: the slice in the middle of the upper half, far from floors of pockets, which lie at half height.
+    // Made constant along z: the slice in the middle of the upper half, away from the floors of
+    // pockets, which lie at half height.
     const auto coordinate = [](const std::string& text) { return frep::make_field(frep::parse_infix(text)); };
     drawing = map(drawing, coordinate("x"), coordinate("y"), coordinate(fmt::format("{:.9f}", 0.25 * box.size().z())));
   }
@@ -52,7 +53,7 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
     if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
       throw Error(ErrorKind::bad_input, "sheet",
                   fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
-    // Held within its own bounds: formulas may mean something elsewhere, too.
+    // Clipped to its own bounds, because a formula may define other solids elsewhere.
     const FieldPtr placed =
         translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
     all = all ? unite(all, placed) : placed;

@@ -1,7 +1,8 @@
-/// The tables of stages, one file each.
+/// The tables of stages, one per file.
 #pragma once
 
 #include "fieldfab/cam/job/stage.h"
+#include "fieldfab/core/angle.h"
 
 namespace fieldfab::cam {
 
@@ -9,7 +10,7 @@ std::vector<Stage> conversion_stages();
 std::vector<Stage> flat_stages();
 std::vector<Stage> surface_stages();
 
-/// Shorthands for tables of settings.
+/// Constructors of settings for the tables.
 inline Setting number(std::string name, std::string unit, double standard, std::string help) {
   Setting s;
   s.name = std::move(name), s.unit = std::move(unit), s.standard = standard, s.help = std::move(help);
@@ -21,7 +22,8 @@ inline Settings operator+(Settings a, const Settings& b) {
 }
 inline Setting above_zero(Setting s) { return s.lower = 0, s.lower_open = true, s; }
 inline Setting whole(Setting s) { return s.whole = true, s; }
-/// A setting that means nothing but beside another one: where that has one of these values, or any but 0 and false.
+/// A setting that is used only together with another one: if that has one of these values, by
+/// default any value except 0 and false.
 inline Setting only_with(std::string needs, Setting s, std::vector<std::string> values = {}) {
   s.needs = std::move(needs), s.needs_values = std::move(values);
   return s;
@@ -39,7 +41,7 @@ inline Setting choice(std::string name, std::vector<std::string> choices, std::s
   return s;
 }
 
-/// How an area is cleared, but for the stepover.
+/// Settings of area clearing, without the stepover.
 inline Settings clear_settings() {
   return {choice("pattern", {"rings", "adaptive"},
                  "rings along the walls, or constant engagement: never more than a straight pass has")};
@@ -49,7 +51,7 @@ inline ClearSettings clear_of(const Values& values, double stepover, const Tool&
   clear.stepover = stepover;
   clear.adaptive = values.text("pattern") == "adaptive";
   clear.helix_radius = tool.helix_radius();
-  clear.ramp_angle = values.number("ramp_angle") * 3.14159265358979323846 / 180;
+  clear.ramp_angle = to_radians(values.number("ramp_angle"));
   return clear;
 }
 }  // namespace fieldfab::cam

@@ -5,13 +5,13 @@
 #include <numbers>
 
 #include "fieldfab/cam/plan/tilt.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "stages.h"
 
 namespace fieldfab::cam {
 namespace {
 
-constexpr double degrees = std::numbers::pi / 180;
 using SurfacePtr = std::shared_ptr<const Surface>;
 
 Depths depths_of(const Values& values, const Context& context, const Surface& surface) {
@@ -86,7 +86,7 @@ FinishSettings finish_of(const Values& values, const Context& context, const Sur
   return settings;
 }
 
-/// Joins paths where the tool may go straight on from one to the next.
+/// Joins paths if the tool may move straight from one to the next.
 std::vector<Path> joined(const std::vector<Path>& paths, const std::function<bool(const Vec3&, const Vec3&)>& may_go_on) {
   std::vector<Path> out;
   for (const Path& path : paths) {
@@ -102,7 +102,7 @@ std::vector<Path> joined(const std::vector<Path>& paths, const std::function<boo
   return out;
 }
 
-/// The tool leans along with the surface, where that is asked for.
+/// Tilts the tool along the surface, if requested.
 void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Context& context) {
   if (!values.flag("lean")) return;
   const Tool& tool = context.tool;
@@ -110,8 +110,8 @@ void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Conte
     throw Error(ErrorKind::bad_input, values.place("lean"), "only a ball or a tapered ball can lean while it cuts");
   if (context.part == nullptr) throw Error(ErrorKind::bad_input, values.place("lean"), "needs a solid");
   TiltSettings settings;
-  settings.lead = values.number("lead") * degrees;
-  settings.most = values.number("most_lean") * degrees;
+  settings.lead = values.number("lead") * radians_per_degree;
+  settings.most = values.number("most_lean") * radians_per_degree;
   settings.clearance = values.number("body_clearance");
   settings.tolerance = values.number("tolerance");
   TiltReport report;
@@ -134,7 +134,7 @@ Settings lean_settings() {
           only_with("lean", above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part")))};
 }
 
-/// Whether the tool may go straight on over the surface to the next pass.
+/// Whether the tool may move straight over the surface to the next pass.
 std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest, double tolerance) {
   return [tips = std::move(tips), longest, tolerance](const Vec3& from, const Vec3& to) {
     const double length = (to - from).head<2>().norm();
@@ -148,7 +148,8 @@ std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurf
   };
 }
 
-/// Leaves out what earlier operations have finished: on other planes; and on this one, where only the rest is asked for.
+/// Removes what earlier operations have finished: on other planes, and for rest machining also on
+/// this one.
 void leave_out_reached(PlannedCuts& cuts, const Values& values, const std::shared_ptr<const TipSurface>& tips,
                        const Context& context) {
   const bool rest = values.flag("rest");
@@ -183,7 +184,7 @@ Artifact finish_stage(const Artifact& in, const Values& values, Context& context
   cuts.ordered = true;
   const auto add = [&](std::vector<Path> paths) { cuts.paths.insert(cuts.paths.end(), paths.begin(), paths.end()); };
   settings.both_ways = values.flag("both_ways");
-  settings.angle = values.number("angle") * degrees;
+  settings.angle = values.number("angle") * radians_per_degree;
   if (pattern == "spiral") {
     add(spiral(*tips, settings, context.progress));
   } else {
@@ -222,8 +223,8 @@ Artifact pencil_stage(const Artifact& in, const Values& values, Context& context
   const TipSurface tips(surface, context.tool.profile(), values.number("allowance"));
   PlannedCuts cuts;
   const double radius = context.tool.profile().radius();
-  cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10), values.number("least_angle") * degrees,
-                      context.progress);
+  cuts.paths = pencil(tips, settings, std::max(surface->samples().cell, radius / 10),
+                      values.number("least_angle") * radians_per_degree, context.progress);
   if (cuts.paths.empty())
     throw Error(ErrorKind::bad_input, "pencil", "there are no valleys that this tool touches on both sides");
   cuts.inside_first = false;

@@ -8,7 +8,7 @@
 namespace fieldfab::cam {
 namespace {
 
-/// A run of cutting moves seen from above: closed where it ends where it began.
+/// A run of cutting moves seen from above; closed if it ends at its start.
 struct Run {
   std::vector<PathPoint> points;
   bool closed = false;
@@ -33,7 +33,7 @@ std::vector<Run> runs_of(const Program& program) {
         continue;
       }
       if (run.points.empty()) run.points.push_back({move.to});
-      if ((move.to - run.points.back().at).head<2>().norm() < 1e-9) {  // straight down
+      if ((move.to - run.points.back().at).head<2>().norm() < 1e-9) {  // vertical move
         run.points.back().at = move.to;
         continue;
       }
@@ -48,7 +48,7 @@ std::vector<Run> runs_of(const Program& program) {
 }  // namespace
 
 std::string write_dxf(const Program& program) {
-  // AutoCAD R12's polylines, which every reader knows; lengths in mm.
+  // Polylines of AutoCAD R12, which every reader supports; lengths in mm.
   std::string out = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const Run& run : runs_of(program)) {
     out += fmt::format("0\nPOLYLINE\n8\n0\n66\n1\n10\n0.0\n20\n0.0\n30\n0.0\n70\n{}\n", run.closed ? 1 : 0);
@@ -71,7 +71,7 @@ std::string write_svg(const Program& program) {
   }
   if (runs.empty()) box = {Vec2::Zero(), Vec2::Ones()};
   const Vec2 size = box.size();
-  // y goes down in SVG.
+  // In SVG y points down.
   const auto x = [&](double at) { return number_text(at - box.lower.x(), 5); };
   const auto y = [&](double at) { return number_text(box.upper.y() - at, 5); };
   std::string out =

@@ -14,12 +14,12 @@ namespace {
 
 Eigen::Matrix3d turn(const RotaryAxis& axis, double angle) { return Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix(); }
 
-/// A turn about an axis through a point.
+/// Rotation about an axis through a point.
 Eigen::Isometry3d turn_about(const RotaryAxis& axis, double angle, const Vec3& point) {
   return Eigen::Translation3d(point) * Eigen::AngleAxisd(angle, axis.direction) * Eigen::Translation3d(-point);
 }
 
-/// Angles t with a cos t + b sin t = c.
+/// Solutions t of a cos t + b sin t = c.
 std::vector<double> solutions(double a, double b, double c) {
   const double length = std::hypot(a, b);
   if (length < 1e-12) return std::abs(c) < 1e-9 ? std::vector<double>{0} : std::vector<double>{};
@@ -30,9 +30,9 @@ std::vector<double> solutions(double a, double b, double c) {
 
 }  // namespace
 
-// The part of the tool's direction that the rotations make: head axes turn the tool, table axes turn the work the other way. In
-// the work's coordinates the tool points along  T1' T2' H1 H2 z, where H are head rotations and T' inverse table rotations; which
-// is a product of at most two rotations, the outer one first.
+// Direction of the tool: head axes turn the tool, table axes turn the work the opposite way. In the
+// work's coordinates the tool's direction is T1' T2' H1 H2 z, with head rotations H and inverse
+// table rotations T'. That is a product of at most two rotations, the outer one first.
 
 Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
   if (k_.kind == Kinematics::Kind::head_head) {
@@ -40,7 +40,8 @@ Vec3 PoseSolver::tool_axis(const std::array<double, 2>& angles) const {
     return turn(k_.axes[0], angles[0]) * v;
   }
   if (k_.kind == Kinematics::Kind::table_table) {
-    // The work stands on the second axis, which stands on the first: work to bed is R1 R2, so the tool in the work is R2' R1' z.
+    // The work stands on the second axis, which stands on the first. The rotation from work to bed
+    // is R1 R2, so the tool's direction in the work is R2' R1' z.
     Vec3 v = turn(k_.axes[0], -angles[0]) * Vec3::UnitZ();
     return k_.axes.size() > 1 ? Vec3(turn(k_.axes[1], -angles[1]) * v) : v;
   }
@@ -55,7 +56,7 @@ std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) cons
   if (k_.kind == Kinematics::Kind::none)
     return (axis - Vec3::UnitZ()).norm() < 1e-9 ? std::vector<std::array<double, 2>>{{0, 0}}
                                                 : std::vector<std::array<double, 2>>{};
-  // axis = Outer(p) Inner(q) z with directions o and i, signs as the kind has them.
+  // axis = Outer(p) Inner(q) z with directions o and i, and signs according to the kind.
   const bool head_outer = k_.kind == Kinematics::Kind::head_head;
   const bool single = k_.axes.size() == 1;
   const Vec3 inner = single || head_outer ? (single ? k_.axes[0].direction : k_.axes[1].direction) : k_.axes[0].direction;
@@ -70,7 +71,7 @@ std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) cons
     double p = 0;
     const Vec3 from = v - outer.dot(v) * outer, to = axis - outer.dot(axis) * outer;
     if (from.norm() > 1e-9 && to.norm() > 1e-9) p = std::atan2(outer.dot(from.cross(to)), from.dot(to));
-    if (single && std::abs(p) > 1e-9) continue;  // nothing turns about z there
+    if (single && std::abs(p) > 1e-9) continue;  // the machine has no rotation about z there
     // Signs and order of the machine's own axes.
     if (k_.kind == Kinematics::Kind::head_head)
       found.push_back(single ? std::array<double, 2>{q, 0} : std::array<double, 2>{p, q});
@@ -90,7 +91,7 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
     std::array<double, 2> turned = angles;
     bool within = true;
     for (std::size_t k = 0; k < k_.axes.size(); ++k) {
-      // The turn nearest to where the axis stands that its limits allow.
+      // The equivalent angle nearest to the axis' position within its limits.
       const double full = 2 * std::numbers::pi;
       turned[k] += full * std::round((from[k] - turned[k]) / full);
       while (turned[k] > k_.axes[k].upper + 1e-9) turned[k] -= full;
@@ -118,7 +119,7 @@ Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
   return turned;
 }
 
-/// How far a head's turns take the tip of a tool from where it is when it points straight down.
+/// Displacement of a tool's tip by a head's rotations, relative to the vertical tool.
 Vec3 PoseSolver::swing(const std::array<double, 2>& angles, double length) const {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
   const std::size_t of_head = k_.kind == Kinematics::Kind::head_head ? 2 : k_.kind == Kinematics::Kind::head_table ? 1 : 0;
@@ -128,7 +129,7 @@ Vec3 PoseSolver::swing(const std::array<double, 2>& angles, double length) const
   return turned.translation();
 }
 
-// x, y and z move the spindle; they count from where the tip is when the tool points down.
+// x, y and z move the spindle; their origin is the tip's position with a vertical tool.
 Vec3 PoseSolver::position(const Vec3& tip, const std::array<double, 2>& angles, double length) const {
   if (k_.tip_mode || !tilts()) return tip;
   return table(angles) * tip - swing(angles, length);

@@ -1,4 +1,4 @@
-/// From tool poses to axis values.
+/// Axis values from tool poses.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,27 +9,28 @@
 
 namespace fieldfab::cam {
 
-/// Where the axes stand.
+/// Position of the axes.
 struct AxisPose {
-  Vec3 position = Vec3::Zero();        ///< of x, y and z, mm
+  Vec3 position = Vec3::Zero();        ///< x, y and z, mm
   std::array<double, 2> angles{0, 0};  ///< of the rotary axes, radians
 };
 
-/// Solves for a machine's axes.
+/// Inverse kinematics of a machine.
 class PoseSolver {
  public:
   explicit PoseSolver(const Kinematics& kinematics) : k_(kinematics) {}
   [[nodiscard]] bool tilts() const { return k_.kind != Kinematics::Kind::none; }
   [[nodiscard]] const std::vector<RotaryAxis>& axes() const { return k_.axes; }
 
-  /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle), `length` mm from tip to gauge
-  /// line; of several, the one that turns least from `last`. Throws bad_input where the machine cannot point the tool that way.
+  /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle),
+  /// `length` mm from tip to gauge line. Of several solutions, the one with the least rotation from
+  /// `last`. Throws Error(bad_input) if the machine cannot reach the direction.
   [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const;
-  /// x, y and z for a tip while the rotary axes stand at these angles.
+  /// x, y and z for a tip with given angles of the rotary axes.
   [[nodiscard]] Vec3 position(const Vec3& tip, const std::array<double, 2>& angles, double length) const;
-  /// The other way round: tip and axis of a pose.
+  /// Forward kinematics: tip and axis of a pose.
   [[nodiscard]] std::pair<Vec3, Vec3> pose(const AxisPose& axes, double length) const;
-  /// From the part's coordinates at rest to where its table has turned it.
+  /// Transformation from the part's coordinates at rest to those of the rotated table.
   [[nodiscard]] Eigen::Isometry3d table(const std::array<double, 2>& angles) const;
 
  private:

@@ -1,4 +1,4 @@
-// Reading machines from their data files.
+// Reader of machines' data files.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fieldfab/cam/machine/machine.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "kinematics.h"
 #include "writers.h"
@@ -14,8 +14,9 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Fills templates. {name} stands for a value; what is in [brackets] is left out while none of its values has changed since it
-/// was last written; {name*factor:i} is a whole number, :d4 one of four digits, :u8 and :u16 are bytes, the greater one first.
+/// Expands templates. {name} is a value. Text in [brackets] is omitted unless one of its values has
+/// changed since it was written last. {name*factor:i} is an integer, :d4 has four digits, :u8 and
+/// :u16 are bytes, most significant byte first.
 class Templates {
  public:
   explicit Templates(const Machine& machine) : machine_(machine) {}
@@ -32,10 +33,10 @@ class Templates {
   [[nodiscard]] const std::string& text(const std::string& name) const { return texts_.at(name); }
 
   [[nodiscard]] bool has(const std::string& key) const { return machine_.text.contains(key); }
-  /// Forgets what was written, so that brackets are written again.
+  /// Forgets all written values, so that brackets are written again.
   void forget() { written_.clear(); }
 
-  /// The template of that name, filled; empty where the machine has none.
+  /// The expanded template of that name; empty if the machine has none.
   std::string fill(const std::string& key) {
     const auto found = machine_.text.find(key);
     if (found == machine_.text.end()) return {};
@@ -59,7 +60,8 @@ class Templates {
         out += pattern[i++];
       }
     }
-    return any_bracket && !any_written ? std::string() : out;  // nothing has changed, and all was in brackets: no move
+    // all text was in brackets and unchanged: no move
+    return any_bracket && !any_written ? std::string() : out;
   }
 
  private:
@@ -85,7 +87,7 @@ class Templates {
     return changed ? out : std::string();
   }
 
-  /// The value of the {...} that begins at `i`, which moves behind it.
+  /// The value of the {...} at `i`, which is advanced behind it.
   std::string value(const std::string& pattern, std::size_t& i, const std::string& key) {
     const std::size_t end = pattern.find('}', i);
     if (end == std::string::npos) refuse(key, "has '{' without '}'");
@@ -232,7 +234,7 @@ class TextWriter {
 
   void add(const Move& move, const Section& section) {
     if (flat() && at_known_ && (move.to - at_).head<2>().norm() < 1e-9 && move.bulge == 0)
-      return;  // up and down mean nothing there
+      return;  // vertical moves have no meaning there
     if (move.bulge != 0 && !(machine_.arcs && at_known_ && !solver_.tilts())) return add_arc_as_lines(move, section);
     const AxisPose pose = solver_.solve(move.to, move.axis, section.tool.length, last_);
     if (!move.rapid() && last_ && pose.angles != last_->angles && !machine_.kinematics.tip_mode) {
@@ -251,11 +253,12 @@ class TextWriter {
       return;  // shorter than the last decimal
     for (std::size_t k = 0; k < solver_.axes().size(); ++k) {
       const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
-      templates_.set(letter, pose.angles[k] * 180 / std::numbers::pi);
+      templates_.set(letter, to_degrees(pose.angles[k]));
     }
     if (move.rapid()) {
       stop_cutting();
-      if (templates_.has("feed")) templates_.set_text("f", "");  // said again after a rapid
+      // so that it is written again after a rapid
+      if (templates_.has("feed")) templates_.set_text("f", "");
     } else {
       double feed = move.feed / machine_.feed_unit;
       if (turned) feed *= feed_factor(move, pose);
@@ -274,7 +277,7 @@ class TextWriter {
       coordinate("i", arc.centre.x() - at_.x()), coordinate("j", arc.centre.y() - at_.y());
       coordinate("cx", arc.centre.x() + offset_.x()), coordinate("cy", arc.centre.y() + offset_.y()),
           coordinate("radius", arc.radius);
-      templates_.set("turn", -arc.turn * 180 / std::numbers::pi);
+      templates_.set("turn", -to_degrees(arc.turn));
       out_ += templates_.fill(move.bulge > 0 ? "arc_ccw" : "arc_cw");
     } else {
       out_ += templates_.fill(move.rapid() ? "rapid" : "line");
@@ -285,7 +288,7 @@ class TextWriter {
     last_ = pose;
   }
 
-  /// Whether the tip leaves the straight way while all axes go evenly from where they are to a pose.
+  /// Whether the tip leaves the straight line when all axes move linearly to a pose.
   [[nodiscard]] bool strays(const Move& move, const AxisPose& pose, const Section& section) const {
     for (const double share : {0.25, 0.5, 0.75}) {
       AxisPose between{last_->position + share * (pose.position - last_->position), last_->angles};
@@ -302,12 +305,13 @@ class TextWriter {
     add(half, section);
     add(move, section);
   }
-  /// Where a small turn of the tool is a large one of the axes (straight above a table, say): they turn while the tip stays.
+  /// Near singular poses (for example vertical above a table) a small rotation of the tool is a
+  /// large one of the axes: they turn while the tip stays in place.
   void turn_on_the_spot(const Move& move, const AxisPose& pose, const Section& section) {
     const AxisPose from = *last_;
     const double most = std::max(std::abs(pose.angles[0] - from.angles[0]), std::abs(pose.angles[1] - from.angles[1]));
     const double reach = std::max((pose.position - from.position).norm(), 1.0);
-    // As fine as chords of circles about the axes have to be.
+    // As fine as required for chords of circles about the axes.
     const int steps =
         std::max(1, static_cast<int>(
                         std::ceil(most / std::sqrt(8 * 0.002 / std::max(reach, (move.to - machine_.kinematics.centre).norm())))));
@@ -318,7 +322,8 @@ class TextWriter {
       write(move, next);
     }
   }
-  /// Controls count the feed along x, y and z of the machine; it is meant along the tip's way.
+  /// Factor for the feed: controls measure it along the machine's x, y and z, but it is specified
+  /// along the tip's path.
   [[nodiscard]] double feed_factor(const Move& move, const AxisPose& pose) const {
     const double tip = (move.to - at_).norm(), machine = (pose.position - last_->position).norm();
     if (machine_.kinematics.tip_mode || tip < 1e-6 || machine < 1e-6) return 1;
@@ -329,7 +334,7 @@ class TextWriter {
   void add_arc_as_lines(const Move& move, const Section& section) {
     if (!at_known_) throw Error(ErrorKind::internal, "program", "begins with an arc");
     const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
-    // Chords that leave the arc by no more than a hundredth of a millimetre or a tick.
+    // Chords whose sagitta is a hundredth of a millimetre or a tick at most.
     const double sag = std::max(0.005, machine_.tick / 2), step = 2 * std::sqrt(2 * sag * std::max(arc.radius, sag));
     Path piece;
     piece.points = {{at_, move.bulge}, {move.to}};
@@ -362,7 +367,7 @@ class TextWriter {
   PoseSolver solver_;
   std::string out_;
   Vec3 at_ = Vec3::Zero(), axis_ = Vec3::UnitZ();
-  Vec2 offset_ = Vec2::Zero();  // where the machine's settings want the program's zero
+  Vec2 offset_ = Vec2::Zero();  // position of the program's zero by the machine's settings
   bool at_known_ = false, started_ = false, cutting_ = false;
   Box range_;
   std::optional<AxisPose> last_;

@@ -1,4 +1,4 @@
-// Which writer belongs to which machine.
+// Selection of the writer for a machine.
 #include <fmt/format.h>
 
 #include "fieldfab/core/error.h"

@@ -1,4 +1,5 @@
-// Clearing with constant engagement: the tool is steered so that each step cuts away the same width of material.
+// Clearing with constant engagement: each step is steered so that it cuts the same width of
+// material.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,8 +17,8 @@ constexpr double pi = std::numbers::pi;
 
 Vec2 towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 
-/// What is left to be cut, as shares of the cells of a lattice: those on the edge of a cut hold a part, so that areas come out
-/// much finer than the cells are.
+/// Remaining area to cut, as covered fractions of a lattice's cells. Cells on the edge of a cut are
+/// partly covered, so that areas are much more accurate than the cell size.
 class Remains {
  public:
   Remains(const Rectangle& region, double cell, double radius)
@@ -28,13 +29,13 @@ class Remains {
   [[nodiscard]] Bitmap& cells() { return share_; }
   [[nodiscard]] const Bitmap& cells() const { return share_; }
 
-  /// Area that the tool cuts when it comes to a place from one where it has cut all it covers, mm^2.
+  /// Area that the tool cuts in a step, mm^2, if all material under it at `from` is already cut.
   [[nodiscard]] double cut_area(const Vec2& from, const Vec2& to) const {
     double sum = 0;
     each_row(to, [&](int row, double left, double right) {
       const double old = half_width(from, row), middle = column(from.x());
       if (old <= 0) return void(sum += in_row(row, left, right));
-      // What is left in the cells of an edge lies beyond it.
+      // The remaining part of a cell on an edge lies beyond the edge.
       if (left < middle - old) sum += in_row(row, left, std::min(right, std::floor(middle - old) + 1));
       if (right > middle + old) sum += in_row(row, std::max(left, std::floor(middle + old)), right);
     });
@@ -46,7 +47,7 @@ class Remains {
     return sum * share_.cell * share_.cell / full;
   }
 
-  /// The tool is at a place: nothing is left there.
+  /// Removes the area under the tool at a point.
   void cut(const Vec2& at) {
     each_row(at, [&](int row, double left, double right) {
       std::uint8_t* const cells = share_.row(row);
@@ -59,7 +60,8 @@ class Remains {
       for (int c = std::max(0, first + 1); c < std::min(last, share_.width); ++c) cells[c] = 0;
     });
   }
-  /// Along a straight way, in steps so short that no ridge to speak of is left at the sides.
+  /// Removes the area along a straight line, in steps so short that ridges at the sides are
+  /// negligible.
   void cut(const Vec2& from, const Vec2& to) {
     const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / (0.1 * radius_))));
     for (int i = 1; i <= steps; ++i) cut(Vec2(from + (to - from) * i / steps));
@@ -79,9 +81,9 @@ class Remains {
   static constexpr int full = 255;
 
  private:
-  /// x in cells: cell c reaches from c to c + 1.
+  /// x in cells: cell c is the interval [c, c + 1].
   [[nodiscard]] double column(double x) const { return (x - share_.origin.x()) / share_.cell + 0.5; }
-  /// Of the disc in a row, in cells.
+  /// Half width of the disc in a row, in cells.
   [[nodiscard]] double half_width(const Vec2& at, int row) const {
     const double up = share_.origin.y() + row * share_.cell - at.y(), squared = radius_ * radius_ - up * up;
     return squared > 0 ? std::sqrt(squared) / share_.cell : 0;
@@ -96,7 +98,7 @@ class Remains {
       if (half > 0) visit(row, x - half, x + half);
     }
   }
-  /// What a cut from one column to another takes; the same as cut() does to the cells.
+  /// Area that a cut between two columns removes, consistent with cut().
   [[nodiscard]] double in_row(int row, double left, double right) const {
     const std::uint8_t* const cells = share_.row(row);
     const int first = static_cast<int>(std::floor(left)), last = static_cast<int>(std::ceil(right)) - 1;
@@ -113,7 +115,7 @@ class Remains {
   Bitmap share_;
 };
 
-/// Clears one connected area that the tool's middle may be in.
+/// Clears one connected area of permitted tool centres.
 class Area {
  public:
   Area(const Loops& walls, double top, double bottom, const ClearSettings& settings, const CutSettings& cut, Progress& progress)
@@ -143,7 +145,7 @@ class Area {
     } else {
       at_ = starts_.front().at;
     }
-    // First with the engagement that was asked for; then what can only be cut with more.
+    // First with the requested engagement, then with more for the remaining area.
     double uncut = all;
     for (const double most : {1.1 * s_.stepover, 2 * s_.stepover, 4 * cut_.radius}) {
       limit_ = most;
@@ -161,32 +163,33 @@ class Area {
   }
 
  private:
-  /// A place where the tool has been, or can be without cutting.
+  /// A possible start of a pass: a point where the tool has been, or can be without cutting.
   struct Start {
     Vec2 at;
-    int pass = -1;       // that it was a place of; its places follow one another
-    bool done = false;   // nothing is left beside it
-    bool tried = false;  // nothing can be cut from here with the present limit
+    int pass = -1;       // pass that the point belongs to; points of a pass are consecutive
+    bool done = false;   // no material is left beside it
+    bool tried = false;  // no cut is possible from here with the present limit
   };
   struct Pass {
     std::vector<Vec2> points;
     double area = 0;
-    bool reached = false;    // there is a clear way to its start
-    std::vector<Vec2> over;  // places on that way
+    bool reached = false;    // a path without cutting leads to its start
+    std::vector<Vec2> over;  // points of that path
   };
 
   static double cell_for(const Rectangle& region, double radius) {
-    // Fine enough for areas of a step; large pockets make do with less.
+    // Fine enough for the area of one step; coarser for large pockets, to limit memory.
     const double cell = std::max(radius / 30, std::sqrt(region.size().prod() / 5e7));
     if (cell > radius / 6) throw Error(ErrorKind::too_large, "adaptive", "the area is too large for so small a tool");
     return cell;
   }
 
-  /// What the tool can reach is material, unless there is none.
+  /// Marks as material the area that the tool can cover; if `material` is given, only cells that rise
+  /// above the bottom.
   void lay_out(const Loops& walls) {
     Bitmap& cells = left_.cells();
     Bitmap free(cells.width, cells.height, cells.cell, cells.origin, 0);
-    // Even-odd, row by row.
+    // Even-odd rule, row by row.
     std::vector<std::vector<double>> crossings(static_cast<std::size_t>(cells.height));
     for (const Loop& loop : walls)
       for (std::size_t i = 0, n = loop.points.size(); i < n; ++i) {
@@ -219,7 +222,7 @@ class Area {
         if (std::uint8_t& here = cells.at(c, row); here != 0 && s_.material->highest(cells.place(c, row), 0) <= bottom_ + 1e-3)
           here = 0, air = true;
     if (!air) return;
-    // Places beside the material, where the tool can be without cutting.
+    // Points beside the material where the tool can be without cutting.
     Bitmap material = cells;
     for (std::uint8_t& v : material.values) v = v != 0 ? 1 : 0;
     const Lattice<float> away = distance_transform(material, progress_);
@@ -230,7 +233,7 @@ class Area {
           starts_.push_back({cells.place(c, row)});
   }
 
-  /// Whether the tool's middle may be here.
+  /// Whether a point is permitted for the tool's centre.
   [[nodiscard]] bool may_be(const Vec2& p) const {
     const Bitmap& cells = left_.cells();
     const Vec2 at = (p - cells.origin) / cell_;
@@ -240,7 +243,7 @@ class Area {
     return walls_->value({p.x(), p.y(), 0}) <= 0;
   }
 
-  /// Into solid material: down a helix where there is most room.
+  /// Enters solid material along a helix at the point with the most clearance.
   void enter(Path& path) {
     const Bitmap& cells = left_.cells();
     std::size_t best = 0;
@@ -252,7 +255,7 @@ class Area {
     const auto add = [&](const Vec2& p, double z, double bulge, Pace pace) {
       path.points.push_back({{p.x(), p.y(), z}, bulge, Vec3::UnitZ(), pace});
     };
-    if (!(radius > 0.05 * cut_.radius)) {  // no room: straight down
+    if (!(radius > 0.05 * cut_.radius)) {  // no clearance: straight down
       add(centre, top_, 0, Pace::enter), add(centre, bottom_, 0, Pace::cut);
       left_.cut(centre);
       starts_.push_back({centre});
@@ -273,14 +276,15 @@ class Area {
     at_ = near;
   }
 
-  /// A turn to the side where the material is; angles are bearings.
+  /// The point one step ahead, after a turn towards the material. Angles are bearings.
   [[nodiscard]] Vec2 ahead(const Vec2& from, double heading, double turn) const {
     return from + step_ * towards(heading - side_ * turn);
   }
   /// Width that a step cuts, mm.
   [[nodiscard]] double width(const Vec2& from, const Vec2& to) const { return left_.cut_area(from, to) / step_; }
 
-  /// The heading that has the material which begins beside a place on the tool's side; false where there is none.
+  /// Finds the heading such that the material beside a point lies on the tool's side. Returns false
+  /// if there is no such heading.
   bool heading_at(const Vec2& p, double& heading) const {
     constexpr int around = 72;
     const double ring = cut_.radius + 2.5 * cell_;
@@ -291,7 +295,8 @@ class Area {
       if (!solid[k]) first_free = k;
     }
     if (first_free < 0) return heading = 0, true;
-    // The longest run; it is behind the tool's side, so that turning towards it cuts more and more.
+    // The longest run of material. It begins behind the tool's side, so that the engagement grows
+    // with the turn.
     int longest = 0, end = 0;
     for (int k = 0, run = 0; k <= around; ++k) {
       const int i = (first_free + k) % around;
@@ -307,8 +312,8 @@ class Area {
     return true;
   }
 
-  /// The next step: turned so that it cuts the width asked for, and no farther than the tool's middle may go. False where there
-  /// is none.
+  /// The next step, turned so that it cuts the requested width and stays in the permitted area.
+  /// Returns false if there is no such step.
   bool steer(const Vec2& at, double heading, double& turn, double& cut) const {
     constexpr double most_in = 0.5, most_out = 0.9;
     double in = most_in, out = -most_out, width_in = -1, width_out = -1;
@@ -347,14 +352,14 @@ class Area {
     return cut <= limit_;
   }
 
-  /// Cuts on from a place until there is nothing more to cut or the limit is met.
+  /// Cuts from a point until no material is left or the limit is reached.
   Pass pass_from(const Vec2& start, double heading) {
     Pass pass;
     pass.points.push_back(start);
     Vec2 at = start;
     double turn = 0;
     int idle = 0;
-    std::size_t engaged = 0;  // points up to the last step that cut
+    std::size_t engaged = 0;  // number of points up to the last step that cut
     while (idle < 6) {
       double cut = 0;
       if (!steer(at, heading, turn, cut)) break;
@@ -362,7 +367,7 @@ class Area {
       heading -= side_ * turn;
       if (cut > 0.03 * s_.stepover) {
         idle = 0;
-        // The way here, while what the pass is going to cut is still there.
+        // The path to the start, determined before the pass removes material.
         if (engaged == 0) pass.reached = way_to(start, pass.over);
         left_.cut(to);
         pass.area += cut * step_;
@@ -378,7 +383,7 @@ class Area {
     return pass;
   }
 
-  /// From the nearest place where something can be cut; empty where there is none.
+  /// Pass from the nearest point where a cut is possible; empty if there is none.
   Pass next_pass() {
     std::vector<std::pair<double, std::size_t>> nearest;
     for (std::size_t i = 0; i < starts_.size(); ++i)
@@ -395,7 +400,7 @@ class Area {
         starts_[i].done = true;
         continue;
       }
-      // Back along the front that the earlier pass has left, so that one pass takes all of it.
+      // Back along the front of the earlier pass, so that one pass cuts all of it.
       while (i > 0 && starts_[i].pass >= 0 && starts_[i - 1].pass == starts_[i].pass && !starts_[i - 1].tried &&
              heading_at(starts_[i - 1].at, earlier))
         --i, heading = earlier;
@@ -407,7 +412,7 @@ class Area {
     return {};
   }
 
-  /// Whether the tool cuts nothing on the straight way.
+  /// Whether the tool cuts no material on a straight line.
   [[nodiscard]] bool is_clear(const Vec2& from, const Vec2& to) const {
     const double length = (to - from).norm();
     const int steps = std::max(1, static_cast<int>(std::ceil(length / (0.2 * cut_.radius))));
@@ -417,7 +422,8 @@ class Area {
     }
     return true;
   }
-  /// Places on a clear way from the end of the last pass, over one on it or straight; false where there is none.
+  /// Points of a path without cutting from the end of the last pass: straight, or by way of one of
+  /// its points. Returns false if there is none.
   bool way_to(const Vec2& to, std::vector<Vec2>& over) const {
     if (is_clear(at_, to)) return true;
     double shortest = std::numeric_limits<double>::infinity();
@@ -454,8 +460,8 @@ class Area {
     std::erase_if(starts_, [](const Start& s) { return s.done; });
   }
 
-  /// Straight over the slivers that are left between fronts that met, and by the lines and arcs that were put in the place of
-  /// steps.
+  /// Cuts the slivers that remain between fronts that have met, and those caused by the fitted
+  /// lines and arcs.
   void sweep_up(std::vector<Path>& paths) {
     left_ = all_;
     for (const Path& path : paths) {
@@ -468,7 +474,7 @@ class Area {
       for (int c = 0; c < cells.width; ++c) {
         if (cells.at(c, row) == 0) continue;
         Vec2 over = cells.place(c, row);
-        for (int i = 0; i < 4 && !may_be(over); ++i) {  // to the nearest place where the tool's middle may be
+        for (int i = 0; i < 4 && !may_be(over); ++i) {  // move to the nearest permitted centre
           const Vec3 p(over.x(), over.y(), 0), away = walls_->gradient(p);
           over -= (walls_->value(p) + 0.1 * cell_) * away.head<2>();
         }
@@ -485,15 +491,15 @@ class Area {
   const ClearSettings& s_;
   const CutSettings& cut_;
   Progress& progress_;
-  double side_;  // where the material is: 1 on the right
+  double side_;  // side of the material: 1 is right
   double step_;
   FieldPtr walls_;
   Rectangle region_;
   double cell_;
-  Remains left_, all_;    // to be cut: still, and at first
+  Remains left_, all_;    // remaining and initial material
   Lattice<float> clear_;  // distance to the walls
   std::vector<Start> starts_;
-  double limit_ = 0;  // width that a step may cut
+  double limit_ = 0;  // greatest permitted width of cut
   Vec2 at_ = Vec2::Zero();
   int passes_ = 0;
   std::vector<Vec2> last_;  // the last pass
@@ -505,7 +511,8 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
                            const CutSettings& cut, Progress& progress) {
   if (!(settings.stepover > 0) || settings.stepover > 2 * cut.radius)
     throw Error(ErrorKind::bad_input, "stepover", "must be above 0 and at most the tool's diameter");
-  // Chords of the passes and their arcs stay clear of the walls; a last pass along these takes what that leaves.
+  // Chords and fitted arcs of the passes keep a margin from the walls; the last pass along the
+  // walls removes it.
   const double inset = 2 * cut.tolerance + 0.00125 * cut.radius;
   const Loops walls = contours(free, bounds, {cell, 0, -inset}, progress), edges = contours(free, bounds, {cell}, progress);
   const std::vector<int> parents = nesting(walls);
@@ -513,7 +520,7 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
   std::vector<Path> paths, level;
   for (std::size_t pass = 0; pass < passes.size(); ++pass) {
     const double top = pass == 0 ? cut.depths.top : passes[pass - 1], bottom = passes[pass];
-    if (pass > 0 && settings.material == nullptr) {  // the same once more: passes are even
+    if (pass > 0 && settings.material == nullptr) {  // repeat: all passes are equal
       for (Path path : level) {
         for (PathPoint& p : path.points) p.at.z() += bottom - passes[0];
         path.level = static_cast<int>(pass);

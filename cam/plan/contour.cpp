@@ -17,23 +17,24 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr int block = 16;  // squares a side that are sampled one by one
-constexpr int task = 512;  // regions up to this many squares a side are one thread's work
+constexpr int block = 16;  // squares along a side that are sampled individually
+constexpr int task = 512;  // greatest number of squares along a side of one task
 
-/// Which lattice edge a contour crosses: the sample it begins at, and whether it goes along y.
+/// A lattice edge that the contour crosses: its first sample, and whether it is parallel to y.
 using Crossing = std::uint64_t;
 
-/// A piece of contour through one square, the inside on its left, from one lattice edge to another.
+/// Segment of a contour through one square, from one lattice edge to another, with the inside on
+/// its left.
 struct Piece {
   Crossing from, to;
-  std::array<float, 2> start, corner;  // corner: NaN where there is none
+  std::array<float, 2> start, corner;  // corner: NaN if there is none
 };
 
-/// The samples of the lattice over a region; the outermost ones lie beyond it.
+/// Samples of a lattice over a region; the outermost samples lie outside of the region.
 struct Squares {
   Vec2 origin;
   double cell, z;
-  int columns, rows;  // squares
+  int columns, rows;  // number of squares
   Rectangle region;
   [[nodiscard]] float x(int i) const { return static_cast<float>(origin.x() + cell * i); }
   [[nodiscard]] float y(int j) const { return static_cast<float>(origin.y() + cell * j); }
@@ -48,13 +49,13 @@ struct Part {
   int left, low, right, high;
 };
 
-/// Samples one block of squares and makes its pieces of contour.
+/// Samples one block of squares and extracts its segments.
 class Block {
  public:
   Block(const Field& field, const Squares& squares, double level, const Part& part)
       : field_(field), squares_(squares), level_(static_cast<float>(level)), part_(part), wide_(part.right - part.left + 1) {}
 
-  /// `missed`: where wanted, what the samples do not show is added.
+  /// `missed`: receives parts that the samples do not show, unless nullptr.
   void trace(std::vector<Piece>& pieces, MissedParts* missed) {
     sample();
     if (missed != nullptr) look_between_samples(field_, part_, *missed);
@@ -70,14 +71,15 @@ class Block {
  private:
   static constexpr std::size_t side = block + 1, most_crossings = 2 * side * side;
 
-  /// Adds squares where part of a contour may have been missed.
+  /// Adds squares in which part of the contour may have been missed.
   void look_between_samples(const Field& field, const Part& part, MissedParts& missed) const {
     if (part.left >= part.right || part.low >= part.high) return;
     const auto box_of = [&](double beyond) {
       return Box{{squares_.x(part.left) - beyond, squares_.y(part.low) - beyond, squares_.z},
                  {squares_.x(part.right) + beyond, squares_.y(part.high) + beyond, squares_.z}};
     };
-    // A little beyond the squares, so that what one takes for a bulge of the contour in the next is one there, too.
+    // A little larger than the squares, so that a bulge of the contour across a side is seen from
+    // both squares.
     const Box box = box_of(squares_.cell / 8);
     const Restriction here = field.restricted(box);
     if (is_clear(here, box) || is_one_curve(*here.field, box)) return;
@@ -97,7 +99,7 @@ class Block {
     if (square.valid()) look_into(*here.field, square, inside, deepest, missed);
   }
 
-  /// Whether a Field is on one side of the level all over a box, by its interval or its slopes.
+  /// Whether interval or slopes prove that a Field is on one side of the level throughout a box.
   [[nodiscard]] bool is_clear(const Restriction& here, const Box& box) const {
     if (!here.range.maybe_nan && (here.range.lower > level_ || here.range.upper < level_)) return true;
     const PlaneBounds plane = plane_bounds(*here.field, box);
@@ -105,7 +107,8 @@ class Block {
     return plane.known && (plane.lower() > level || plane.upper() < level);
   }
 
-  /// Whether the Field grows all over a box along its mean slope: then the contour there is the graph of a function.
+  /// Whether the Field is proved to increase throughout a box along its mean slope. Then the
+  /// contour there is the graph of a function.
   [[nodiscard]] static bool is_one_curve(const Field& field, const Box& box) {
     const PlaneBounds plane = plane_bounds(field, box);
     Vec3 along = plane.slope;
@@ -117,7 +120,8 @@ class Block {
     return !slope.maybe_nan && slope.lower >= 0 && slope.upper > 0;
   }
 
-  /// Looks for the other side in a square whose corners are all inside, or all outside. True where it is found.
+  /// Searches a square with four corners on one side for the other side, by subdivision. Returns
+  /// whether it is found.
   bool look_into(const Field& field, const Box& box, bool inside, int depth, MissedParts& missed) const {
     const Restriction here = field.restricted(box);
     if (is_clear(here, box)) return false;
@@ -143,7 +147,7 @@ class Block {
     return static_cast<std::size_t>(j - part_.low) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i - part_.left);
   }
 
-  /// The Field's values less the level, made positive beyond the region.
+  /// Values of the Field minus the level; positive outside of the region.
   void evaluate(std::size_t count, const float* x, const float* y, float* out) const {
     std::array<float, most_crossings> z;
     std::fill_n(z.data(), count, static_cast<float>(squares_.z));
@@ -187,7 +191,8 @@ class Block {
     e.value_inside = value_[a_in ? a : b], e.value_outside = value_[a_in ? b : a];
   }
 
-  /// Regula falsi (the Illinois way) on all crossings together; where that is slow, at a jump for instance, halving.
+  /// Regula falsi (Illinois variant) on all crossings together, with bisection if it converges
+  /// slowly, for example at a discontinuity.
   void close_in() {
     const auto near = static_cast<float>(1e-3 * squares_.cell);
     std::array<float, most_crossings> value;
@@ -220,7 +225,7 @@ class Block {
     }
   }
 
-  /// The pieces of one square (Keeter Fig. 6-8), each with the inside on its left.
+  /// Adds the segments of one square (Keeter Fig. 6-8), each with the inside on its left.
   void connect(int i, int j, std::vector<Piece>& pieces) {
     const std::size_t a = sample_index(i, j), b = sample_index(i + 1, j), c = sample_index(i, j + 1),
                       d = sample_index(i + 1, j + 1);
@@ -260,7 +265,8 @@ class Block {
       case 14: return piece(left, bottom);
       case 6:
       case 9: {
-        const bool joined = value_[a] + value_[b] + value_[c] + value_[d] < 0;  // through the middle
+        // inside corners are connected through the middle
+        const bool joined = value_[a] + value_[b] + value_[c] + value_[d] < 0;
         if (state == 6) {
           if (joined) return piece(left, bottom), piece(right, top);
           return piece(right, bottom), piece(left, top);
@@ -272,7 +278,7 @@ class Block {
     }
   }
 
-  /// Whether another piece passes through the same square.
+  /// Whether another segment passes through the same square.
   [[nodiscard]] bool two_pieces(std::size_t k, std::size_t count) const {
     const auto same = [&](std::size_t a, std::size_t b) {
       return end_slot_[a].i == end_slot_[b].i && end_slot_[a].j == end_slot_[b].j;
@@ -289,12 +295,14 @@ class Block {
     return inside == 0 || inside == 4;
   }
 
-  /// Where the tangents at both ends of a piece meet at an angle near the square, and the Field is zero there, is a corner.
+  /// Places a corner where the tangents at both ends of a segment intersect at an angle, if that is
+  /// near the square and the Field is zero there.
   void place_corners(std::span<Piece> pieces) {
     std::array<float, most_crossings> z, value, dx, dy, dz;
     std::fill_n(z.data(), count_, static_cast<float>(squares_.z));
     field_.gradients({x_.data(), y_.data(), z.data(), count_}, value.data(), {dx.data(), dy.data(), dz.data()});
-    for (std::size_t k = 0; k < count_; ++k)  // along the region's border the contour is the border
+    // along the region's border the contour is the border itself
+    for (std::size_t k = 0; k < count_; ++k)
       for (int axis = 0; axis < 2; ++axis) {
         const double at = axis == 0 ? x_[k] : y_[k], near = 2e-3 * squares_.cell;
         const double side_of = std::abs(at - squares_.region.lower[axis]) < near   ? -1
@@ -310,12 +318,13 @@ class Block {
       const auto p = static_cast<std::size_t>(end_slot_[k].from), q = static_cast<std::size_t>(end_slot_[k].to);
       const Vec2 n(dx[p], dy[p]), m(dx[q], dy[q]);
       const double lengths = n.norm() * m.norm(), sine = n.x() * m.y() - n.y() * m.x();
-      if (!(std::abs(sine) > 0.2 * lengths)) continue;  // 11 degrees; also NaN and 0
+      if (!(std::abs(sine) > 0.2 * lengths)) continue;  // sine of 11 degrees; also excludes NaN and 0
       const Vec2 a(x_[p], y_[p]), b(x_[q], y_[q]);
       const double along_n = n.dot(a), along_m = m.dot(b);
       const Vec2 corner((along_n * m.y() - along_m * n.y()) / sine, (along_m * n.x() - along_n * m.x()) / sine);
       const Vec2 low(squares_.x(end_slot_[k].i), squares_.y(end_slot_[k].j));
-      // The tip of a corner may reach into the next square between two samples, if no other piece is there.
+      // A corner's tip may lie in the adjacent square, between two samples, if that contains no
+      // other segment.
       const Vec2 beside = ((corner - low) / squares_.cell).array().floor();
       if (beside.cwiseAbs().maxCoeff() > 1) continue;
       const int i = end_slot_[k].i + static_cast<int>(beside.x()), j = end_slot_[k].j + static_cast<int>(beside.y());
@@ -348,14 +357,15 @@ class Block {
   Part part_;
   int wide_;
   std::array<float, side * side> value_;
-  std::array<std::int32_t, most_crossings> slot_;  // of the edges along x and y that begin at each sample
+  // index of the edges along x and y that start at each sample
+  std::array<std::int32_t, most_crossings> slot_;
   std::array<Ends, most_crossings> ends_;
   std::array<float, most_crossings> x_, y_;
   std::size_t count_ = 0;
   std::vector<Slots> end_slot_;
 };
 
-/// Goes down the quadtree and collects pieces.
+/// Traverses the quadtree and collects segments.
 class Descent {
  public:
   /// `missed`: see Block::trace().
@@ -378,7 +388,7 @@ class Descent {
     parallel_for(children.size(), [&](std::size_t i) { run(children[i].field, children[i].part); });
   }
 
-  /// In the same order for any number of threads.
+  /// Segments in an order that does not depend on the number of threads.
   std::vector<Piece> take() {
     std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
     return std::move(pieces_);
@@ -390,10 +400,10 @@ class Descent {
     Part part;
   };
 
-  /// The quarters that a contour may pass through.
+  /// Quarters that the contour may cross.
   std::vector<Child> split(const Field& field, const Part& part) const {
     const auto halves = [](int from, int to) {
-      // At a multiple of the block's size, so that blocks are full.
+      // Multiples of the block size, so that blocks are full.
       const int middle = from + ((to - from) / 2 + block - 1) / block * block;
       return std::array<int, 3>{from, std::min(middle, to), to};
     };
@@ -422,7 +432,8 @@ class Descent {
     return children;
   }
 
-  /// The place is that of the lowest, of the leftmost where these are alike, whatever thread comes first.
+  /// Keeps the lowest place, and the leftmost of equally low ones, independently of the order of
+  /// threads.
   void add(const MissedParts& more) {
     const auto rank = [](const MissedParts& m) { return std::tuple(m.lost == 0, !m.any(), m.place.y(), m.place.x()); };
     if (rank(more) < rank(*missed_)) missed_->place = more.place;
@@ -444,8 +455,9 @@ class Descent {
   std::vector<Piece> pieces_;
 };
 
-/// Where a Field is not sure of its sign to the last bit, neighbouring blocks may disagree about a crossing: then a piece ends
-/// where none begins. Such ends go on at the nearest such beginning.
+/// Repairs open ends. Rounding of a Field near 0 may give neighbouring blocks different signs for a
+/// crossing, so that a segment ends where none starts. Such an end is joined to the nearest
+/// unmatched start.
 template <class Find>
 void mend(std::vector<Piece>& pieces, const Find& next_of, double cell) {
   std::vector<bool> met(pieces.size(), false);
@@ -461,7 +473,7 @@ void mend(std::vector<Piece>& pieces, const Find& next_of, double cell) {
   const auto place = [&](std::size_t i) { return Vec2(pieces[i].start[0], pieces[i].start[1]); };
   for (const std::size_t end : ends) {
     std::size_t nearest = pieces.size();
-    double least = 4 * cell;  // a piece ends at most a cell's diagonal from its start
+    double least = 4 * cell;  // the end of a segment is at most a cell's diagonal from its start
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (!met[i] && (place(i) - place(end)).norm() < least) nearest = i, least = (place(i) - place(end)).norm();
     if (nearest == pieces.size()) throw Error(ErrorKind::internal, "contour", "is not closed");
@@ -470,7 +482,7 @@ void mend(std::vector<Piece>& pieces, const Find& next_of, double cell) {
   }
 }
 
-/// Follows pieces from crossing to crossing until each loop closes.
+/// Joins segments into closed loops by their crossings.
 Loops link(std::vector<Piece> pieces, double cell) {
   const auto next_of = [&](Crossing key) {
     return std::lower_bound(pieces.begin(), pieces.end(), key, [](const Piece& piece, Crossing k) { return piece.from < k; });

@@ -7,12 +7,12 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double touch = 0.01;   // mm; half of the depth that counts as a contact in a simulation
-constexpr double chord = 0.002;  // mm by which chords of arcs may be off
+constexpr double touch = 0.01;   // mm; half of the depth that a simulation reports as contact
+constexpr double chord = 0.002;  // greatest deviation of chords from arcs, mm
 
 double shank_radius(const Tool& tool) { return 0.5 * (tool.shank > 0 ? tool.shank : tool.diameter); }
 
-/// A tool as it is planned with. Shank and holder go on upwards without end.
+/// A tool with infinitely long shank and holder, as used in planning.
 struct ShortTool {
   std::vector<ToolPiece> tip;
   std::optional<ToolPiece> shank, holder;
@@ -27,14 +27,15 @@ struct ShortTool {
       if (!(from > 0) || !(radius > 0)) return std::nullopt;
       return ToolPiece{role, {{Zone::Shape::frustum, from, from + endless, radius, radius, true, true}}};
     };
-    // A shank no wider than the flutes follows them along walls; a wider one could touch between two lines of the lattice.
+    // A shank no wider than the flutes stays within their path along walls. A wider shank could
+    // touch material between two lines of the lattice.
     const double radius = shank_radius(tool), half = tool.radius();
     shank = cylinder(ToolRole::shank, flute, radius > half + touch ? radius + cell : radius - touch);
     holder = cylinder(ToolRole::holder, tool.length, std::max(radius, 0.5 * tool.holder_diameter) - touch);
   }
 };
 
-/// The ends of straight pieces of a move, at most `step` long; the move's start is not among them.
+/// End points of straight segments of a move, each at most `step` long.
 std::vector<Vec3> pieces_of(const Vec3& from, const Move& move, double step) {
   std::vector<Vec3> ends;
   Path path;
@@ -55,7 +56,7 @@ std::vector<Vec3> pieces_of(const Vec3& from, const Move& move, double step) {
   return ends;
 }
 
-/// Carries out moves of one tool on one plane.
+/// Executes moves of one tool on one plane.
 class DeepCutter {
  public:
   DeepCutter(Stock& stock, const Tool& tool, const Plane& plane)
@@ -114,7 +115,8 @@ class DeepCutter {
   void add_tip(const ToolPose& from, const ToolPose& to) {
     for (const ToolPiece& piece : tool_.tip) add(piece, from, to, true);
   }
-  /// Of a move: the tip, and where asked for what must not touch what it leaves.
+  /// Adds the strokes of a move: the cutter's, and if `ask` those of shank and holder, which must
+  /// not meet the remaining material.
   void add(const Move& from, const Move& to, bool ask) {
     Move start = from;
     for (const Vec3& end : pieces_of(from.to, to, std::numeric_limits<double>::infinity())) {
@@ -126,9 +128,10 @@ class DeepCutter {
     }
   }
 
-  /// Carries out moves up to the first one with which shank or holder meet material. Returns what each of them removes, mm^3.
+  /// Executes moves up to the first contact of shank or holder with material. Returns the volume
+  /// that each move removes, mm^3.
   std::vector<double> before_contact(const std::vector<Move>& moves, std::size_t begin, std::size_t end, Progress& progress) {
-    std::vector<std::size_t> first;  // of each move's strokes
+    std::vector<std::size_t> first;  // index of each move's first stroke
     Move at = done_.back();
     for (std::size_t k = begin; k < end; ++k) {
       first.push_back(strokes_.size());
@@ -153,7 +156,7 @@ class DeepCutter {
     if (removed.size() == end - begin) {
       stock_ = std::move(after);
     } else {
-      after = stock_;  // no bricks are shared with what was only tried
+      after = stock_;  // discards the bricks of the trial
       strokes_.resize(first[removed.size()]);
       std::erase_if(strokes_, [](const Stroke& s) { return !s.removes; });
       stock_.cut(strokes_, progress);
@@ -162,17 +165,17 @@ class DeepCutter {
     return removed;
   }
 
-  /// Whether a piece going from one place to another meets material.
+  /// Whether a piece of the tool meets material on a straight line.
   bool meets(Stock& stock, const ToolPiece& piece, const Vec3& from, const Vec3& to, Progress& progress) const {
     const Stroke stroke{&piece, pose(from), pose(to), 1, false};
     return stock.cut({&stroke, 1}, progress).front().points > 0;
   }
 
-  /// The lowest height, in quarters of a cell, at which the shank is clear all the way from one place to another.
+  /// Lowest height, in quarters of a cell, at which the shank is clear on the whole line.
   double lowest_clear(Stock& stock, const Vec3& from, const Vec3& to, Progress& progress) const {
     const double quarter = 0.25 * cell_;
     const auto height = [&](std::int64_t k) { return clear_ - static_cast<double>(k) * quarter; };
-    // Clear at `high` quarters down; not at `low`.
+    // Bisection: clear at `high` quarters below, not clear at `low`.
     std::int64_t high = 0,
                  low = std::max<std::int64_t>(1, std::llround(std::ceil((clear_ - std::min(from.z(), to.z())) / quarter)));
     while (low - high > 1) {
@@ -195,7 +198,7 @@ class DeepCutter {
     return height(high);
   }
 
-  /// Carries out a move no lower than the shank allows.
+  /// Executes a move, raised as far as the shank requires.
   void lift(const Move& move, BackedOut& report, Progress& progress) {
     Vec3 planned = done_.back().to;
     std::vector<Vec3> ends{planned};
@@ -213,7 +216,7 @@ class DeepCutter {
     };
     const Vec3 start = planned;
     for (const Vec3& end : pieces_of(start, move, step_)) {
-      // The tool may have been lifted before this piece began.
+      // The tool may have been raised before this segment started.
       const Vec3 at = ends.back();
       Vec3 to = end;
       if (tool_.shank && meets(before_ ? *before_ : stock_, *tool_.shank, at, end, progress)) {
@@ -241,13 +244,13 @@ class DeepCutter {
     removed_ += removed;
   }
 
-  /// Where the tool comes down again it enters the material.
+  /// Feed rate at a point: a lowered tool enters the material.
   [[nodiscard]] double feed_to(const Vec3& p, const Move& move) const {
     const Vec3 way = p - done_.back().to;
     return !move.rapid() && -way.z() > 0.5 * way.head<2>().norm() ? std::min(move.feed, plunge_) : move.feed;
   }
 
-  /// A pass is what lies between rapids.
+  /// Appends a move. A pass is a sequence of moves between rapids.
   void append(const Move& move, double removed) {
     if (move.rapid()) finish_pass();
     removed_ += removed;
@@ -255,13 +258,13 @@ class DeepCutter {
   }
   void finish_pass() {
     constexpr double nothing = 1e-3;  // mm^3
-    // Back to its last place in the air, so that the rapids before and after it meet up there.
+    // Back to its last point in the air, so that the rapids before and after it join there.
     if (pass_backs_out_ && removed_ < nothing)
       while (done_.size() > 1 && done_.back().to.z() < safe_) done_.pop_back();
     pass_backs_out_ = false, removed_ = 0;
   }
 
-  /// How much more the planned moves would take away.
+  /// Volume that the remaining planned moves would remove, mm^3.
   double volume_left(Progress& progress) {
     Stock planned = stock_;
     for (const auto& [from, to] : left_) add_tip(pose(from), pose(to));
@@ -275,22 +278,23 @@ class DeepCutter {
   const Plane& plane_;
   double cell_;
   ShortTool tool_;
-  double step_;          // of the pieces that are looked at one by one, mm
-  double clear_;         // height of the tip from which on the shank is above the stock
-  double holder_clear_;  // the same of the holder
+  double step_;          // length of the segments that are tested individually, mm
+  double clear_;         // least height of the tip with the shank above the stock
+  double holder_clear_;  // least height of the tip with the holder above the stock
   double plunge_ = 0;    // mm/min
   double safe_ = 0;      // height of rapids
   double removed_ = 0;   // since the last rapid, mm^3
   bool pass_backs_out_ = false;
-  /// The stock as it was when the tool was lifted, until it may come down again. What the lifted tool cuts beside the shank is
-  /// still there in it: else the tool would come down for each small step of a path.
+  /// The stock at the time when the tool was raised, until it may be lowered again. It still
+  /// contains what the raised tool cuts beside the shank; otherwise the tool would be lowered for
+  /// every small step of a path.
   std::optional<Stock> before_;
   std::vector<Move> done_;
   std::vector<Stroke> strokes_;
   struct Piece {
     Vec3 from, to;
   };
-  std::vector<Piece> left_;  // as planned, where the tool went higher
+  std::vector<Piece> left_;  // planned segments that were executed at a greater height
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Meijster's distance transform, and a lattice as a Field.
+// Distance transform by Meijster, Roerdink and Hesselink, and a lattice as a Field.
 #include "fieldfab/cam/plan/distance.h"
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr int block = 64;  // columns or rows that are one thread's work: whole cache lines
+constexpr int block = 64;  // columns or rows per task: whole cache lines
 
 std::size_t blocks(int count) { return static_cast<std::size_t>((count + block - 1) / block); }
 
-/// First pass: along each column, how many samples to the nearest solid one; `far` where there is none.
+/// First pass: number of samples to the nearest solid sample of the column; `far` if there is none.
 Lattice<std::int32_t> column_distances(const Bitmap& bitmap, std::int32_t far, Progress& progress) {
   Lattice<std::int32_t> steps(bitmap.width, bitmap.height, bitmap.cell, bitmap.origin, far);
   parallel_for(blocks(bitmap.width), [&](std::size_t b) {
@@ -35,7 +35,7 @@ Lattice<std::int32_t> column_distances(const Bitmap& bitmap, std::int32_t far, P
   return steps;
 }
 
-/// Second pass along one row: the lower envelope of the parabolas (x - i)^2 + g(i)^2.
+/// Second pass for one row: lower envelope of the parabolas (x - i)^2 + g(i)^2.
 void row_distances(const std::int32_t* g, int width, std::int32_t far, double cell, float* out, std::vector<std::int64_t>& start,
                    std::vector<int>& site) {
   const auto squared = [&](std::int64_t x, int i) { return (x - i) * (x - i) + static_cast<std::int64_t>(g[i]) * g[i]; };
@@ -47,7 +47,8 @@ void row_distances(const std::int32_t* g, int width, std::int32_t far, double ce
       --count;
     std::int64_t from = 0;
     if (count > 0) {
-      const int i = site[static_cast<std::size_t>(count) - 1];  // from where on is u nearer than i?
+      // first position at which u is nearer than i
+      const int i = site[static_cast<std::size_t>(count) - 1];
       const std::int64_t numerator = static_cast<std::int64_t>(u) * u - static_cast<std::int64_t>(i) * i +
                                      static_cast<std::int64_t>(g[u]) * g[u] - static_cast<std::int64_t>(g[i]) * g[i];
       const std::int64_t divisor = 2LL * (u - i);
@@ -94,7 +95,7 @@ Lattice<float> signed_distance(const Bitmap& bitmap, Progress& progress) {
 
 namespace {
 
-/// Bilinear interpolation, with the least and greatest sample of each tile for intervals.
+/// Bilinear interpolation of a lattice; intervals by the minimum and maximum of tiles of samples.
 class LatticeField final : public Field {
  public:
   explicit LatticeField(Lattice<float> lattice) : lattice_(std::move(lattice)) {
@@ -102,7 +103,7 @@ class LatticeField final : public Field {
     const int tiles_high = (lattice_.height + tile - 1) / tile;
     for (int v = 0; v < tiles_high; ++v)
       for (int u = 0; u < tiles_wide_; ++u)
-        // One sample more, so that a tile holds the squares that begin in it.
+        // One sample more, so that the tile covers the squares that start in it.
         tiles_.push_back(range_of(u * tile, v * tile, std::min(lattice_.width - 1, (u + 1) * tile),
                                   std::min(lattice_.height - 1, (v + 1) * tile)));
   }
@@ -155,12 +156,13 @@ class LatticeField final : public Field {
       const float* const samples = lattice_.row(j);
       for (int i = left; i <= right; ++i) {
         range.lower = std::min(range.lower, samples[i]), range.upper = std::max(range.upper, samples[i]);
-        range.maybe_nan |= !(std::abs(samples[i]) < std::numeric_limits<float>::infinity());  // inf - inf between two of them
+        // interpolation may compute inf - inf
+        range.maybe_nan |= !(std::abs(samples[i]) < std::numeric_limits<float>::infinity());
       }
     }
     return range;
   }
-  /// The square that holds the coordinate, by its lower sample; the first or last one beyond the lattice.
+  /// Index of the square that contains a coordinate, by its lower sample; clamped to the lattice.
   [[nodiscard]] int column(double x) const {
     return static_cast<int>(std::clamp(std::floor((x - lattice_.origin.x()) / lattice_.cell), 0.0, lattice_.width - 1.0));
   }

@@ -42,7 +42,7 @@ Path loop_path(const Loop& loop, double z, const CutSettings& cut, bool wall_on_
 
 namespace {
 
-/// Paths at each pass's height, one level a pass.
+/// Copies of the paths at the height of each pass, one level per pass.
 std::vector<Path> at_passes(const std::vector<Path>& once, const std::vector<double>& passes) {
   std::vector<Path> paths;
   for (std::size_t pass = 0; pass < passes.size(); ++pass)
@@ -54,7 +54,7 @@ std::vector<Path> at_passes(const std::vector<Path>& once, const std::vector<dou
   return paths;
 }
 
-/// The part of a path from one distance along it to another; a closed one goes on from its end.
+/// Part of a path between two arc lengths; a closed path wraps round.
 Path part_of(const Path& path, double from, double to) {
   Path out;
   double done = 0;
@@ -80,7 +80,7 @@ Path part_of(const Path& path, double from, double to) {
   return out;
 }
 
-/// Lifts a closed path over evenly spaced tabs: down on one side, up on the other, straight.
+/// Raises a closed path over evenly spaced tabs, with vertical steps at both ends.
 Path with_tabs(const Path& path, const Tabs& tabs, double tab_top, double tool_radius) {
   const double length = path.length(), wide = tabs.width + 2 * tool_radius;
   const int count = std::min(tabs.count, static_cast<int>(length / (2 * wide)));
@@ -101,7 +101,7 @@ Path with_tabs(const Path& path, const Tabs& tabs, double tab_top, double tool_r
     };
     add(low, z), add(high, tab_top);
   }
-  out.points.push_back(out.points.front());  // down again at the beginning
+  out.points.push_back(out.points.front());  // down again at the start
   out.level = path.level;
   return out;
 }
@@ -128,7 +128,7 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
   std::vector<Path> once;
   for (int ring = 0; count < 0 || ring < count; ++ring) {
     const double level = cut.radius + cut.allowance + ring * stepover;
-    // Until the offsets have left the bounds, where only their outermost frame is left.
+    // Until the offset has left the bounds: then only the bounds' own outline remains.
     const Loops loops = contours(*part.distance, count < 0 ? part.bounds : part.bounds.grown(level + 2 * part.cell),
                                  {part.cell, 0, level}, progress);
     const bool filled = loops.size() == 1 && loops[0].area() >= (1 - 1e-9) * part.bounds.size().prod();
@@ -150,8 +150,9 @@ std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell,
     add(ring);
     Loops next = contours(area, bounds, {cell, 0, -count * stepover}, progress);
     if (stepover > cut.radius) {
-      // Rings that lie so far apart leave slivers between them, in corners and in the middle: what is deeper than the outer one
-      // cuts and outside of what the inner one cuts. The tool goes round each of them.
+      // If the rings are more than a radius apart, slivers remain between them, in corners and in
+      // the middle: the area beyond the reach of the outer ring and outside of that of the inner
+      // ring. The tool follows their outlines.
       FieldPtr sliver = offset(area.shared_from_this(), -((count - 1) * stepover + cut.radius));
       if (!next.empty()) sliver = intersect(sliver, complement(offset(outline_field(next), cut.radius)));
       add(contours(*sliver, bounds, {cell, 0, 0.02 * cut.radius}, progress));
@@ -168,7 +169,7 @@ std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, con
 }
 
 std::vector<Vec2> too_narrow(const Outline& area, double radius, Progress& progress) {
-  // What the tool reaches is all within its radius of where its middle may be.
+  // The tool covers all points within its radius of permitted centres.
   const Loops middles = contours(*area.distance, area.bounds, {area.cell, 0, -radius}, progress);
   const FieldPtr left =
       middles.empty() ? area.distance : intersect(area.distance, complement(offset(outline_field(middles), radius)));
@@ -189,7 +190,7 @@ std::vector<Hole> holes(const Loops& loops, double tolerance) {
     const bool round = loop.points.size() >= 8 && std::all_of(loop.points.begin(), loop.points.end(), [&](const Vec2& p) {
                          return std::abs((p - centre).norm() - radius) <= tolerance;
                        });
-    // A square's corners can lie on a circle, too: its area tells.
+    // The corners of a square also lie on a circle, so the area is compared, too.
     if (round &&
         std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <= 2 * std::numbers::pi * radius * 2 * tolerance)
       found.push_back({centre, radius});
@@ -206,7 +207,7 @@ std::vector<Path> drill(const std::vector<Hole>& where, double peck, const Depth
     add(depths.top);
     for (std::size_t i = 0; i < passes.size(); ++i) {
       add(passes[i]);
-      if (i + 1 < passes.size()) add(depths.top);  // out of the hole with the chips
+      if (i + 1 < passes.size()) add(depths.top);  // retract to clear chips
     }
     paths.push_back(std::move(path));
   }

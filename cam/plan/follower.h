@@ -1,4 +1,4 @@
-/// Along the surface.
+/// Polyline of tip positions over a surface.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,13 @@
 
 namespace fieldfab::cam {
 
-/// The tip's way over the surface along a line in the plane, as a polyline that is nowhere below it by more than the tolerance.
+/// The tip's path over the surface along a line of the plane, as a polyline that is at most the
+/// tolerance below the surface.
 class Follower {
  public:
   Follower(const TipSurface& tips, double bottom, double tolerance) : tips_(tips), bottom_(bottom), tolerance_(tolerance) {}
 
-  /// Goes straight from the last point to `to`.
+  /// Moves straight from the last point to `to`.
   void go(const Vec2& to) {
     const Vec3 next = at(to);
     if (points_.empty())
@@ -22,7 +23,7 @@ class Follower {
     else
       refine(points_.back(), next, 0);
   }
-  /// The way so far; a new one begins.
+  /// Returns the polyline and starts a new one.
   std::vector<Vec3> take() { return simplified(std::exchange(points_, {}), 0.25 * tolerance_); }
 
  private:
@@ -32,13 +33,15 @@ class Follower {
     return {p.x(), p.y(), std::max(bottom_, touched.tip)};
   }
 
-  /// Halves the way until its middle lies on it, or, at a wall, until it is as short as the tolerance.
+  /// Bisects until the midpoint lies on the segment, or at a wall until the segment is as short as
+  /// the tolerance.
   void refine(const Vec3& from, const Vec3& to, int depth) {
     const double across = (to - from).head<2>().norm();
     if (depth < 24 && across > 0.5 * tolerance_) {
       const Vec3 middle = at(0.5 * (from + to).head<2>());
       const bool bent = std::abs(middle.z() - 0.5 * (from.z() + to.z())) > 0.5 * tolerance_;
-      const bool steep = std::abs(to.z() - from.z()) > 2 * across;  // perhaps a wall on one side of the middle
+      // possibly a wall on one side of the midpoint
+      const bool steep = std::abs(to.z() - from.z()) > 2 * across;
       if (bent || (steep && across > tolerance_)) {
         refine(from, middle, depth + 1);
         refine(middle, to, depth + 1);

@@ -17,7 +17,8 @@ FreeSpace::FreeSpace(FieldPtr part, const Box& bounds, Progress& progress)
   steps_.assign(index(count_ - Eigen::Vector3i::Ones()) + 1, 255);
   fill(*part_, Eigen::Vector3i::Zero(), cells_a_side);
   progress.check();
-  // Steps to the nearest such cell, neighbours across corners included: once forwards, once backwards.
+  // Chamfer distance: number of steps to the nearest such cell in the 26-neighbourhood, by a
+  // forward and a backward sweep.
   const auto relax = [&](int direction) {
     const auto first = [&](int axis) { return direction > 0 ? 0 : count_[axis] - 1; };
     const auto inside = [&](int axis, int i) { return i >= 0 && i < count_[axis]; };
@@ -25,7 +26,7 @@ FreeSpace::FreeSpace(FieldPtr part, const Box& bounds, Progress& progress)
       for (int y = first(1); inside(1, y); y += direction)
         for (int x = first(0); inside(0, x); x += direction) {
           std::uint8_t& here = steps_[index({x, y, z})];
-          for (int k = 0; k < 13; ++k) {  // the neighbours that were visited before
+          for (int k = 0; k < 13; ++k) {  // the neighbours visited earlier
             const int dx = k % 3 - 1, dy = k / 3 % 3 - 1, dz = k / 9 - 1;
             const Eigen::Vector3i at(x + direction * dx, y + direction * dy, z + direction * dz);
             if (inside(0, at.x()) && inside(1, at.y()) && inside(2, at.z()))
@@ -37,7 +38,7 @@ FreeSpace::FreeSpace(FieldPtr part, const Box& bounds, Progress& progress)
   relax(1), relax(-1);
 }
 
-/// Marks the cells of a cube that may hold some of the part.
+/// Marks the cells of a cube that may contain part of the solid.
 void FreeSpace::fill(const Field& part, const Eigen::Vector3i& from, int size) {
   if ((from.array() >= count_.array()).any()) return;
   const Box box{bounds_.lower + cell_ * from.cast<double>(),
@@ -55,7 +56,7 @@ void FreeSpace::fill(const Field& part, const Eigen::Vector3i& from, int size) {
     fill(*inside.field, from + size / 2 * Eigen::Vector3i(child & 1, child >> 1 & 1, child >> 2), size / 2);
 }
 
-/// Radius of a ball about a place that is surely clear, mm; 0 where nothing is known.
+/// Radius of a ball about a point that is proved to be clear, mm; 0 if unknown.
 double FreeSpace::room(const Vec3& p) const {
   const Vec3 nearest = p.cwiseMax(bounds_.lower).cwiseMin(bounds_.upper);
   const double outside = (p - nearest).norm();
@@ -73,7 +74,7 @@ bool FreeSpace::clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, d
   const Vec3 side = axis.unitOrthogonal(), other = axis.cross(side);
   const double widest = std::max(piece.radius_from, piece.radius_to);
   struct Block {
-    Vec3 lower, upper;  // across, across, along the axis
+    Vec3 lower, upper;  // two directions across the axis, then along it
   };
   std::vector<Block> open{{{-widest, -widest, piece.from}, {widest, widest, piece.to}}};
   int looked_at = 0;
@@ -81,7 +82,7 @@ bool FreeSpace::clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, d
     const Block block = open.back();
     open.pop_back();
     const Vec3 size = block.upper - block.lower, middle = 0.5 * (block.lower + block.upper);
-    // Beside the tool?
+    // Point of the block nearest to the tool's axis, across the axis.
     const Eigen::Vector2d nearest(std::max({block.lower.x(), -block.upper.x(), 0.0}),
                                   std::max({block.lower.y(), -block.upper.y(), 0.0}));
     const auto radius = [&](double along) {
@@ -105,7 +106,7 @@ bool FreeSpace::clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, d
     size.maxCoeff(&longest);
     Block low = block, high = block;
     low.upper[longest] = high.lower[longest] = middle[longest];
-    // The half nearer to the part first: it is the one that may settle the question.
+    // The half nearer to the part first, because it more often decides the test.
     const auto centre = [&](const Block& b) {
       const Vec3 m = 0.5 * (b.lower + b.upper);
       return Vec3(tip + m.x() * side + m.y() * other + m.z() * axis);

@@ -10,10 +10,10 @@ namespace {
 
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
-/// NaN is outside, as 0 is.
+/// Whether no point of the interval is inside; NaN and 0 are outside.
 bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 
-/// Samples of a lattice from (left, low) to (right, high), both included.
+/// Samples (left, low) to (right, high) of a lattice, inclusive.
 struct Samples {
   const HeightMap& heights;
   int left, low, right, high;
@@ -27,7 +27,7 @@ struct Samples {
     return {least, most};
   }
 
-  /// Whether the solid lies below a plane that is nowhere more than `slack` above the samples.
+  /// Whether the solid lies below a plane that rises at most `slack` above the samples.
   [[nodiscard]] bool under_plane(const PlaneBounds& plane, double slack) const {
     if (!(plane.slope.z() > 0)) return false;
     for (int row = low; row <= high; ++row)

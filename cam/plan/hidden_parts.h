@@ -1,4 +1,4 @@
-/// Parts of a solid that a lattice of heights does not show: ribs and pins between its samples.
+/// Parts of a solid between the samples of a height lattice: ribs and pins.
 #pragma once
 
 #include <functional>
@@ -8,34 +8,36 @@
 
 namespace fieldfab::cam {
 
-/// A square of a lattice, by its lower left sample, above whose samples something of the solid may stand.
+/// A square of a lattice, by its lower left sample, in which the solid may rise above the samples.
 struct SuspectSquare {
   int column, row;
-  FieldPtr field;  ///< good over the square, within the bounds from its lowest sample on
-  bool slopes;     ///< whether it tells its slopes: then what stands there is found, however thin
+  FieldPtr field;  ///< valid over the square, within the bounds, from its lowest sample upwards
+  bool slopes;     ///< whether it has slopes: then all parts are found, however thin
 };
 
-/// Searches for what stands between the samples of a lattice, from the heights sampled up to the top of a box.
+/// Searches for parts between the samples of a lattice, from the sampled heights to the top of a
+/// box.
 class HiddenParts {
  public:
-  /// Of the solid only what is in `bounds` counts. `slack`: how far, in mm, the solid may rise above the plane of the samples
-  /// nearby. Where the Field does not tell its slopes, only what rises `coarse_slack` mm above the highest sample of its square
-  /// is found.
+  /// Only the part of the solid in `bounds` counts. `slack`: height by which the solid may rise
+  /// above the plane of nearby samples, mm. For a Field without slopes, only parts that rise more
+  /// than `coarse_slack` mm above the highest sample of their square are found.
   HiddenParts(const Box& bounds, double slack, double coarse_slack)
       : bounds_(bounds), slack_(slack), coarse_slack_(coarse_slack) {}
 
-  /// Calls visit() for each square of those from sample (left, low) to (right, high) where neither an interval nor the planes of
-  /// plane_bounds() prove that the samples show all there is.
+  /// Calls visit() for each square between the samples (left, low) and (right, high) for which
+  /// neither an interval nor plane_bounds() proves that the samples represent the solid.
   void search(const Field& field, const HeightMap& heights, int left, int low, int right, int high,
               const std::function<void(const SuspectSquare&)>& visit) const;
 
-  /// What of the bounds is over the samples from (left, low) to (right, high), from z on; not valid() where there is nothing.
+  /// Part of the bounds over the samples (left, low) to (right, high), from their lowest height
+  /// upwards; not valid() if empty.
   [[nodiscard]] Box above(const HeightMap& heights, int left, int low, int right, int high, double z) const;
 
-  /// How high the solid reaches in a box.
+  /// Greatest height of the solid in a box.
   struct Top {
-    double z;   ///< nothing of it is higher; minus infinity where it is not in the box
-    bool sure;  ///< whether it is proved to be there
+    double z;   ///< upper bound; minus infinity if the box contains no part of the solid
+    bool sure;  ///< whether a part of the solid there is proved
   };
   [[nodiscard]] static Top highest(const Field& field, const Box& box);
 

@@ -1,4 +1,4 @@
-// Paths become moves: rapids, entries, cuts; and how long they take.
+// Conversion of paths to moves (rapids, entries, cuts), and machining time.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -56,7 +56,7 @@ class Linker {
     if (bulge == 0 && moves_.back().axis == axis_ && (moves_.back().to - to).norm() < 1e-9) return;
     moves_.push_back({to, feed, bulge, axis_});
   }
-  /// Along the tool's axis to the clearance.
+  /// The point along the tool's axis at the clearance height.
   [[nodiscard]] Vec3 up_from(const Vec3& p, double z) const {
     return axis_ == Vec3::UnitZ() ? Vec3(p.x(), p.y(), z) : Vec3(p + axis_ * (z - p.z()) / axis_.z());
   }
@@ -78,13 +78,14 @@ class Linker {
     cut(start, s_.plunge);
   }
 
-  /// Down a helix beside `start`, where there is room for its circle and straight from there to the start; false where there is
-  /// none.
+  /// Enters along a helix beside `start`, if its circle and the line from there to the start are
+  /// clear. Returns false otherwise.
   bool wind_down(const Vec3& start, double from) {
     const double radius = s_.helix_radius;
     if (!(radius > 0) || !s_.may_stay_down) return false;
     constexpr int sides = 8, chords = 16;
-    for (const double distance : {1.0, 1.5, 2.2})  // of the circle's middle, in radii: a corner has room farther off only
+    // distance of the circle's centre in radii: in a corner only greater distances are clear
+    for (const double distance : {1.0, 1.5, 2.2})
       for (int side = 0; side < sides; ++side) {
         const double towards = 2 * std::numbers::pi * side / sides;
         const Vec3 out(std::cos(towards), std::sin(towards), 0), centre = start + distance * radius * out,
@@ -102,7 +103,8 @@ class Linker {
       }
     return false;
   }
-  /// Half circles between two places across from each other, each as much lower as the slope allows, down to the first one.
+  /// Half circles between two opposite points, descending within the permitted slope, ending at the
+  /// first point.
   void wind_down(const Vec3& near, const Vec3& across, double from, double radius) {
     const double round = std::tan(s_.ramp_angle) * 2 * std::numbers::pi * radius;
     const int halves = 2 * std::max(1, static_cast<int>(std::ceil((from - near.z()) / round)));
@@ -113,10 +115,10 @@ class Linker {
     }
   }
 
-  /// Down along the path itself, round and round.
+  /// Descends along the path itself, in several rounds.
   void descend(const Path& path, double from) {
     const double slope = std::tan(s_.ramp_angle), bottom = path.points.front().at.z(), length = path.length();
-    // Whole rounds, so that the cut begins where the path does.
+    // Whole rounds, so that the cut starts at the path's start.
     const int rounds = std::max(1, static_cast<int>(std::ceil((from - bottom) / slope / length)));
     double done = 0;
     const std::size_t n = path.points.size();
@@ -142,7 +144,7 @@ class Linker {
 
   const LinkSettings& s_;
   std::vector<Move> moves_;
-  Vec3 axis_ = Vec3::UnitZ();  // of the tool where it goes next
+  Vec3 axis_ = Vec3::UnitZ();  // axis of the tool at its next position
 };
 
 }  // namespace
@@ -155,7 +157,7 @@ std::vector<Move> link(const std::vector<Path>& paths, const LinkSettings& setti
 
 namespace {
 
-/// Direction at the start (share 0) or the end (share 1) of a move.
+/// Direction of a move at its start (share 0) or end (share 1).
 Vec3 direction(const Vec3& from, const Move& m, double share) {
   Vec3 chord = m.to - from;
   if (m.bulge != 0) {
@@ -179,7 +181,8 @@ Lengths lengths(const std::vector<Move>& moves) {
 double duration(const std::vector<Move>& moves, const Dynamics& d) {
   const std::size_t n = moves.size();
   if (n < 2) return 0;
-  // The speed at each joint: what the corner allows, then what can be braked to (backwards) and reached (forwards).
+  // Speed at each joint: the corner's limit, then limits by braking (backward pass) and by
+  // acceleration (forward pass).
   std::vector<double> limit(n, 0.0), length(n, 0.0), speed(n, 0.0);
   for (std::size_t i = 1; i < n; ++i) {
     length[i] = length_between(moves[i - 1].to, moves[i].to, moves[i].bulge);
@@ -188,7 +191,7 @@ double duration(const std::vector<Move>& moves, const Dynamics& d) {
   for (std::size_t i = 1; i + 1 < n; ++i) {
     const double cosine =
         std::clamp(direction(moves[i - 1].to, moves[i], 1).dot(direction(moves[i].to, moves[i + 1], 0)), -1.0, 1.0);
-    // A circle that cuts the corner by d.corner, at the acceleration there is.
+    // A circle that cuts the corner by d.corner, at the available acceleration.
     const double half = std::sqrt((1 + cosine) / 2), radius = half < 1 - 1e-12 ? d.corner * half / (1 - half) : 1e12;
     limit[i] = std::min({speed[i], speed[i + 1], std::sqrt(d.acceleration * radius)});
   }

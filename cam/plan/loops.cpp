@@ -1,4 +1,4 @@
-// Closed curves: area, enclosure, nesting.
+// Closed curves: area, containment, nesting.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,7 +10,7 @@ namespace fieldfab::cam {
 double Loop::area() const {
   double twice = 0;
   for (std::size_t i = 0, last = points.size() - 1; i < points.size(); last = i++) {
-    // From the first point, so that a loop far from the origin loses no digits.
+    // Relative to the first point, so that a loop far from the origin keeps its precision.
     const Vec2 a = points[last] - points[0], b = points[i] - points[0];
     twice += a.x() * b.y() - a.y() * b.x();
   }
@@ -41,7 +41,7 @@ bool Loop::encloses(const Vec2& p) const {
 
 namespace {
 
-/// The edges of all loops, in strips along x.
+/// Edges of all loops, sorted into strips along x.
 class Strips {
  public:
   struct Edge {
@@ -67,7 +67,7 @@ class Strips {
       }
   }
 
-  /// The first edge of another loop that one meets going from `p` towards smaller x.
+  /// First edge of another loop on the ray from `p` towards smaller x.
   [[nodiscard]] const Edge* left_of(const Vec2& p, std::size_t own) const {
     const Edge* nearest = nullptr;
     double best = -1e300;
@@ -98,8 +98,8 @@ std::vector<int> nesting(const Loops& loops) {
   std::vector<bool> anticlockwise;
   for (std::size_t i = 0; i < loops.size(); ++i) start.push_back(leftmost(i)), anticlockwise.push_back(loops[i].area() > 0);
 
-  // From left to right: the loop met first on the way to the left either encloses this one, or is a sibling that is placed
-  // already.
+  // Loops from left to right: the first loop on the ray to the left either contains this loop, or
+  // is a sibling with a known parent.
   std::vector<std::size_t> order(loops.size());
   std::iota(order.begin(), order.end(), 0U);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return start[a].x() < start[b].x(); });

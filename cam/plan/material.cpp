@@ -14,7 +14,8 @@ Material::Material(const Rectangle& block, double top, double cell) {
 
 void Material::cut(const std::vector<Move>& moves, const Profile& profile) {
   const double cell = heights_.cell, radius = profile.radius();
-  // The cutter's heights by whole cells, taken at the far corner of each cell so that not too much is taken away.
+  // Heights of the cutter per cell, taken at the far corner of each cell so that material is not
+  // removed in excess.
   const int reach = static_cast<int>(radius / cell);
   std::vector<float> shape;
   for (int v = -reach; v <= reach; ++v)
@@ -83,7 +84,7 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
       out.push_back(path);
       continue;
     }
-    // Runs that meet material, begun one step before and ended one after it; a closed path is begun in the air.
+    // Runs that meet material, extended by one step at both ends. A closed path starts in the air.
     const std::size_t n = points.size() - (path.closed ? 1 : 0);
     std::size_t first = 0;
     if (path.closed) first = static_cast<std::size_t>(std::find(meets.begin(), meets.end(), false) - meets.begin());

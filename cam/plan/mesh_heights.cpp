@@ -13,7 +13,7 @@ namespace {
 struct Range {
   int first, last;
 };
-/// Which of `count` places at distances of `step` from `origin` lie from `low` to `high`.
+/// Range of the `count` positions origin + i * step within [low, high].
 Range places(double low, double high, double origin, double step, int count) {
   return {std::max(0, static_cast<int>(std::ceil((low - origin) / step - 1e-9))),
           std::min(count - 1, static_cast<int>(std::floor((high - origin) / step + 1e-9)))};
@@ -51,7 +51,7 @@ std::unique_ptr<MeshHeights> MeshHeights::of(const Field& field, const Rectangle
   made->bins_ = Lattice<std::uint32_t>(std::min(4096, static_cast<int>(area.size().x() / cell) + 1),
                                        std::min(4096, static_cast<int>(area.size().y() / cell) + 1), 0, area.lower, 0);
   made->bins_.cell = std::max(area.size().x() / made->bins_.width, area.size().y() / made->bins_.height);
-  // Counted, then filled in.
+  // Counting sort.
   made->starts_.assign(made->bins_.values.size() + 1, 0);
   for (int round = 0; round < 2; ++round) {
     for (std::size_t k = 0; k < made->triangles_.size(); ++k) {
@@ -78,7 +78,7 @@ double MeshHeights::highest(const Rectangle& square) const {
     for (std::uint32_t m = starts_[bin]; m < starts_[bin + 1]; ++m) {
       const Triangle& t = triangles_[members_[m]];
       if (std::max({t[0].z(), t[1].z(), t[2].z()}) <= highest) continue;
-      // The triangle cut by the square's sides: its corners tell.
+      // The triangle clipped to the square: the extremum is at a corner.
       std::vector<Vec3> corners(t.begin(), t.end());
       for (int side = 0; side < 4 && !corners.empty(); ++side) {
         const int axis = side / 2;
@@ -104,18 +104,19 @@ std::vector<float> MeshHeights::heights(const Rectangle& area, int wide, int hig
   each_bin(area, [&](std::size_t bin) {
     for (std::uint32_t m = starts_[bin]; m < starts_[bin + 1]; ++m) {
       const Triangle& t = triangles_[members_[m]];
-      // The plane through it, and on which side of its edges places lie.
+      // Plane of the triangle, and the signs of its edge functions.
       const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
       const double turn = normal.z() > 0 ? 1 : -1;
       const auto [lowest, highest] = std::minmax({t[0].y(), t[1].y(), t[2].y()});
       const Range rows = places(lowest, highest, area.lower.y(), step.y(), high);
       for (int row = rows.first; row <= rows.last; ++row) {
-        // Where the row runs through the triangle.
+        // Interval of the row inside of the triangle.
         const double y = area.lower.y() + row * step.y();
         double from = -1e300, to = 1e300;
         for (int e = 0; e < 3; ++e) {
           const Vec3 &a = t[static_cast<std::size_t>(e)], &b = t[static_cast<std::size_t>((e + 1) % 3)];
-          // turn * ((b - a) x (p - a)) >= 0, with a little more so that nothing falls between two triangles.
+          // turn * ((b - a) x (p - a)) >= 0, with a tolerance so that no sample is lost between two
+          // triangles.
           const double slope = -turn * (b.y() - a.y()), value = turn * ((b.x() - a.x()) * (y - a.y()) + (b.y() - a.y()) * a.x());
           const double slack = 1e-9 * (std::abs(b.x() - a.x()) + std::abs(b.y() - a.y()));
           if (slope > 0)

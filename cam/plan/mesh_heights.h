@@ -1,4 +1,4 @@
-/// The upper surface of a mesh, straight from its triangles.
+/// The upper surface of a mesh, computed directly from its triangles.
 #pragma once
 
 #include <array>
@@ -12,13 +12,15 @@ namespace fieldfab::cam {
 
 class MeshHeights {
  public:
-  /// For a Field that is a closed mesh, moved, turned or scaled or not; nullptr for any other.
+  /// Heights of a Field that is a closed mesh, possibly moved, rotated or scaled; nullptr for any
+  /// other Field.
   static std::unique_ptr<MeshHeights> of(const Field& field, const Rectangle& area);
 
-  /// Heights at `wide` x `high` places from corner to corner of a rectangle inside the area; `low` where there is nothing higher.
+  /// Heights at `wide` x `high` points of a rectangle inside the area, corners included; at least
+  /// `low`.
   [[nodiscard]] std::vector<float> heights(const Rectangle& area, int wide, int high, double low) const;
 
-  /// The highest z of the surface over a square; minus infinity where there is nothing.
+  /// Greatest z of the surface over a square; minus infinity if there is none.
   [[nodiscard]] double highest(const Rectangle& square) const;
 
  private:
@@ -26,9 +28,10 @@ class MeshHeights {
   template <class Visit>
   void each_bin(const Rectangle& box, const Visit& visit) const;
 
-  std::vector<Triangle> triangles_;              // those that are not upright
-  Lattice<std::uint32_t> bins_;                  // squares of the plane
-  std::vector<std::uint32_t> starts_, members_;  // triangles by bin, from starts_[bin] to starts_[bin + 1]
+  std::vector<Triangle> triangles_;  // those that are not vertical
+  Lattice<std::uint32_t> bins_;      // squares of the plane
+  // triangles by bin, from starts_[bin] to starts_[bin + 1]
+  std::vector<std::uint32_t> starts_, members_;
 };
 
 }  // namespace fieldfab::cam

@@ -1,4 +1,5 @@
-// Ordering: greedy with a grid, then Or-opt and 2-opt, all under "inside before outside".
+// Ordering: nearest neighbour with a grid, then Or-opt and 2-opt, with inner paths before outer
+// ones as a constraint.
 #include "fieldfab/cam/plan/order.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace {
 
 Vec2 flat(const PathPoint& p) { return p.at.head<2>(); }
 
-/// Which paths enclose which: of closed ones by nesting, of open ones by their first vertex.
+/// Index of the enclosing path of each path: closed paths by nesting, open paths by their first
+/// vertex.
 std::vector<int> enclosing(const std::vector<Path>& paths) {
   Loops loops;
   for (const Path& path : paths) {
@@ -19,7 +21,7 @@ std::vector<int> enclosing(const std::vector<Path>& paths) {
     if (path.closed)
       for (const PathPoint& p : points_along(path, 1.0)) loop.points.push_back(flat(p));
     if (loop.points.size() < 4) {
-      // An open path: a speck at its start, which encloses nothing.
+      // An open path is represented by a tiny loop at its start, which encloses no other path.
       const Vec2 at = path.points.empty() ? Vec2(0, 0) : flat(path.points.front());
       const double speck = 1e-7 * (1 + at.norm());
       loop.points = {at, at + Vec2(speck, 0), at + Vec2(0, speck)};
@@ -29,7 +31,7 @@ std::vector<int> enclosing(const std::vector<Path>& paths) {
   return nesting(loops);
 }
 
-/// Places to begin a path at, in squares of a grid; paths can be taken out.
+/// Possible starts of paths, in squares of a grid; paths can be removed.
 class Starts {
  public:
   struct Start {
@@ -48,7 +50,8 @@ class Starts {
       };
       if (points.empty()) continue;
       if (paths[i].closed && settings.free_starts) {
-        constexpr std::size_t most = 64;  // a long path offers some of its vertices; the best of all is looked for afterwards
+        // a long path offers only some of its vertices; choose_starts() refines the choice
+        constexpr std::size_t most = 64;
         for (std::size_t k = 0; k < points.size(); k += 1 + points.size() / most) add(k);
       } else {
         add(0);
@@ -65,7 +68,7 @@ class Starts {
     for (const Start& s : all) squares_[square_of(s.at)].push_back(s);
   }
 
-  /// The nearest start of a path that `open` allows; nullptr where there is none.
+  /// Nearest start of a path for which `open` returns true; nullptr if there is none.
   template <class Open>
   const Start* nearest(const Vec2& p, const std::vector<bool>& gone, const Open& open) {
     const Start* best = nullptr;
@@ -138,7 +141,7 @@ class Level {
 
  private:
   void choose_greedily() {
-    std::vector<int> waiting(paths_.size(), 0);  // how many of the paths directly inside are still to be cut
+    std::vector<int> waiting(paths_.size(), 0);  // number of uncut paths directly inside of each path
     for (const int p : parent_)
       if (p >= 0) ++waiting[static_cast<std::size_t>(p)];
     std::vector<bool> gone(paths_.size(), false);
@@ -166,7 +169,8 @@ class Level {
              static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) - path.points.begin()));
   }
 
-  /// By numbers from a walk through the tree: what is inside is numbered between a path's first and its last.
+  /// Containment by preorder numbers of the tree: an inner path is numbered between the first and
+  /// last number of an outer one.
   [[nodiscard]] bool encloses(std::size_t outer, std::size_t inner) const {
     return first_[outer] < first_[inner] && first_[inner] <= last_[outer];
   }
@@ -190,7 +194,7 @@ class Level {
       waiting.insert(waiting.end(), children[i].begin(), children[i].end());
     }
   }
-  /// Whether one of them must come before the other.
+  /// Whether one of two paths must precede the other.
   [[nodiscard]] bool related(std::size_t a, std::size_t b) const {
     return !alone_[a] && !alone_[b] && (encloses(a, b) || encloses(b, a));
   }
@@ -202,7 +206,8 @@ class Level {
     if (place < sequence_.size()) look_[sequence_[place]] = true;
   }
 
-  /// Moves single paths to better places and turns runs round, until nothing helps; looks `reach` places far.
+  /// Moves single paths and reverses runs until there is no improvement. `reach`: greatest distance
+  /// in the sequence.
   void improve() {
     const std::size_t n = paths_.size();
     start_.resize(n), end_.resize(n);
@@ -229,7 +234,7 @@ class Level {
     }
   }
 
-  /// Or-opt: takes the path at `i` out and puts it in where the way gets shortest.
+  /// Or-opt: moves the path at `i` to the position with the shortest travel.
   bool move_one(std::size_t i, std::size_t reach) {
     const std::size_t n = sequence_.size(), moved = sequence_[i];
     const Vec2 &before = end_before(i), start = start_[moved], end = end_[moved];
@@ -238,7 +243,7 @@ class Level {
     if (gain_out < 1e-6) return false;
     double best = 1e-6;
     std::ptrdiff_t target = -1;
-    // Between a place that ends at `from` and the next one.
+    // Gain of a position between the end point `from` and the next path.
     const auto gain_between = [&](const Vec2& from, std::size_t next) {
       const double in = (start - from).norm();
       return next >= n ? gain_out - in : gain_out - in - (start_at(next) - end).norm() + (start_at(next) - from).norm();
@@ -260,12 +265,12 @@ class Level {
     return true;
   }
 
-  /// 2-opt: cuts the paths from `i` to some later one in the other order.
+  /// 2-opt: reverses the sequence from path `i` to a later one.
   bool turn_run(std::size_t i, std::size_t reach) {
     const std::size_t n = sequence_.size();
     const Vec2& before = end_before(i);
     const double in = (start_at(i) - before).norm();
-    double kept = 0, turned = 0;  // the way within the run, one way and the other
+    double kept = 0, turned = 0;  // travel within the run in both orders
     bool all_alone = alone_[sequence_[i]];
     for (std::size_t j = i + 1; j < std::min(n, i + reach); ++j) {
       if (!settings_.may_reverse && !(paths_[sequence_[j - 1]].closed && paths_[sequence_[j]].closed)) return false;
@@ -292,7 +297,7 @@ class Level {
     return false;
   }
 
-  /// Where closed paths best begin, given what comes before and after.
+  /// Chooses the start vertices of closed paths, given their predecessors and successors.
   bool choose_starts() {
     if (!settings_.free_starts) return false;
     bool changed = false;
@@ -324,7 +329,7 @@ class Level {
   std::vector<std::size_t> sequence_;
   std::vector<Vec2> start_, end_;  // of each path
   std::vector<std::size_t> first_, last_;
-  std::vector<bool> alone_, look_;  // nothing encloses it or lies in it; whether moving it may help
+  std::vector<bool> alone_, look_;  // unrelated to all other paths; a move of it may be an improvement
 };
 
 }  // namespace

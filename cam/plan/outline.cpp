@@ -1,4 +1,4 @@
-// Signed distance to closed curves: a tree of boxes over their edges.
+// Signed distance to closed curves, by a bounding box tree of their edges.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -22,7 +22,7 @@ class OutlineField final : public Field {
     if (edges_.empty()) return;
     grow(0, count);
 
-    // Growing has changed the edges' places; until now `before` has told which one each of them is.
+    // grow() has reordered the edges; `before` still contains the original indices.
     std::vector<std::uint32_t> place(count);
     for (std::uint32_t i = 0; i < count; ++i) place[edges_[i].before] = i;
     std::size_t first = 0;
@@ -52,7 +52,7 @@ class OutlineField final : public Field {
       out[i] = static_cast<float>(nearest.distance);
       const Vec2 away = p - nearest.place;
       const double length = away.norm();
-      // On the curve itself the direction is the edge's.
+      // On the curve itself the gradient is the edge's normal.
       const Vec2 slope =
           length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance)) : normal_of(nearest.edge);
       slopes.dx[i] = static_cast<float>(slope.x()), slopes.dy[i] = static_cast<float>(slope.y()), slopes.dz[i] = 0;
@@ -68,8 +68,8 @@ class OutlineField final : public Field {
  private:
   struct Edge {
     Vec2 from, to;
-    std::uint32_t before, after;  // its neighbours along the loop
-    /// To the right, away from the solid.
+    std::uint32_t before, after;  // neighbours along the loop
+    /// Unit normal to the right, away from the solid.
     [[nodiscard]] Vec2 normal() const {
       const Vec2 along = (to - from).normalized();
       return {along.y(), -along.x()};
@@ -78,7 +78,9 @@ class OutlineField final : public Field {
   struct Node {
     Rectangle box;
     std::uint32_t first,
-        count;  // edges; count is 0 for a branch, whose second child is at `first`, the first one right behind it
+        // number of edges; 0 for a branch, whose first child follows it and whose second child is
+        // at `first`
+        count;
   };
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
@@ -86,7 +88,7 @@ class OutlineField final : public Field {
     Vec2 place = Vec2::Zero();
   };
 
-  /// Appends the node of edges [first, last), which it puts in order, and those below it.
+  /// Appends the subtree of the edges [first, last), which it partitions.
   void grow(std::size_t first, std::size_t last) {
     const std::size_t here = nodes_.size();
     Rectangle box = Rectangle::nothing();
@@ -115,7 +117,7 @@ class OutlineField final : public Field {
   }
   [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const { return edges_.empty() ? Vec2::Zero() : edges_[edge].normal(); }
 
-  /// The nearest place on the curves; `guess` is an edge that may be near.
+  /// Nearest point of the curves. `guess`: an edge that may be near.
   [[nodiscard]] Nearest find(const Vec2& p, std::uint32_t guess) const noexcept {
     Nearest nearest;
     if (edges_.empty()) return nearest;
@@ -126,7 +128,7 @@ class OutlineField final : public Field {
       std::uint32_t node;
       double squared;
     };
-    std::array<Waiting, 64> waiting;  // deep enough for 2^60 edges: each level leaves one
+    std::array<Waiting, 64> waiting;  // sufficient for 2^60 edges: each level adds one entry
     std::size_t count = 0;
     waiting[count++] = {0, squared_distance(nodes_[0].box, p)};
     while (count > 0) {
@@ -144,7 +146,8 @@ class OutlineField final : public Field {
       for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
         const Vec2 place = closest_on(edges_[i], p);
         const double squared = (p - place).squaredNorm();
-        // Of equally near ones always the same, whatever the guess: where curves cross, the sign depends on it.
+        // Ties are broken by the index, so that the result does not depend on the guess: where
+        // curves cross, the sign depends on the edge.
         if (squared < best || (squared == best && i < nearest.edge)) best = squared, nearest.edge = i, nearest.place = place;
       }
     }
@@ -153,7 +156,7 @@ class OutlineField final : public Field {
       return nearest;
     }
     const Edge& e = edges_[nearest.edge];
-    // At an end two edges are equally near: the sum of their normals tells the side.
+    // At a vertex two edges are equally near: the sum of their normals determines the side.
     Vec2 normal = e.normal();
     if (nearest.place == e.from) normal += edges_[e.before].normal();
     if (nearest.place == e.to) normal += edges_[e.after].normal();
@@ -161,7 +164,7 @@ class OutlineField final : public Field {
     return nearest;
   }
 
-  /// Calls visit(edge) for the edges in all leaves whose boxes are wanted, until it returns false.
+  /// Calls visit(edge) for the edges of all leaves in wanted boxes, until it returns false.
   template <class Wanted, class Visit>
   void each_edge(const Wanted& wanted, const Visit& visit) const {
     std::array<std::uint32_t, 64> waiting;
@@ -180,12 +183,13 @@ class OutlineField final : public Field {
     }
   }
 
-  /// Twice the area of a triangle, signed.
+  /// Twice the signed area of a triangle.
   static double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
   }
 
-  /// Whether two edges meet otherwise than at their loop's vertices. Where curves cross, the nearest edge does not tell the side.
+  /// Whether two edges meet except at common vertices of their loop. Where curves cross, the
+  /// nearest edge does not determine the side.
   [[nodiscard]] bool any_crossing() const {
     std::atomic<bool> found{false};
     constexpr std::size_t portion = 4096;
@@ -212,7 +216,7 @@ class OutlineField final : public Field {
     return found;
   }
 
-  /// How many times the curves go round a point, anticlockwise.
+  /// Winding number of the curves about a point, anticlockwise.
   [[nodiscard]] int winding(const Vec2& p) const {
     int rounds = 0;
     each_edge([&](const Rectangle& box) { return box.lower.y() <= p.y() && p.y() <= box.upper.y() && p.x() <= box.upper.x(); },

@@ -1,4 +1,4 @@
-// Paths: arcs, lengths, and fitting lines and arcs to polylines.
+// Paths: arcs, lengths, and approximation of polylines by lines and arcs.
 #include "fieldfab/cam/plan/path.h"
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace fieldfab::cam {
 
 Arc arc_between(const Vec2& from, const Vec2& to, double bulge) {
   const Vec2 chord = to - from, across(-chord.y(), chord.x());
-  // The centre lies across the chord's middle by half the chord over the tangent of half the turn.
+  // The distance of the centre from the chord's midpoint is half the chord divided by the tangent
+  // of half the turn.
   const double turn = 4 * std::atan(bulge), lift = (1 - bulge * bulge) / (4 * bulge);
   const Vec2 centre = 0.5 * (from + to) + lift * across;
   return {centre, (from - centre).norm(), turn};
@@ -19,7 +20,7 @@ Arc arc_between(const Vec2& from, const Vec2& to, double bulge) {
 
 namespace {
 
-/// Calls `visit(from, to)` for each pair of vertices that a piece of the path joins.
+/// Calls `visit(from, to)` for the two vertices of each piece of the path.
 template <class Visit>
 void for_pieces(const Path& path, const Visit& visit) {
   for (std::size_t i = 0; i + 1 < path.points.size(); ++i) visit(path.points[i], path.points[i + 1]);
@@ -100,7 +101,7 @@ std::vector<PathPoint> points_along(const Path& path, double step) {
 
 namespace {
 
-/// How a run of vertices can be replaced: straight, or by an arc.
+/// Replacement of a run of vertices: a line or an arc.
 struct Fit {
   double bulge = 0;
 };
@@ -117,15 +118,15 @@ std::optional<Fit> fit_line(std::span<const Vec2> run, double tolerance) {
   return Fit{};
 }
 
-/// The arc from the first vertex to the last that passes the others on the average; nothing where one is off by more than the
-/// tolerance.
+/// Arc from the first vertex to the last by least squares through the others; std::nullopt if a
+/// deviation exceeds the tolerance.
 std::optional<Fit> fit_arc(std::span<const Vec2> run, double tolerance) {
   const Vec2 &a = run.front(), &b = run.back();
   const Vec2 chord = b - a;
   const double length = chord.norm();
   if (run.size() < 4 || length < 1e-9) return std::nullopt;
-  // In coordinates along and across the chord each vertex (u, v) asks for a centre at height h with 2 h v = u^2 + v^2 -
-  // (length/2)^2.
+  // In coordinates (u, v) along and across the chord, a vertex on the circle with centre height h
+  // satisfies 2 h v = u^2 + v^2 - (length/2)^2.
   const Vec2 along = chord / length, across(-along.y(), along.x()), middle = 0.5 * (a + b);
   double top = 0, bottom = 0;
   for (std::size_t i = 1; i + 1 < run.size(); ++i) {
@@ -143,14 +144,14 @@ std::optional<Fit> fit_arc(std::span<const Vec2> run, double tolerance) {
     const Vec2 p = run[i] - centre, q = run[i + 1] - centre;
     if (std::abs(p.norm() - radius) > tolerance || std::abs((0.5 * (p + q)).norm() - radius) > tolerance) return std::nullopt;
     const double angle = std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q));
-    if (i > 0 && angle * turned <= 0) return std::nullopt;  // back and forth
+    if (i > 0 && angle * turned <= 0) return std::nullopt;  // the turn reverses
     turned += angle;
   }
   if (std::abs(turned) > std::numbers::pi * 1.001 || std::abs(turned) * radius < 1e-6) return std::nullopt;
   return Fit{std::tan(std::clamp(turned, -std::numbers::pi, std::numbers::pi) / 4)};
 }
 
-/// The longest run from `first` on that `fit` accepts, found by doubling and halving; its last index.
+/// Last index of the longest run from `first` that `fit` accepts, by doubling and bisection.
 std::size_t longest(std::span<const Vec2> points, std::size_t first, double tolerance,
                     const std::function<std::optional<Fit>(std::span<const Vec2>, double)>& fit, std::size_t shortest,
                     Fit& found) {
@@ -171,11 +172,12 @@ std::size_t longest(std::span<const Vec2> points, std::size_t first, double tole
     const std::size_t middle = (good + bad) / 2;
     (accepts(middle) ? good : bad) = middle;
   }
-  if (good > first) accepts(good);  // leaves its fit in `found`
+  if (good > first) accepts(good);  // stores its fit in `found`
   return good;
 }
 
-/// Where a closed polyline turns most sharply, so that its corners become ends of lines and arcs.
+/// Vertex with the sharpest turn of a closed polyline, so that its corners become ends of lines and
+/// arcs.
 std::size_t sharpest(std::span<const Vec2> points) {
   std::size_t best = 0;
   double least = 2;

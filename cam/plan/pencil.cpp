@@ -1,4 +1,4 @@
-// Pencil finishing: along the valleys, where a round tool touches both sides.
+// Pencil finishing: along valleys, where a round tool touches both sides.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,8 +11,8 @@
 namespace fieldfab::cam {
 namespace {
 
-/// Finds where the tool's contact leaps from one side of a valley to the other, on the edges of a lattice, and strings these
-/// places together.
+/// Finds the discontinuities of the tool's contact, from one side of a valley to the other, on the
+/// edges of a lattice, and links them to polylines.
 class Valleys {
  public:
   Valleys(const TipSurface& tips, const Rectangle& area, double cell, double least_angle)
@@ -49,10 +49,10 @@ class Valleys {
     Vec2 place;
   };
 
-  /// Of the surface where the tool touches it.
+  /// Surface normal at the contact.
   [[nodiscard]] Vec3 normal(const Vec2& p) const { return tips_.corner_normal(p, tips_.contact(p)).value_or(Vec3::UnitZ()); }
 
-  /// A leap on an edge is one that stays however near to it one looks.
+  /// Adds an edge with a jump. A jump persists under bisection of the edge.
   void look(int c, int r, int along_x, int along_y, std::vector<Edge>& found) const {
     Vec3 from = lattice_.at(c, r), to = lattice_.at(c + along_x, r + along_y);
     Vec2 a = lattice_.place(c, r), b = lattice_.place(c + along_x, r + along_y);
@@ -68,7 +68,8 @@ class Valleys {
     if ((from - to).norm() > 0.7 * least_turn_) found.push_back({{c, r, along_y}, 0.5 * (a + b)});
   }
 
-  /// The leaps on the four edges of each square are joined; and squares that share an edge go on from each other.
+  /// Joins the jumps on the edges of each square; adjacent squares share the jump on their common
+  /// edge.
   std::vector<std::vector<Vec2>> strung() {
     std::map<Key, std::vector<Key>> next;
     const auto join = [&](const Key& a, const Key& b) { next[a].push_back(b), next[b].push_back(a); };
@@ -77,7 +78,7 @@ class Valleys {
         std::vector<Key> here;
         for (const Key& key : {Key{c, r, 0}, Key{c, r, 1}, Key{c, r + 1, 0}, Key{c + 1, r, 1}})
           if (leaps_.contains(key)) here.push_back(key);
-        // Where valleys meet, each goes to the one it is nearest to.
+        // In a square with more jumps, each is joined to its nearest neighbour.
         if (here.size() == 2) join(here[0], here[1]);
         if (here.size() > 2)
           for (std::size_t i = 1; i < here.size(); ++i) join(here[0], here[i]);
@@ -95,7 +96,8 @@ class Valleys {
       }
       lines.push_back(std::move(line));
     };
-    for (const auto& [key, neighbours] : next)  // from ends and meetings first, then round
+    // polylines from ends and branch points first, then closed ones
+    for (const auto& [key, neighbours] : next)
       while (next[key].size() % 2 == 1) trace(key);
     for (const auto& [key, neighbours] : next)
       while (!next[key].empty()) trace(key);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 
@@ -18,7 +19,7 @@ Plane plane_along(const Vec3& axis, std::string name) {
   Plane plane;
   plane.name = std::move(name);
   plane.axes << x, z.cross(x), z;
-  for (int i = 0; i < 9; ++i)  // no noise in right angles
+  for (int i = 0; i < 9; ++i)  // removes rounding noise of right angles
     if (double& a = plane.axes.data()[i]; std::abs(a - std::round(a)) < 1e-12) a = std::round(a);
   return plane;
 }
@@ -35,9 +36,9 @@ Plane plane_named(const std::string& name) {
 }
 
 Plane plane_from_view(double alpha, double beta) {
-  // The viewer looks down z after the turns: the direction that they bring to z.
+  // The viewer looks down z after the rotations: this is the direction that they map to z.
   const Vec3 axis = Eigen::AngleAxisd(-alpha, Vec3::UnitZ()) * (Eigen::AngleAxisd(-beta, Vec3::UnitX()) * Vec3::UnitZ());
-  return plane_along(axis, fmt::format("view {:.4g}, {:.4g}", alpha * 180 / std::numbers::pi, beta * 180 / std::numbers::pi));
+  return plane_along(axis, fmt::format("view {:.4g}, {:.4g}", to_degrees(alpha), to_degrees(beta)));
 }
 
 std::vector<Plane> five_planes() {
@@ -55,7 +56,7 @@ std::vector<Plane> stepped_planes(int count) {
       const double beta = tilt * step, alpha = turn * step;
       const double up = std::abs(std::cos(beta)) < 1e-12 ? 0 : std::cos(beta);
       planes.push_back(plane_along({std::sin(beta) * std::cos(alpha), std::sin(beta) * std::sin(alpha), up},
-                                   fmt::format("{:.4g}, {:.4g}", alpha * 180 / std::numbers::pi, beta * 180 / std::numbers::pi)));
+                                   fmt::format("{:.4g}, {:.4g}", to_degrees(alpha), to_degrees(beta))));
     }
   return planes;
 }
@@ -63,7 +64,7 @@ std::vector<Plane> stepped_planes(int count) {
 bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) const {
   const Vec3 n = plane_.axes.transpose() * normal, q = plane_.into(point);
   if (n.z() < steepest_) return false;
-  // The tip when the cutter lies against the point with that normal.
+  // The tip of a cutter that touches the point with that normal.
   const FlatCornerCone c = tips_->profile().closed_form();
   if (!c.valid) return false;
   const double level = n.head<2>().norm();
@@ -71,7 +72,7 @@ bool Reached::touches(const Vec3& point, const Vec3& normal, double tolerance) c
   const double corner = c.corner, reach = c.flat + corner * level;
   const Vec2 tip_at = q.head<2>() + reach * outward;
   const double tip = q.z() - corner * (1 - n.z()) + tips_->allowance();
-  // A little lower than the surface is where a neighbouring place would be touched.
+  // A slightly lower tip means that a neighbouring point is touched.
   return tips_->tip(tip_at) <= tip + tolerance;
 }
 
@@ -83,7 +84,8 @@ void take_away(Material& material, const Plane& plane, double floor, const Mater
       float& height = heights.at(column, static_cast<int>(row));
       const Vec2 at = heights.place(column, static_cast<double>(row));
       for (; height > floor; height = std::max(static_cast<float>(floor), height - static_cast<float>(heights.cell))) {
-        // Just below the top of what is left, as the other plane sees it; a little beyond its border counts as its border.
+        // Slightly below the top of the remainder, as the other plane sees it. Points slightly
+        // beyond its border count as border.
         const Vec3 there = other_plane.into(plane.out_of(Vec3(at.x(), at.y(), height - 1e-4)));
         const Vec2 nearest = there.head<2>().cwiseMax(known.lower).cwiseMin(known.upper);
         if (other.highest(nearest, heights.cell) >= there.z() - heights.cell) break;
@@ -98,7 +100,7 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
   const double cell = tips.surface().samples().cell;
   std::vector<std::vector<Path>> kept(paths.size());
   parallel_for(paths.size(), [&](std::size_t i) {
-    // Closely spaced, so that borders between planes are met to a cell.
+    // Closely spaced, so that borders between planes are accurate to one cell.
     std::vector<PathPoint> points;
     const std::vector<PathPoint> given = points_along(paths[i], 0.5 * cell);
     for (std::size_t k = 0; k < given.size(); ++k) {
@@ -114,9 +116,11 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
     for (std::size_t k = 0; k < points.size(); ++k) {
       const TipSurface::Contact touched = tips.contact(points[k].at.head<2>(), guess);
       guess = touched.place;
-      if (points[k].at.z() > touched.tip + tolerance) continue;  // the tool touches nothing: it may go no deeper
+      // no contact, because the depth is limited
+      if (points[k].at.z() > touched.tip + tolerance) continue;
       const double floor = tips.surface().floor(), height = tips.surface().height(touched.place);
-      if (plane.to_the_middle && height <= floor + cell) continue;  // there is nothing of this half of the part here
+      // this half of the part is empty here
+      if (plane.to_the_middle && height <= floor + cell) continue;
       const Vec3 place = plane.out_of(Vec3(touched.place.x(), touched.place.y(), height));
       Vec3 normal;
       if (const auto here = tips.corner_normal(points[k].at.head<2>(), touched)) {
@@ -128,7 +132,7 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
       wanted[k] =
           std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
     }
-    // A little more on both ends, so that nothing stays between.
+    // Extended at both ends, so that no gap remains.
     const auto overlap = static_cast<std::ptrdiff_t>(3);
     std::vector<bool> cut(points.size(), false);
     for (std::ptrdiff_t k = 0; k < static_cast<std::ptrdiff_t>(points.size()); ++k)
@@ -179,7 +183,7 @@ std::vector<Move> placed(const std::vector<Move>& moves, const Plane& plane, dou
 }
 
 std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, double clearance, double arm) {
-  if (from.axis == to.axis) return {};  // both are clear of the stock already
+  if (from.axis == to.axis) return {};  // both are already clear of the stock
   std::vector<Move> moves;
   const auto rapid = [&](const Vec3& at, const Vec3& axis) { moves.push_back({at, 0, 0, axis}); };
   if (arm > 0) {
@@ -188,7 +192,7 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
           ErrorKind::bad_input, "plane",
           "overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards (Keeter, Algorithm 6.1)");
     const double high = stock.upper.z() + clearance;
-    // Up, until the tip is high enough after the head has turned straight down.
+    // Up to the height at which the tip is clear after the head has turned straight down.
     const auto lifted = [&](const Move& m) {
       const double tip = std::max(high, m.to.z()) + arm * (1 - m.axis.z());
       return Vec3(m.to.x(), m.to.y(), std::max(tip, m.to.z()));
@@ -197,7 +201,7 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
     if (up != from.to) rapid(up, from.axis);
     const Vec3 upright = up + arm * (from.axis - Vec3::UnitZ());
     if (from.axis != Vec3::UnitZ()) rapid(upright, Vec3::UnitZ());
-    // Above the next plane's start: the head's pivot is where it will be after turning.
+    // Above the start of the next plane: position of the head's pivot after the turn.
     Vec3 above = over + arm * (to.axis - Vec3::UnitZ());
     const double level = std::max(upright.z(), above.z());
     if (upright.z() < level) rapid({upright.x(), upright.y(), level}, Vec3::UnitZ());
@@ -206,7 +210,8 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
     if (to.axis != Vec3::UnitZ()) rapid(above - arm * (to.axis - Vec3::UnitZ()), to.axis);
     return moves;
   }
-  // The work turns: out along the tool to a ball about the stock, round on it, and in again.
+  // The work turns: retract along the tool to a sphere about the stock, move on the sphere, and
+  // approach.
   const Vec3 centre = stock.centre();
   const double radius = 0.5 * stock.diagonal() + clearance;
   const auto out_along = [&](const Move& m) {
@@ -217,10 +222,10 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
   rapid(centre + radius * from.axis, from.axis);
   const double angle = std::acos(std::clamp(from.axis.dot(to.axis), -1.0, 1.0));
   Vec3 hinge = from.axis.cross(to.axis);
-  // Straight across: over the top, which every table can do.
+  // Opposite directions: by way of the vertical, which every table can reach.
   if (hinge.norm() < 1e-9) hinge = from.axis.cross(Vec3::UnitZ());
   if (hinge.norm() < 1e-9) hinge = Vec3::UnitX();
-  const int steps = std::max(1, static_cast<int>(std::ceil(angle / (5 * std::numbers::pi / 180))));
+  const int steps = std::max(1, static_cast<int>(std::ceil(angle / to_radians(5))));
   for (int i = 1; i <= steps; ++i) {
     Vec3 axis = i == steps ? to.axis : Vec3(Eigen::AngleAxisd(angle * i / steps, hinge.normalized()) * from.axis);
     rapid(centre + radius * axis, axis);

@@ -1,4 +1,4 @@
-// The upper surface of a solid: a lattice of heights, finer where it has to be.
+// The upper surface of a solid: a lattice of heights with local refinement.
 #include "fieldfab/cam/plan/surface.h"
 
 #include <fmt/format.h>
@@ -47,7 +47,7 @@ class SurfaceSampler {
     require_memory(static_cast<std::uintmax_t>(samples * 24), "the surface");
   }
 
-  /// Samples one square beyond the bounds on each side, so that their walls are there, too.
+  /// Samples one square beyond the bounds on each side, which includes the walls of the bounds.
   void sample() {
     const double cell = settings_.cell;
     const Vec2 size = Rectangle::of(bounds_).size();
@@ -60,7 +60,7 @@ class SurfaceSampler {
     surface_->heights_.values = heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z());
   }
 
-  /// Heights at `wide` x `high` places from corner to corner of a rectangle.
+  /// Heights at `wide` x `high` points of a rectangle, corners included.
   [[nodiscard]] std::vector<float> heights_of(const Rectangle& area, int wide, int high, double low) const {
     const Vec2 half(0.5 * area.size().x() / (wide - 1), 0.5 * area.size().y() / (high - 1));
     const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low},
@@ -78,8 +78,8 @@ class SurfaceSampler {
     return found;
   }
 
-  /// Squares whose samples and neighbours do not lie on one smooth surface: bilinear interpolation is off by about an eighth of
-  /// the second difference.
+  /// Marks squares whose samples and neighbours do not lie on one smooth surface. The error of
+  /// bilinear interpolation is about an eighth of the second difference.
   void find_rough_squares() {
     const HeightMap& h = surface_->heights_;
     rough_.assign(h.values.size(), 0);
@@ -100,7 +100,7 @@ class SurfaceSampler {
     });
   }
 
-  /// Squares above whose samples something may stand that no sample has met: asked of the Field, or of the mesh.
+  /// Marks squares in which the solid may rise above the samples, by the Field or the mesh.
   void find_ribs() {
     const HeightMap& h = surface_->heights_;
     if (mesh_) {
@@ -123,14 +123,16 @@ class SurfaceSampler {
     });
   }
 
-  /// How far the solid may rise above the samples between them, mm: what find_rough_squares() allows.
+  /// Height by which the solid may rise above the samples between them, mm, as find_rough_squares()
+  /// permits.
   [[nodiscard]] double slack() const { return 4 * settings_.tolerance; }
   [[nodiscard]] static double top_of(const HeightMap& h, int column, int row) {
     return std::max({h.at(column, row), h.at(column + 1, row), h.at(column, row + 1), h.at(column + 1, row + 1)});
   }
 
-  /// Raises fine samples to what stands between them, or may stand there: a cutter then stays off what is thinner than they are
-  /// apart. Returns how many squares are raised although nothing is known to be there; `place` is that of one.
+  /// Raises fine samples to the upper bound of the solid between them, so that a cutter keeps clear
+  /// of features thinner than their spacing. Returns the number of squares that were raised without
+  /// proof of such a feature; `place` receives one of them.
   std::size_t raise_ribs(HeightMap& fine, Vec3& place) const {
     std::size_t doubtful = 0;
     HeightMap raised = fine;
@@ -152,7 +154,7 @@ class SurfaceSampler {
         const Box box = hidden_.above(fine, square.column, square.row, square.column + 1, square.row + 1,
                                       top_of(fine, square.column, square.row) + slack());
         if (!box.valid()) return;
-        // The intervals alone of a Field that tells no slopes are too loose to keep the tool off.
+        // For a Field without slopes, intervals alone are too loose a bound.
         const HiddenParts::Top top = HiddenParts::highest(*square.field, box);
         if (square.slopes || top.sure) raise(square.column, square.row, top);
       });
@@ -206,7 +208,7 @@ class SurfaceSampler {
   std::shared_ptr<Surface> surface_;
   HiddenParts hidden_;
   std::vector<std::uint8_t> rough_;
-  std::unique_ptr<MeshHeights> mesh_;  // where the solid is one: its triangles tell heights at once
+  std::unique_ptr<MeshHeights> mesh_;  // heights directly from the triangles, if the solid is a mesh
 };
 
 std::shared_ptr<const Surface> Surface::of(const Field& field, const Box& bounds, const SurfaceSettings& settings,

@@ -48,7 +48,7 @@ std::vector<Path> raster(const TipSurface& tips, const FinishSettings& settings,
   std::vector<Path> paths(static_cast<std::size_t>(passes));
   parallel_for(paths.size(), [&](std::size_t pass) {
     progress.check();
-    // The line of this pass, as far as it lies within the rectangle.
+    // Part of the pass's line within the rectangle.
     const double v = turned.lower.y() + turned.size().y() * static_cast<double>(pass) / (passes - 1);
     double first = turned.lower.x(), last = turned.upper.x();
     for (int axis = 0; axis < 2; ++axis) {
@@ -120,14 +120,16 @@ std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const
 
 std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings, Progress& progress) {
   const FieldPtr blocked = TipSurface::field(tips);
-  // The tool's middle may leave the stock by its radius, and does so that nothing stays at the border; by more to begin there.
+  // The tool's centre may leave the stock by its radius, so that no material remains at the border;
+  // farther for adaptive clearing, to start there.
   const Rectangle reach = settings.stock.grown((settings.clear.adaptive ? 1.5 : 1) * settings.cut.radius);
   const std::vector<double> passes = settings.depths.passes();
   std::vector<Path> paths;
   for (std::size_t pass = 0; pass < passes.size(); ++pass) {
     progress.report(static_cast<double>(pass) / static_cast<double>(passes.size()), "roughing");
     Loops walls = contours(*blocked, reach.grown(2 * settings.cell), {settings.cell, 0, -passes[pass]}, progress);
-    // Distance to the walls, and to the border of what is to be reached: negative where the middle may be.
+    // Distance to the walls and to the border of the reachable area: negative for permitted
+    // centres.
     const Vec2 a = reach.lower, b = reach.upper;
     FieldPtr free = outline_field({{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}}});
     if (!walls.empty()) free = intersect(free, complement(outline_field(walls)));

@@ -14,18 +14,18 @@ namespace {
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// From one direction a share of the way to another.
+/// Spherical interpolation between two directions.
 Vec3 between(const Vec3& from, const Vec3& to, double share) {
   return Eigen::Quaterniond::Identity().slerp(share, Eigen::Quaterniond::FromTwoVectors(from, to)) * from;
 }
 
-/// No farther from z than `most`.
+/// The axis, limited to the angle `most` from z.
 Vec3 within_cone(const Vec3& axis, double most) {
   const double angle = angle_between(Vec3::UnitZ(), axis);
   return angle <= most ? axis : between(Vec3::UnitZ(), axis, most / angle);
 }
 
-/// Leans the tool along one path.
+/// Tilts the tool along one path.
 class Leaning {
  public:
   Leaning(const TipSurface& tips, const Tool& tool, const Plane& plane, const FreeSpace& space, const TiltSettings& settings)
@@ -33,12 +33,12 @@ class Leaning {
     ball_ = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
     for (const Frustum& piece : pieces_of(tool, settings.clearance, space.bounds().diagonal())) {
       (piece.cuts ? cutter_ : body_).push_back(piece);
-      if (piece.cuts)  // which touches the part where it cuts
+      if (piece.cuts)  // the cutter touches the part
         for (double* const radius : {&cutter_.back().radius_from, &cutter_.back().radius_to})
           *radius = std::max(0.0, *radius - settings.tolerance);
       reach_ = std::max(reach_, std::min(piece.to, tool.length + tool.holder_length));
     }
-    // The tool's far end moves by no more than the clearance from pose to pose.
+    // The tool's far end moves by at most the clearance between two poses.
     turn_ = std::clamp(settings.clearance / std::max(reach_, 1.0), 0.002, 0.05);
     step_ = std::max(0.5 * settings.clearance, 0.1);
   }
@@ -74,7 +74,7 @@ class Leaning {
   }
 
  private:
-  /// A place of the ball's middle, in the plane's coordinates.
+  /// Position of the ball's centre, in the plane's coordinates.
   struct Station {
     Vec3 middle, normal, wish = Vec3::UnitZ();
     std::optional<Vec3> axis;
@@ -107,7 +107,8 @@ class Leaning {
     return stations;
   }
 
-  /// Where the tool would like to point: along the normal, evened out over the ball's radius, and ahead by the lead angle.
+  /// Preferred axes: the surface normal, averaged over the ball's radius and inclined forward by
+  /// the lead angle.
   void wish(std::vector<Station>& stations) const {
     const std::size_t n = stations.size();
     std::size_t first = 0, last = 0;
@@ -127,7 +128,7 @@ class Leaning {
     const Vec3 at = plane_.out_of(Vec3(middle - ball_ * axis)), along = plane_.axes * axis;
     for (const Frustum& piece : body_)
       if (!space_.clear(at, along, piece, 0.25 * s_.clearance)) return false;
-    // A cutter that points straight down is clear by the way the paths were made.
+    // A vertical tool is clear by the construction of the paths.
     if (axis != Vec3::UnitZ())
       for (const Frustum& piece : cutter_)
         if (!space_.clear(at, along, piece, 0.5 * s_.tolerance)) return false;
@@ -151,7 +152,7 @@ class Leaning {
     return std::nullopt;
   }
 
-  /// Each axis between its neighbours', where that is clear.
+  /// Replaces each axis by a weighted mean with its neighbours, if that is clear.
   void smooth(std::vector<Station>& stations) const {
     for (int round = 0; round < 4; ++round)
       for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
@@ -162,7 +163,7 @@ class Leaning {
       }
   }
 
-  /// Goes on from one pose to the next in turns that are small enough; false where something is in the way.
+  /// Connects two poses by sufficiently small turns. Returns false for an obstacle.
   bool turn_between(const Station& from, const Station& to, int depth, Path& path) const {
     const double angle = angle_between(*from.axis, *to.axis);
     if (angle > turn_) {
@@ -185,7 +186,7 @@ class Leaning {
   std::vector<Frustum> cutter_, body_;
 };
 
-/// Leaves out poses that lie between their neighbours.
+/// Removes poses that linear interpolation reproduces within the tolerance.
 void simplify(Path& path, double tolerance) {
   std::vector<PathPoint> kept{path.points.front()};
   std::size_t from = 0;

@@ -1,4 +1,4 @@
-// Where a cutter's tip can go: branch and bound over the surface.
+// Lowest tip positions of a cutter over a surface, by branch and bound.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +24,7 @@ TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& pr
   const double reach = profile_.radius() * profile_.radius() * (1 + 1e-6);
   per_square_ = table_size / reach;
   for (int i = 0; i <= table_size + 1; ++i) {
-    // The least over a step of the table: profiles may go down again outwards.
+    // Minimum over a step of the table: a profile need not rise outwards.
     const double from = std::sqrt(std::min(reach, i / per_square_)), to = std::sqrt(std::min(reach, (i + 1) / per_square_));
     least_heights_.push_back(
         std::min(profile_.height(std::min(from, profile_.radius())), profile_.height(std::min(to, profile_.radius()))));
@@ -32,7 +32,7 @@ TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& pr
   for (std::size_t i = least_heights_.size() - 1; i-- > 0;)
     least_heights_[i] = std::min(least_heights_[i], least_heights_[i + 1]);
   const HeightMap& h = surface_->samples();
-  // The finest level: each sample, and the fine samples of the square that begins there.
+  // Finest level: maximum of each sample and of the fine samples of the square that starts there.
   HeightMap tops = h;
   const auto samples = static_cast<std::size_t>(surface_->fine_side()) * static_cast<std::size_t>(surface_->fine_side());
   for (int row = 0; row < h.height; ++row)
@@ -68,14 +68,14 @@ void TipSurface::lay_out_blocks() {
     }
 }
 
-/// A tip and the column of the block whose samples hold it there.
+/// A tip height and the column of the block with the sample that determines it.
 struct BlockTip {
   float tip;
   int column;
 };
 
-/// The highest tip for a block of side x side samples, the first of them at (x0, y0) from the axis. A plain loop, which the
-/// compiler turns into vectors.
+/// Highest tip for a block of side x side samples, the first at (x0, y0) from the axis. A plain
+/// loop for the compiler's vectorizer.
 FIELDFAB_CLONES BlockTip highest_tip(const float* heights, int side, float x0, float y0, float cell, float reach,
                                      const FlatCornerCone& c) {
   const float flat = c.flat, corner = c.corner, widest = c.widest, cone = c.cone, slope = c.slope;
@@ -99,7 +99,7 @@ FIELDFAB_CLONES BlockTip highest_tip(const float* heights, int side, float x0, f
   return {*best, static_cast<int>(best - highest.begin())};
 }
 
-/// One search: the best contact so far, and what still may be better.
+/// State of one search: the best contact so far, and the squares that may contain a better one.
 struct TipSurface::Search {
   const TipSurface& tips;
   Vec2 p;
@@ -113,7 +113,7 @@ struct TipSurface::Search {
     if (tip > best.tip) best = {tip, place};
   }
 
-  /// The highest a tip could be for what is in a square of a level; minus infinity out of reach.
+  /// Upper bound of the tip height due to a square of a level; minus infinity out of reach.
   [[nodiscard]] double bound(std::size_t level, int column, int row) const {
     const HeightMap& l = tips.tops_[level];
     const double top = l.at(column, row);
@@ -136,7 +136,7 @@ struct TipSurface::Search {
     for (int v = 2 * row; v <= std::min(2 * row + 1, below.height - 1); ++v)
       for (int u = 2 * column; u <= std::min(2 * column + 1, below.width - 1); ++u)
         if (const double b = bound(level - 1, u, v); b > best.tip) {
-          std::size_t at = count++;  // the most promising first
+          std::size_t at = count++;  // the greatest bound first
           for (; at > 0 && children[at - 1].bound < b; --at) children[at] = children[at - 1];
           children[at] = {b, u, v};
         }
@@ -144,7 +144,7 @@ struct TipSurface::Search {
       descend(level - 1, children[i].column, children[i].row);
   }
 
-  /// Side x side samples, `step` apart, the first of them at `first`.
+  /// Tests side x side samples with distance `step`, the first at `first`.
   void try_samples(const float* heights, int side, const Vec2& first, double step) {
     const auto try_sample = [&](int k) { try_place(first + step * Vec2(k % side, k / side), heights[k]); };
     if (!tips.closed_form_.valid) {
@@ -159,7 +159,7 @@ struct TipSurface::Search {
       for (int row = 0; row < side; ++row) try_sample(row * side + found.column);
   }
 
-  /// All samples of a block, and the fine ones of its squares.
+  /// Tests all samples of a block, and the fine samples of its squares.
   void try_block(int column, int row) {
     const Surface& surface = *tips.surface_;
     const HeightMap& h = surface.samples();
@@ -172,14 +172,15 @@ struct TipSurface::Search {
           try_samples(fine, side, h.place(u, v), h.cell / (side - 1));
   }
 
-  static constexpr double margin = 1e-4;  // of single precision: the best is computed again in double
+  // rounding error of single precision: the best is computed again in double
+  static constexpr double margin = 1e-4;
 };
 
 TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const {
   Search search{*this, p, {surface_->floor(), p}};
   if (guess != p) search.try_place(guess, surface_->height(guess));
   const double h_cell = surface_->samples().cell;
-  // Begin with squares about as large as the cutter.
+  // Start with squares about as large as the cutter.
   const double radius = profile_.radius();
   std::size_t level = 0;
   while (level + 1 < tops_.size() && (level < block_level || tops_[level].cell < radius)) ++level;
@@ -187,7 +188,7 @@ TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const 
   const auto clamp = [](double at, int count) { return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0)); };
   const double reach = radius + h_cell;  // between samples a square is as high as its neighbour
   const Vec2 low = (p - l.origin - Vec2::Constant(reach)) / l.cell, high = (p - l.origin + Vec2::Constant(reach)) / l.cell;
-  double around = nothing;  // the highest within reach
+  double around = nothing;  // greatest height within reach
   if (high.minCoeff() >= 0 && low.x() <= l.width && low.y() <= l.height)
     for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
       for (int column = clamp(low.x(), l.width); column <= clamp(high.x(), l.width); ++column) {
@@ -200,7 +201,8 @@ TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const 
   return best;
 }
 
-/// Where the cutter has a sharp edge (a flat cutter's rim, a V's tip), it may touch between samples.
+/// Refines the contact of sharp edges (the rim of a flat cutter, the tip of a V), which may lie
+/// between samples.
 void TipSurface::edge_contacts(const Vec2& p, double around, Contact& best) const {
   const HeightMap& h = surface_->samples();
   const Vec2 at = (p - h.origin) / h.cell;
@@ -236,11 +238,11 @@ Interval TipSurface::range(const Rectangle& area) const {
   const Vec2 middle = 0.5 * (area.lower + area.upper);
   const Contact touched = contact(middle);
   const double radius = profile_.radius(), half = 0.5 * area.size().norm();
-  // From below: what is touched from the middle stays under the cutter, or the floor does.
+  // Lower bound: from the contact of the middle position, or the floor.
   double lower = surface_->floor();
   if (const double away = (touched.place - middle).norm() + half; away <= radius)
     lower = std::max(lower, surface_->height(touched.place) - profile_.height(away));
-  // From above: nothing within reach is higher than its square.
+  // Upper bound: from the heights of squares within reach.
   double upper = surface_->floor();
   std::size_t level = 0;
   while (level + 1 < tops_.size() && tops_[level].cell < 0.25 * std::min(radius, area.size().minCoeff())) ++level;
@@ -254,7 +256,7 @@ Interval TipSurface::range(const Rectangle& area) const {
       if (top <= upper) continue;
       const Vec2 from = l.place(column, row), to = from + Vec2::Constant(l.cell);
       const Vec2 gap = (from - area.upper).cwiseMax(area.lower - to).cwiseMax(0.0);
-      // Between samples a square may be as high as its neighbour: one cell of grace.
+      // Between samples a square may be as high as its neighbour, hence a margin of one cell.
       if (const double away = std::max(0.0, gap.norm() - 1.5 * surface_->samples().cell); away <= radius)
         upper = std::max(upper, top - least_height(away * away));
     }

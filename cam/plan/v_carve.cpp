@@ -1,4 +1,4 @@
-// V-carving: along the medial axis of the outline, from Boost's Voronoi diagram of its edges.
+// V-carving along the medial axis of the outline, from Boost's Voronoi diagram of its edges.
 #include <algorithm>
 #include <boost/polygon/segment_data.hpp>
 #include <boost/polygon/voronoi.hpp>
@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "fieldfab/cam/plan/operations.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 
@@ -17,9 +18,9 @@ using Segment = boost::polygon::segment_data<int>;
 using IntPoint = boost::polygon::point_data<int>;
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-constexpr double steps_per_mm = 1e5;  // Boost wants whole numbers; 20 m fit
+constexpr double steps_per_mm = 1e5;  // Boost requires integers; 20 m fit
 
-/// A point of the medial axis and how far the outline is from there.
+/// A point of the medial axis with its distance to the outline.
 struct AxisPoint {
   Vec2 at;
   double radius;
@@ -42,7 +43,7 @@ class MedialAxis {
     boost::polygon::construct_voronoi(segments_.begin(), segments_.end(), &diagram_);
   }
 
-  /// The axis inside the outline, in runs from fork to fork.
+  /// Branches of the axis inside the outline, from fork to fork.
   std::vector<Branch> branches() const {
     std::multimap<const Diagram::vertex_type*, const Diagram::edge_type*> at;
     for (const auto& edge : diagram_.edges())
@@ -66,7 +67,7 @@ class MedialAxis {
     for (const auto& [vertex, edge] : at)
       if (!used[edge] && at.count(vertex) != 2) run_from(edge);
     for (const auto& [vertex, edge] : at)
-      if (!used[edge]) run_from(edge);  // rings
+      if (!used[edge]) run_from(edge);  // closed branches
     return found;
   }
 
@@ -82,7 +83,7 @@ class MedialAxis {
 
   [[nodiscard]] double depth(const Vec2& p) const { return -static_cast<double>(distance_->value({p.x(), p.y(), 0})); }
 
-  /// The nearest point of a cell's site.
+  /// Nearest point of a cell's site.
   [[nodiscard]] Vec2 foot(const Diagram::cell_type& cell, const Vec2& p) const {
     const Segment& s = segments_[cell.source_index()];
     const Vec2 a = place(s.low()), b = place(s.high());
@@ -92,19 +93,21 @@ class MedialAxis {
     return a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
   }
 
-  /// Whether an edge is part of the axis, not of what facets of a smooth outline add to it: its two sites are seen at an angle.
+  /// Whether an edge belongs to the medial axis rather than to the facets of a smooth outline: the
+  /// directions to its two sites form an angle.
   [[nodiscard]] bool belongs(const Diagram::edge_type& edge) const {
     if (!edge.is_primary() || !edge.is_finite()) return false;
     const Vec2 a = place(*edge.vertex0()), b = place(*edge.vertex1());
     if (depth(0.5 * (a + b)) < tolerance_) return false;
-    // Outlines that cross themselves spoil the diagram: what is not as far from the outline as it should be is left out.
+    // Self-intersections of the outline corrupt the diagram: an edge whose distance from the
+    // outline is wrong is dropped.
     for (const Vec2& p : {a, b})
       if (std::abs((foot(*edge.cell(), p) - p).norm() - std::abs(depth(p))) > 4 * tolerance_) return false;
     const auto angle = [&](const Vec2& p) {
       const Vec2 u = foot(*edge.cell(), p) - p, v = foot(*edge.twin()->cell(), p) - p;
       return std::atan2(std::abs(u.x() * v.y() - u.y() * v.x()), u.dot(v));
     };
-    constexpr double least = 35 * std::numbers::pi / 180;
+    constexpr double least = to_radians(35);
     return std::max({angle(a), angle(b), angle(0.5 * (a + b))}) > least;
   }
 
@@ -179,7 +182,7 @@ std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover,
     finish();
   }
   if (floor) {
-    // Where the V would go too deep: a flat floor, from the line where it is just deep enough inwards.
+    // A flat floor in the area where the V would exceed the depth.
     Rectangle bounds = Rectangle::nothing();
     for (const Loop& loop : part)
       for (const Vec2& p : loop.points) bounds.add(p);

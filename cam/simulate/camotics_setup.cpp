@@ -28,7 +28,7 @@ class CamoticsReader {
     read_tools(project);
     read_workpiece(project);
     const double resolution = number(project, "resolution", 0);
-    // CAMotics' own default is about 30 cells; ours shows more.
+    // CAMotics' default resolution is about 30 cells; ours shows more detail.
     const double usual = StockSettings::usual_cell(setup_.stock_box);
     setup_.sampling.cell = resolution > 0 ? std::min(resolution, usual) : usual;
     return std::move(setup_);
@@ -49,7 +49,7 @@ class CamoticsReader {
     if (!found->is_string()) throw refuse(fmt::format("'{}' is no text", key));
     return found->get<std::string>();
   }
-  /// mm in the unit that a table counts in.
+  /// Length of the table's unit, mm.
   [[nodiscard]] double unit_of(const Json& table) const {
     const std::string units = text(table, "units", "metric");
     if (units == "metric" || units == "mm") return 1;
@@ -133,8 +133,8 @@ class CamoticsReader {
     if (!setup_.stock_box.valid() || setup_.stock_box.size().minCoeff() <= 0) throw refuse("the workpiece has no size");
   }
 
-  /// What the feeds of the project's programs reach, and so much of `margin` percent around it, as CAMotics takes it; its top is
-  /// z = 0 where they begin below that.
+  /// Bounding box of the feeds of the project's programs, with a margin of `margin` percent as in
+  /// CAMotics. Its top is z = 0 if the feeds start below that.
   [[nodiscard]] Box box_of_programs(double margin) const {
     Box box{Vec3::Constant(INFINITY), Vec3::Constant(-INFINITY)};
     for (const std::filesystem::path& program : setup_.programs) {

@@ -37,7 +37,7 @@ void paint(Image& image, const frep::Expression& shape, const Box& where, const 
 void paint_words(Image& image, const std::string& words, double x, double y, double height, const Colour& colour,
                  double opacity) {
   const frep::Expression text = s::text(words, height, 0.17 * height);
-  // Letters are two thirds as wide as high, and a third lies between them.
+  // The width of a letter is two thirds of its height, the gap one third.
   const double width = height * (static_cast<double>(words.size()) - 1.0 / 3);
   paint(image, s::move(text, x - width / 2, y - height / 2, 0.0),
         {{x - width / 2 - height, y - height, 0}, {x + width / 2 + height, y + height, 0}}, colour, opacity);

@@ -1,4 +1,4 @@
-/// What goes wrong while a program is carried out, and what the user should know besides.
+/// Events and notes of a simulation.
 #pragma once
 
 #include <map>
@@ -11,17 +11,17 @@
 
 namespace fieldfab::cam {
 
-/// Keeps one event of a kind for each pass: the worst, with the lines of all of them.
+/// Keeps one event per kind and pass: the worst, with the line range of all of them.
 class EventLog {
  public:
   void add(SimulationEvent event);
-  /// Forgets a program's events of a kind; returns the line of the first one, 0 where there was none.
+  /// Removes a program's events of a kind. Returns the line of the first one, 0 if there was none.
   int forget(SimulationEvent::Kind kind, int program);
   void note(SimulationNote note) { notes_.push_back(std::move(note)); }
-  /// Notes of a program's reader, before all others of that program.
+  /// Inserts the notes of a program's reader before all others of that program.
   void add_first(const std::vector<ReadingNote>& notes, int program);
 
-  /// Hands all of it on.
+  /// Moves all events and notes to the report.
   void move_to(SimulationReport& report);
 
  private:

@@ -17,7 +17,8 @@
 namespace fieldfab::cam {
 namespace {
 
-/// A zone's half section from its lowest point on the axis to its highest: distance from the axis, height.
+/// Half section of a zone from its lowest point on the axis to its highest, as (distance from the
+/// axis, height).
 std::vector<Vec2> half_section(const Zone& zone) {
   constexpr int steps = 12;
   std::vector<Vec2> points{{0, zone.z0}};
@@ -25,7 +26,7 @@ std::vector<Vec2> half_section(const Zone& zone) {
     points.insert(points.end(), {{zone.r0, zone.z0}, {zone.r1, zone.z1}, {0, zone.z1}});
     return points;
   }
-  // A ball is a ring about a point.
+  // A ball is a ring of radius 0.
   const double disc = zone.shape == Zone::Shape::ball ? 0 : zone.r0, round = zone.shape == Zone::Shape::ball ? zone.r0 : zone.r1;
   points[0] = {0, zone.z0 - round};
   for (int i = 0; i <= steps; ++i) {
@@ -55,7 +56,7 @@ void add_turned(const std::vector<Vec2>& section, const ToolPose& pose, int part
     }
 }
 
-/// Draws one moment after the other.
+/// Renders pictures of successive times.
 class Film {
  public:
   Film(const SimulationResult& result, const FrameSettings& settings)
@@ -81,7 +82,7 @@ class Film {
   }
 
  private:
-  /// All of the stock, and some room for tools about it.
+  /// Bounding box of the stock, with a margin for tools.
   [[nodiscard]] Box window() const {
     const Eigen::Matrix3d turn =
         (Eigen::AngleAxisd(settings_.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings_.alpha, Vec3::UnitZ())).matrix();
@@ -91,7 +92,7 @@ class Film {
     return frame.grown(room);
   }
 
-  /// The tool of a move that is going on.
+  /// Adds the tool in the pose of the current move.
   void add_tool(double seconds, TriangleMesh& mesh, std::vector<Colour>& colours) const {
     const Playback::Moment moment = playhead_.playback().at(seconds);
     constexpr std::array<std::pair<ToolRole, Colour>, 3> looks{

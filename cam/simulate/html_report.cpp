@@ -1,4 +1,4 @@
-// The report on a simulation as one HTML page.
+// Simulation report as one HTML page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,9 +30,10 @@ code { font: .9em monospace; overflow-wrap: anywhere } .what { font-size: .85em;
 </style>
 )";
 
-constexpr std::size_t most_rows = 1000;  // of events and of notes; the JSON has all
+// greatest number of rows for events and for notes; the JSON report has all
+constexpr std::size_t most_rows = 1000;
 
-/// The program's lines of these numbers, as they are but for their length.
+/// The program's lines with these numbers, shortened if long.
 std::map<int, std::string> quoted(const std::filesystem::path& program, const std::set<int>& wanted) {
   const MappedFile file(program);
   std::string_view text(reinterpret_cast<const char*>(file.bytes().data()), file.bytes().size());
@@ -44,7 +45,8 @@ std::map<int, std::string> quoted(const std::filesystem::path& program, const st
       constexpr std::size_t longest = 160;
       std::string& line = lines[number] = std::string(text.substr(0, std::min(length, longest)));
       if (length > longest) {
-        while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0U) == 0x80) line.pop_back();  // no half characters
+        // no partial UTF-8 sequences
+        while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0U) == 0x80) line.pop_back();
         if (!line.empty() && static_cast<unsigned char>(line.back()) >= 0xc0) line.pop_back();
         line += " ...";
       }
@@ -75,7 +77,7 @@ std::string tool_text(const Tool& tool) {
   return text;
 }
 
-/// A page in the making, part by part.
+/// An HTML page, built part by part.
 class HtmlReport {
  public:
   HtmlReport(const SimulationResult& result, Progress& progress)
@@ -145,7 +147,7 @@ class HtmlReport {
     add_close_ups(views, pictures);
   }
 
-  /// The worst places from nearby, each from the first view that shows it.
+  /// Adds magnified pictures of the worst places, each from the first view in which it is visible.
   void add_close_ups(const std::array<StockPictureSettings, 4>& views, const std::vector<TrianglePicture>& pictures) {
     const double reach = std::max(setup_.stock_box.diagonal() / 16, 12 * setup_.sampling.cell);
     std::size_t made = 0;
@@ -153,7 +155,7 @@ class HtmlReport {
       const SimulationEvent& event = report_.events[i];
       for (std::size_t v = 0; v < views.size() && made < 3; ++v) {
         if (!shows_event(result_, pictures[v], event)) continue;
-        // What stood at a contact's place may be gone by now, and nothing is there to be seen.
+        // The material at a contact may be cut by now, so that nothing is visible there.
         Vec3 before = event.place;
         before -= pictures[v].turn.transpose() * Vec3(0, 0, reach / 2);
         if (shows_event(result_, pictures[v], {event.kind, {}, before, 0, ""})) continue;
@@ -227,7 +229,7 @@ class HtmlReport {
     if (rows < report_.events.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.events.size() - rows);
   }
 
-  /// A line's number, with its program where there are several; `none` for 0.
+  /// A line number, with its program if there are several; `none` for 0.
   [[nodiscard]] std::string line_text(int line, int program, const char* none) const {
     if (line == 0) return none;
     if (report_.programs.size() == 1) return fmt::format("{}", line);

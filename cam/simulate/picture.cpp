@@ -20,14 +20,14 @@ namespace s = frep::shapes;
 
 using Stops = std::vector<Colour>;
 
-/// Colours of ColorBrewer's RdBu, from its pale to its full ones (the blue a little lighter, for shadows), and viridis without
-/// its darkest: even to the eye.
+/// ColorBrewer's RdBu, from pale to saturated (the blues slightly lighter, for shadows), and
+/// viridis without its darkest part: perceptually uniform.
 const Stops reds{{244, 165, 130}, {214, 96, 77}, {178, 24, 43}}, blues{{146, 197, 222}, {67, 147, 195}, {44, 113, 184}},
     violet_to_yellow{{72, 40, 120},  {62, 74, 137},  {49, 104, 142}, {38, 130, 142}, {31, 158, 137},
                      {53, 183, 121}, {109, 205, 89}, {180, 222, 44}, {253, 231, 37}};
 constexpr Colour within_tolerance{222, 222, 220}, first_surface{214, 209, 198};
 
-/// The colour at a share of the way along the stops.
+/// Interpolated colour; `share` from 0 to 1.
 Colour along(const Stops& stops, double share) {
   const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(stops.size() - 1);
   const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
@@ -38,7 +38,7 @@ Colour along(const Stops& stops, double share) {
   return out;
 }
 
-/// The least of 1, 2, 5, 10, ... that is not below it.
+/// Smallest of the numbers 1, 2, 5, 10, ... that is not less than the value.
 double round_number_from(double value) {
   double step = std::pow(10, std::floor(std::log10(value)));
   for (const double factor : {1.0, 2.0, 5.0, 10.0})
@@ -46,7 +46,7 @@ double round_number_from(double value) {
   return 10 * step;
 }
 
-/// Rings about the places, each with its number beside it.
+/// Numbered rings about places.
 class Marks {
  public:
   Marks(const SimulationResult& result, TrianglePicture& picture)
@@ -74,7 +74,7 @@ class Marks {
     const auto [nx, ny] = free_spot(x, y);
     const double way = std::hypot(nx - x, ny - y), ux = (nx - x) / way, uy = (ny - y) / way;
     const Box both = about((x + nx) / 2, (y + ny) / 2, way + r);
-    // White below dark, so that it stands out from whatever is there.
+    // White below dark, for contrast with any background.
     for (const auto& [width, colour] : {std::pair{0.42 * r, white}, std::pair{0.2 * r, dark}}) {
       paint(image_, s::stroke(x + ring * ux, y + ring * uy, nx, ny, width), both, colour, opacity);
       const frep::Expression circle = frep::max(s::circle(ring + width / 2), -s::circle(ring - width / 2));
@@ -90,7 +90,7 @@ class Marks {
                 white, seen ? 1 : 0.8);
   }
 
-  /// Where a number may stand: beside its place, within the picture, off the others.
+  /// Position of a number: beside its place, within the picture, clear of other numbers.
   std::pair<double, double> free_spot(double x, double y) {
     std::pair<double, double> best{x + 2.2 * radius_, y + 2.2 * radius_};
     double most = -1e300;
@@ -101,7 +101,7 @@ class Marks {
         const auto [px, py] = spot;
         double room = std::min({px, py, image_.width - px, image_.height - py, 3 * radius_});
         for (const auto& [ox, oy] : spots_) room = std::min(room, std::hypot(px - ox, py - oy));
-        room -= 0.01 * direction + 0.1 * distance;  // up to the right where it does not matter
+        room -= 0.01 * direction + 0.1 * distance;  // prefer the upper right among similar positions
         if (room > most) most = room, best = spot;
       }
     spots_.push_back(best);
@@ -112,16 +112,16 @@ class Marks {
   const SimulationResult& result_;
   const TrianglePicture& picture_;
   Image& image_;
-  double radius_;  ///< of the discs with the numbers, pixels
+  double radius_;  ///< of the discs with numbers, pixels
   std::vector<std::pair<double, double>> spots_;
 };
 
-/// Adds a strip below a picture with a bar of the scale's colours and what they mean.
+/// Adds a legend below a picture: a bar with the scale's colours and its labels.
 void add_legend(Image& image, const DeviationScale& scale) {
   constexpr Colour ink{40, 44, 52};
   const double side = std::max(image.width, image.height), text = std::max(8.0, side / 95), height = 1.3 * text,
                width = 0.36 * side, left = 0.05 * side, bottom = 2.4 * text;
-  // As bright as the background ends.
+  // The background's last colour.
   const Colour paper{image.pixels8[image.pixels8.size() - 3], image.pixels8[image.pixels8.size() - 2], image.pixels8.back()};
   const auto rows = static_cast<int>(std::lround(bottom + height + 2.4 * text));
   for (int i = 0; i < rows * image.width; ++i)
@@ -144,8 +144,8 @@ void add_legend(Image& image, const DeviationScale& scale) {
   tick(0.5 * scale.full, "left over", bottom + height + 1.1 * text);
 }
 
-/// The window in which what is left is seen, with a margin, as wide and high as asked for. Where nothing is left, the room where
-/// it stood.
+/// The visible window: bounds of the remaining material with a margin, with the requested aspect
+/// ratio. If no material remains, the bounds of the initial stock.
 Box frame_of(const SimulationResult& result, const StockPictureSettings& settings) {
   const Eigen::Matrix3d turn =
       (Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ())).matrix();
@@ -218,7 +218,7 @@ std::vector<Colour> vertex_colours(const SimulationResult& result, StockColourin
       break;
     }
     case StockColouring::line: {
-      // By their order in time, evenly: programs that jump about are no different.
+      // By order in time, evenly, independently of jumps in a program.
       std::map<std::pair<int, int>, double> order;  // by program and line
       for (const LineRecord& record : result.report().lines)
         if (record.removed > 0) order.try_emplace({record.program, record.line}, static_cast<double>(order.size()));
@@ -267,7 +267,8 @@ TrianglePicture stock_picture(const SimulationResult& result, const StockPicture
 }
 
 bool shows_event(const SimulationResult& result, const TrianglePicture& picture, const SimulationEvent& event) {
-  // Places of contacts are points of the lattice beside the surface, and pixels may be as wide as cells: that does not hide them.
+  // Places of contacts are lattice points beside the surface, and a pixel may be as large as a
+  // cell: a depth within that tolerance counts as visible.
   const double pixel = picture.image.bounds.size().x() / picture.image.width;
   return picture.shows(event.place, 3 * std::max(result.stock().lattice().spacing().maxCoeff(), pixel));
 }

@@ -56,7 +56,7 @@ void Playback::thin_out() {
     return sum;
   };
   while (copies_.size() > 2 && (copies_.size() > most || bytes() > most_bytes_)) {
-    // Every second one, but for the blank.
+    // Drops every second copy except the initial stock.
     std::vector<Copy> left;
     for (std::size_t i = 0; i < copies_.size(); i += 2) left.push_back(std::move(copies_[i]));
     copies_ = std::move(left);
@@ -82,7 +82,7 @@ Playback::Moment Playback::at(double seconds) const {
     straight |= a >= 3 && a < 6 && (before.axes.at[a] != 0 || move.axes.at[a] != 0);
   }
   if (straight || way.size() < 3) return moment;
-  // An arc: the axes are as far from the straight way as the tip is.
+  // On an arc the axes deviate from the straight line as the tip does.
   const Vec3 off = moment.pose.tip - way.front().tip - moment.share * (way.back().tip - way.front().tip);
   for (std::size_t a = 0; a < 3; ++a) moment.axes.at[a] += off[static_cast<Eigen::Index>(a)];
   return moment;
@@ -119,7 +119,7 @@ const Stock& Playhead::stock_after(std::size_t moves, Progress& progress) {
       progress.report(static_cast<double>(i + 1 - begin) / static_cast<double>(moves - begin), "going to another moment");
     }
   } catch (...) {
-    shown_ = nearest;  // strokes may have been carried out in part
+    shown_ = nearest;  // strokes may have been executed partly
     throw;
   }
   return shown_.stock;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -54,12 +55,13 @@ ToolPose PoseMaker::pose(const AxisValues& axes, ControlMode mode, double length
 std::vector<AxisValues> PoseMaker::places(const AxisValues& from, const Motion& motion, double tolerance) const {
   std::vector<AxisValues> result{from};
   if (motion.kind == Motion::Kind::rapid && setup_.rapid_way == RapidWay::dog_leg) {
-    // All axes at the same speed, each until it is there; a turn by a degree takes as long as a millimetre.
+    // All axes move at the same speed, each until it arrives; one degree takes as long as one
+    // millimetre.
     std::array<double, 9> way{};
     std::vector<double> stops;
     for (std::size_t a = 0; a < 9; ++a) {
       const bool turns = a >= 3 && a < 6;
-      way[a] = std::abs(motion.end.at[a] - from.at[a]) * (turns ? 180 / std::numbers::pi : 1);
+      way[a] = std::abs(motion.end.at[a] - from.at[a]) * (turns ? degrees_per_radian : 1);
       if (way[a] > 0) stops.push_back(way[a]);
     }
     std::sort(stops.begin(), stops.end());
@@ -117,7 +119,7 @@ std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, Co
       poses.push_back(end);
       continue;
     }
-    // Halved until the middle of each step, and its quarters, are where even motion has them.
+    // Bisection until midpoint and quarter points of each step agree with linear interpolation.
     const auto divide = [&](const auto& self, double t0, const ToolPose& a, double t1, const ToolPose& b, int depth) -> void {
       bool even = true;
       for (const double share : {0.25, 0.5, 0.75}) {
@@ -126,7 +128,7 @@ std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, Co
         even = even && (middle.tip - tip).norm() <= tolerance &&
                (middle.tip + reach * middle.axis - tip - reach * axis).norm() <= tolerance;
       }
-      // The sweep's surface between poses is straight: its sagitta counts as well.
+      // The swept surface between two poses is ruled, so its sagitta counts as well.
       even = even && reach * (b.axis - a.axis).squaredNorm() / 8 <= tolerance;
       if (!even && depth < 14) {
         const double middle = 0.5 * (t0 + t1);

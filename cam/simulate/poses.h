@@ -1,4 +1,4 @@
-/// From axis values to the tool's poses on the part.
+/// Tool poses relative to the part, from axis values.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,24 @@
 
 namespace fieldfab::cam {
 
-/// Where the tool stands on the part while axes move from one place to another.
+/// Poses of the tool relative to the part along motions of the axes.
 class PoseMaker {
  public:
   PoseMaker(const SimulationSetup& setup, const std::string& program);
 
-  /// The pose for axis values. `lengthened`: how much longer than the tool the control takes it for, mm; `length` of the tool.
+  /// The pose for axis values. `lengthened`: difference between the control's length offset and the
+  /// tool's length, mm; `length`: the tool's length, mm.
   [[nodiscard]] ToolPose pose(const AxisValues& axes, ControlMode mode, double lengthened, double length,
                               const Placement& placement) const;
-  /// Throws bad_input with the line where a motion turns an axis that the machine does not have.
+  /// Throws Error(bad_input) with the line if a motion turns an axis that the machine does not
+  /// have.
   void check(const Motion& motion) const;
-  /// The places between which a motion is even in all axes' values, beginning with the first: several for a dog-leg or an arc.
+  /// Axis values between which a motion is linear in all axes, starting with `from`; several for a
+  /// dog-leg or an arc.
   [[nodiscard]] std::vector<AxisValues> places(const AxisValues& from, const Motion& motion, double tolerance) const;
-  /// Poses from place to place so dense that between two of them tip and axis may be taken to go evenly: no point of the tool up
-  /// to `reach` above its tip is farther than `tolerance` from where it should be. Begins with the first place's pose.
+  /// Poses along a sequence of axis values, so dense that tip and axis may be interpolated linearly
+  /// between them: the error of any point of the tool up to `reach` above its tip is at most
+  /// `tolerance`. Starts with the pose of the first values.
   [[nodiscard]] std::vector<ToolPose> along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened,
                                             double length, const Placement& placement, double reach, double tolerance) const;
 
@@ -29,7 +33,7 @@ class PoseMaker {
   const SimulationSetup& setup_;
   std::string program_;
   Kinematics kinematics_, tip_kinematics_;
-  std::array<std::size_t, 2> rotary_{};  ///< which axis values the machine's rotary axes are
+  std::array<std::size_t, 2> rotary_{};  ///< indices of the machine's rotary axes among the axis values
 };
 
 }  // namespace fieldfab::cam

@@ -17,7 +17,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// What the control knows before a program of so many lines starts.
+/// State of the control before a program with this many lines starts.
 ReadingOptions reading_options(const SimulationSetup& setup, int lines) {
   ReadingOptions options;
   options.work_offsets = setup.work_offsets;

@@ -1,4 +1,4 @@
-/// Program files, whatever language they are written in.
+/// Program files in any supported language.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,16 @@
 
 namespace fieldfab::cam {
 
-/// A program file that is open.
+/// An open program file.
 class ProgramFile {
  public:
-  /// Throws io.
+  /// Throws Error(io).
   explicit ProgramFile(const std::filesystem::path& path);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] int lines() const { return lines_; }
-  /// Reads it as G-code, .sbp, .rml or .hpgl, by its extension, with what the set-up's machine knows. Throws as read_gcode().
+  /// Reads it as G-code, .sbp, .rml or .hpgl by its extension, with the settings of the set-up's
+  /// machine. Throws as read_gcode().
   std::vector<ReadingNote> read(const SimulationSetup& setup, const MotionSink& sink, Progress& progress) const;
 
  private:

@@ -12,7 +12,8 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double width = 900, left = 64, right = 12;  // of a chart and of the room beside its bars, pixels
+// pixels: width of a chart, and its margins beside the bars
+constexpr double width = 900, left = 64, right = 12;
 
 std::string start(double height, const char* description) {
   return fmt::format("<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
@@ -33,7 +34,7 @@ std::string rule(double y, const char* colour) {
   return fmt::format("<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"{}\"/>\n", left, y, width - right, colour);
 }
 
-/// Steps of 1, 2 or 5 times a power of ten, about `count` of them up to `most`.
+/// Step of 1, 2 or 5 times a power of ten, such that about `count` steps reach `most`.
 double step_for(double most, int count) {
   const double rough = most / count, power = std::pow(10, std::floor(std::log10(rough)));
   for (const double factor : {1.0, 2.0, 5.0})
@@ -41,7 +42,7 @@ double step_for(double most, int count) {
   return 10 * power;
 }
 
-/// Shares of the surface's area: those below -full, then `bins` even steps up to full, and those above.
+/// Fractions of the surface area: below -full, in `bins` equal steps up to full, and above.
 std::vector<double> shares_of_area(const SimulationResult& result, double full, std::size_t bins) {
   const double beyond = full * (1 + 2 / static_cast<double>(bins));
   std::vector<double> areas = result.report().deviation->areas.steps(-beyond, beyond, bins + 2);
@@ -86,7 +87,7 @@ std::string deviation_chart(const SimulationResult& result, const DeviationScale
 }
 
 std::string lines_chart(const SimulationReport& report) {
-  // Programs in a row stand side by side.
+  // Consecutive programs are drawn side by side.
   std::vector<int> before(report.programs.size() + 1, 0);
   for (const LineRecord& record : report.lines) {
     int& lines = before[static_cast<std::size_t>(record.program) + 1];

@@ -1,4 +1,4 @@
-/// The charts of the report on a simulation, as <svg> elements.
+/// Charts of the simulation report, as <svg> elements.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace fieldfab::cam {
 
-/// How much of the surface deviates how far, in the colours of the scale; shares of the area, logarithmic.
+/// Histogram of deviations in the colours of the scale: fractions of the surface area on a
+/// logarithmic axis.
 std::string deviation_chart(const SimulationResult& result, const DeviationScale& scale);
 
-/// What the program's lines remove, and how much of their feed goes through material and through air; red below them: where
-/// something is wrong.
+/// Volume removed by the program's lines, and the parts of their feed in material and in air; lines
+/// with events are marked red below.
 std::string lines_chart(const SimulationReport& report);
 
-/// A sequence of colours as a bar, `width` by 14 pixels.
+/// A colour bar, `width` by 14 pixels.
 std::string colour_bar(const std::vector<Colour>& colours, int width);
 
 }  // namespace fieldfab::cam

@@ -10,7 +10,7 @@ nlohmann::ordered_json json_of(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 }  // namespace
 
 nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) {
-  // Which program a line belongs to is said where there are several.
+  // The program of a line is given only if there are several programs.
   const auto with_program = [&](int program, nlohmann::ordered_json row) {
     if (report.programs.size() > 1) row["program"] = program;
     return row;
@@ -69,7 +69,8 @@ nlohmann::ordered_json json_of(const SimulationReport& report, bool with_lines) 
 }
 
 std::string to_json(const SimulationReport& report, bool with_lines) {
-  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;  // programs may hold any bytes
+  // programs may contain any bytes
+  constexpr auto replace = nlohmann::ordered_json::error_handler_t::replace;
   return json_of(report, with_lines).dump(1, ' ', false, replace) + "\n";
 }
 

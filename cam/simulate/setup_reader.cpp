@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "base/toml_table.h"
 #include "base/tool_table.h"
@@ -10,6 +9,7 @@
 #include "fieldfab/cam/job/job.h"
 #include "fieldfab/cam/plan/planes.h"
 #include "fieldfab/cam/simulate/setup.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
@@ -21,11 +21,9 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double degrees = std::numbers::pi / 180;
-
 Placement placement_of(const Plane& plane) { return {plane.axes, plane.axes * plane.origin}; }
 
-/// How often a machine's text stops the program.
+/// Whether a machine's template stops the program.
 bool stops(const Machine& machine, const std::string& text) {
   const auto found = machine.text.find(text);
   if (found == machine.text.end()) return false;
@@ -86,7 +84,7 @@ class SetupReader {
     setup_.zero = zero_of(job);
     setup_.target = target_of(job);
     setup_.sampling.cell = StockSettings::usual_cell(setup_.stock_box);
-    // What the job itself allows its paths and its model of the part to be off.
+    // Tolerances of the job's paths and of its model of the part.
     double allowed = 0;
     for (const PlannedOperation& op : job.operations()) {
       double sum = 0;
@@ -112,13 +110,14 @@ class SetupReader {
       tool = op.tool.number;
       if (!setup_.first_tool) setup_.first_tool = tool;
     }
-    // A beam goes through the sheet.
+    // A beam cuts through the whole sheet.
     if (setup_.machine.takes == MachineInput::flat_paths) {
       const double over = 1;
       setup_.pen_up = setup_.stock_box.upper.z() + over, setup_.pen_down = setup_.stock_box.lower.z() - over;
       for (auto& [number, beam] : setup_.tools) {
         beam.flute = setup_.stock_box.size().z() + 3 * over;
-        // A narrower slit could pass between samples; through the sheet it is the same everywhere.
+        // A narrower slit could pass between samples. Along the thickness of the sheet one cell
+        // suffices.
         if (beam.diameter > 0) setup_.sampling.cell = std::min(setup_.sampling.cell, beam.diameter / 2);
       }
       setup_.sampling.cell_height = setup_.stock_box.size().z() / 2;
@@ -128,7 +127,8 @@ class SetupReader {
     if (part_) leave_where_it_was(job.zero());
   }
 
-  /// A job counts from its program's zero; a part that was given is wanted where it is.
+  /// Shifts a job's set-up by its program's zero, so that a part given from outside keeps its
+  /// place.
   void leave_where_it_was(const Vec3& zero) {
     if (zero.isZero()) return;
     if (setup_.saved)
@@ -140,7 +140,7 @@ class SetupReader {
     setup_.zero -= zero;
   }
 
-  /// Where the machine's settings put the part's zero.
+  /// Position of the part's zero by the machine's settings.
   static Vec3 zero_of(const Job& job) {
     Vec3 zero = Vec3::Zero();
     for (const auto& [key, axis] : {std::pair{"xmin", 0}, std::pair{"ymin", 1}})
@@ -149,7 +149,8 @@ class SetupReader {
     return zero;
   }
 
-  /// What the job says should be left at least: its part where that is a solid; with drawings all that no operation may cut.
+  /// The target of a job: its part if that is a solid; for drawings everything that no operation
+  /// may cut.
   static FieldPtr target_of(const Job& job) {
     const Solid* const solid = job.solid();
     if (solid == nullptr || !solid->flat) return solid ? solid->field : nullptr;
@@ -183,7 +184,7 @@ class SetupReader {
         setup_.limits[static_cast<std::size_t>(axis.letter - 'A') + 3] = {axis.lower, axis.upper};
   }
 
-  /// A model with its bounds, or those that the table gives.
+  /// A model with its bounds, or those of the table.
   std::pair<FieldPtr, Box> read_model(const TomlTable& table) {
     const std::string name = *table.text("model");
     OpenSettings settings;
@@ -238,7 +239,7 @@ class SetupReader {
     if (const auto rules = table_.text("rules")) setup_.sampling.rules = parse_split_rules(*rules);
   }
 
-  /// Cuts go on where a saved stock's left off; whose lines they were is not known here.
+  /// Continues the cut numbers of a saved stock; their program lines are unknown.
   void begin_with(Stock saved) {
     saved.forget_cuts();
     setup_.stock_box = saved.lattice().box();
@@ -276,7 +277,7 @@ class SetupReader {
   AxisValues axes(const TomlTable& table, const std::string& key, const std::vector<double>& list) const {
     if (list.size() < 3 || list.size() > 9) throw refuse(table, key, fmt::format("{} is [x, y, z] and up to six axes more", key));
     AxisValues values;
-    for (std::size_t a = 0; a < list.size(); ++a) values.at[a] = list[a] * (a >= 3 && a < 6 ? degrees : 1);
+    for (std::size_t a = 0; a < list.size(); ++a) values.at[a] = list[a] * (a >= 3 && a < 6 ? radians_per_degree : 1);
     return values;
   }
 
@@ -301,7 +302,7 @@ class SetupReader {
       for (std::size_t a = 0; a < letters.size(); ++a)
         if (const auto list = limits->list(letters[a])) {
           if (list->size() != 2 || !((*list)[0] <= (*list)[1])) throw refuse(*limits, letters[a], "limits are [from, to]");
-          const double unit = a >= 3 && a < 6 ? degrees : 1;
+          const double unit = a >= 3 && a < 6 ? radians_per_degree : 1;
           setup_.limits[a] = {(*list)[0] * unit, (*list)[1] * unit};
         }
     }
@@ -324,7 +325,7 @@ class SetupReader {
   }
 
   std::filesystem::path path_;
-  FieldPtr part_;  ///< of a job; null where it names its model
+  FieldPtr part_;  ///< of a job; null if it names its model
   Progress& progress_;
   const Formats& formats_;
   std::string text_;

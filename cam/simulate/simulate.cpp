@@ -15,7 +15,7 @@ SimulationSetup::SimulationSetup() { limits.fill({-1e300, 1e300}); }
 
 namespace {
 
-/// Tells where the target may have parts that the stock's cells are too large for.
+/// Adds a note if the target may have parts thinner than the stock's cells.
 void note_thin_parts(const SimulationSetup& setup, const Stock& stock, EventLog& log, Progress& progress) {
   const double cell = stock.lattice().spacing().minCoeff();
   const Certainty thin = certainty_of_cells(*setup.target, setup.stock_box, cell, progress);
@@ -27,7 +27,7 @@ void note_thin_parts(const SimulationSetup& setup, const Stock& stock, EventLog&
                       cell, thin.count, thin.largest, p.x(), p.y(), p.z())});
 }
 
-/// Tells where the surface is off the target by more than is allowed.
+/// Logs the places where the surface deviates from the target by more than the tolerance.
 void log_deviations(const SimulationSetup& setup, const DeviationGauge& gauge, const Cuts& cuts, EventLog& log) {
   const auto event = [&](SimulationEvent::Kind kind, const DeviationGauge::Spot& spot, const auto& message) {
     const Vec3 p(spot.place[0], spot.place[1], spot.place[2]);

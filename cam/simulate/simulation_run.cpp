@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
 namespace fieldfab::cam {
@@ -47,7 +47,7 @@ void SimulationRun::carry_out(const ProgramFile& program) {
   at_ = setup_.start, offset_ = Vec3::Zero(), known_ = false;
   spindle_turns_ = by_hand_ = false;
   ++pass_;
-  // Without any word about tools, the only one there is.
+  // A program without tool words uses the only tool, if there is one.
   if (!mounted_ && setup_.tools.size() == 1) mount(setup_.tools.begin()->second);
   const std::vector<ReadingNote> notes = program.read(
       setup_, [this](const Motion& motion) { take_motion(motion); }, progress_);
@@ -82,14 +82,14 @@ void SimulationRun::take_motion(const Motion& motion) {
 }
 
 void SimulationRun::mount(const Tool& tool) {
-  flush();  // strokes point into the tool that was there
+  flush();  // strokes refer to the previous tool
   const auto mounted = std::make_shared<Mounted>();
   mounted->tool = tool;
   mounted->solid = tool_solid(tool);
   mounted->inner = mounted->solid.shrunk(setup_.touch);
   mounted_ = mounted;
   tool_number_ = tool.number;
-  known_ = false;  // nor is it said how the machine got to where tools are changed and back
+  known_ = false;  // the motion to the position of the tool change and back is not part of the program
   ++pass_;
 }
 
@@ -107,12 +107,12 @@ void SimulationRun::stop(const Motion& motion) {
   if (action.placement) {
     flush();
     placement_ = *action.placement;
-    known_ = false;  // the part was turned: how the tool came to where it is means nothing
+    known_ = false;  // the part was turned over: the motion to this position is unknown
   }
   if (action.tool) change_tool(action.tool, motion.line), by_hand_ = true;
 }
 
-/// Takes the tool that a program begins with that names none.
+/// Mounts the initial tool of a program that names none.
 void SimulationRun::need_tool(const Motion& motion) {
   if (setup_.tools.empty())
     throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_->path().string(), motion.line),
@@ -135,7 +135,7 @@ void SimulationRun::move(const Motion& motion) {
   pass_is_rapid_ = rapid;
   const Tool& tool = mounted_->tool;
   const double tolerance = stock_.tolerance();
-  // The axes stand where they were, whatever the control now takes for the tool's length.
+  // The axes stay where they were, even if the control assumes another length of tool.
   AxisValues start = known_ ? at_ : motion.end;
   for (std::size_t a = 0; known_ && a < 3; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
@@ -176,15 +176,17 @@ void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& 
   const auto stroke = [&](const ToolSolid& tool, ToolRole role, Purpose::What what, bool removes) {
     purpose.what = what;
     add_strokes(tool, role, from, to, tip, removes, strokes_);
-    for (; purposes_.size() < strokes_.size(); purpose.length = 0) purposes_.push_back(purpose);  // the way counts once
+    // the length of the motion counts once
+    for (; purposes_.size() < strokes_.size(); purpose.length = 0) purposes_.push_back(purpose);
   };
   const ToolSolid &solid = mounted_->solid, &inner = mounted_->inner;
-  // First what lies inside the tool, for rapids; then the cut; then what must not touch what is left.
+  // First the inner solid, for rapids; then the cut; then the parts that must not touch the
+  // remaining material.
   if (rapid) stroke(inner, ToolRole::cutting, Purpose::What::rapid, false), purpose.length = length;
   stroke(solid, ToolRole::cutting, rapid ? Purpose::What::rapid : Purpose::What::cut, true);
   stroke(inner, ToolRole::shank, Purpose::What::shank, false);
   stroke(inner, ToolRole::holder, Purpose::What::holder, false);
-  // A shank that was told of takes away what it met: what is left where it went is no further fault.
+  // A shank whose contact is reported also removes the material, so that it is reported once.
   stroke(solid, ToolRole::shank, Purpose::What::shank, true);
   if (!fixture_) return;
   purpose.what = Purpose::What::fixture;
@@ -193,7 +195,7 @@ void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& 
   fixture_purposes_.resize(fixture_strokes_.size(), purpose);
 }
 
-/// Carries out what was collected.
+/// Executes the collected strokes.
 void SimulationRun::flush() {
   if (strokes_.empty()) return;
   const std::vector<StrokeResult> results = stock_.cut(strokes_, progress_);
@@ -219,7 +221,7 @@ void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const St
   switch (purpose.what) {
     case Purpose::What::cut:
       line.removed += result.volume, report_.removed += result.volume;
-      // Rubbing along what is there is air: less than a chip of a hundredth by a hundredth of a millimetre.
+      // Rubbing along a surface counts as air: a chip of less than 0.01 mm by 0.01 mm.
       (result.volume > 1e-4 * purpose.length ? line.cut : line.air) += purpose.length;
       (result.volume > 1e-4 * purpose.length ? report_.cut : report_.air) += purpose.length;
       if (purpose.stopped) told(Kind::spindle_stopped, "it cuts while the spindle stands");
@@ -238,7 +240,8 @@ void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const St
   }
 }
 
-/// Arcs may leave the limits between their ends. Coming back from beyond a limit is no further fault.
+/// Checks the positions of a motion: an arc may leave the limits between its ends. A motion back
+/// from beyond a limit is no further event.
 void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisValues>& stations) {
   for (std::size_t axis = 0; axis < 9; ++axis) {
     const auto& [low, high] = setup_.limits[axis];
@@ -248,7 +251,7 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
       const double excess = beyond(stations[i]);
       const bool end = i + 1 == stations.size();
       if (excess <= 1e-6 || (!end && excess <= before)) continue;
-      const double unit = axis >= 3 && axis < 6 ? 180 / std::numbers::pi : 1;
+      const double unit = is_rotary(axis) ? degrees_per_radian : 1;
       log_.add({Kind::over_travel, cut_move(motion), stations[i].xyz() - setup_.zero, excess * unit,
                 fmt::format("{} goes to {:.6g}, beyond its limits {:.6g} to {:.6g}", "XYZABCUVW"[axis],
                             stations[i].at[axis] * unit, low * unit, high * unit)});
@@ -256,7 +259,7 @@ void SimulationRun::check_limits(const Motion& motion, const std::vector<AxisVal
   }
 }
 
-/// Of a motion whose tip goes `length` mm on the part.
+/// Duration of a motion whose tip moves `length` mm relative to the part.
 double SimulationRun::duration_of(const Motion& motion, double length) const {
   if (motion.seconds > 0) return motion.seconds;
   double linear = 0, turned = 0;
@@ -265,7 +268,7 @@ double SimulationRun::duration_of(const Motion& motion, double length) const {
   linear = motion.kind == Motion::Kind::arc ? length : std::sqrt(linear);
   if (!known_) return 0;
   if (motion.kind == Motion::Kind::rapid) {
-    constexpr double turning = 3600 * std::numbers::pi / 180;  // radians/min, where nothing is said about it
+    constexpr double turning = to_radians(3600);  // radians/min, if no speed is given
     return 60 * std::max(linear / std::max(setup_.machine.dynamics.rapid, 1.0), turned / turning);
   }
   if (motion.feed <= 0) return 0;

@@ -1,4 +1,4 @@
-/// A program being carried out: its motions become strokes, and what these meet becomes events.
+/// Execution of programs: motions become strokes, and their results become events.
 #pragma once
 
 #include <array>
@@ -18,29 +18,31 @@ namespace fieldfab::cam {
 class SimulationRun {
  public:
   SimulationRun(const SimulationSetup& setup, const SimulationOptions& options, Progress& progress);
-  /// Carries out a program from its beginning to its end, on what earlier ones have left. Tools stay in the spindle, and the part
-  /// lies as the last one left it; how the axes come to where the program starts is not known.
+  /// Executes a whole program on the material that earlier programs left. The tool stays in the
+  /// spindle, and the part keeps its placement. The motion of the axes to the program's start is
+  /// unknown.
   void carry_out(const ProgramFile& program);
 
   [[nodiscard]] const Stock& stock() const { return stock_; }
   [[nodiscard]] const Cuts& cuts() const { return cuts_; }
   [[nodiscard]] EventLog& log() { return log_; }
-  /// What came of it, the set-up and the surface missing.
+  /// Returns the result, without set-up and surface.
   SimulationResult::Parts take() &&;
 
  private:
-  /// What is to be done with the result of a stroke.
+  /// Use of a stroke's result.
   struct Purpose {
     enum class What : std::uint8_t { cut, rapid, shank, holder, fixture } what;
     std::size_t record;
     CutMove move;
-    double length;  ///< of the way, mm
+    double length;  ///< of the motion, mm
     bool stopped;
   };
-  /// A tool with what is asked about it.
+  /// A tool with the solids for its tests.
   struct Mounted {
     Tool tool;
-    ToolSolid solid, inner;  ///< as it is, and what lies deeper in it than contacts count
+    ToolSolid solid, inner;  ///< the tool's solid, and the solid offset inwards by the tolerance of
+                             ///< contacts
   };
 
   void take_motion(const Motion& motion);
@@ -51,7 +53,7 @@ class SimulationRun {
 
   void move(const Motion& motion);
   void add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length);
-  /// A motion as cuts remember it.
+  /// A motion as stored with cuts.
   [[nodiscard]] CutMove cut_move(const Motion& motion) const { return {motion.line, tool_number_, program_number_, pass_}; }
   void check_limits(const Motion& motion, const std::vector<AxisValues>& stations);
   [[nodiscard]] double duration_of(const Motion& motion, double length) const;
@@ -76,13 +78,15 @@ class SimulationRun {
   std::shared_ptr<const Mounted> mounted_;
   int tool_number_ = 0;
   AxisValues at_;
-  Vec3 offset_ = Vec3::Zero();  ///< the length compensation that was in force there
+  Vec3 offset_ = Vec3::Zero();  ///< length compensation in force at that position
   std::uint32_t pass_ = 0;
   bool pass_is_rapid_ = false;
-  bool known_ = false;  ///< whether the way to the next place is known: not before the first motion
+  bool known_ = false;  ///< whether the motion to the next position is known: not before the first
+                        ///< motion
   Placement placement_;
-  bool spindle_turns_ = false;  ///< at any place of the program
-  bool by_hand_ = false;        ///< tools are changed at stops, whatever the program's numbers are
+  bool spindle_turns_ = false;  ///< at any position of the program
+  bool by_hand_ = false;        ///< tools are changed at stops, independently of the program's tool
+                                ///< numbers
   std::size_t stops_ = 0, record_ = 0;
   std::vector<Stroke> strokes_, fixture_strokes_;
   std::vector<Purpose> purposes_, fixture_purposes_;

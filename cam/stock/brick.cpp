@@ -19,9 +19,20 @@ Index3 point_of(int axis, int u, int v, int k) {
   return p;
 }
 
-/// The points from a coordinate on: the first one that is not below it, and the last one that is not above it.
+/// Index of the first point at or above a coordinate, and of the last point at or below it.
 int from(const StockLattice& lattice, int axis, float coordinate) { return lattice.below(axis, coordinate) + 1; }
 int up_to(const StockLattice& lattice, int axis, float coordinate) { return lattice.above(axis, coordinate) - 1; }
+
+/// Where the surface crosses the edge of the lattice from a point q that a stroke removes to its neighbour p, which stays, mm
+/// from the lattice's corner: at the end of the stroke's interval on that line. `after`: p follows q along axis d.
+float crossing_between(const Index3& p, const Index3& q, int d, bool after, const Window& across, const StockLattice& lattice) {
+  const int u = q[static_cast<std::size_t>(axis_u(d))], v = q[static_cast<std::size_t>(axis_v(d))];
+  const float place = lattice.at(d, q[static_cast<std::size_t>(d)]), other = lattice.at(d, p[static_cast<std::size_t>(d)]);
+  if (!across.has(u, v)) return place;
+  const std::size_t line = across.index(u, v);
+  if (!(across.entry[line] <= across.exit[line])) return place;
+  return after ? std::clamp(across.exit[line], place, other) : std::clamp(across.entry[line], other, place);
+}
 
 }  // namespace
 
@@ -66,8 +77,9 @@ struct Brick::Batch {
   std::array<bool, most> here{};
 };
 
-// A few passes at a time: first they cut the columns, one after the other; then the samples across the columns follow, for those
-// points only that all of the passes have left.
+// Passes are processed in batches. First they cut the columns, one pass after the other. Then the
+// samples across the columns are updated only for points that all passes of the batch have left
+// solid.
 void Brick::cut(std::span<Pass> passes, const Stock& stock) {
   const StockLattice& lattice = stock.lattice();
   thread_local Batch batch;
@@ -87,14 +99,15 @@ void Brick::cut(std::span<Pass> passes, const Stock& stock) {
 
 namespace {
 
-/// Whether points reach a cell's or come next to them.
+/// Whether the reached points meet a cell or are adjacent to it.
 bool come_near(const Region& cell, const Region& reach) {
   for (std::size_t a = 0; a < 3; ++a)
     if (cell.upper[a] + 1 < reach.lower[a] || reach.upper[a] < cell.lower[a] - 1) return false;
   return true;
 }
 
-/// Whether points reach the lower and the upper child of a split cell, or come next to it.
+/// Whether the reached points meet, or are adjacent to, the lower and the upper child of a split
+/// cell.
 std::pair<bool, bool> sides_met(const Cell& split, const Region& reach) {
   return {reach.first(split.axis) <= split.plane, reach.last(split.axis) >= split.plane - 1};
 }
@@ -114,7 +127,8 @@ void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& s
     return;
   }
   if (cell.content == Cell::Content::solid) {
-    // Nothing says yet along which axis its columns should be: the tool's own is the likeliest.
+    // A solid cell has no direction of columns yet: the axis nearest to the tool's is the most
+    // likely one.
     int axis = 2;
     stroke.to.axis.cwiseAbs().maxCoeff(&axis);
     cell.axis = static_cast<std::int8_t>(axis);
@@ -136,7 +150,7 @@ void Brick::cut_columns(int node, Batch& batch, std::size_t pass, const Stock& s
         fits = false;
     }
   if (fits) return commit(cell, changes);
-  // All samples have to be there before the cell is made anew.
+  // All samples must be in the map before the cell is rebuilt.
   for (std::size_t i = 0; i <= pass; ++i)
     if (batch.here[i] && batch.passes[i].stroke->removes) cut_edges(node, batch, i, lattice);
   divide(node, stroke, stock, windows);
@@ -164,7 +178,7 @@ Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const St
   return points;
 }
 
-/// A box that holds all solid points (Hahn 5.3).
+/// A box that contains all solid points (Hahn 5.3).
 Region Brick::solid_bounds(const StockLattice& lattice) const {
   Region bounds{region_.upper, region_.lower};
   const auto add = [&](const Region& r) {
@@ -194,7 +208,8 @@ Region Brick::solid_bounds(const StockLattice& lattice) const {
   return bounds;
 }
 
-/// What a stroke makes of the columns of a cell; false where a column would fall into two.
+/// Computes the changes of a cell's columns by a stroke. Returns false if a column would be divided
+/// in two.
 bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& stroke, const StockLattice& lattice,
                          std::vector<Change>& changes, StrokeResult& result) const {
   const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
@@ -202,7 +217,7 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
   const int low = r.first(axis), high = r.last(axis), cells_u = lattice.cells()[static_cast<std::size_t>(ua)],
             cells_v = lattice.cells()[static_cast<std::size_t>(va)], cells_a = lattice.cells()[static_cast<std::size_t>(axis)];
   const double half = 0.5 * lattice.spacing()[axis];
-  // The part of the axis that the cell's points stand for.
+  // The part of the axis that the cell's points represent.
   const double from_mm = lattice.at(axis, low) - (low > 0 ? half : 0),
                to_mm = lattice.at(axis, high) + (high < cells_a ? half : 0);
   bool representable = true;
@@ -254,7 +269,8 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
   return representable;
 }
 
-/// The samples across the columns: wherever a solid point beside a column is not covered, but the column is.
+/// Updates the samples across the columns: those of solid points with a neighbour that the tool has
+/// removed.
 void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows) {
   const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
   const Region& r = cell.region;
@@ -264,7 +280,8 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
   const int first_u = std::max(window.u0, r.first(ua) - 1), count_u = std::min(window.u1, r.last(ua) + 1) - first_u + 1;
   const int first_v = std::max(window.v0, r.first(va) - 1), last_v = std::min(window.v1, r.last(va) + 1);
   if (count_u <= 0 || first_v > last_v) return;
-  // The tops of the columns in three rows at a time, with one more at both ends; nothing outside of the cell.
+  // Tops of the columns of three consecutive rows, with one more column at both ends; -beyond
+  // outside of the cell.
   thread_local std::vector<float> tops;
   thread_local std::vector<std::uint8_t> flags;
   const auto stride = static_cast<std::size_t>(count_u) + 2;
@@ -297,7 +314,7 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
       if (a > cell_high || b < cell_low) return;
       int k0 = 0, k1 = -1;
       for (int side = 0; side < 4; ++side) {
-        const bool along_u = side < 2, after = side % 2;  // the neighbour comes after the column
+        const bool along_u = side < 2, after = side % 2;  // the neighbour follows the column
         const int pu = u + (along_u ? (after ? 1 : -1) : 0), pv = v + (along_u ? 0 : (after ? 1 : -1));
         if (pu < r.first(ua) || pu > r.last(ua) || pv < r.first(va) || pv > r.last(va)) continue;
         const std::size_t column = cell.column(pu, pv);
@@ -316,21 +333,13 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
         for (int k = std::max(k0, points.first); k <= std::min(k1, points.last); ++k) {
           const float level = lattice.at(axis, k);
           if (level >= covered_from && level <= covered_to) {
-            k = std::min(k1, up_to(lattice, axis, covered_to));  // skips what is covered
+            k = std::min(k1, up_to(lattice, axis, covered_to));  // skip covered points
             continue;
           }
           const int d = along_u ? ua : va;
           const Window& across = windows.along(d);
           const Index3 p = point_of(axis, pu, pv, k), q = point_of(axis, u, v, k);
-          const int wu = q[static_cast<std::size_t>(axis_u(d))], wv = q[static_cast<std::size_t>(axis_v(d))];
-          const int at_p = p[static_cast<std::size_t>(d)], at_q = q[static_cast<std::size_t>(d)];
-          float place = lattice.at(d, at_q);
-          if (across.has(wu, wv)) {
-            const std::size_t line = across.index(wu, wv);
-            if (across.entry[line] <= across.exit[line])
-              place = after ? std::clamp(across.exit[line], place, lattice.at(d, at_p))
-                            : std::clamp(across.entry[line], lattice.at(d, at_p), place);
-          }
+          const float place = crossing_between(p, q, d, after, across, lattice);
           if (after)
             samples_.keep_upper(SampleMap::key(q, d, region_), {place, stroke.cut});
           else
@@ -356,7 +365,7 @@ void Brick::commit(Cell& cell, const std::vector<Change>& changes) const {
   }
 }
 
-/// Sets the bits of a cell's solid points, as far as the shape reaches.
+/// Sets the bits of a cell's solid points within the shape's region.
 void Brick::occupy(const Cell& cell, Occupancy& shape, const StockLattice& lattice) const {
   if (cell.content == Cell::Content::empty || cell.content == Cell::Content::split) return;
   const Region r = common(cell.region, shape.region());
@@ -376,7 +385,7 @@ void Brick::occupy(Occupancy& shape, const StockLattice& lattice) const {
   for (const Cell& cell : nodes_) occupy(cell, shape, lattice);
 }
 
-/// A stroke that the cell's columns cannot represent (Hahn Fig. 3.1).
+/// Divides a cell whose columns cannot represent the result of a stroke (Hahn Fig. 3.1).
 void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows) {
   const StockLattice& lattice = stock.lattice();
   Cell cell = std::move(nodes_[static_cast<std::size_t>(node)]);
@@ -396,7 +405,7 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
       const std::size_t column = cell.column(u, v);
       const Points points = solid_points(cell, column, lattice);
       if (points.first > points.last) continue;
-      // What the columns held becomes samples like all others.
+      // The ends of columns become samples of the map.
       if (cell.content == Cell::Content::columns) {
         if (cell.upper.at[column] != beyond) keep(u, v, points.last, true, cell.upper[column]);
         if (!cell.lower.empty() && cell.lower.at[column] != -beyond) keep(u, v, points.first, false, cell.lower[column]);
@@ -423,7 +432,7 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
   rebuild(node, solid, covered, axis, cell.facing, stroke, stock);
 }
 
-/// Cells for a region whose solid points are known and whose samples are all in the map.
+/// Builds cells for a region with known solid points, all samples of which are in the map.
 void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
                     const Stroke& stroke, const Stock& stock) {
   const Region r = solid.region();
@@ -432,7 +441,7 @@ void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, 
     cell.content = solid.none() ? Cell::Content::empty : Cell::Content::solid;
     return;
   }
-  // Its own direction if that will do, else the one nearest to the tool's.
+  // Prefers the cell's own direction, then the one nearest to the tool's.
   const StockSettings& settings = stock.settings();
   std::array<int, 3> axes{axis, (axis + 1) % 3, (axis + 2) % 3};
   if (std::abs(stroke.to.axis[axes[2]]) > std::abs(stroke.to.axis[axes[1]])) std::swap(axes[1], axes[2]);
@@ -466,7 +475,7 @@ void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, 
   std::array<Region, 2> parts{r, r};
   parts[0].upper[static_cast<std::size_t>(choice.axis)] = choice.plane - 1;
   parts[1].lower[static_cast<std::size_t>(choice.axis)] = choice.plane;
-  nodes_.resize(nodes_.size() + 2);  // `cell` is no more
+  nodes_.resize(nodes_.size() + 2);  // the reference `cell` is now invalid
   for (int i = 0; i < 2; ++i) nodes_[static_cast<std::size_t>(children + i)].region = parts[static_cast<std::size_t>(i)];
   for (int i = 0; i < 2; ++i) {
     const Region& part = parts[static_cast<std::size_t>(i)];
@@ -495,7 +504,7 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
       if (last < r.last(axis)) {
         const Sample* kept = samples_.find(SampleMap::key(point_of(axis, u, v, last), axis, region_));
         cell.upper.put(column, kept ? *kept : Sample{lattice.at(axis, last + 1), 0});
-        // The end must lie above its point, whatever was rounded.
+        // The end must lie above its point, despite rounding.
         if (cell.upper.at[column] <= lattice.at(axis, last))
           cell.upper.at[column] = std::nextafter(lattice.at(axis, last), beyond);
       }
@@ -509,7 +518,7 @@ void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupan
     }
 }
 
-/// Forgets samples that columns hold, and those of points that are no longer solid.
+/// Removes samples that columns store, and those of points that are no longer solid.
 void Brick::tidy(const StockLattice& lattice) {
   Occupancy shape(region_);
   occupy(shape, lattice);

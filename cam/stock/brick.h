@@ -1,4 +1,4 @@
-/// A cube of stock: a kD-tree of functional cells, and how tools cut it (Hahn Fig. 3.1).
+/// A cube of stock: a k-d tree of functional cells, and its subtraction of tools (Hahn Fig. 3.1).
 #pragma once
 
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace fieldfab::cam {
 
-/// The intervals of one sweep on the lines through a region, along each axis, computed where asked for.
+/// Intervals of one sweep on the lines through a region along each axis, computed on demand.
 class WindowSet {
  public:
   explicit WindowSet(const StockLattice& lattice) : lattice_(&lattice) {}
-  /// Begins with a sweep and the points of a region and next to it. False where the sweep holds none of them.
+  /// Sets the sweep and the region, which is extended by one point on each side. Returns false if
+  /// the sweep contains no point of it.
   bool start(const Sweep& sweep, const Region& region);
   const Window& along(int axis);
-  /// The points that the sweep's box holds.
+  /// The points within the sweep's bounding box.
   [[nodiscard]] const Region& reach() const { return reach_; }
 
  private:
@@ -37,31 +38,33 @@ class Brick {
   Brick(const Region& region, bool solid);
 
   [[nodiscard]] const Region& region() const { return region_; }
-  /// All of one content, without samples.
+  /// Whether the brick is wholly solid or empty, without samples.
   [[nodiscard]] bool uniform() const {
     return nodes_.size() == 1 && nodes_[0].content < Cell::Content::columns && !samples_.size();
   }
   [[nodiscard]] bool empty() const { return nodes_.size() == 1 && nodes_[0].content == Cell::Content::empty; }
-  /// A stroke that may come near, and what it meets here.
+  /// A stroke that may reach the brick, and its result there.
   struct Pass {
     const Sweep* sweep;
     const Stroke* stroke;
     StrokeResult result{};
   };
-  /// Takes out what strokes sweep, in their order, or only says what they meet.
+  /// Subtracts the strokes in their order, or only reports contact for strokes that do not remove
+  /// material.
   void cut(std::span<Pass> passes, const Stock& stock);
-  /// Gives back memory that no longer holds anything; worth it once many passes are done.
+  /// Frees unused memory; worthwhile after many passes.
   void settle(const StockLattice& lattice) {
     if (samples_.size() != tidied_) tidy(lattice);
   }
-  /// Makes it what a field says: solid points and the samples on their edges.
+  /// Sets the contents: solid points and the samples on their edges.
   void assign(const Occupancy& solid, SampleMap samples, const Stock& stock);
 
-  /// Has all samples say that they are of the first surface.
+  /// Assigns all samples to cut 0, the first surface.
   void forget_cuts();
 
   [[nodiscard]] bool solid(const Index3& point, const StockLattice& lattice) const;
-  /// The sample that a solid point owns on its edge along an axis, upwards or downwards; where none was kept, the far end.
+  /// The sample that a solid point owns on its edge along an axis, upwards or downwards. Returns
+  /// the far end of the edge if no sample is stored.
   [[nodiscard]] Sample sample(const Index3& point, int axis, bool upwards, const StockLattice& lattice) const;
   /// Sets the bits of all solid points.
   void occupy(Occupancy& shape, const StockLattice& lattice) const;
@@ -70,7 +73,7 @@ class Brick {
 
  private:
   friend class StockBytes;
-  /// The sweeps of a few passes on the lines through the brick, while they are carried out.
+  /// Sweeps of a few passes on the lines through the brick, while they are processed.
   struct Batch;
   struct Change {
     std::size_t column;
@@ -99,7 +102,7 @@ class Brick {
   Region region_;
   std::vector<Cell> nodes_;
   SampleMap samples_;
-  std::size_t tidied_ = 0;  ///< samples after the last tidying
+  std::size_t tidied_ = 0;  ///< number of samples after the last tidy()
   Tally tally_;
   std::minstd_rand random_{12345};
 };

@@ -1,7 +1,9 @@
-/// The parts of a multidirectional heightmap (Hahn 3, 4.2, 5.1): lattice points in half-open ownership, cells, samples.
+/// Parts of a multidirectional height map (Hahn 2010, 3, 4.2, 5.1): lattice points with half-open
+/// ownership, cells, samples.
 ///
-/// A lattice point is solid or air; a solid point owns the places where the surface crosses the edges from it to its air
-/// neighbours. Every point belongs to one cell of one brick, so that no two cells can disagree about one.
+/// A lattice point is solid or air. A solid point owns the intersections of the surface with the
+/// edges to its air neighbours. Every point belongs to one cell of one brick, so that two cells
+/// cannot disagree about a point.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +35,7 @@ struct Region {
   }
 };
 
-/// The points that two regions have in common; counts of 0 and below where there are none.
+/// The intersection of two regions; counts of 0 or less if it is empty.
 inline Region common(const Region& a, const Region& b) {
   Region r;
   for (std::size_t i = 0; i < 3; ++i)
@@ -41,18 +43,20 @@ inline Region common(const Region& a, const Region& b) {
   return r;
 }
 
-/// Where the surface crosses an edge of the lattice: mm from the lattice's corner along the edge, and the cut that made it (0:
-/// the stock's first surface).
+/// Intersection of the surface with an edge of the lattice: position along the edge, mm from the
+/// lattice's corner, and the cut that made it (0: the stock's first surface).
 struct Sample {
   float at = 0;
   std::uint32_t cut = 0;
 };
 
-/// Samples by edge: of a brick's edges, those that are not ends of its cells' columns. An edge is its lower point and its axis.
+/// Hash map of samples by edge: those on a brick's edges, except the ends of its cells' columns. An
+/// edge is identified by its lower point and its axis.
 class SampleMap {
  public:
   using Key = std::uint32_t;
-  /// Of an edge whose lower point lies at most one step outside of a region of at most 1021 points along an axis.
+  /// Key of an edge whose lower point lies at most one step outside of a region. The region has at
+  /// most 1021 points along an axis.
   static Key key(const Index3& from, int axis, const Region& region) {
     const auto part = [&](std::size_t a) { return static_cast<Key>(from[a] - region.lower[a] + 1); };
     return static_cast<Key>(axis) | part(0) << 2 | part(1) << 12 | part(2) << 22;
@@ -64,7 +68,7 @@ class SampleMap {
       if (slots_[i].key == none) return nullptr;
     }
   }
-  /// Keeps the lower of the sample that is there and this one, or the upper one.
+  /// Stores the sample unless the stored one is lower (keep_upper(): higher).
   void keep_lower(Key key, Sample sample) {
     Sample& kept = place(key, sample);
     if (sample.at < kept.at) kept = sample;
@@ -81,8 +85,8 @@ class SampleMap {
     for (Slot& slot : slots_)
       if (slot.key != none) body(slot.sample);
   }
-  /// Slots, of which some are empty; and all samples, `body(key, sample)`, in an order in which a map of as many slots gets them
-  /// into the same ones.
+  /// Number of slots, including empty ones. for_each() calls `body(key, sample)` for all samples in
+  /// an order that gives a map with as many slots the same layout.
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }
   template <class Body>
   void for_each(const Body& body) const {
@@ -91,9 +95,9 @@ class SampleMap {
     for (std::size_t k = 0, i = first; k < slots_.size(); ++k, i = after(i))
       if (slots_[i].key != none) body(slots_[i].key, slots_[i].sample);
   }
-  /// Makes room in an empty map: so many slots.
+  /// Allocates slots of an empty map.
   void make_slots(std::size_t count) { slots_ = std::vector<Slot>(count); }
-  /// Leaves only those for whose key `wanted` says yes.
+  /// Removes the samples for whose key `wanted` returns false.
   template <class Wanted>
   void sift(const Wanted& wanted) {
     std::vector<Slot> old;
@@ -114,7 +118,7 @@ class SampleMap {
     Sample sample;
   };
   [[nodiscard]] std::size_t after(std::size_t i) const { return i + 1 < slots_.size() ? i + 1 : 0; }
-  /// Any number of slots will do: the hash is a share of them.
+  /// The hash is a fraction of the number of slots, which need not be a power of two.
   [[nodiscard]] std::size_t slot(Key key) const {
     const auto hash = static_cast<std::uint32_t>((key ^ key >> 15) * 2654435769u);
     return static_cast<std::size_t>(static_cast<std::uint64_t>(hash) * slots_.size() >> 32);
@@ -141,7 +145,7 @@ class SampleMap {
   std::size_t count_ = 0;
 };
 
-/// Which points of a region are solid: rows of bits along x.
+/// Set of the solid points of a region: rows of bits along x.
 class Occupancy {
  public:
   using Word = std::uint64_t;
@@ -163,7 +167,7 @@ class Occupancy {
     const auto x = static_cast<std::size_t>(p[0] - region_.lower[0]);
     row(p[1], p[2])[x / 64] |= Word{1} << (x % 64);
   }
-  /// Sets the points of a row from x0 to x1, both included.
+  /// Sets the points of a row from x0 to x1 inclusive.
   void set_row(int x0, int x1, int y, int z) {
     Word* bits = row(y, z);
     const auto from = static_cast<std::size_t>(x0 - region_.lower[0]), to = static_cast<std::size_t>(x1 - region_.lower[0]);
@@ -174,15 +178,16 @@ class Occupancy {
       bits[w] |= mask;
     }
   }
-  /// Clears the points of a shape with the same region.
+  /// Removes the points of another set with the same region.
   void subtract(const Occupancy& other) {
     for (std::size_t i = 0; i < bits_.size(); ++i) bits_[i] &= ~other.bits_[i];
   }
-  /// Sets runs of points along an axis in a part of the region: `run(u, v)` gives the first and the last one of a line, which are
-  /// cut to the part; none where the last one comes before the first.
+  /// Sets runs of points along an axis in a part of the region. `run(u, v)` returns the first and
+  /// the last point of a line's run, which is clipped to the part. The run is empty if the last
+  /// point precedes the first.
   template <class Run>
   void set_runs(const Region& part, int axis, const Run& run);
-  /// The bits of a row's word that lie in the region.
+  /// Mask of the bits of a row's word that lie in the region.
   [[nodiscard]] Word valid(std::size_t word) const {
     const auto left = static_cast<std::size_t>(region_.count(0)) - word * 64;
     return left >= 64 ? ~Word{0} : (Word{1} << left) - 1;
@@ -198,9 +203,10 @@ class Occupancy {
       if (bits_[i] != valid(i % words_)) return false;
     return true;
   }
-  /// The first and the last solid point of each line along an axis, u fastest; the last one before the first where there is none.
+  /// First and last solid point of each line along an axis, u fastest. The last precedes the first
+  /// for an empty line.
   [[nodiscard]] std::vector<std::pair<int, int>> runs(int axis) const;
-  /// The same points of a smaller region.
+  /// The same set restricted to a smaller region.
   [[nodiscard]] Occupancy part(const Region& region) const;
 
  private:
@@ -227,7 +233,7 @@ void Occupancy::set_runs(const Region& part, int axis, const Run& run) {
         if (const auto [first, last] = cut(u, v); first <= last) set_row(first, last, u, v);
     return;
   }
-  // 64 lines at a time: a bit changes where a run begins and behind its end.
+  // 64 lines at a time: the bit changes at the start of a run and after its end.
   const int across = 3 - axis, count = part.count(axis);
   std::vector<Word> changes(static_cast<std::size_t>(count) + 1);
   for (int other = part.first(across); other <= part.last(across); ++other)
@@ -252,17 +258,19 @@ void Occupancy::set_runs(const Region& part, int axis, const Run& run) {
     }
 }
 
-/// A box of points whose solid ones lie together on each line along its axis: a 3-way heightmap. Its columns hold where they
-/// begin and end; all other samples are in the brick's SampleMap.
+/// A box of lattice points whose solid points are contiguous on each line along its axis: a 3-way
+/// height map. Its columns store both ends of these runs. All other samples are in the brick's
+/// SampleMap.
 struct Cell {
   enum class Content : std::uint8_t { solid, empty, columns, split };
   Region region;
   Content content = Content::solid;
-  std::int8_t axis = 2;    ///< of the columns; of the plane where it is split
-  std::int8_t facing = 0;  ///< 1: only upper ends vary, -1: only lower ones, 0: both may
-  int plane = 0;           ///< where it is split: the upper child's first point along the axis
-  int children = 0;        ///< index of the lower child; the upper one comes after it
-  /// Where each column ends and begins, u fastest; `lower` is empty where all columns begin below the cell.
+  std::int8_t axis = 2;    ///< of the columns, or normal to the plane of a split cell
+  std::int8_t facing = 0;  ///< 1: only upper ends vary, -1: only lower ends, 0: both may
+  int plane = 0;           ///< of a split cell: the upper child's first point along the axis
+  int children = 0;        ///< index of the lower child; the upper child follows it
+  /// Upper and lower end of each column, u fastest. `lower` is empty if all columns begin below the
+  /// cell.
   struct Ends {
     std::vector<float> at;
     std::vector<std::uint32_t> cut;
@@ -282,7 +290,7 @@ struct Cell {
   }
 };
 
-/// A column that is solid beyond its cell's end, and one without anything solid.
+/// End of a column that is solid beyond its cell; -beyond for a column without solid points.
 constexpr float beyond = std::numeric_limits<float>::infinity();
 
 }  // namespace fieldfab::cam

@@ -1,8 +1,10 @@
-// Vertices in the middle of a level flat are merged: squares of 2 x 2 to 32 x 32 of them, all left by one cut, become one in
-// their middle. Squares are those of a quadtree on the lattice, whole ones only, and nothing around them is anything but the same
-// plane: the mesh becomes that of the quadtree's squares. It stays closed and manifold, since a square's neighbours go round it
-// once. It lies where it lay, without folds: the line between the middles of two squares crosses the side that they share, and
-// where four meet, their middles lie on the diagonals through that place.
+// Simplification of axis-aligned flats. Squares of 2 x 2 to 32 x 32 vertices in the interior of a
+// flat, all made by one cut, become one vertex in their middle. The squares are complete nodes of a
+// quadtree on the lattice whose surroundings are coplanar, so that the result is the quadtree's
+// mesh. It stays closed and manifold, because the neighbours of a square form one cycle round it.
+// The surface is unchanged and has no folds: the line between the middles of two squares crosses
+// their common side, and where four squares meet, their middles lie on the diagonals through that
+// point.
 #include "closed_mesh.h"
 
 #include <algorithm>
@@ -17,12 +19,13 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr unsigned doublings = 5;                     // of the largest square's sides
-constexpr std::uint8_t axis_part = 3, not_level = 4;  // of what is known of a vertex
+constexpr unsigned doublings = 5;                     // log2 of the largest square's edge length
+constexpr std::uint8_t axis_part = 3, not_level = 4;  // bits of a vertex's state
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Two coordinates' bits by turns: the places of an aligned square follow each other.
+/// Interleaved bits of two coordinates (Morton order): the points of an aligned square are
+/// consecutive.
 std::uint32_t interleaved(std::uint32_t x, std::uint32_t y) {
   const auto spread = [](std::uint32_t v) {
     v = (v | v << 8) & 0x00FF00FFu, v = (v | v << 4) & 0x0F0F0F0Fu;
@@ -32,14 +35,14 @@ std::uint32_t interleaved(std::uint32_t x, std::uint32_t y) {
   return spread(x) | spread(y) << 1;
 }
 
-/// Merges flats piece by piece and puts what is left together.
+/// Simplifies flats piece by piece and assembles the mesh.
 class Merging {
  public:
   Merging(const SurfacePieces& pieces, DeviationGauge* gauge) : pieces_(pieces), gauge_(gauge), parts_(pieces.size()) {
     if (gauge_) gauge_->begin(pieces.size());
   }
 
-  /// Begins with a piece's vertices, before its triangles are made.
+  /// Registers a piece's vertices, before its triangles are made.
   void begin(std::size_t index) {
     std::vector<std::uint8_t>& level = parts_[index].level;
     level.reserve(pieces_[index].edges);
@@ -47,8 +50,8 @@ class Merging {
     if (gauge_) gauge_->measure(index, pieces_[index].vertices);
   }
 
-  /// Tells which vertices are not in the middle of a flat, by a piece's triangles. Those may be of the pieces after it, which
-  /// have to have begun.
+  /// Marks the vertices that are not in the interior of a flat, according to a piece's triangles.
+  /// These may refer to the pieces after it, which must be registered.
   void mark(std::size_t index) {
     const SurfacePiece& piece = pieces_[index];
     if (gauge_) gauge_->measure(index, piece.middles);
@@ -61,8 +64,8 @@ class Merging {
         const std::uint32_t v = t[i] & SurfacePiece::own_part;
         std::vector<std::uint8_t>& levels = parts_[owner].level;
         at[i] = &pieces_[owner].place(v);
-        level[i] = v < levels.size() ? &levels[v] : nullptr;  // a loop's middle has none
-        // Other pieces' triangles may tell the same at the same time.
+        level[i] = v < levels.size() ? &levels[v] : nullptr;  // the middle of a loop has no entry
+        // Other pieces' triangles may mark the same vertex concurrently.
         axis[i] = level[i] ? std::atomic_ref(*level[i]).load(std::memory_order_relaxed) & axis_part : axis_part;
       }
       const std::uint8_t a = axis[0];
@@ -72,7 +75,7 @@ class Merging {
     }
   }
 
-  /// Finds a piece's squares. It and the pieces before it have to be marked.
+  /// Finds a piece's squares. The piece and those before it must be marked.
   void merge(std::size_t index) {
     const SurfacePiece& piece = pieces_[index];
     Part& part = parts_[index];
@@ -80,11 +83,12 @@ class Merging {
     for (std::uint32_t v = 0; v < goes_to.size(); ++v) goes_to[v] = v;
     const std::vector<Spot> spots = spots_on_flats(piece, part.level);
     part.level = {};
-    std::vector<std::array<std::uint32_t, 3>> squares;  // what they become, and the two vertices beside their middle
+    // new index, and the two vertices beside the middle
+    std::vector<std::array<std::uint32_t, 3>> squares;
     for (std::size_t i = 0, size = 1; i < spots.size(); i += size) {
       for (size = std::size_t{1} << 2 * doublings; size > 1 && !is_square(index, spots, i, size);) size /= 4;
       for (std::size_t k = i; k < i + size; ++k) goes_to[spots[k].second] = spots[i].second;
-      // The last of the first quarter and the first of the last one.
+      // The last vertex of the first quarter and the first of the last quarter.
       if (size > 1) squares.push_back({spots[i].second, spots[i + size / 4 - 1].second, spots[i + 3 * size / 4].second});
     }
     std::vector<std::uint32_t> number(piece.size());
@@ -106,7 +110,7 @@ class Merging {
     if (gauge_) gauge_->look(index, pieces_);
   }
 
-  /// Takes what is left of the vertices of merged pieces. Triangles may follow.
+  /// Adds the remaining vertices of merged pieces. Triangles may follow.
   void add_vertices(const std::vector<std::size_t>& group) {
     for (const std::size_t index : group) {
       parts_[index].first = static_cast<std::uint32_t>(vertices_);
@@ -116,7 +120,8 @@ class Merging {
     if (vertices_ > std::numeric_limits<std::uint32_t>::max()) throw Error(ErrorKind::too_large, "stock", "too many vertices");
   }
 
-  /// Takes what is left of pieces' triangles; they and the pieces after them have their vertices taken.
+  /// Adds the remaining triangles of pieces. Requires the vertices of these pieces and of those
+  /// after them.
   void add_triangles(const std::vector<std::size_t>& group) {
     const std::size_t first = chunks_.size();
     chunks_.resize(first + group.size());
@@ -132,7 +137,7 @@ class Merging {
       left.shrink_to_fit();
     });
   }
-  /// A piece is needed no more.
+  /// Releases a piece.
   void forget(std::size_t index) {
     parts_[index] = {};
     if (gauge_) gauge_->forget(index);
@@ -157,16 +162,17 @@ class Merging {
   }
 
  private:
-  /// A vertex on a flat: by its flat and its place there, as `interleaved`.
+  /// A vertex on a flat: number of its flat, and its Morton index there.
   using Spot = std::pair<std::uint64_t, std::uint32_t>;
   struct Part {
-    std::vector<std::uint8_t> level;  ///< for each edge's vertex its axis, and whether all its triangles lie across it
-    std::vector<std::uint32_t> now;   ///< each vertex's number among those that are left
-    ClosedMesh left;                  ///< those, without triangles
-    std::uint32_t first = 0;          ///< the number of the first of them among all pieces'
+    std::vector<std::uint8_t> level;  ///< for each edge's vertex: its axis, and whether all its
+                                      ///< triangles are perpendicular to it
+    std::vector<std::uint32_t> now;   ///< index of each vertex among the remaining ones
+    ClosedMesh left;                  ///< the remaining vertices, without triangles
+    std::uint32_t first = 0;          ///< index of the first of them in the whole mesh
   };
 
-  /// A piece's vertices in the middle of flats, in the order of squares.
+  /// A piece's vertices in the interior of flats, in Morton order.
   static std::vector<Spot> spots_on_flats(const SurfacePiece& piece, const std::vector<std::uint8_t>& level) {
     using Flat = std::array<std::uint32_t, 4>;  // axis, the edges' lower points, level, cut
     std::map<Flat, std::uint64_t> flats;
@@ -179,7 +185,8 @@ class Merging {
       if (level[v] == axis) {
         const Flat flat{static_cast<std::uint32_t>(axis) + 1, static_cast<std::uint32_t>(p[axis] + 1),
                         std::bit_cast<std::uint32_t>(piece.vertices[v][axis]), piece.cuts[v]};
-        if (flat != last) number = flats.try_emplace(flat, flats.size()).first->second, last = flat;  // they come row by row
+        // vertices come row by row
+        if (flat != last) number = flats.try_emplace(flat, flats.size()).first->second, last = flat;
         const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] - std::max(piece.region.lower[a], 0)); };
         spots.emplace_back(number << 32 | interleaved(along((axis + 1) % 3), along((axis + 2) % 3)), v);
       }
@@ -189,7 +196,7 @@ class Merging {
     return spots;
   }
 
-  /// Whether so many spots from one on are a square that may be one.
+  /// Whether the given number of spots from an index on forms a complete square that may be merged.
   [[nodiscard]] bool is_square(std::size_t index, const std::vector<Spot>& spots, std::size_t from, std::size_t size) const {
     if (spots[from].first % size != 0 || from + size > spots.size()) return false;
     if (spots[from + size - 1].first != spots[from].first + size - 1) return false;

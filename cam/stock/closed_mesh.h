@@ -1,4 +1,4 @@
-/// The surface of a stock as one closed mesh whose level flats are merged.
+/// Closed mesh of a stock's surface, with coplanar axis-aligned regions simplified.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,16 @@ namespace fieldfab::cam {
 
 struct ClosedMesh {
   TriangleMesh mesh;
-  std::vector<std::uint32_t> cuts;  ///< what made each vertex
-  std::vector<float> deviations;    ///< of each vertex, where they are measured
+  std::vector<std::uint32_t> cuts;  ///< cut that made each vertex
+  std::vector<float> deviations;    ///< signed distance of each vertex to the target, mm; empty if
+                                    ///< not measured
 };
 
-/// Made slice by slice, so that never more than a few slices are there with all their vertices. The gauge, where there is one, is
-/// shown all of them. Throws cancelled, too_large.
+/// Makes the mesh slice by slice, so that only a few slices are stored with all their vertices. All
+/// vertices are reported to the gauge unless it is nullptr. Throws Error(cancelled),
+/// Error(too_large).
 ClosedMesh closed_mesh(const Stock& stock, DeviationGauge* gauge, Progress& progress);
-/// From pieces that are there already.
+/// Makes the mesh from existing pieces.
 ClosedMesh closed_mesh(const SurfacePieces& pieces);
 
 }  // namespace fieldfab::cam

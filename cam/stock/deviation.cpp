@@ -7,9 +7,10 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr double units = 4294967296.0;  // of a mm^2 or mm^3
+constexpr double units = 4294967296.0;  // per mm^2 or mm^3
 
-/// Upper bits of the number: the exponent and eleven binary digits. Values next to 0 share one bin.
+/// Bin of a value: the upper bits of its binary representation, which are the exponent and eleven
+/// binary digits. Values near 0 share one bin.
 int index_of(double value) {
   constexpr int digits = 23 - 11;
   const int zero = std::bit_cast<int>(0x1p-20F) >> digits, at = std::bit_cast<int>(static_cast<float>(std::abs(value))) >> digits;

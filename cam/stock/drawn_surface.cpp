@@ -9,13 +9,15 @@ namespace fieldfab::cam {
 namespace {
 
 using Vec3f = Eigen::Vector3f;
-constexpr int flat_block = 6;              // cells along the edge of what is united on flats
-constexpr std::uint32_t alone = ~0u;       // of a vertex that stays what it is
-constexpr unsigned tilted = 6, mixed = 7;  // ways to face; below them 2 * axis, and 1 more for backwards
+// edge length in cells of the blocks whose vertices are merged on flats
+constexpr int flat_block = 6;
+constexpr std::uint32_t alone = ~0u;  // marks a vertex that is not merged
+// orientations; smaller numbers are 2 * axis + (1 if negative)
+constexpr unsigned tilted = 6, mixed = 7;
 
 Vec3f vector(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-/// Which way something faces that is level along an axis; else `tilted`.
+/// Orientation of a normal along an axis; `tilted` for any other normal.
 unsigned level_way(const Vec3f& normal) {
   int axis = 0;
   const float most = normal.cwiseAbs().maxCoeff(&axis);
@@ -28,7 +30,7 @@ unsigned nearest_way(const Vec3f& normal) {
   return 2 * static_cast<unsigned>(axis) + (normal[axis] < 0);
 }
 
-/// Unites vertices.
+/// Vertex clustering.
 class Simplifier {
  public:
   Simplifier(const DrawnSurface& surface, const StockLattice& lattice, const Box& region)
@@ -49,21 +51,22 @@ class Simplifier {
       keys[v] = {ways[v], surface_.cuts[v], std::bit_cast<std::uint32_t>(surface_.vertices[v][ways[v] / 2])};
       for (Eigen::Index a = 0, k = 3; a < 3; ++a)
         if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]) - inside(a), flat_block);
-      if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];  // vertices come row by row
+      // vertices come row by row
+      if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];
       if (cluster->count++ == 0) cluster->whole = points_of_block(v, level);
     }
     cluster = nullptr;
     for (std::uint32_t v = 0; v < cluster_.size(); ++v)
       if (keys[v] != Key{}) {
         if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];
-        if (cluster->count != cluster->whole) continue;  // some of it is no flat
+        if (cluster->count != cluster->whole) continue;  // part of the block is not flat
         if (cluster->number == alone) cluster->number = clusters_++;
         cluster_[v] = cluster->number;
       }
   }
 
   void unite_blocks(int size) {
-    // A way to face and three numbers of a block, 20 bits each.
+    // Key: an orientation and three block indices of 20 bits each.
     std::unordered_map<std::uint64_t, std::uint32_t> found(cluster_.size() / 2);
     std::uint64_t last = ~std::uint64_t{0};
     std::uint32_t number = alone;
@@ -121,17 +124,18 @@ class Simplifier {
     std::uint32_t count = 0, whole = 0, number = alone;
   };
 
-  /// Never 0, so that keys that were set are not empty ones.
+  /// Index of a block, offset so that it is never 0: 0 marks empty keys.
   static std::uint32_t block(float place, int size) {
     return static_cast<std::uint32_t>(std::floor(place / static_cast<float>(size))) + 0x40000000u;
   }
 
-  /// Where what is no border begins, so that blocks of flats do as well.
+  /// Start of the interior behind the region's border, so that blocks of flats start there as well.
   [[nodiscard]] float inside(Eigen::Index axis) const {
     return region_.lower[axis] < -1 ? 0 : static_cast<float>(region_.lower[axis]) + 2;
   }
 
-  /// How many lattice points the block of a flat has, where the flat goes all through it; fewer at its region's end.
+  /// Number of lattice points of a block that lies wholly on a flat; smaller at the end of its
+  /// region.
   [[nodiscard]] std::uint32_t points_of_block(std::uint32_t v, Eigen::Index level) const {
     float points = 1;
     for (Eigen::Index a = 0; a < 3; ++a) {
@@ -148,7 +152,7 @@ class Simplifier {
     return ((place - lower).array() < 1.001F).any() || ((upper - place).array() < 0.001F).any();
   }
 
-  /// For each vertex the way that all its triangles face; `tilted` or `mixed` where there is none.
+  /// Common orientation of each vertex's triangles; `tilted` or `mixed` if there is none.
   [[nodiscard]] std::vector<unsigned> ways_of_triangles() const {
     constexpr unsigned unknown = 8;
     std::vector<unsigned> ways(cluster_.size(), unknown);

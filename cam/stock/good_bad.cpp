@@ -15,7 +15,8 @@ GoodBadMap blank(const Region& region, int axis) {
   return map;
 }
 
-/// What the runs of 64 lines are: bit by bit, whether there is one, a second one, and whether it touches the ends.
+/// Properties of the runs of 64 lines, as bit masks: a run exists, a second run exists, a run
+/// touches an end.
 struct Runs {
   Word one = 0, more = 0, first = 0, last = 0;
   void add(Word start) { more |= one & start, one |= start; }
@@ -28,7 +29,8 @@ struct Runs {
   }
 };
 
-/// A bit for each line of a map's axis: calls with (u, v) of those that are set in any of the planes that `plane` gives.
+/// Calls body(u, v) for the lines of a map's axis whose bit is set in any of the planes that
+/// `plane` returns.
 template <class Plane>
 void mark_lines(const Occupancy& shape, GoodBadMap& map, std::vector<char>& marks, const Plane& plane) {
   marks.assign(map.pixels.size(), 0);
@@ -167,7 +169,7 @@ bool functional(const GoodBadMap& map, bool both_ends, std::int8_t& facing) {
 
 namespace {
 
-/// The lines of the cell's own direction that it cannot represent, as points: rows of bits.
+/// Solid points of the columns that the cell's own direction cannot represent, as rows of bits.
 Occupancy unresolved_columns(const Occupancy& solid, const GoodBadMap& own, std::int8_t facing, bool both_ends) {
   const Region& r = solid.region();
   Occupancy points(r);
@@ -185,13 +187,13 @@ Occupancy unresolved_columns(const Occupancy& solid, const GoodBadMap& own, std:
   return points;
 }
 
-/// Marks the lines of a map that cross surface at an unresolved column.
+/// Marks the lines of a map that cross the surface at an unresolved column.
 void mark_unresolved(const Occupancy& solid, const Occupancy& columns, GoodBadMap& map) {
   const Region& r = solid.region();
   mark_lines(solid, map, map.unresolved, [&](std::size_t w, int y, int z) -> Word {
     const Word here = solid.row(y, z)[w], here_columns = columns.row(y, z)[w];
     if (map.axis == 0) {
-      // Bit i stands for the edge from i to i + 1.
+      // Bit i represents the edge from i to i + 1.
       const bool more = w + 1 < solid.words();
       const Word next = here >> 1 | (more ? solid.row(y, z)[w + 1] << 63 : 0);
       const Word next_columns = here_columns >> 1 | (more ? columns.row(y, z)[w + 1] << 63 : 0);
@@ -205,12 +207,13 @@ void mark_unresolved(const Occupancy& solid, const Occupancy& columns, GoodBadMa
   });
 }
 
-/// A rectangle of a map's pixels, both ends included.
+/// A rectangle of pixels, both ends included.
 struct Rect {
   int u0, u1, v0, v1;
 };
 
-/// Bounding rectangles of the connected regions of the pixels that `wanted` says, row by row (Hahn 5.3).
+/// Bounding rectangles of the connected regions of pixels for which `wanted` returns true, row by
+/// row (Hahn 5.3).
 template <class Wanted>
 std::vector<Rect> regions_of(const GoodBadMap& map, const Wanted& wanted) {
   std::vector<Rect> done, previous, current;
@@ -236,20 +239,22 @@ std::vector<Rect> regions_of(const GoodBadMap& map, const Wanted& wanted) {
   return done;
 }
 
-/// Split planes that isolate a region from the nearest ones that conflict with it, along both axes of the map (Hahn Fig. 3.9).
+/// Split planes that isolate a region from the nearest ones that conflict with it, along both axes
+/// of the map (Hahn Fig. 3.9).
 void isolate(const GoodBadMap& map, const Rect& region, const std::vector<Rect>& conflicts, SplitInterval::Kind kind,
              std::vector<SplitInterval>& intervals) {
   for (const bool along_u : {true, false}) {
     const int axis = (map.axis + (along_u ? 1 : 2)) % 3;
     const int low = along_u ? region.u0 : region.v0, high = along_u ? region.u1 : region.v1;
-    // The nearest one on each side: the one whose near end is nearest, where it lies more to that side than to the other.
+    // The nearest conflict on each side. A conflict belongs to the side that it extends to farther,
+    // and its near end counts.
     bool have_left = false, have_right = false;
     int left_end = 0, right_start = 0;
     for (const Rect& c : conflicts) {
       const int c_low = along_u ? c.u0 : c.v0, c_high = along_u ? c.u1 : c.v1;
       if (c_low < low && (!have_left || c_high > left_end)) have_left = true, left_end = c_high;
       if (c_high > high && (!have_right || c_low < right_start)) have_right = true, right_start = c_low;
-      // One that lies within the region's extent conflicts from inside: its ends are partial planes.
+      // A conflict within the region's extent lies inside: planes at its ends separate partially.
       if (c_low >= low && c_high <= high) {
         if (c_low > low) intervals.push_back({kind, axis, c_low, c_low, false, false});
         if (c_high < high) intervals.push_back({kind, axis, c_high + 1, c_high + 1, false, false});
@@ -276,14 +281,14 @@ void isolate(const GoodBadMap& map, const Rect& region, const std::vector<Rect>&
   }
 }
 
-/// A run of a line between two surfaces, as the points at which an upper child may begin.
+/// A run of a line between two surfaces, as the range of possible first points of an upper child.
 struct Segment {
   int first, last;
   bool low_unresolved, high_unresolved;
 };
 
-/// Shrinks `overlap` to what it has in common with the segments, in their order, and takes those from the list that it meets.
-/// Whether one of them touches unresolved surface (Hahn Fig. 3.17).
+/// Intersects [first, last] with the segments in their order, and removes the segments that
+/// contribute. Returns whether one of them touches unresolved surface (Hahn Fig. 3.17).
 bool take_overlapping(std::vector<Segment>& segments, int& first, int& last) {
   bool all_resolved = true;
   std::erase_if(segments, [&](const Segment& s) {
@@ -295,7 +300,7 @@ bool take_overlapping(std::vector<Segment>& segments, int& first, int& last) {
   return !all_resolved;
 }
 
-/// Hahn Fig. 3.16.
+/// Split intervals from sets of overlapping segments (Hahn Fig. 3.16).
 void overlap_sets(std::vector<Segment>& segments, int axis, std::vector<SplitInterval>& series) {
   while (!segments.empty()) {
     int first = std::numeric_limits<int>::min(), last = std::numeric_limits<int>::max();
@@ -303,7 +308,7 @@ void overlap_sets(std::vector<Segment>& segments, int axis, std::vector<SplitInt
   }
 }
 
-/// The direct split planes along the map's axis (Hahn 3.2.3).
+/// Direct split planes along the map's axis (Hahn 3.2.3).
 void direct_splits(const Occupancy& solid, const Occupancy& covered, const Occupancy& columns, const GoodBadMap& map,
                    std::vector<SplitInterval>& intervals) {
   const Region& r = solid.region();
@@ -314,7 +319,8 @@ void direct_splits(const Occupancy& solid, const Occupancy& covered, const Occup
     for (int u = map.u0; u < map.u0 + map.width; ++u) {
       const std::size_t index = map.index(u, v);
       if (!map.unresolved[index] || (map.pixels[index] != Pixel::bad && map.pixels[index] != Pixel::segment)) continue;
-      // The crossings along the line: crossing i lies between points at[i] - 1 and at[i].
+      // Crossings of the surface along the line: crossing i lies between points at[i] - 1 and
+      // at[i].
       struct Crossing {
         int at;
         bool unresolved;
@@ -323,7 +329,7 @@ void direct_splits(const Occupancy& solid, const Occupancy& covered, const Occup
       Index3 p;
       p[(a + 1) % 3] = u, p[(a + 2) % 3] = v;
       bool before = false, before_column = false;
-      std::vector<bool> touched(1, false);  // between crossings: whether the tool is there
+      std::vector<bool> touched(1, false);  // between crossings: whether the tool is present
       for (p[a] = r.lower[a]; p[a] <= r.upper[a]; ++p[a]) {
         const bool here = solid.at(p), here_column = columns.at(p);
         if (p[a] > r.lower[a] && here != before) {
@@ -375,7 +381,7 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
   for (const GoodBadMap& map : maps) {
     const bool has_bad = std::any_of(map.pixels.begin(), map.pixels.end(), is_bad);
     if (!has_bad) {
-      // Only signs are in the way.
+      // The only conflict is between signs.
       for (const Pixel sign : {Pixel::positive, Pixel::negative}) {
         const auto conflicts = regions_of(
             map, [&](std::size_t i) { return map.pixels[i] == (sign == Pixel::positive ? Pixel::negative : Pixel::positive); });
@@ -386,9 +392,10 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
     }
     direct_splits(solid, covered, columns, map, intervals);
     if (map.axis == axis) continue;
-    // The third direction can represent what is unresolved and good there: that need not be isolated here.
+    // Surface that is unresolved here need not be isolated if the third direction can represent it.
     const GoodBadMap& third = maps[static_cast<std::size_t>(3 - map.axis - axis)];
-    const auto shared = static_cast<std::size_t>(axis);  // both maps have the cell's own axis in their planes
+    // the cell's own axis lies in the planes of both maps
+    const auto shared = static_cast<std::size_t>(axis);
     const auto range_of_bad = [&] {
       std::pair<int, int> range{std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
       const bool along_u = (third.axis + 1) % 3 == static_cast<int>(shared);
@@ -412,7 +419,7 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
     const auto bad = regions_of(map, [&](std::size_t i) { return is_bad(map.pixels[i]); });
     for (const Rect& region : regions_of(map, needed)) isolate(map, region, bad, SplitInterval::Kind::indirect, intervals);
   }
-  // A plane at a side of the cell divides nothing.
+  // A plane at a side of the cell does not divide it.
   const Region& r = solid.region();
   for (SplitInterval& interval : intervals) {
     interval.first = std::max(interval.first, r.first(interval.axis) + 1);

@@ -7,14 +7,14 @@ namespace {
 
 int corner_of(int x, int y, int z) { return x + 2 * y + 4 * z; }
 
-/// The edge between two neighbouring corners.
+/// Number of the edge between two neighbouring corners.
 int edge_between(int a, int b) {
   const int low = a & b, axis = (a ^ b) == 1 ? 0 : (a ^ b) == 2 ? 1 : 2;
   const auto bit = [&](int which) { return low >> which & 1; };
   return 4 * axis + bit((axis + 1) % 3) + 2 * bit((axis + 2) % 3);
 }
 
-/// The corners of the six faces, anticlockwise seen from outside.
+/// Corners of the six faces, anticlockwise seen from outside.
 std::array<std::array<int, 4>, 6> faces() {
   std::array<std::array<int, 4>, 6> result{};
   for (int axis = 0; axis < 3; ++axis)
@@ -43,7 +43,7 @@ bool on_one_face(int one, int other) {
   return false;
 }
 
-/// Divides a loop into triangles without inner edges that lie in a face. False where there is no such way.
+/// Triangulates a loop such that no inner edge lies in a face. Returns false if that is impossible.
 bool divide(const std::vector<std::int8_t>& loop, std::vector<std::array<std::int8_t, 3>>& triangles) {
   if (loop.size() == 3) {
     triangles.push_back({loop[0], loop[1], loop[2]});
@@ -67,7 +67,8 @@ CubeCase make_case(int solid) {
   next.fill(-1);
   for (const auto& face : faces())
     for (std::size_t i = 0; i < 4; ++i) {
-      // A run of solid corners that begins at corner i: the surface goes from where it ends to where it begins.
+      // For a run of solid corners that begins at corner i, the surface leads from the end of the
+      // run to its start.
       const auto is_solid = [&](std::size_t k) { return solid >> face[k % 4] & 1; };
       if (!is_solid(i) || is_solid(i + 3)) continue;
       std::size_t end = i;

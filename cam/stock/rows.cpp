@@ -28,7 +28,7 @@ __attribute__((target_clones("avx2", "default"))) bool flag_neighbours(const flo
   unsigned any = 0;
   for (int i = 0; i < count; ++i) {
     const float most = std::max(std::max(before[i], after[i]), std::max(here[i - 1], here[i + 1]));
-    // The first point not below the entry, or one before it where rounding might matter.
+    // The first point at or above the entry, or the one before it if rounding could matter.
     const float first = std::ceil(entry[i] * inverse - 0.01f);
     const std::uint8_t flag = static_cast<std::uint8_t>((first <= most) & (entry[i] <= exit[i]));
     flags[i] = flag, any |= flag;
@@ -45,7 +45,7 @@ __attribute__((target_clones("avx2", "default"))) void load_tops(const float* to
   const auto inverse = static_cast<float>(1 / spacing);
   for (int i = 0; i < count; ++i) {
     const float near = std::min(std::floor(tops[i] * inverse + 0.01f), last);
-    // A top that lies at a point leaves that one out.
+    // A column whose top coincides with a point excludes that point.
     points[i] = static_cast<float>(static_cast<double>(near) * spacing) >= tops[i] ? near - 1 : near;
   }
 }

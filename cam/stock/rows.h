@@ -1,4 +1,4 @@
-/// Rows of columns and intervals, compared many at a time.
+/// Comparisons of rows of columns and intervals, vectorized.
 #pragma once
 
 #include <bit>
@@ -7,20 +7,21 @@
 
 namespace fieldfab::cam {
 
-/// Flags the lines whose interval from `entry` to `exit` begins below a column's top; `tops` null: all columns are solid. Whether
-/// there are any. `flags` has room for 8 more than `count`.
+/// Flags the lines whose interval [entry, exit] begins below the top of the column. `tops` null:
+/// all columns are solid. Returns whether a flag is set. `flags` needs room for count + 8 elements.
 bool flag_contacts(const float* entry, const float* exit, const float* tops, int count, std::uint8_t* flags);
-/// Flags the lines that hold a point not above the last one of a neighbour's column: `before` and `after` are the rows of these
-/// numbers next to `here`, each of which has one in front of the first and one behind the last line. Points lie 1 / `inverse`
-/// apart; where rounding might matter there are flags too many.
+/// Flags the lines whose interval contains a point that is not above the last point of a
+/// neighbouring column. `before` and `after` are the neighbours of the row `here`; each has one
+/// more element at both ends. The spacing of points is 1 / `inverse`. There are false positives
+/// within the rounding error.
 bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
                      float inverse, std::uint8_t* flags);
 
-/// The last points below the tops of columns, as numbers, but none above `last`; null: all columns are solid. Points lie
-/// `spacing` apart, as StockLattice::at() has them.
+/// Computes the last point below the top of each column, as a number, at most `last`. `tops` null:
+/// all columns are solid. Points have the distance `spacing`, as in StockLattice::at().
 void load_tops(const float* tops, int count, double spacing, float last, float* points);
 
-/// Calls with the index of each flag that is set.
+/// Calls body(index) for each set flag.
 template <class Body>
 void for_each_flag(const std::uint8_t* flags, int count, const Body& body) {
   for (int i = 0; i < count; i += 8) {

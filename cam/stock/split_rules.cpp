@@ -9,13 +9,13 @@
 namespace fieldfab::cam {
 namespace {
 
-/// The plane of an interval that is nearest to the middle of its cell.
+/// The plane of an interval nearest to the middle of its cell.
 int plane_of(const SplitInterval& interval, const Region& region) {
   const int middle = region.first(interval.axis) + region.count(interval.axis) / 2;
   return std::clamp(middle, interval.first, interval.last);
 }
 
-/// mm from the plane to the nearest side of the cell.
+/// Distance from the plane to the nearest side of the cell, mm.
 double from_side(const SplitInterval& interval, const Region& region, const Vec3& spacing) {
   const int plane = plane_of(interval, region);
   return spacing[interval.axis] * std::min(plane - region.first(interval.axis), region.last(interval.axis) + 1 - plane);
@@ -61,7 +61,7 @@ SplitChoice choose_split(const std::vector<SplitInterval>& intervals, const Regi
                          std::minstd_rand& random) {
   std::vector<const SplitInterval*> left;
   for (const SplitInterval& interval : intervals) left.push_back(&interval);
-  // Each rule leaves those that it likes best.
+  // Each rule keeps the candidates with the highest score.
   const auto keep = [&](const auto& liking) {
     double most = -1e300;
     for (const SplitInterval* interval : left) most = std::max(most, static_cast<double>(liking(*interval)));

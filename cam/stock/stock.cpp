@@ -5,136 +5,12 @@
 #include <cmath>
 
 #include "brick.h"
+#include "field_brick.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 #include "sweep.h"
 
 namespace fieldfab::cam {
-namespace {
-
-/// Points of a lattice's lines through a region, as a batch for a Field.
-struct Batch {
-  std::vector<float> x, y, z, value;
-  void add(const Vec3& p) {
-    x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
-  }
-  void evaluate(const Field& field) {
-    value = std::vector<float>(x.size());
-    field.values({x.data(), y.data(), z.data(), x.size()}, value.data());
-  }
-};
-
-/// An edge of the lattice that a surface crosses, while its crossing is looked for.
-struct Crossing {
-  Index3 inside;
-  int axis;
-  int step;             ///< to the outer end, along the axis
-  double in, out;       ///< shares of the edge from its inner end
-  float at_in, at_out;  ///< values there
-};
-
-/// Makes a brick what a Field is there.
-std::shared_ptr<Brick> brick_of(const Field& field, const Region& region, const Stock& stock) {
-  const StockLattice& lattice = stock.lattice();
-  Region near = region;
-  for (std::size_t a = 0; a < 3; ++a)
-    near.lower[a] = std::max(0, near.lower[a] - 1), near.upper[a] = std::min(lattice.cells()[a], near.upper[a] + 1);
-  const auto place = [&](const Index3& p) -> Vec3 {
-    return lattice.box().lower + lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2]));
-  };
-  const Restriction here = field.restricted({place(near.lower), place(near.upper)});
-  if (here.range.decided()) return std::make_shared<Brick>(region, here.range.inside());
-  std::vector<float> values(static_cast<std::size_t>(near.count(0)) * static_cast<std::size_t>(near.count(1)) *
-                            static_cast<std::size_t>(near.count(2)));
-  const auto value = [&](const Index3& p) -> float& {
-    return values[(static_cast<std::size_t>(p[2] - near.lower[2]) * static_cast<std::size_t>(near.count(1)) +
-                   static_cast<std::size_t>(p[1] - near.lower[1])) *
-                      static_cast<std::size_t>(near.count(0)) +
-                  static_cast<std::size_t>(p[0] - near.lower[0])];
-  };
-  const auto for_points = [](const Region& r, const auto& body) {
-    Index3 p;
-    for (p[2] = r.lower[2]; p[2] <= r.upper[2]; ++p[2])
-      for (p[1] = r.lower[1]; p[1] <= r.upper[1]; ++p[1])
-        for (p[0] = r.lower[0]; p[0] <= r.upper[0]; ++p[0]) body(p);
-  };
-  // Halved where intervals, of the points and their neighbours, do not tell.
-  const auto sample = [&](const auto& self, const Region& part, const FieldPtr& from) -> void {
-    Index3 low = part.lower, high = part.upper;
-    for (std::size_t a = 0; a < 3; ++a) --low[a], ++high[a];
-    const Restriction within = from->restricted({place(low), place(high)});
-    if (within.range.decided())
-      return for_points(part, [&](const Index3& p) { value(p) = within.range.inside() ? -1.0f : 1.0f; });
-    std::size_t longest = 0;
-    for (std::size_t a = 1; a < 3; ++a)
-      if (part.count(static_cast<int>(a)) > part.count(static_cast<int>(longest))) longest = a;
-    if (part.count(static_cast<int>(longest)) > 8) {
-      std::array<Region, 2> halves{part, part};
-      halves[0].upper[longest] = (part.lower[longest] + part.upper[longest]) / 2;
-      halves[1].lower[longest] = halves[0].upper[longest] + 1;
-      for (const Region& half : halves) self(self, half, within.field);
-      return;
-    }
-    Batch points;
-    for_points(part, [&](const Index3& p) { points.add(place(p)); });
-    points.evaluate(*within.field);
-    std::size_t i = 0;
-    for_points(part, [&](const Index3& p) { value(p) = points.value[i++]; });
-  };
-  sample(sample, near, field.shared_from_this());
-  Occupancy solid(region);
-  std::vector<Crossing> crossings;
-  Index3 p;
-  for (p[2] = region.lower[2]; p[2] <= region.upper[2]; ++p[2])
-    for (p[1] = region.lower[1]; p[1] <= region.upper[1]; ++p[1])
-      for (p[0] = region.lower[0]; p[0] <= region.upper[0]; ++p[0]) {
-        if (!(value(p) < 0)) continue;
-        solid.set(p);
-        for (int axis = 0; axis < 3; ++axis)
-          for (const int step : {-1, 1}) {
-            Index3 q = p;
-            q[static_cast<std::size_t>(axis)] += step;
-            if (!near.contains(q) || value(q) < 0) continue;
-            crossings.push_back({p, axis, step, 0, 1, value(p), value(q)});
-          }
-      }
-  // Regula falsi, halved where it creeps.
-  const auto share = [](const Crossing& c, bool middle) {
-    const double t = std::isfinite(c.at_out) ? c.at_in / (static_cast<double>(c.at_in) - c.at_out) : 0.5;
-    return middle ? 0.5 * (c.in + c.out) : c.in + (c.out - c.in) * std::clamp(t, 0.001, 0.999);
-  };
-  for (int round = 0; round < 6 && !crossings.empty(); ++round) {
-    Batch batch;
-    for (const Crossing& c : crossings) {
-      Vec3 at = place(c.inside);
-      at[c.axis] += c.step * lattice.spacing()[c.axis] * share(c, round % 3 == 2);
-      batch.add(at);
-    }
-    batch.evaluate(*here.field);
-    for (std::size_t i = 0; i < crossings.size(); ++i) {
-      Crossing& c = crossings[i];
-      const double t = share(c, round % 3 == 2);
-      if (batch.value[i] < 0)
-        c.in = t, c.at_in = batch.value[i];
-      else
-        c.out = t, c.at_out = batch.value[i];
-    }
-  }
-  SampleMap samples;
-  for (const Crossing& c : crossings) {
-    Index3 from = c.inside;
-    if (c.step < 0) --from[static_cast<std::size_t>(c.axis)];
-    const auto at =
-        static_cast<float>(lattice.spacing()[c.axis] * (c.inside[static_cast<std::size_t>(c.axis)] + c.step * share(c, false)));
-    samples.put(SampleMap::key(from, c.axis, region), {at, 0});
-  }
-  auto brick = std::make_shared<Brick>(region, false);
-  brick->assign(solid, std::move(samples), stock);
-  return brick;
-}
-
-}  // namespace
-
 Stock::Stock(const Box& box, const StockSettings& settings)
     : settings_(settings), lattice_(box, settings.cell, settings.cell_height) {
   divide_into_bricks();
@@ -166,7 +42,7 @@ Stock& Stock::operator=(Stock&&) noexcept = default;
 Stock::~Stock() = default;
 
 void Stock::divide_into_bricks() {
-  constexpr int most = 1020;  // what SampleMap's keys can tell apart
+  constexpr int most = 1020;  // range of SampleMap's keys
   brick_ = settings_.brick > 0 ? std::min(settings_.brick, most) : most;
   double bricks = 1;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -187,7 +63,7 @@ Region Stock::brick_region(const Index3& brick) const {
   return region;
 }
 
-/// The bricks with any material that a sweep may reach.
+/// Bricks with material near a sweep.
 std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
   std::vector<std::size_t> found;
   const Vec3& h = lattice_.spacing();
@@ -223,12 +99,12 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
   constexpr std::size_t most_at_once = 1024;
   const Box domain{Vec3::Zero(), lattice_.box().size()};
   std::vector<char> changed(bricks_.size());
-  std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // which strokes come near which brick
+  std::vector<std::vector<std::uint32_t>> near(bricks_.size());  // by brick: strokes near it
   for (std::size_t begin = 0; begin < strokes.size(); begin += most_at_once) {
     progress.check();
     const std::size_t count = std::min(most_at_once, strokes.size() - begin);
     std::vector<std::unique_ptr<Sweep>> sweeps(count);
-    std::vector<std::vector<std::size_t>> meets(count);  // which bricks each stroke comes near
+    std::vector<std::vector<std::size_t>> meets(count);  // by stroke: bricks near it
     parallel_for((count + 31) / 32, [&](std::size_t group) {
       for (std::size_t i = group * 32; i < std::min(count, group * 32 + 32); ++i) {
         const Stroke& stroke = strokes[begin + i];
@@ -245,7 +121,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
         if (near[brick].empty()) touched.push_back(brick);
         near[brick].push_back(static_cast<std::uint32_t>(i));
       }
-    std::vector<std::vector<StrokeResult>> met(touched.size());  // of each brick's passes
+    std::vector<std::vector<StrokeResult>> met(touched.size());  // results of the passes, by brick
     parallel_for(touched.size(), [&](std::size_t t) {
       std::shared_ptr<Brick>& brick = bricks_[touched[t]];
       if (brick.use_count() > 1) brick = std::make_shared<Brick>(*brick);
@@ -257,7 +133,7 @@ std::vector<StrokeResult> Stock::cut(std::span<const Stroke> strokes, Progress& 
       changed[touched[t]] = 1;
       for (const Brick::Pass& pass : passes) met[t].push_back(pass.result);
     });
-    // One after the other: sums and places are the same for any number of threads.
+    // Sequential, so that sums and positions do not depend on the number of threads.
     for (std::size_t t = 0; t < touched.size(); ++t)
       for (std::size_t k = 0; k < met[t].size(); ++k) {
         StrokeResult& result = results[begin + near[touched[t]][k]];

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view magic = "FFSTOCK\n";
 constexpr std::uint32_t version = 1;
-constexpr std::size_t header_size = magic.size() + 16;  // version, checksum, size of what is unpacked
+constexpr std::size_t header_size = magic.size() + 16;  // version, checksum, size of the unpacked data
 static_assert(std::endian::native == std::endian::little);
 
 template <class Value>
@@ -34,7 +34,7 @@ std::uint32_t checksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
-/// The generator's state as it prints and reads it.
+/// State of the generator, through its text output.
 std::uint32_t state_of(const std::minstd_rand& random) {
   std::stringstream text;
   text << random;
@@ -45,7 +45,7 @@ std::uint32_t state_of(const std::minstd_rand& random) {
 
 }  // namespace
 
-/// Bytes taken front to back, never past the end.
+/// Sequential reader of bytes that never passes the end.
 struct StockBytes::Reader {
   std::string_view bytes;
   const std::string& place;
@@ -176,7 +176,7 @@ std::shared_ptr<Brick> StockBytes::take(Reader& reader, const Region& region, co
 void StockBytes::take_samples(Reader& reader, Brick& brick, const StockLattice& lattice) {
   const auto slots = reader.take<std::uint64_t>(), count = reader.take<std::uint64_t>();
   constexpr std::size_t size = 12;  // bytes of a sample
-  // Tidying leaves at most a quarter more slots than samples and eight, growing half of them and sixteen.
+  // Pruning leaves at most 5/4 slots per sample plus 8; growth adds half of the slots plus 16.
   reader.expect(count <= reader.left() / size && slots <= 4 * count + 64 && (slots == 0 ? count == 0 : count * 6 <= slots * 5),
                 "a number of samples");
   brick.samples_.make_slots(slots);

@@ -1,4 +1,4 @@
-/// Stocks as bytes, for files.
+/// Serialization of stocks.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace fieldfab::cam {
 class StockBytes {
  public:
   static std::string of(const Stock& stock);
-  /// Throws bad_input at `place` for bytes that no stock has, and too_large.
+  /// Throws Error(bad_input) at `place` for bytes that represent no valid stock, and
+  /// Error(too_large).
   static Stock read(std::string_view bytes, const std::string& place);
 
  private:

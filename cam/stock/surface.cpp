@@ -26,7 +26,8 @@ std::vector<std::size_t> StockSurface::update(const Stock& stock, Progress& prog
     });
   };
   try {
-    // A piece's edges depend on its brick and those after it; its triangles on the edges of pieces after it as well.
+    // A piece's edges depend on its brick and the bricks after it. Its triangles depend on the
+    // edges of pieces after it as well.
     const std::vector<std::size_t> changed = pieces.outdated(stock);
     std::vector<char> anew(pieces.size());
     for (const std::size_t i : changed) anew[i] = 1;
@@ -50,7 +51,7 @@ TriangleMesh StockSurface::piece(std::size_t index, std::vector<std::uint32_t>* 
     if (cuts) cuts->push_back(whose.cut(v));
   };
   for (std::uint32_t v = 0; v < piece.size(); ++v) add(piece, v);
-  std::map<std::uint32_t, std::uint32_t> others;  // of the pieces beside it
+  std::map<std::uint32_t, std::uint32_t> others;  // vertices of neighbouring pieces
   for (std::array<std::uint32_t, 3> t : piece.corners) {
     for (std::uint32_t& v : t) {
       const std::size_t owner = pieces_->owner(index, v);
@@ -72,7 +73,7 @@ DrawnSurface StockSurface::drawn_piece(std::size_t index, int coarse) const {
   Box region;
   for (std::size_t a = 0; a < 3; ++a) {
     const auto i = static_cast<Eigen::Index>(a);
-    // Where the stock ends, no piece follows.
+    // At the end of the stock there is no next piece.
     region.lower[i] = own.lower[a] < 0 ? -1e9 : own.lower[a];
     region.upper[i] = own.upper[a] >= lattice.cells()[a] ? 1e9 : own.upper[a] + 1;
   }

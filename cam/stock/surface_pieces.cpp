@@ -11,14 +11,14 @@ using Word = Occupancy::Word;
 
 namespace {
 
-/// Bits of a row from a place on; 0 behind its end.
+/// 64 bits of a row from a position on; 0 beyond its end.
 Word bits_from(const Word* row, std::size_t words, std::size_t at) {
   Word value = at / 64 < words ? row[at / 64] >> (at % 64) : 0;
   if (at % 64 && at / 64 + 1 < words) value |= row[at / 64 + 1] << (64 - at % 64);
   return value;
 }
 
-/// The bits of a row's word that belong to a region.
+/// Mask of the bits of a row's word that belong to a region.
 Word valid(const Region& region, std::size_t word) {
   const int left = region.count(0) - static_cast<int>(word) * 64;
   return left >= 64 ? ~Word{0} : (Word{1} << left) - 1;
@@ -62,7 +62,7 @@ std::vector<std::size_t> SurfacePieces::outdated(const Stock& stock) const {
 }
 
 std::vector<std::vector<std::size_t>> SurfacePieces::waves() const {
-  constexpr std::size_t enough = 64;  // pieces of a wave, to keep many cores at work
+  constexpr std::size_t enough = 64;  // pieces per wave, enough to occupy many cores
   const auto nx = static_cast<std::size_t>(along_[0]), ny = static_cast<std::size_t>(along_[1]);
   const auto axis = static_cast<std::size_t>(std::max_element(along_.begin(), along_.end()) - along_.begin());
   const auto slices = static_cast<std::size_t>(along_[axis]), thick = (enough * slices + size() - 1) / size();
@@ -71,7 +71,7 @@ std::vector<std::vector<std::size_t>> SurfacePieces::waves() const {
   return waves;
 }
 
-/// Solid points of a brick's region and one more on each side.
+/// Solid points of a brick's region, extended by one point on each side.
 Occupancy SurfacePieces::around(const Region& region, const Stock& stock) const {
   Region near = region;
   for (std::size_t a = 0; a < 3; ++a) --near.lower[a], ++near.upper[a];
@@ -90,7 +90,8 @@ Occupancy SurfacePieces::around(const Region& region, const Stock& stock) const 
   return shape;
 }
 
-/// Whether the bricks around a uniform one are uniform alike, so that there is no surface at it; the stock's faces are surface.
+/// Whether the bricks around a uniform brick are uniform alike, so that there is no surface at it.
+/// The stock's faces are surface.
 bool SurfacePieces::quiet(std::size_t index, const Stock& stock) const {
   const Brick& brick = *stock.bricks_[index];
   if (!brick.uniform()) return false;
@@ -135,7 +136,7 @@ void SurfacePieces::find_edges(std::size_t index, const Stock& stock) {
   const std::size_t words = piece.words * static_cast<std::size_t>(r.count(1)) * static_cast<std::size_t>(r.count(2));
   for (std::vector<Word>& bits : piece.crossed) bits.assign(words, 0);
   piece.before.assign(words, 0);
-  // The shape begins one point before the brick; the edges begin there, too, or one point later.
+  // The shape starts one point before the brick; the edges start there or one point later.
   const auto shift = static_cast<std::size_t>(r.lower[0] - shape.region().lower[0]);
   std::size_t word = 0;
   for (int z = r.lower[2]; z <= r.upper[2]; ++z)
@@ -148,7 +149,7 @@ void SurfacePieces::find_edges(std::size_t index, const Stock& stock) {
         piece.crossed[0][word] = (here ^ bits(y, z, 1)) & all;
         piece.crossed[1][word] = (here ^ bits(y + 1, z, 0)) & all;
         piece.crossed[2][word] = (here ^ bits(y, z + 1, 0)) & all;
-        // Of the edges that leave the stock's box at one point only the first has a vertex.
+        // Of the edges that leave the stock's box at one point, only the first has a vertex.
         if (y < 0 || y == lattice_.cells()[1]) piece.crossed[1][word] &= ~at_x_faces(r, w);
         if (z < 0 || z == lattice_.cells()[2])
           piece.crossed[2][word] &= y == 0 || y == lattice_.cells()[1] ? 0 : ~at_x_faces(r, w);
@@ -161,7 +162,7 @@ void SurfacePieces::find_edges(std::size_t index, const Stock& stock) {
     throw Error(ErrorKind::too_large, "stock", "too much surface for one brick");
 }
 
-/// The bits of a row's word whose points lie on the stock's faces across x.
+/// Mask of the bits of a row's word whose points lie on the stock's faces perpendicular to x.
 SurfacePiece::Word SurfacePieces::at_x_faces(const Region& r, std::size_t word) const {
   Word bits = 0;
   for (const int x : {0, lattice_.cells()[0]}) {
@@ -187,14 +188,15 @@ void SurfacePieces::place_vertices(std::size_t index, const Stock& stock) {
     for (int d = 0; d < 3; ++d) place[d] = lattice_.at(d, p[static_cast<std::size_t>(d)]);
     Sample sample;
     if (outside(p[axis], axis) || outside(q[axis], axis)) {
-      // It leaves the stock's box: the vertex is the point itself, one for all edges that leave there.
+      // The edge leaves the stock's box: the vertex is the point itself, shared by all edges that
+      // leave there.
       place[a] = lattice_.at(a, outside(p[axis], axis) ? q[axis] : p[axis]);
     } else {
       const bool upwards = own.solid(p, lattice_);
       const Index3& inner = upwards ? p : q;
       const Brick& owner = own.region().contains(inner) ? own : brick_at(inner);
       sample = owner.sample(inner, a, upwards, lattice_);
-      // Not quite at the points themselves, where vertices of several edges would fall together.
+      // Kept off the lattice points, where vertices of several edges would coincide.
       const double h = lattice_.spacing()[a], margin = 1e-3 * h, low = h * p[axis];
       place[a] = std::clamp(static_cast<double>(sample.at), low + margin, low + h - margin);
     }
@@ -239,7 +241,7 @@ void SurfacePieces::march(std::size_t index, const Stock& stock) {
   piece.corners.shrink_to_fit();
 }
 
-/// The vertex of a crossed edge, and whose it is.
+/// The vertex of a crossed edge, with its owner.
 std::uint32_t SurfacePieces::vertex(std::size_t index, Index3 from, std::size_t axis) const {
   const SurfacePiece& own = pieces_[index];
   // Edges that leave the box at the same point share the vertex of the first.

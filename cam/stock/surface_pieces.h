@@ -1,6 +1,7 @@
-/// The surface of a stock brick by brick, as it is made (Hahn 4.3). Cubes of the lattice are looked at brick by brick, whatever
-/// cells their points belong to: since each point and each sample is owned once, there are no seams. Outside of the stock's box
-/// everything is air, and an edge that leaves the box crosses the surface where it leaves it: that makes the exterior mesh.
+/// The surface of a stock by bricks (Hahn 4.3). The lattice's cubes are processed brick by brick,
+/// independently of the cells of their points. There are no seams, because each point and each
+/// sample has one owner. Outside of the stock's box everything is air. An edge that leaves the box
+/// crosses the surface at the box, which makes the exterior mesh.
 #pragma once
 
 #include <bit>
@@ -15,22 +16,27 @@
 
 namespace fieldfab::cam {
 
-/// What of the surface a brick has: the edges whose lower points are its own, and the cubes whose lower corners are.
+/// The surface of a brick: the edges whose lower points, and the cubes whose lower corners, belong
+/// to it.
 struct SurfacePiece {
   using Word = Occupancy::Word;
   using Place = std::array<float, 3>;
 
-  std::shared_ptr<const Brick> brick;  ///< what it was made from
-  Region region;                       ///< of the lower points: the brick's, and at the lower faces of the stock those before it
-  std::size_t words = 0;               ///< along a row; 0: nothing is crossed anywhere near
-  std::array<std::vector<Word>, 3> crossed;  ///< edges by axis, row and bit
-  std::vector<std::uint32_t> before;         ///< vertices before each word
-  std::optional<Occupancy> shape;            ///< solid points of the brick and one more on each side, while it is made
-  std::uint32_t edges = 0;                   ///< crossed ones
-  /// Of the edges, and of loops' middles, which are counted on; with the cuts that made them.
+  std::shared_ptr<const Brick> brick;        ///< source of the piece
+  Region region;                             ///< of the lower points: the brick's region, extended by one
+                                             ///< at the lower faces of the stock
+  std::size_t words = 0;                     ///< per row; 0 if no edge is crossed
+  std::array<std::vector<Word>, 3> crossed;  ///< crossed edges by axis, row and bit
+  std::vector<std::uint32_t> before;         ///< number of vertices before each word
+  std::optional<Occupancy> shape;            ///< solid points of the brick, extended by one on each
+                                             ///< side; only during construction
+  std::uint32_t edges = 0;                   ///< number of crossed edges
+  /// Vertices of the edges, and of the loops' middles, which are numbered after them; with the cuts
+  /// that made them.
   std::vector<Place> vertices, middles;
   std::vector<std::uint32_t> cuts, middle_cuts;
-  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of triangles: a vertex, and above `own_bits` whose it is, as `beside`
+  std::vector<std::array<std::uint32_t, 3>> corners;  ///< of triangles: index of a vertex, and
+                                                      ///< above `own_bits` its owner as in `beside`
   static constexpr unsigned own_bits = 29;
   static constexpr std::uint32_t own_part = (1u << own_bits) - 1;
 
@@ -49,7 +55,8 @@ struct SurfacePiece {
     const int bit = (p[0] - region.lower[0]) % 64;
     return count + static_cast<std::uint32_t>(std::popcount(crossed[axis][word] & ((Word{1} << bit) - 1)));
   }
-  /// Calls with each crossed edge's lower point and axis, in the vertices' order.
+  /// Calls body(point, axis) with the lower point of each crossed edge, in the order of the
+  /// vertices.
   template <class Body>
   void for_each_edge(const Body& body) const {
     std::size_t word = 0;
@@ -70,30 +77,31 @@ struct SurfacePiece {
   }
 };
 
-/// All pieces of a stock. They are made in two steps, each of which may be done for many pieces at a time: vertices depend on
-/// bricks alone, triangles on the vertices of the pieces after them as well.
+/// All pieces of a stock. They are made in two steps, both concurrently for many pieces: vertices
+/// depend on bricks only, triangles also on the vertices of the pieces after them.
 class SurfacePieces {
  public:
   explicit SurfacePieces(const Stock& stock);
 
-  /// Whether it is one of a stock of this lattice and these bricks.
+  /// Whether the pieces belong to a stock with this lattice and these bricks.
   [[nodiscard]] bool fits(const Stock& stock) const;
   [[nodiscard]] const StockLattice& lattice() const { return lattice_; }
   [[nodiscard]] std::size_t size() const { return pieces_.size(); }
   [[nodiscard]] SurfacePiece& operator[](std::size_t index) { return pieces_[index]; }
   [[nodiscard]] const SurfacePiece& operator[](std::size_t index) const { return pieces_[index]; }
-  /// The piece that comes `step` further on: bits for x, y and z; size() where there is none.
+  /// Index of the neighbouring piece `step`, which has a bit each for +x, +y and +z; size() if
+  /// there is none.
   [[nodiscard]] std::size_t beside(std::size_t index, unsigned step) const;
-  /// Whose vertex a triangle's corner is.
+  /// Index of the piece that owns a triangle's corner.
   [[nodiscard]] std::size_t owner(std::size_t index, std::uint32_t corner) const {
     return corner >> SurfacePiece::own_bits ? beside(index, corner >> SurfacePiece::own_bits) : index;
   }
-  /// The pieces whose bricks are not what they were made from, and those just before them.
+  /// The pieces whose bricks have changed, and their predecessors.
   [[nodiscard]] std::vector<std::size_t> outdated(const Stock& stock) const;
-  /// Some pieces and those just before them.
+  /// The given pieces and their predecessors.
   [[nodiscard]] std::vector<std::size_t> with_those_before(const std::vector<char>& some) const;
-  /// All pieces in groups: those after a piece are in its own group or the next one. Groups are slices across the longest side,
-  /// several at a time where they are small.
+  /// All pieces in groups, such that the pieces after a piece are in its own group or the next one.
+  /// Groups are slices across the longest side; small slices are joined.
   [[nodiscard]] std::vector<std::vector<std::size_t>> waves() const;
 
   void make_vertices(std::size_t index, const Stock& stock);
@@ -111,7 +119,7 @@ class SurfacePieces {
   void add_polygons(std::size_t index, const Index3& p, const CubeCase& cube);
 
   StockLattice lattice_;
-  Index3 along_;  ///< pieces along each axis
+  Index3 along_;  ///< number of pieces along each axis
   std::vector<SurfacePiece> pieces_;
 };
 

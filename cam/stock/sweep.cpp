@@ -12,13 +12,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The greatest distance of a zone from its axis, or of a ball from its centre.
+/// Maximum radius of a zone about its axis, or of a ball.
 double widest(const Zone& zone) {
   if (zone.shape == Zone::Shape::frustum) return std::max(zone.r0, zone.r1);
   return zone.shape == Zone::Shape::ball ? zone.r0 : zone.r0 + zone.r1;
 }
 
-/// The box of a zone in a pose.
+/// Bounding box of a zone in a pose.
 Box box_of(const Zone& zone, const ToolPose& pose) {
   if (zone.shape == Zone::Shape::ball) {
     const Vec3 centre = pose.tip + zone.z0 * pose.axis;
@@ -33,13 +33,14 @@ Box box_of(const Zone& zone, const ToolPose& pose) {
   return hull(disc(zone.z0, zone.r0), disc(zone.z1, zone.r1));
 }
 
-/// How many straight parts a circle needs so that they lie within `tolerance` of it.
+/// Number of chords of a circle such that each lies within `tolerance` of it.
 int parts_of_circle(double radius, double tolerance) {
   if (radius <= tolerance) return 6;
   return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / std::acos(1 - tolerance / radius))), 12, 720);
 }
 
-/// Two directions that make a right-handed frame with an axis, changing little where the axis changes little.
+/// Two unit vectors that form a right-handed basis with `axis`. They change little if the axis
+/// changes little.
 std::pair<Vec3, Vec3> across(const Vec3& axis, const Vec3& like) {
   const Vec3 one = (like - like.dot(axis) * axis).normalized();
   return {one, axis.cross(one)};
@@ -50,6 +51,141 @@ Vec3 any_across(const Vec3& axis) {
   axis.cwiseAbs().minCoeff(&least);
   return axis.cross(Vec3::Unit(least)).normalized();
 }
+
+/// The surface that the grazing curves of a piece's section sweep between two poses, as strips of triangles.
+class GrazingSurface {
+ public:
+  /// A point of the half section with its normal: distance from the axis, height, radial part, axial part.
+  using SectionPoint = std::array<double, 4>;
+  using Section = std::function<SectionPoint(double)>;
+  using AddStrip = std::function<void(const std::vector<Vec3>&, const std::vector<Vec3>&)>;
+
+  /// `parts`: number of pieces of the section's curve, at least; `sharpest`: its minimum radius of curvature, mm.
+  GrazingSurface(const ToolPose& from, const ToolPose& to, Section section, int parts, double sharpest, double tolerance,
+                 AddStrip add_strip)
+      : from_(from),
+        to_(to),
+        section_(std::move(section)),
+        parts_(parts),
+        sharpest_(sharpest),
+        tolerance_(tolerance),
+        add_strip_(std::move(add_strip)) {}
+
+  void add() { add_between(0, 1, 0); }
+
+ private:
+  /// The grazing points of one circle in one pose, on both sides, with their angles about the axis and their normals.
+  struct Pair {
+    std::array<double, 2> angles{};
+    std::array<Vec3, 2> places, normals;
+    bool closed = false;  ///< the circle has no grazing points
+  };
+  /// Those of one circle at two times.
+  struct Grazing {
+    double t = 0;
+    std::array<Pair, 2> ends;
+  };
+
+  [[nodiscard]] ToolPose pose_at(double time) const {
+    if (time <= 0 || time >= 1) return time <= 0 ? from_ : to_;
+    return {from_.tip + time * motion_, (from_.axis + time * turning_).normalized()};
+  }
+
+  [[nodiscard]] Pair pair(const SectionPoint& point, const ToolPose& pose) const {
+    const auto [distance, height, out, up] = point;
+    const auto [one, other] = across(pose.axis, like_);
+    const Vec3 swing = turning_ - turning_.dot(pose.axis) * pose.axis;
+    // normal . velocity = p . (cos, sin) + q at the angle about the axis.
+    const Vec3 p = out * motion_ + (height * out - distance * up) * swing;
+    const double q = up * motion_.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
+    const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
+    Pair result;
+    result.closed = std::abs(q) > length;
+    for (std::size_t side = 0; side < 2; ++side) {
+      result.angles[side] = middle + (side ? half : -half);
+      const Vec3 outwards = std::cos(result.angles[side]) * one + std::sin(result.angles[side]) * other;
+      result.places[side] = pose.tip + height * pose.axis + distance * outwards;
+      result.normals[side] = out * outwards + up * pose.axis;
+    }
+    return result;
+  }
+
+  [[nodiscard]] Grazing grazing(double t, const std::array<ToolPose, 2>& poses) const {
+    const SectionPoint point = section_(t);
+    return {t, {pair(point, poses[0]), pair(point, poses[1])}};
+  }
+
+  /// Extends a curve to a place, by smaller steps where it bends or the strip is twisted.
+  void extend(std::vector<Grazing>& curve, const Grazing& to, const std::array<ToolPose, 2>& poses, int depth) const {
+    const Grazing& back = curve.back();
+    double turn = 0, twist = 0;
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (std::size_t end = 0; end < 2; ++end)
+        turn = std::max(turn,
+                        std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
+      const Vec3 ways = to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
+      twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
+    }
+    // Two triangles deviate from a twisted quadrilateral by a quarter of the twist.
+    if ((turn > 0.1 || twist > 4 * tolerance_) && depth < 10) {
+      const Grazing middle = grazing(0.5 * (curve.back().t + to.t), poses);
+      extend(curve, middle, poses, depth + 1);
+      extend(curve, to, poses, depth + 1);
+      return;
+    }
+    curve.push_back(to);
+  }
+
+  /// Adds the strips between the grazing curves at two times, one on each side.
+  void add_strips(const std::array<ToolPose, 2>& poses) const {
+    std::vector<Grazing> curve{grazing(0, poses)};
+    for (int i = 1; i <= parts_; ++i) extend(curve, grazing(static_cast<double>(i) / parts_, poses), poses, 0);
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::vector<Vec3> start, end;
+      for (const Grazing& g : curve) start.push_back(g.ends[0].places[side]), end.push_back(g.ends[1].places[side]);
+      add_strip_(start, end);
+    }
+  }
+
+  /// Height of the curve at mid-time above the strip between its ends. Points this near to the piece in its first or last pose
+  /// are not above that pose either: a step along a surface of radius r leaves it by step^2 / 2 r.
+  [[nodiscard]] double height_above_strip(double begin, double end) const {
+    const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
+    const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
+    // A corner's curve may cover only a small part of its parameter range.
+    const int samples = parts_ * (std::isfinite(sharpest_) ? 16 : 2);
+    double most = 0;
+    for (int i = 0; i <= samples; ++i) {
+      const SectionPoint point = section_(static_cast<double>(i) / samples);
+      const double step = to_stamp * (motion_.norm() + std::hypot(point[0], point[1]) * turning_.norm());
+      if (step * step <= 2 * tolerance_ * std::min(point[0], sharpest_)) continue;
+      const Pair middle = pair(point, poses[1]);
+      if (middle.closed) continue;
+      const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
+      for (std::size_t side = 0; side < 2; ++side)
+        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
+    }
+    return most;
+  }
+
+  void add_between(double begin, double end, int depth) const {
+    const bool turns = turning_.squaredNorm() > 1e-24;
+    if (turns && depth < 5 && height_above_strip(begin, end) > tolerance_) {
+      const double middle = 0.5 * (begin + end);
+      add_between(begin, middle, depth + 1);
+      add_between(middle, end, depth + 1);
+      return;
+    }
+    add_strips({pose_at(begin), pose_at(end)});
+  }
+
+  ToolPose from_, to_;
+  Vec3 like_ = any_across(from_.axis), motion_ = to_.tip - from_.tip, turning_ = to_.axis - from_.axis;
+  Section section_;
+  int parts_;
+  double sharpest_, tolerance_;
+  AddStrip add_strip_;
+};
 
 }  // namespace
 
@@ -71,7 +207,7 @@ void Sweep::build(double tolerance, const Box& domain) {
   double high = -infinity;
   for (const Zone& zone : piece_->zones) high = std::max(high, zone.shape == Zone::Shape::frustum ? zone.z1 : zone.z0);
   for (Zone zone : piece_->zones) {
-    // A cylinder that ends outside of the domain and leads away from it need not end at all.
+    // A cylinder that ends outside of the domain and leads away from it may be infinite.
     if (!turns && zone.shape == Zone::Shape::frustum && zone.z1 == high && zone.r0 == zone.r1) {
       const Zone end{Zone::Shape::frustum, zone.z1, zone.z1, zone.r1, zone.r1, false, false};
       const Box top = hull(box_of(end, from), box_of(end, to));
@@ -84,7 +220,7 @@ void Sweep::build(double tolerance, const Box& domain) {
     if (moves) stamps_.push_back({zone, to, false, Vec3::Zero()});
     if (!moves) continue;
     if (zone.shape == Zone::Shape::ball) {
-      // The capsule's cylinder, from the first centre to the last.
+      // Cylinder of the capsule, from the first centre to the last.
       const Vec3 start = from.tip + zone.z0 * from.axis, way = to.tip + zone.z0 * to.axis - start;
       if (way.norm() > 1e-12)
         stamps_.push_back({{Zone::Shape::frustum, 0, way.norm(), zone.r0, zone.r0, false, false},
@@ -117,7 +253,7 @@ void Sweep::build(double tolerance, const Box& domain) {
 }
 
 void Sweep::add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  // In runs of a few, so that most can be passed over together.
+  // Short runs with a bounding box each, so that fill() can skip most of them.
   constexpr std::size_t run = 8;
   for (std::size_t begin = 1; begin < from.size(); begin += run) {
     const std::size_t end = std::min(begin + run, from.size());
@@ -134,7 +270,7 @@ void Sweep::add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to
 
 namespace {
 
-/// Distance of a place from a triangle, which may be degenerate.
+/// Distance from a point to a triangle, which may be degenerate.
 double distance_from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const auto from_segment = [&](const Vec3& from, const Vec3& to) {
     const Vec3 way = to - from;
@@ -159,7 +295,7 @@ bool Sweep::near(const Vec3& place, double distance) const {
          distance_from_triangle(place, core_[1], core_[2], core_[3]) <= reach;
 }
 
-/// The way of a flat end and its edge.
+/// Adds the swept surface of a flat end and of its edge.
 void Sweep::add_disc(double height, double radius, double tolerance) {
   if (radius <= 0) return;
   if ((to_.axis - from_.axis).squaredNorm() <= 1e-24) {
@@ -171,7 +307,7 @@ void Sweep::add_disc(double height, double radius, double tolerance) {
   const auto circle = [&](const ToolPose& pose) {
     const auto [one, other] = across(pose.axis, like);
     const Vec3 middle = pose.tip + height * pose.axis;
-    // Each place is the one before, turned.
+    // Each point is the previous one, rotated.
     const double angle = 2 * std::numbers::pi / parts, c = std::cos(angle), s = std::sin(angle);
     std::vector<Vec3> points;
     points.reserve(static_cast<std::size_t>(parts) + 1);
@@ -187,119 +323,27 @@ void Sweep::add_disc(double height, double radius, double tolerance) {
   add_strip(circle(from_), circle(to_));
 }
 
-/// Both grazing curves along a part of the half section, given from 0 to 1: at each height, the places round the axis where the
-/// normal is across the motion. Where a circle has none, its place nearest to that: there the curve closes. Where the curves turn
-/// quickly round the axis, as they do before they close, or what they sweep is twisted, there are more points than `parts`.
+/// Adds both grazing curves along a part of the half section, which is a function of a parameter
+/// from 0 to 1: at each height, the points round the axis with a normal perpendicular to the
+/// motion. A circle without such points contributes its point nearest to that condition: there the
+/// curve closes. More than `parts` points are used near closed ends, where the curves turn quickly
+/// round the axis, and where the swept strip is twisted.
 void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance) {
-  const Vec3 like = any_across(from_.axis), motion = to_.tip - from_.tip, turning = to_.axis - from_.axis;
-  const auto pose_at = [&](double time) -> ToolPose {
-    if (time <= 0 || time >= 1) return time <= 0 ? from_ : to_;
-    return {from_.tip + time * motion, (from_.axis + time * turning).normalized()};
-  };
-  /// The places of one height in one pose: on both sides, with their angles about the axis and their normals.
-  struct Pair {
-    std::array<double, 2> angles{};
-    std::array<Vec3, 2> places, normals;
-    bool closed = false;  ///< the circle has no such places
-  };
-  const auto pair = [&](const SectionPoint& point, const ToolPose& pose) {
-    const auto [distance, height, out, up] = point;
-    const auto [one, other] = across(pose.axis, like);
-    const Vec3 swing = turning - turning.dot(pose.axis) * pose.axis;
-    // normal . velocity = p . (cos, sin) + q  at the angle about the axis.
-    const Vec3 p = out * motion + (height * out - distance * up) * swing;
-    const double q = up * motion.dot(pose.axis), x = p.dot(one), y = p.dot(other), length = std::hypot(x, y);
-    const double middle = std::atan2(y, x), half = length > 0 ? std::acos(std::clamp(-q / length, -1.0, 1.0)) : 0;
-    Pair result;
-    result.closed = std::abs(q) > length;
-    for (std::size_t side = 0; side < 2; ++side) {
-      result.angles[side] = middle + (side ? half : -half);
-      const Vec3 outwards = std::cos(result.angles[side]) * one + std::sin(result.angles[side]) * other;
-      result.places[side] = pose.tip + height * pose.axis + distance * outwards;
-      result.normals[side] = out * outwards + up * pose.axis;
-    }
-    return result;
-  };
-  /// The strips between the curves at two times.
-  struct Grazing {
-    double t = 0;
-    std::array<Pair, 2> ends;
-  };
-  const auto add_strips = [&](const std::array<ToolPose, 2>& poses) {
-    const auto grazing = [&](double t) -> Grazing {
-      const SectionPoint point = section(t);
-      return {t, {pair(point, poses[0]), pair(point, poses[1])}};
-    };
-    std::vector<Grazing> curve{grazing(0)};
-    const auto add = [&](const auto& self, const Grazing& to, int depth) -> void {
-      const Grazing& back = curve.back();
-      double turn = 0, twist = 0;
-      for (std::size_t side = 0; side < 2; ++side) {
-        for (std::size_t end = 0; end < 2; ++end)
-          turn = std::max(
-              turn, std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
-        const Vec3 ways =
-            to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
-        twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
-      }
-      // Two triangles in the place of a twisted surface are off by a quarter of the twist.
-      if ((turn > 0.1 || twist > 4 * tolerance) && depth < 10) {
-        const Grazing middle = grazing(0.5 * (curve.back().t + to.t));
-        self(self, middle, depth + 1);
-        self(self, to, depth + 1);
-        return;
-      }
-      curve.push_back(to);
-    };
-    for (int i = 1; i <= parts; ++i) add(add, grazing(static_cast<double>(i) / parts), 0);
-    for (std::size_t side = 0; side < 2; ++side) {
-      std::vector<Vec3> start, end;
-      for (const Grazing& g : curve) start.push_back(g.ends[0].places[side]), end.push_back(g.ends[1].places[side]);
-      add_strip(start, end);
-    }
-  };
-  // How far the curve in the middle of a time lies above the strip between its ends. What is that near to the piece in its first
-  // or last pose does not lie above that one, either: a step along a surface of radius r leaves it by step^2 / 2 r.
-  const auto off = [&](double begin, double end) {
-    const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
-    const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
-    const int samples = parts * (std::isfinite(sharpest) ? 16 : 2);  // on a corner curves may run along a small share of it only
-    double most = 0;
-    for (int i = 0; i <= samples; ++i) {
-      const SectionPoint point = section(static_cast<double>(i) / samples);
-      const double step = to_stamp * (motion.norm() + std::hypot(point[0], point[1]) * turning.norm());
-      if (step * step <= 2 * tolerance * std::min(point[0], sharpest)) continue;
-      const Pair middle = pair(point, poses[1]);
-      if (middle.closed) continue;
-      const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
-      for (std::size_t side = 0; side < 2; ++side)
-        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
-    }
-    return most;
-  };
-  const bool turns = turning.squaredNorm() > 1e-24;
-  const auto divide = [&](const auto& self, double begin, double end, int depth) -> void {
-    if (turns && depth < 5 && off(begin, end) > tolerance) {
-      const double middle = 0.5 * (begin + end);
-      self(self, begin, middle, depth + 1);
-      self(self, middle, end, depth + 1);
-      return;
-    }
-    add_strips({pose_at(begin), pose_at(end)});
-  };
-  divide(divide, 0, 1, 0);
+  GrazingSurface(from_, to_, section, parts, sharpest, tolerance, [&](const auto& start, const auto& end) {
+    add_strip(start, end);
+  }).add();
 }
 
 namespace {
 
-/// Lowers and raises the intervals of the lines that a triangle meets.
+/// Extends the intervals of the lines that intersect a triangle.
 void fill_triangle(Window& window, const StockLattice& lattice, const std::array<Vec3, 3>& triangle) {
   const int d = window.axis, ua = (d + 1) % 3, va = (d + 2) % 3;
   const double inverse_u = 1 / lattice.spacing()[ua], inverse_v = 1 / lattice.spacing()[va];
   std::array<double, 3> u, v, w;
   for (std::size_t i = 0; i < 3; ++i)
     u[i] = triangle[i][ua] * inverse_u, v[i] = triangle[i][va] * inverse_v, w[i] = triangle[i][d];
-  constexpr double slack = 1e-7;  // of a cell: a line on an edge is met
+  constexpr double slack = 1e-7;  // in cells, so that a line through an edge counts as an intersection
   const double v_low = std::min({v[0], v[1], v[2]}), v_high = std::max({v[0], v[1], v[2]});
   const int v0 = std::max(window.v0, static_cast<int>(std::ceil(v_low - slack)));
   const int v1 = std::min(window.v1, static_cast<int>(std::floor(v_high + slack)));
@@ -311,7 +355,7 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
     along_u = ((w[1] - w[0]) * (v[2] - v[0]) - (w[2] - w[0]) * (v[1] - v[0])) / area;
     along_v = ((u[1] - u[0]) * (w[2] - w[0]) - (u[2] - u[0]) * (w[1] - w[0])) / area;
   } else if (w_high - w_low > 1e-9) {
-    return;  // on edge: what it bounds is bounded by its neighbours
+    return;  // edge-on: its neighbours bound the same interval
   }
   for (int j = v0; j <= v1; ++j) {
     double low = infinity, high = -infinity;
@@ -353,7 +397,8 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     const double au = stamp.pose.axis[ua], av = stamp.pose.axis[va], ad = stamp.pose.axis[d];
     const bool level_way = stamp.disc && std::abs(stamp.way.dot(stamp.pose.axis)) < 1e-9 * (1 + stamp.way.norm());
     if (level_way && std::abs(ad) < 1e-9) continue;
-    // Seen along the lines, a zone lies in a strip about its axis, what a disc sweeps in one about its way.
+    // Seen along the lines, a zone lies in a strip about its axis, and the volume swept by a disc
+    // in a strip about its path.
     const double strip_u = stamp.disc ? stamp.way[ua] : au, strip_v = stamp.disc ? stamp.way[va] : av;
     const double strip = std::hypot(strip_u, strip_v);
     const bool askew = !ball && strip > 0 && std::abs(strip_v) > 0.05 * strip;
@@ -383,7 +428,7 @@ void Sweep::fill(Window& window, const StockLattice& lattice) const {
     if (strip.box.upper[va] < (window.v0 - 0.01) * hv || strip.box.lower[va] > (window.v1 + 0.01) * hv) continue;
     for (std::size_t i = strip.first; i < strip.last; ++i) fill_triangle(window, lattice, triangles_[i]);
   }
-  // Lines along an endless piece never leave it.
+  // Lines parallel to an infinite piece never leave it.
   if (endless_ && from_.axis[d] > 1 - 1e-12 && to_.axis[d] > 1 - 1e-12)
     for (std::size_t i = 0; i < window.entry.size(); ++i)
       if (window.entry[i] <= window.exit[i]) window.exit[i] = std::numeric_limits<float>::infinity();

@@ -1,4 +1,4 @@
-/// What a convex piece of a tool occupies while it moves: the interval that it takes out of each line of a lattice.
+/// Swept volume of a convex piece of a tool: its interval on each line of a lattice.
 #pragma once
 
 #include <array>
@@ -11,12 +11,13 @@
 
 namespace fieldfab::cam {
 
-/// Intervals along one axis for a rectangle of a lattice's lines (Hahn 5.2.2 stores them in such a buffer for each direction).
-/// Lines are counted along the two other axes, u and v, in cyclic order.
+/// Intervals along one axis for a rectangle of a lattice's lines (Hahn 5.2.2 stores them in such a
+/// buffer for each direction). Lines are indexed along the other axes, u and v, in cyclic order.
 struct Window {
   int axis = 2;
-  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< lines, both ends included; empty where u1 < u0
-  std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit: the line is not met
+  int u0 = 0, u1 = -1, v0 = 0, v1 = -1;  ///< range of lines, both ends included; empty if u1 < u0
+  std::vector<float> entry, exit;        ///< mm from the lattice's corner; entry > exit for a line
+                                         ///< without interval
 
   [[nodiscard]] int width() const { return u1 - u0 + 1; }
   [[nodiscard]] bool empty() const { return u1 < u0 || v1 < v0; }
@@ -31,28 +32,31 @@ struct Window {
   }
 };
 
-/// The volume that a piece sweeps while its pose goes evenly from one to another. Its boundary lies on the piece at both ends
-/// (stamps), on the ways of its edges, and on the grazing curves (Hahn 2.2): the points of the piece where it moves along itself,
-/// of which a circle about the axis has at most two. Curves become strips of triangles, nowhere farther from them than
-/// `tolerance`: where grazing curves wander over a piece that turns, as they do when it moves along its axis, they are found at
-/// times in between as well. Balls sweep exact capsules. A line's interval reaches from the first of these to the last: the swept
-/// volume is taken to be convex along it, which holds for translations, and within the tolerance for steps as `steps_between`
-/// makes them.
+/// The volume that a piece sweeps while its pose is interpolated linearly. Its boundary consists of
+/// the piece at both ends (stamps), the surfaces swept by its edges, and the grazing curves (Hahn
+/// 2.2): the points of the piece with a normal perpendicular to their velocity. A circle about the
+/// axis has at most two of them. Curves become strips of triangles with a distance of at most
+/// `tolerance`. If a piece turns while it moves along its axis, its grazing curves move over it;
+/// they are also computed at intermediate times. Balls sweep exact capsules. A line's interval
+/// reaches from the first intersection to the last: the swept volume is taken as convex along the
+/// line. That holds for translations, and within the tolerance for steps from `steps_between`.
 class Sweep {
  public:
-  /// Poses in the lattice's frame, mm from its corner. It knows where it is; fill() wants it built.
+  /// Poses are in the lattice's coordinates, mm from its corner. bounds() and near() are available
+  /// at once; fill() requires build().
   Sweep(const ToolPiece& piece, const ToolPose& from, const ToolPose& to);
-  /// Makes its surface. Nobody asks about what lies outside of `domain`.
+  /// Builds the surface. The result is valid within `domain` only.
   void build(double tolerance, const Box& domain);
 
   [[nodiscard]] const Box& bounds() const { return bounds_; }
-  /// False where it surely stays farther than `distance` from a place.
+  /// Returns false only if the sweep is farther than `distance` from a point, mm.
   [[nodiscard]] bool near(const Vec3& place, double distance) const;
-  /// Fills the intervals of a window whose rectangle and axis are set and that was cleared.
+  /// Extends the intervals of a cleared window with set axis and rectangle.
   void fill(Window& window, const StockLattice& lattice) const;
 
  private:
-  /// A zone in one place; or a disc about the tool's axis, of radius zone.r0 at the height zone.z0, going straight along `way`.
+  /// A zone in one pose; or the volume of a disc about the tool's axis, of radius zone.r0 at height
+  /// zone.z0, that moves straight along `way`.
   struct Stamp {
     Zone zone;
     ToolPose pose;
@@ -60,7 +64,7 @@ class Sweep {
     Vec3 way;
   };
   using Triangle = std::array<Vec3, 3>;
-  /// Triangles that come one after the other, and their box.
+  /// A range of consecutive triangles and its bounding box.
   struct Strip {
     std::size_t first, last;
     Box box;
@@ -68,9 +72,10 @@ class Sweep {
 
   void add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
   void add_disc(double height, double radius, double tolerance);
-  /// A point of the half section, and its normal's two parts: distance from the axis, height, outwards, upwards.
+  /// A point of the half section with its normal: distance from the axis, height, radial part,
+  /// axial part.
   using SectionPoint = std::array<double, 4>;
-  /// `sharpest`: the least radius that the section itself bends with.
+  /// `sharpest`: minimum radius of curvature of the section.
   void add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance);
 
   const ToolPiece* piece_;
@@ -79,9 +84,10 @@ class Sweep {
   std::vector<Triangle> triangles_;
   std::vector<Strip> strips_;
   Box bounds_;
-  std::array<Vec3, 4> core_;  ///< the ends of the axis, first and last: all of it lies within `radius_` of what they span
+  std::array<Vec3, 4> core_;  ///< the ends of the axis, at the start and at the end: the axis stays
+                              ///< in their convex hull, and the piece within `radius_` of it
   double radius_ = 0;
-  bool endless_ = false;  ///< its upper end is so far out that it is taken to have none
+  bool endless_ = false;  ///< the upper end is so far away that it is ignored
 };
 
 }  // namespace fieldfab::cam

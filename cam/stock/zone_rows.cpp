@@ -10,14 +10,15 @@
 namespace fieldfab::cam {
 namespace {
 
-/// How a line and the unbounded cone of a frustum lie to each other.
+/// Position of a line relative to the unbounded cone of a frustum.
 enum class Slant {
-  chord,     ///< the line leaves the cone at both ends
-  upwards,   ///< it stays inside of the cone along +s
-  downwards  ///< along -s
+  chord,     ///< the intersection with the cone is bounded at both ends
+  upwards,   ///< the line stays inside of the cone along +s
+  downwards  ///< the line stays inside of the cone along -s
 };
 
-/// A frustum: where the line is inside of the cone and between the two planes.
+/// Intervals in a frustum: intersection of the line's interval in the cone and that between the two
+/// planes.
 template <Slant slant, bool slab>
 FIELDFAB_CLONES void cone_row(const Row& row, const Zone& zone) {
   const double k = (zone.r1 - zone.r0) / (zone.z1 - zone.z0);
@@ -53,7 +54,7 @@ FIELDFAB_CLONES void cone_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// A cylinder along the lines.
+/// Intervals in a cylinder parallel to the lines.
 FIELDFAB_CLONES void parallel_row(const Row& row, const Zone& zone) {
   const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad;
   const auto low = static_cast<float>(row.origin + std::min(s0, s1)), high = static_cast<float>(row.origin + std::max(s0, s1));
@@ -70,12 +71,13 @@ FIELDFAB_CLONES void parallel_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// A cylinder that is not along the lines: by the distance of each line from its axis, which is what keeps single precision
-/// precise.
+/// Intervals in a cylinder that is not parallel to the lines. Computed from the distance of each
+/// line to the axis, because that stays accurate in single precision.
 template <bool slab>
 FIELDFAB_CLONES void cylinder_row(const Row& row, const Zone& zone) {
   const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
-  // All linear along the row: height of the foot point, place of the line's nearest point, distance.
+  // All are linear along the row: height of the foot point, position of the line's closest point,
+  // and distance.
   const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
   const auto nearest = static_cast<float>(row.ad / sine2), inverse = static_cast<float>(1 / sine);
   const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine),
@@ -103,7 +105,8 @@ FIELDFAB_CLONES void cylinder_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// A ring and what is inside of it where its axis lies along the lines: heights of its half section.
+/// Intervals in the convex hull of a ring whose axis is parallel to the lines: heights of its half
+/// section.
 FIELDFAB_CLONES void ring_along_row(const Row& row, const Zone& zone) {
   const double middle = row.origin + zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
@@ -118,7 +121,8 @@ FIELDFAB_CLONES void ring_along_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// The same where its axis is across the lines and along the row or across it as well: circles.
+/// Intervals in the convex hull of a ring whose axis is perpendicular to the lines, and parallel or
+/// perpendicular to the row: circles.
 FIELDFAB_CLONES void ring_across_row(const Row& row, const Zone& zone) {
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
@@ -134,15 +138,16 @@ FIELDFAB_CLONES void ring_across_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// The same for any direction, by Newton's method from outside: the distance to a convex solid is convex along a line, so that
-/// the steps never pass its surface. Where a line just touches they come near by halves, which is near enough there.
+/// Intervals in the convex hull of a ring in any direction, by Newton's method from outside. The
+/// distance to a convex solid is convex along a line, so that the steps never pass its surface.
+/// Convergence is linear, by halves, for lines that only touch, which is accurate enough there.
 FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
   const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   const double dv = row.v - centre_v;
   for (int i = 0; i < row.count; ++i) {
-    // Relative to the ring's centre, from the ball about it.
+    // Relative to the ring's centre, starting at its bounding ball.
     const double du = row.first_u + row.step_u * i - centre_u;
     const double across = du * du + dv * dv, level = row.au * du + row.av * dv, room = reach * reach - across;
     const double start = std::sqrt(std::max(room, 0.0));
@@ -155,7 +160,8 @@ FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
                      distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
         f = distance - zone.r1;
         const double slope = (beyond * (s - height * row.ad) / from_axis + height * row.ad) / distance;
-        // Only inwards; a line that passes outside turns round, and stays where it is nearest.
+        // Steps go inwards only. A line that misses the solid would turn round; it stays at its
+        // closest point.
         const double inwards = side ? std::max(slope, 1e-3) : std::min(slope, -1e-3);
         s -= std::max(f, 0.0) / inwards;
         s = side ? std::max(s, -start) : std::min(s, start);
@@ -170,19 +176,21 @@ FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
   }
 }
 
-/// A disc that goes straight: an oblique cylinder, whose places are a share of the way and a place in the disc's plane. By the
-/// line's nearest place to the disc's middle in that plane, which is linear along the row, as the distance from there is.
+/// Intervals in the oblique cylinder that a disc sweeps along a straight line. Its points are a
+/// fraction of the path plus a point of the disc's plane. Computed from the line's closest point to
+/// the disc's centre in that plane. That point, like its distance, is linear along the row.
 FIELDFAB_CLONES void oblique_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
-  const double along = wu * row.au + wv * row.av + wd * row.ad;  // of the way, along the disc's axis
+  // component of the path along the disc's axis
+  const double along = wu * row.au + wv * row.av + wd * row.ad;
   const double share = 1 / along, tilt = row.ad * share;
-  // The place in the plane, as the line goes on; and as lines go on.
+  // Projected direction in the disc's plane: along the line, and from line to line.
   const Vec3 line(-tilt * wu, -tilt * wv, 1 - tilt * wd);
   const double u_share = row.au * share, v_share = row.av * share;
   const Vec3 by_u(1 - u_share * wu, -u_share * wv, -u_share * wd), by_v(-v_share * wu, 1 - v_share * wv, -v_share * wd);
   const Vec3 first = row.first_u * by_u + row.v * by_v, step = row.step_u * by_u;
   const double square = line.squaredNorm();
   if (square < 1e-12) {
-    // Lines along the way: met from end to end.
+    // Lines parallel to the path have the same interval ends.
     const double one = -(row.au * row.first_u + row.av * row.v) / row.ad, per_line = -row.au * row.step_u / row.ad,
                  whole = along / row.ad;
     for (int i = 0; i < row.count; ++i) {
@@ -194,7 +202,7 @@ FIELDFAB_CLONES void oblique_disc_row(const Row& row, double radius, double wu, 
     return;
   }
   const double inverse = 1 / square;
-  // Off the nearest place the disc is half a chord wide.
+  // At a distance from its centre the disc is a chord wide, half of it on each side.
   const Vec3 normal(row.au, row.av, row.ad), side = normal.cross(line) / std::sqrt(square);
   const auto d0 = static_cast<float>(first.dot(side)), d_step = static_cast<float>(step.dot(side));
   const auto s0 = static_cast<float>(-first.dot(line) * inverse), s_step = static_cast<float>(-step.dot(line) * inverse);
@@ -223,11 +231,11 @@ FIELDFAB_CLONES void oblique_disc_row(const Row& row, double radius, double wu, 
   }
 }
 
-/// A disc that goes along its own plane: a flat figure with round ends.
+/// Intervals in the volume that a disc sweeps in its own plane: a flat slot with round ends.
 FIELDFAB_CLONES void level_disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   if (std::abs(row.ad) < 1e-9) return;
   const double square = wu * wu + wv * wv + wd * wd;
-  // All linear along the row: height of the line's place, and how far along the way it is.
+  // Both are linear along the row: height of the line's point, and its position along the path.
   const auto s0 = static_cast<float>(-(row.au * row.first_u + row.av * row.v) / row.ad),
              s_step = static_cast<float>(-row.au * row.step_u / row.ad);
   const double share = square > 0 ? 1 / square : 0;
@@ -292,7 +300,7 @@ void disc_row(const Row& row, double radius, double wu, double wv, double wd) {
   (level ? level_disc_row : oblique_disc_row)(row, radius, wu, wv, wd);
 }
 
-/// Lowers and raises intervals to places that lie evenly.
+/// Extends intervals to linearly spaced values.
 FIELDFAB_CLONES void fill_row(float* entry, float* exit, int count, float at, float step, float low, float high) {
   for (int i = 0; i < count; ++i) {
     const float place = std::min(std::max(at + step * static_cast<float>(i), low), high);

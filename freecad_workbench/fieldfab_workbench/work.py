@@ -8,6 +8,8 @@ import FreeCAD
 from .words import tr
 
 SHOW_AFTER = 0.4  # seconds before a dialog appears
+STANDS = 1.0  # seconds without a change after which a bar says no more how far the work is
+STEPS = 1000  # of a bar
 
 
 class Cancelled(Exception):
@@ -44,6 +46,29 @@ class Task(threading.Thread):
         raise self.error
 
 
+class Gauge:
+    """Shows the progress of work on a QProgressBar or QProgressDialog. While the fraction stands the bar runs to and fro: the work goes on."""
+
+    def __init__(self, bar):
+        self._bar, self._last, self._since = bar, None, 0.0
+
+    def show(self, fraction):
+        now = time.monotonic()
+        if fraction != self._last:
+            self._last, self._since = fraction, now
+        if now - self._since > STANDS:
+            self._bar.setRange(0, 0)
+        else:
+            self._bar.setRange(0, STEPS)
+            self._bar.setValue(round(STEPS * fraction))
+
+    def stop(self):
+        """Back to the beginning."""
+        self._last = None
+        self._bar.setRange(0, STEPS)
+        self._bar.setValue(0)
+
+
 def run(function, title):
     """Returns `function(progress)`. With a window, the window goes on being drawn; after a moment a dialog shows progress and offers to
     cancel (Cancelled is raised then). The calling thread waits either way: nothing else can change the document meanwhile."""
@@ -59,7 +84,8 @@ def run(function, title):
         if dialog is None and time.monotonic() - began > SHOW_AFTER:
             import FreeCADGui
 
-            dialog = QtWidgets.QProgressDialog(title, tr("Cancel"), 0, 1000, FreeCADGui.getMainWindow())
+            dialog = QtWidgets.QProgressDialog(title, tr("Cancel"), 0, STEPS, FreeCADGui.getMainWindow())
+            gauge = Gauge(dialog)
             dialog.setWindowTitle("Fieldfab")
             dialog.setWindowModality(QtCore.Qt.ApplicationModal)
             dialog.setAutoClose(False)
@@ -70,7 +96,7 @@ def run(function, title):
             task.cancel()
             dialog.setLabelText(tr("Stopping"))
         elif dialog is not None:
-            dialog.setValue(round(1000 * task.fraction))
+            gauge.show(task.fraction)
             dialog.setLabelText(f"{title}: {task.message}" if task.message else title)
         # Until the dialog holds it back, input waits: a click must not change the document in the middle of its recompute.
         QtWidgets.QApplication.processEvents(loop.AllEvents if dialog else loop.ExcludeUserInputEvents, 20)

@@ -4,7 +4,7 @@ import functools
 import math
 import re
 
-from . import kernel
+from . import kernel, units
 from .words import marked, tr
 
 FOLLOWS = marked("automatic")  # what stands where a default follows from other things
@@ -54,16 +54,16 @@ class Setting:
 
     def problem(self, value):
         """What is wrong with a value, in a few words; "" where nothing is."""
-        unit = f" {self.unit}" if self.unit and self.unit != "diameters" else ""
+        unit = "" if self.unit == "diameters" else self.unit
         if self.kind == "number":
             if not math.isfinite(value):
                 return tr("must be finite")
             if self.whole and value != round(value):
                 return tr("must be a whole number")
             if self.lower is not None and (value < self.lower or (self.lower_open and value == self.lower)):
-                return (tr("must be above {limit}") if self.lower_open else tr("must be at least {limit}")).format(limit=f"{self.lower:g}{unit}")
+                return (tr("must be above {limit}") if self.lower_open else tr("must be at least {limit}")).format(limit=units.told(self.lower, unit, 6))
             if self.upper is not None and value > self.upper:
-                return tr("must be at most {limit}").format(limit=f"{self.upper:g}{unit}")
+                return tr("must be at most {limit}").format(limit=units.told(self.upper, unit, 6))
         elif self.choices and value not in self.choices:
             return tr("must be one of {choices}").format(choices=", ".join(self.choices))
         return ""
@@ -81,7 +81,7 @@ class Setting:
             return tr(FOLLOWS)
         if self.kind == "flag":
             return tr("yes") if value else tr("no")
-        return f"{value:g} {self.unit}".strip() if self.kind == "number" else value
+        return units.told(value, self.unit, 6) if self.kind == "number" else value
 
 
 class Stage:

@@ -10,8 +10,8 @@
 
 namespace fieldfab::meshlab {
 namespace {
-constexpr double bytes_a_place = 20;   // distances while they are measured, and the volume that keeps them
-constexpr double bytes_a_cell = 1200;  // of a cell that the surface passes
+constexpr double bytes_a_place = 20;   // per sample: distances during computation, and the volume that keeps them
+constexpr double bytes_a_cell = 1200;  // per cell that the surface passes
 }  // namespace
 
 std::string as_bytes(double bytes) {

@@ -14,7 +14,8 @@
 namespace fieldfab::meshlab {
 namespace {
 
-/// What MeshLab takes for the extensions of a kind: without the dot, of .nii.gz the last.
+/// Returns the extensions of a kind in MeshLab's form: without the dot, and only the last part of
+/// .nii.gz.
 std::vector<std::string> extensions_of(FormatKind kind) {
   std::vector<std::string> extensions = extensions_read(kind);
   for (std::string& extension : extensions) extension.erase(0, extension.rfind('.') + 1);
@@ -51,7 +52,7 @@ std::vector<Parameter> reading_parameters(const std::string& extension) {
 Layer read_file_as_layer(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log,
                          Progress& progress) {
   const Format* const format = openscad::all_formats().find(file);
-  // MeshLab takes any .gz for a .nii.gz: the reader of volumes refuses the others.
+  // MeshLab takes any .gz for a .nii.gz; the reader of volumes refuses the others.
   if (format == nullptr || format->kind == FormatKind::volume) return import_volume(file, values, log, progress);
   const bool bounded = format->kind == FormatKind::distances;
   const std::optional<Box> bounds = bounded ? std::nullopt : bounds_of(values.text("Bounds"));

@@ -1,4 +1,4 @@
-/// Files that become layers, and layers that become files.
+/// Files as layers, and layers as files.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct FileKind {
 std::vector<FileKind> files_read();
 std::vector<FileKind> files_written();
 
-/// What is asked before a file is read or written.
+/// Parameters of the dialogs before a file is read or written.
 std::vector<Parameter> reading_parameters(const std::string& extension);
 std::vector<Parameter> writing_parameters(const Document& document);
 

@@ -1,5 +1,6 @@
-/// What a filter is, to everything but MeshLab: parameters with defaults worked out from the layers, and what it makes of them.
-/// Nothing here knows MeshLab's interface; the folder meshlab_2020 translates.
+/// A filter independent of MeshLab: parameters with defaults computed from the layers, and a
+/// function that returns results. This header does not depend on MeshLab's interface; the folder
+/// meshlab_2020 translates.
 #pragma once
 
 #include <functional>
@@ -15,30 +16,31 @@
 
 namespace fieldfab::meshlab {
 
-/// A layer as MeshLab has it, in mm and where its transform puts it. It may be anything: open, inverted, with places that are
-/// NaN.
+/// A layer of MeshLab, in mm, with its transform applied. The mesh may be open, inverted, or have
+/// NaN coordinates.
 struct Layer {
   std::string name;
   TriangleMesh mesh;
-  std::vector<Colour> colours = {};  ///< of each vertex; empty where they are MeshLab's own
+  std::vector<Colour> colours = {};  ///< one per vertex; empty if the layer has no colours of its own
 };
 
-/// What defaults are worked out from.
+/// Data for the computation of defaults.
 struct Document {
   struct Entry {
     std::string name;
-    Box bounds;  ///< of the places that are finite; not valid() without any
+    Box bounds;  ///< of the finite vertices; not valid() if there are none
     std::size_t triangles = 0;
     double area = 0;  ///< mm2
   };
   std::vector<Entry> layers;
-  std::size_t current = 0;  ///< which of them is chosen; without layers it means nothing
+  std::size_t current = 0;  ///< index of the chosen layer; meaningless without layers
 
-  /// The chosen one; one without triangles where there is none.
+  /// The chosen layer; without layers an entry without triangles.
   [[nodiscard]] Entry chosen() const { return current < layers.size() ? layers[current] : Entry{}; }
 };
 
-/// One row of a dialog. The value is a length or other number (also yes or no, the index of a choice or of a layer) or text.
+/// One row of a dialog. The value is a text or a number: a length, another number, 0 or 1, or the
+/// index of a choice or a layer.
 struct Parameter {
   enum class Kind { length, number, whole, yes_no, choice, layer, text, file };
   std::string name;   ///< in scripts: a word
@@ -46,11 +48,11 @@ struct Parameter {
   std::string help;   ///< one or two sentences
   Kind kind = Kind::number;
   std::variant<double, std::string> value = 0.0;
-  double least = 0, most = 0;        ///< of a length: the ends of its slider, mm
-  std::vector<std::string> choices;  ///< of a choice, what can be chosen; of a file, its extensions with an asterisk
+  double least = 0, most = 0;        ///< of a length: ends of its slider, mm
+  std::vector<std::string> choices;  ///< of a choice: its options; of a file: extensions with an asterisk
 };
 
-/// What a user has chosen, and the layers that are meant.
+/// Values chosen by a user, and the layers they refer to.
 class Values {
  public:
   Values(std::vector<Parameter> parameters, std::map<std::size_t, std::shared_ptr<const Layer>> layers, std::size_t current)
@@ -60,10 +62,11 @@ class Values {
   [[nodiscard]] int whole(const std::string& name) const { return static_cast<int>(number(name)); }
   [[nodiscard]] bool flag(const std::string& name) const { return number(name) != 0; }
   [[nodiscard]] const std::string& text(const std::string& name) const { return std::get<std::string>(find(name).value); }
-  /// A length or number that must be finite, and above (or, where told so, not below) 0. Throws bad_input.
+  /// Returns a finite length or number above 0 (positive) or not below 0 (not_negative). Throws
+  /// bad_input otherwise.
   [[nodiscard]] double positive(const std::string& name) const;
   [[nodiscard]] double not_negative(const std::string& name) const;
-  /// The chosen layer, or that of a parameter. Throws bad_input where there is none.
+  /// Returns the chosen layer, or that of a parameter. Throws bad_input if there is none.
   [[nodiscard]] const Layer& layer() const;
   [[nodiscard]] const Layer& layer(const std::string& name) const;
   [[nodiscard]] std::size_t current() const { return current_; }
@@ -75,16 +78,17 @@ class Values {
   std::size_t current_;
 };
 
-/// What a filter has made. The layers it was given are left as they are, but for the colours of the chosen one.
+/// Result of a filter. The input layers stay unchanged, except for the colours of the chosen one.
 struct Result {
-  /// New layers; none where a filter only tells something.
+  /// New layers; empty if a filter only reports.
   std::vector<Layer> layers;
-  /// Of each vertex of the chosen layer, where that is what is wanted: MeshLab's quality, and red, green, blue.
+  /// Per vertex of the chosen layer, if the filter computes them: MeshLab's quality, and red,
+  /// green, blue.
   std::vector<float> quality;
   std::vector<Colour> colours;
   std::vector<std::string> log;  ///< for people, one line each
 
-  /// Takes a new layer, and tells its size in the log.
+  /// Adds a new layer, and its size to the log.
   void add(Layer layer);
 };
 
@@ -94,13 +98,13 @@ struct Filter {
   std::string help;  ///< HTML, a paragraph
   Group group = Group::remeshing;
   bool needs_layer = true;
-  bool colours = false;  ///< changes the chosen layer's quality and colours, nothing else
+  bool colours = false;  ///< changes only quality and colours of the chosen layer
   std::function<std::vector<Parameter>(const Document&)> parameters;
   /// Runs on any thread. Throws Error.
   std::function<Result(const Values&, Progress&)> run;
 };
 
-/// All of them, in the order of the issue.
+/// Returns all filters, in the order of the menu.
 const std::vector<Filter>& filters();
 
 }  // namespace fieldfab::meshlab

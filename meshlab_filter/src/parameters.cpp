@@ -1,4 +1,4 @@
-// The rows of dialogs.
+// Rows of dialogs.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -24,15 +24,14 @@
 namespace fieldfab::meshlab {
 namespace {
 
-constexpr double cheap =
-    600e6;  // bytes of a lattice up to which it may have twice as many places along each axis as there are voxels, for closeness
+constexpr double cheap = 600e6;  // bytes of a lattice up to which its spacing may be half the voxel, for accuracy
 
 Vec3 place(const TriangleMesh& mesh, std::uint32_t vertex) {
   const auto& p = mesh.vertices[vertex];
   return {p[0], p[1], p[2]};
 }
 
-/// Which vertex stands for each of those at the same place.
+/// Returns for each vertex the representative of all vertices at its position.
 std::vector<std::uint32_t> merged(const std::vector<std::array<float, 3>>& vertices) {
   std::vector<std::uint32_t> order(vertices.size()), stands(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -53,7 +52,8 @@ double area_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& t) 
   return 0.5 * (place(mesh, t[1]) - a).cross(place(mesh, t[2]) - a).norm();
 }
 
-/// Whether most of the surface is triangles that are larger than a few voxels: then their edges are drawn, not noise.
+/// Whether most of the surface consists of triangles larger than a few voxels: then edges are
+/// drawn, not noise.
 bool is_drawn(const TriangleMesh& mesh, const Fineness& fineness) {
   if (fineness.edges == Fineness::Edges::rounded) return false;
   double all = 0, large = 0;
@@ -67,13 +67,13 @@ bool is_drawn(const TriangleMesh& mesh, const Fineness& fineness) {
   return large > 0.8 * all;
 }
 
-/// Whether edges are looked for: in what is only a few voxels thick they take too long to find.
+/// Whether edges are searched for. In solids only a few voxels thick the search takes too long.
 bool is_sharpened(const TriangleMesh& mesh, const Fineness& fineness) {
   return fineness.edges == Fineness::Edges::kept ||
          (is_drawn(mesh, fineness) && 2 * std::abs(mesh.volume()) > 8 * fineness.voxel * mesh.area());
 }
 
-/// The lattice's distances as a Field; what is beyond its samples is outside.
+/// The distances on a lattice as a Field; points beyond its samples are outside.
 FieldPtr sampled(const TriangleMesh& mesh, const Box& bounds, double voxel, Progress& progress) {
   DistanceLattice lattice;
   lattice.spacing = voxel;
@@ -86,7 +86,7 @@ FieldPtr sampled(const TriangleMesh& mesh, const Box& bounds, double voxel, Prog
   return volume_field(*volume, {0, true, 1}, progress);
 }
 
-/// Of a mesh that a result is only measured from: certain ones need no line.
+/// Logs the certainty of an intermediate mesh, unless it is certain.
 void warn_where_uncertain(const Layer& layer, const Certainty& certainty, std::vector<std::string>& log) {
   if (!certainty.certain())
     log.push_back(fmt::format("layer '{}', as the solid it encloses, is {}", layer.name, certainty.text()));
@@ -108,7 +108,8 @@ TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log)
       continue;
     }
     const std::array<std::uint32_t, 3> own{stands[t[0]], stands[t[1]], stands[t[2]]};
-    if (own[0] == own[1] || own[1] == own[2] || own[2] == own[0]) {  // what has no area, but three places, is needed to be closed
+    // A triangle without area, but with three different vertices, is needed to keep the mesh closed.
+    if (own[0] == own[1] || own[1] == own[2] || own[2] == own[0]) {
       ++flat;
       continue;
     }
@@ -160,7 +161,7 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   if (const Lids lids = lids_of(mesh); !lids.triangles.empty()) {
     TriangleMesh closed = closed_by(lids, mesh);
     bool pieces = !lids.are_small(mesh);
-    if (pieces) {  // then it counts where half of the view is triangles
+    if (pieces) {  // then the winding number counts if triangles cover half of the view
       const ContourMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
       pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
       sharp = false;
@@ -179,7 +180,8 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
   }
 
   if (sharp) {
-    if (reach > 0 && inspect(mesh).self_intersections > 0) {  // triangles within the solid are no surface to measure from
+    // Triangles within the solid are no surface to measure from.
+    if (reach > 0 && inspect(mesh).self_intersections > 0) {
       log.push_back(fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
       ContourMesh enclosed = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);
       warn_where_uncertain(layer, enclosed.certainty, log);
@@ -189,7 +191,7 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
     }
     return fieldfab::solid_of(mesh_field(mesh, progress), "mesh", tight.grown(reach + 2 * voxel));
   }
-  // Round numbers are where drawn faces lie; the lattice's planes do not.
+  // Drawn faces lie on round numbers; the planes of the lattice do not.
   Box lattice = tight.grown(3 * voxel);
   lattice.lower -= voxel * Vec3(0.137, 0.241, 0.319);
   FieldPtr field = sampled(mesh, lattice, lattice_cost(lattice, voxel / 2) <= cheap ? voxel / 2 : voxel, progress);

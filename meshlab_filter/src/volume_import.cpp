@@ -12,7 +12,7 @@
 namespace fieldfab::meshlab {
 namespace {
 
-/// A slice of a stack stands for all slices in its folder.
+/// Returns the folder of a slice, which stands for the whole stack.
 std::filesystem::path whole_volume(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

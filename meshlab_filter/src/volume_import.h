@@ -1,4 +1,4 @@
-/// CT volumes into layers: for the filter, and for opening files.
+/// Import of CT volumes as layers, for the filter and for opening files.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace fieldfab::meshlab {
 std::vector<std::string> volume_patterns();
 std::string volume_patterns_text();
 
-/// What is asked: the threshold, which side of it, noise, pieces, voxel.
+/// Parameters: the threshold, its side, noise, pieces, voxel.
 std::vector<Parameter> volume_parameters();
 
-/// Reads a volume by what was chosen. A slice of a stack stands for the folder it lies in. Throws io, bad_input, too_large,
-/// cancelled.
+/// Reads a volume with the chosen parameters. A slice of a stack stands for its folder. Throws io,
+/// bad_input, too_large, cancelled.
 Layer import_volume(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log, Progress& progress);
 
 }  // namespace fieldfab::meshlab

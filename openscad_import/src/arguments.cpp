@@ -114,7 +114,7 @@ std::vector<std::vector<std::uint32_t>> Arguments::paths(std::string_view name, 
 
 double Arguments::fragments(double radius) const {
   const double fn = number("$fn", 0), fa = std::max(number("$fa", 12), 0.01), fs = std::max(number("$fs", 2), 0.01);
-  constexpr double smallest = 1.0 / (1 << 20);  // mm; of what is smaller OpenSCAD makes a triangle
+  constexpr double smallest = 1.0 / (1 << 20);  // mm; OpenSCAD makes a triangle of a smaller circle
   if (radius < smallest || !std::isfinite(fn)) return 3;
   if (fn > 0) return fn >= 3 ? std::floor(fn) : 3;
   return std::ceil(std::max(std::min(360 / fa, radius * 2 * std::numbers::pi / fs), 5.0));

@@ -1,4 +1,4 @@
-/// The arguments of a node, by their names.
+/// Arguments of a node, by name.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@
 
 namespace fieldfab::openscad {
 
-/// Reads arguments; what is missing or undef has a default, what is of the wrong kind is an error that names the line.
+/// Reads arguments. A missing or undef argument gets its default; one of the wrong type throws an
+/// error with its line.
 class Arguments {
  public:
   Arguments(const Tree& tree, const Node& node) : tree_(tree), node_(node) {}
@@ -18,15 +19,15 @@ class Arguments {
   [[nodiscard]] double number(std::string_view name, double fallback) const;
   [[nodiscard]] bool truth(std::string_view name, bool fallback) const;
   [[nodiscard]] std::string text(std::string_view name, const std::string& fallback) const;
-  /// As many numbers as `fallback` has; one number stands for all.
+  /// Returns as many numbers as `fallback` has; a single number applies to all of them.
   [[nodiscard]] std::vector<double> numbers(std::string_view name, std::vector<double> fallback) const;
-  /// All numbers of a list; throws where one is none.
+  /// Returns the numbers of a list; throws if an element is not a number.
   [[nodiscard]] std::vector<double> list_of_numbers(const Value& value, std::string_view name) const;
-  /// Points of so many coordinates.
+  /// Returns points with that number of coordinates.
   [[nodiscard]] std::vector<std::vector<double>> points(std::string_view name, std::size_t coordinates) const;
-  /// Lists of places in a list of `count`; of one such list where it is not a list of lists.
+  /// Returns lists of indices into a list of `count` points; a flat list counts as one such list.
   [[nodiscard]] std::vector<std::vector<std::uint32_t>> paths(std::string_view name, std::size_t count) const;
-  /// Sides of a circle of that radius, by $fn, $fa and $fs.
+  /// Number of sides of a circle of that radius, from $fn, $fa and $fs.
   [[nodiscard]] double fragments(double radius) const;
   [[nodiscard]] Eigen::Matrix4d matrix() const;
 

@@ -10,15 +10,15 @@ namespace fieldfab::openscad {
 namespace {
 
 constexpr std::size_t chunk = 256;
-constexpr std::size_t lanes = 8;  // directions that are followed together
+constexpr std::size_t lanes = 8;  // number of directions evaluated together
 using Chunk = std::array<float, chunk>;
 
-/// The distance between boxes along the axis on which they are farthest apart; 0 where they meet.
+/// Distance of two boxes along the axis on which they are farthest apart; 0 if they overlap.
 double apart(const Box& a, const Box& b) {
   return std::max(0.0, std::max((a.lower - b.upper).maxCoeff(), (b.lower - a.upper).maxCoeff()));
 }
 
-/// No value of the part in the box is less.
+/// Lower bound of the part's values in the box.
 double least_of(const Placed& part, const Box& box) {
   const double distance = apart(part.box, box);
   return distance > 0 ? part.steepness * distance * (1 - 1e-6) : -std::numeric_limits<double>::infinity();
@@ -73,7 +73,8 @@ class Assembly final : public Field {
     return all;
   }
 
-  /// Of several that change by so much for a step the least changes no less and no more.
+  /// If several functions change by at least and at most so much per step, their minimum does so
+  /// too.
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     const float upper = interval(box).upper;
     std::fill_n(out.begin(), directions.size(), Interval::unknown());
@@ -97,7 +98,7 @@ class Assembly final : public Field {
   }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
-    if (boxes.size() != 1) {  // together they are asked of what is near any of them
+    if (boxes.size() != 1) {  // then the restriction keeps the parts near any of the boxes
       for (std::size_t i = 0; i < boxes.size(); ++i) restrict_all(boxes.subspan(i, 1), purpose, out.subspan(i, 1));
       return;
     }
@@ -147,8 +148,8 @@ class Assembly final : public Field {
     return order;
   }
 
-  /// Calls `ask` for the parts that may matter for these points, in their order but for the first, which is the nearest; `values`
-  /// are what has been found so far.
+  /// Calls `ask` for the parts that may matter for these points: the nearest first, then the others
+  /// in order. `values` are the minima so far.
   template <class Ask>
   void visit(const Points& points, const float* values, const Ask& ask) const {
     Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};

@@ -7,15 +7,17 @@
 
 namespace fieldfab::openscad {
 
-/// A solid, and where it is.
+/// A solid and its position.
 struct Placed {
   FieldPtr field;
-  Box box;           ///< holds it
-  double steepness;  ///< outside of the box the value is at least so many times the distance to the box along the farthest axis
+  Box box;  ///< contains the solid
+  /// Outside the box the value is at least this factor times the distance to the box along the
+  /// farthest axis.
+  double steepness;
 };
 
-/// The union of all: the least of their values, as unite() gives it; but what cannot matter for a batch of points, or in a box,
-/// is not asked.
+/// Returns the union of all parts: the minimum of their values, as by unite(). Parts that cannot
+/// matter for a batch of points or in a box are not evaluated.
 FieldPtr assembly(std::vector<Placed> parts);
 
 }  // namespace fieldfab::openscad

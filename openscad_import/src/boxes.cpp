@@ -16,7 +16,7 @@ using Kind = Part::Kind;
 using Place = std::array<std::size_t, 3>;
 using Planes = std::array<std::vector<double>, 3>;  // along each axis, ascending
 
-/// Sorted; of planes no farther apart than `same` mm only the first stays.
+/// Sorts planes. Of planes at most `same` mm apart only the first stays.
 void tidy(std::vector<double>& planes, double same) {
   std::sort(planes.begin(), planes.end());
   planes.erase(std::unique(planes.begin(), planes.end(), [&](double a, double b) { return b - a <= same; }), planes.end());
@@ -37,17 +37,17 @@ Planes planes_of(const Boxes& boxes, double same) {
   return planes;
 }
 
-// Of eight cells about a place cell a + 2 b + 4 c is beyond it along x, y and z where a, b and c are 1; a set of them is a number
-// of eight bits.
+// A set of the eight cells around a point, as eight bits. Cell a + 2 b + 4 c is beyond the point
+// along x, y and z if a, b and c are 1.
 using Octants = unsigned;
 
-/// What is seen of them in a mirror across an axis.
+/// Mirrors a set of cells across an axis.
 constexpr Octants mirrored(Octants cells, unsigned axis) {
   constexpr std::array<Octants, 3> before{0b01010101, 0b00110011, 0b00001111};
   return ((cells & before[axis]) << (1U << axis)) | ((cells >> (1U << axis)) & before[axis]);
 }
 
-/// Whether one can go from each to each other through faces.
+/// Whether the cells are connected through faces.
 constexpr bool hang_together(Octants cells) {
   Octants reached = cells & (~cells + 1);
   for (int step = 0; step < 8; ++step)
@@ -55,7 +55,8 @@ constexpr bool hang_together(Octants cells) {
   return reached == cells;
 }
 
-/// Whether the surface between solid and empty cells is no surface here: it touches itself.
+/// Whether the surface between solid and empty cells touches itself at this point, so that it is
+/// not 2-manifold.
 bool touch(Octants solid) {
   static constexpr auto known = [] {
     std::array<bool, 256> table{};
@@ -65,12 +66,13 @@ bool touch(Octants solid) {
   return known[solid];
 }
 
-/// Whether edges of the solid meet here: it is neither in a face nor in an edge.
+/// Whether the point is a corner of the solid: neither inside a face nor inside an edge.
 bool are_corner(Octants solid) {
   return mirrored(solid, 0) != solid && mirrored(solid, 1) != solid && mirrored(solid, 2) != solid;
 }
 
-/// Cells between planes, and empty ones beyond the first and the last: cell i lies before plane i.
+/// Cells between planes, and empty ones beyond the first and the last plane. Cell i lies before
+/// plane i.
 struct Grid {
   Planes planes;
   Place size{}, stride{};
@@ -89,7 +91,7 @@ struct Grid {
   [[nodiscard]] std::size_t index(const Place& cell) const {
     return cell[0] * stride[0] + cell[1] * stride[1] + cell[2] * stride[2];
   }
-  /// The solid ones of the cells about the place where three planes meet.
+  /// Returns the solid cells around the point where three planes meet.
   [[nodiscard]] Octants around(const Place& place) const {
     const std::uint8_t* const first = &solid[index(place)];
     Octants cells = 0;
@@ -100,12 +102,13 @@ struct Grid {
   [[nodiscard]] Vec3 point(const Place& place) const { return {planes[0][place[0]], planes[1][place[1]], planes[2][place[2]]}; }
 };
 
-/// The cell in which a place along an axis is; of a plane that beyond it.
+/// Returns the cell that contains a coordinate along an axis; the coordinate of a plane belongs to
+/// the cell beyond it.
 std::size_t cell_at(const std::vector<double>& planes, double at) {
   return static_cast<std::size_t>(std::upper_bound(planes.begin(), planes.end(), at) - planes.begin());
 }
 
-/// Boxes by their cells: all lie from a first one to before a last one along each axis.
+/// Boxes by their cells: from `first` to before `last` along each axis.
 struct Spans {
   Kind kind;
   Place first{}, last{};
@@ -135,7 +138,7 @@ Spans spans_of(const Boxes& boxes, const Planes& planes) {
   return spans;
 }
 
-/// Cells of one z, from a first x and y to before a last.
+/// Cells with one z, from a first x and y to before a last.
 class Layer {
  public:
   Layer(std::size_t z, std::array<std::size_t, 2> first, std::array<std::size_t, 2> last)
@@ -143,7 +146,7 @@ class Layer {
 
   [[nodiscard]] const std::vector<std::uint8_t>& solid() const { return solid_; }
 
-  /// With what a part has in it.
+  /// Adds the cells of a part.
   void add(const Spans& part) {
     const std::array first{std::max(first_[0], part.first[0]), std::max(first_[1], part.first[1])},
         last{std::min(last_[0], part.last[0]), std::min(last_[1], part.last[1])};
@@ -189,7 +192,7 @@ Grid grid_of(const Boxes& boxes, double same, Progress& progress) {
   return grid;
 }
 
-/// Each solid cell reaches `growth` farther along an axis, both ways.
+/// Extends each solid cell by `growth` along an axis, in both directions.
 Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   const std::vector<double>& before = grid.planes[axis];
   Planes planes = grid.planes;
@@ -202,7 +205,8 @@ Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   const std::size_t inner = grid.stride[axis], outer = grid.solid.size() / (inner * grid.size[axis]);
   for (std::size_t cell = 1; cell < after.size(); ++cell) {
     const double middle = 0.5 * (after[cell - 1] + after[cell]);
-    const std::size_t first = cell_at(before, middle - growth), last = cell_at(before, middle + growth);  // that reach it
+    // Cells within `growth`.
+    const std::size_t first = cell_at(before, middle - growth), last = cell_at(before, middle + growth);
     for (std::size_t from = first; from <= last; ++from)
       for (std::size_t i = 0; i < outer; ++i) {
         const std::uint8_t* const source = &grid.solid[(i * grid.size[axis] + from) * inner];
@@ -213,11 +217,12 @@ Grid grown_along(std::size_t axis, const Grid& grid, double growth) {
   return result;
 }
 
-/// Makes triangles of the faces between solid and empty cells. All that lie in one plane and look the same way are divided
-/// together, and an edge ends where it does in the other faces that have it: at corners of the solid.
+/// Makes triangles of the faces between solid and empty cells. All faces in one plane with the same
+/// orientation are triangulated together. An edge ends at the same points in all faces that share
+/// it: at corners of the solid.
 class Surface {
  public:
-  /// Throws bad_input where it touches itself.
+  /// Throws bad_input if the surface touches itself.
   explicit Surface(const Grid& grid) : grid_(grid) {
     for (std::size_t axis = 0; axis < 3; ++axis) planes_[axis].resize(grid.planes[axis].size());
     for (std::size_t z = 0; z + 1 < grid.size[2]; ++z)
@@ -237,13 +242,13 @@ class Surface {
 
  private:
   enum class Looks : std::uint8_t { nowhere, forwards, backwards };
-  using FlatPlace = std::array<std::size_t, 2>;  // along the two axes after that across the plane
+  using FlatPlace = std::array<std::size_t, 2>;  // along the two axes after the normal of the plane
   struct Face {
     FlatPlace cell;
     Looks way;
   };
 
-  /// Of the cells of one y and z those that have a face beyond them.
+  /// Finds the cells with one y and z that have a face beyond them.
   void find_faces(std::size_t y, std::size_t z) {
     const std::uint8_t* const row = &grid_.solid[grid_.index({0, y, z})];
     const std::size_t up = grid_.stride[1], back = grid_.stride[2];
@@ -275,15 +280,16 @@ class Surface {
   }
   [[nodiscard]] Looks& looks(const FlatPlace& cell) { return looks_[cell[1] * grid_.size[across(0)] + cell[0]]; }
 
-  /// The edges of the faces that look one way, from corner to corner, with the face on the left.
+  /// Returns the edges of the faces with one orientation, from corner to corner, with the face on
+  /// the left.
   [[nodiscard]] std::multimap<FlatPlace, FlatPlace> edges(Looks way) {
     const auto is_corner = [&](const FlatPlace& at) { return are_corner(grid_.around(place(at))); };
     std::multimap<FlatPlace, FlatPlace> found;
     for (const Face& face : planes_[axis_][plane_]) {
       if (face.way != way) continue;
-      const auto [i, j] = face.cell;  // between the planes before and of that number
+      const auto [i, j] = face.cell;  // the cell between planes i - 1 and i, and j - 1 and j
       struct Side {
-        FlatPlace start, beyond;  // the place where it starts, the cell on the other side of it
+        FlatPlace start, beyond;  // start point of the side, and the cell beyond the side
         std::size_t along, step;
       };
       constexpr std::size_t back = -1;
@@ -329,7 +335,7 @@ class Surface {
   const Grid& grid_;
   std::array<std::vector<std::vector<Face>>, 3> planes_;
   std::size_t axis_ = 0, plane_ = 0;
-  std::vector<Looks> looks_;  // of the plane's faces, by the cells before it
+  std::vector<Looks> looks_;  // of the faces in the plane, by the cell before it
   std::unordered_map<std::size_t, std::uint32_t> corners_;
   Polyhedron surface_;
 };

@@ -1,5 +1,5 @@
-/// What boxes along the axes make, by cells: the planes of all their faces divide space into a grid, and each of its cells is
-/// solid or empty as a whole.
+/// Booleans of axis-aligned boxes by cells: the planes of all faces divide space into a grid whose
+/// cells are solid or empty as a whole.
 #pragma once
 
 #include <optional>
@@ -10,22 +10,23 @@
 
 namespace fieldfab::openscad {
 
-/// Boxes along the axes, joined as the Part is that they are of.
+/// Axis-aligned boxes, combined like the Part that they come from.
 struct Boxes {
   Part::Kind kind = Part::Kind::nothing;
   Box box = {};  ///< of a leaf
   std::vector<Boxes> children = {};
 };
 
-/// The box along the axes that a solid is; nothing where it is none.
+/// Returns the axis-aligned box that a solid is, or nullopt if it is not one.
 std::optional<Box> box_of(const Polyhedron& solid);
 
-/// Whether their grid, and that of `surface_of` grown, has few enough cells.
+/// Whether the grid of the boxes, and that of surface_of() with growth, has few enough cells.
 bool have_few_cells(const Boxes& boxes, bool grown);
 
-/// The surface of what they make, with corners where edges of the solid meet only; exact, but for all faces being moved out by
-/// `growth` mm; faces no farther apart than `same` mm are in one plane. What has no thickness is not there. Without growth it
-/// throws bad_input where solids touch along an edge or at a corner only; with it they become one.
+/// Returns the surface of the combined boxes, with vertices only where edges of the solid meet. It
+/// is exact, except that all faces are moved outwards by `growth` mm, and faces at most `same` mm
+/// apart are in one plane. Parts without thickness vanish. Without growth, throws bad_input if
+/// solids touch only along an edge or at a corner; with growth they are joined there.
 Polyhedron surface_of(const Boxes& boxes, double same, double growth, Progress& progress);
 
 }  // namespace fieldfab::openscad

@@ -5,25 +5,25 @@
 #include <cmath>
 #include <map>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
+#include "fieldfab/openscad/design.h"
 #include "fieldfab/solid/open.h"
 #include "fieldfab/solid/surface.h"
-#include "fieldfab/openscad/design.h"
 #include "programs.h"
 
 namespace fieldfab::openscad {
 namespace {
 
 constexpr const char* marker = "fieldfab:";
-constexpr double cells_a_side = 64;  // by default: OpenSCAD takes minutes for meshes much finer
+constexpr double cells_a_side = 64;  // default; OpenSCAD takes minutes for much finer meshes
 
-/// What a design asks for: "fieldfab:KIND:KEY:[...]".
+/// Request of a design: "fieldfab:KIND:KEY:[...]".
 struct Request {
   std::string kind, key, words;
   List values;
@@ -49,7 +49,7 @@ std::string decoded(const Value& codes) {
   return words;
 }
 
-/// What a node asks for, where its first child is a text that does.
+/// Finds the request of a node, if its first child is a text with one.
 bool find_request(const Tree& tree, const Node& node, Request& request) {
   if (node.name != "group" || node.children.empty()) return false;
   const Node& first = tree.nodes[node.children.front()];
@@ -87,7 +87,7 @@ class Cache {
   }
 
   CacheReport refresh() {
-    // What lies within another comes first, for the other needs its mesh.
+    // Inner requests come first, since the outer ones need their meshes.
     for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
       Request request;
       if (!find_request(tree_, tree_.nodes[i], request)) continue;
@@ -124,7 +124,8 @@ class Cache {
     const TriangleMesh made = contour(*solid.field, bounds, {voxel, -1, true}, progress_);
     if (made.triangles.empty()) fail(request, "there is no solid");
     std::filesystem::create_directories(folder_);
-    // The note of an older mesh must not be there with this one, even if the power fails between the two.
+    // The note of an older mesh must not remain beside this mesh, even if the power fails between
+    // the two writes.
     if (std::filesystem::exists(note)) write_file(note, "");
     write_mesh(made, mesh, progress_);
     write_file(note, content);
@@ -139,7 +140,7 @@ class Cache {
     return design_.parent_path() / decoded(request.values[0]);
   }
 
-  /// All that the mesh depends on.
+  /// Everything that the mesh depends on.
   std::string content_of(const Request& request, const Node& node) {
     std::string content = "1 " + request.kind + request.words;
     if (request.kind == "file") {
@@ -161,7 +162,7 @@ class Cache {
     }
     return content;
   }
-  /// Files below a node count by their content: their names stay the same.
+  /// Adds the content of files imported below a node, since their names stay the same.
   void add_imports(NodeIndex first, std::string& content) {
     std::vector<NodeIndex> open{first};
     while (!open.empty()) {
@@ -215,7 +216,7 @@ class Cache {
     return fieldfab::solid_of(joined(request, solids, *size), "design");
   }
 
-  /// What a module was given: OpenSCAD puts groups around what it hands on.
+  /// Returns the shapes passed to a module. OpenSCAD wraps them in groups.
   [[nodiscard]] std::vector<NodeIndex> shapes_of(const Node& node) const {
     std::vector<NodeIndex> shapes(node.children.begin() + 1, node.children.end());
     while (shapes.size() == 1 && tree_.nodes[shapes.front()].name == "group" && !tree_.nodes[shapes.front()].children.empty()) {
@@ -225,7 +226,7 @@ class Cache {
     return shapes;
   }
 
-  /// A node and what is below it as a tree of its own.
+  /// Returns a node and its descendants as a separate tree.
   [[nodiscard]] Tree subtree(NodeIndex node) const { return parse_csg(print_csg(tree_, node), tree_.file); }
 
   [[nodiscard]] FieldPtr joined(const Request& request, std::vector<FieldPtr> solids, double size) const {
@@ -267,7 +268,7 @@ class Cache {
 
 namespace {
 
-/// A message that names the file that is wanted, not the one it was written to first.
+/// Returns the message with the name of the wanted file instead of that of the temporary one.
 std::string with_name(std::string message, const std::filesystem::path& temporary, const std::filesystem::path& wanted) {
   const std::string name = std::filesystem::absolute(temporary).string();
   for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))

@@ -1,4 +1,4 @@
-// The convex hull of points, by CGAL.
+// Convex hull of points, by CGAL.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>

@@ -26,7 +26,7 @@ struct Hollow {
   double area;
 };
 
-/// Those of a solid, one of each plane, the greatest first; none of a convex one.
+/// Returns the hollows of a solid, one per plane, the greatest first; none if the solid is convex.
 std::vector<Hollow> hollows_of(const Polyhedron& solid) {
   const double slack = 1e-7 * solid.bounds().diagonal();
   std::vector<Hollow> found;
@@ -34,7 +34,7 @@ std::vector<Hollow> hollows_of(const Polyhedron& solid) {
     const Vec3 &a = solid.vertices[t[0]], &b = solid.vertices[t[1]], &c = solid.vertices[t[2]];
     const Vec3 cross = (b - a).cross(c - a);
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-    if (cross.norm() < slack * longest) continue;  // what way a sliver looks, rounding tells
+    if (cross.norm() < slack * longest) continue;  // rounding decides the orientation of a sliver
     const Vec3 normal = cross.normalized();
     const auto beyond = [&](const Vec3& p) { return normal.dot(p - a) > slack; };
     if (std::any_of(solid.vertices.begin(), solid.vertices.end(), beyond)) found.push_back({normal, a, cross.norm()});
@@ -51,7 +51,7 @@ std::vector<Hollow> hollows_of(const Polyhedron& solid) {
   return planes;
 }
 
-/// All that is beyond a plane, within `reach` mm.
+/// Returns everything beyond a plane, within `reach` mm.
 Polyhedron half_space(const Hollow& plane, const Vec3& centre, double reach) {
   const Vec3 middle = centre + plane.normal.dot(plane.place - centre) * plane.normal;
   const Vec3 u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
@@ -64,7 +64,8 @@ Polyhedron half_space(const Hollow& plane, const Vec3& centre, double reach) {
 
 using Pieces = std::vector<Polyhedron>;
 
-/// Cuts a solid along the planes of its faces. Nothing where it has many that are not convex, or where that fails.
+/// Cuts a solid along the planes of its faces. Returns nullopt if too many faces are not convex, or
+/// if a cut fails.
 std::optional<Pieces> cut_open(const Polyhedron& solid, Progress& progress) {
   const double reach = 2 * solid.bounds().diagonal(), volume = volume_of(solid), crumb = 1e-9 * volume;
   const Vec3 centre = solid.bounds().centre();
@@ -108,7 +109,7 @@ std::optional<Pieces> cut_open(const Polyhedron& solid, Progress& progress) {
   return pieces;
 }
 
-/// What is left of a convex solid on the inner side of a plane; empty where that has no thickness.
+/// Returns the part of a convex solid on the inner side of a plane; empty if it has no thickness.
 Polyhedron cut_off(const Polyhedron& convex, const Plane& plane, double slack) {
   std::vector<Vec3> kept;
   std::vector<double> height;
@@ -120,13 +121,14 @@ Polyhedron cut_off(const Polyhedron& convex, const Plane& plane, double slack) {
   for (const Triangle& t : convex.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t u = t[i], v = t[(i + 1) % 3];
-      if (height[u] < 0 && height[v] > 0)  // of each edge one of its two directions
+      if (height[u] < 0 && height[v] > 0)  // one of the two directions of each edge
         kept.push_back(convex.vertices[u] + height[u] / (height[u] - height[v]) * (convex.vertices[v] - convex.vertices[u]));
     }
   return convex_hull(kept);
 }
 
-/// A convex solid without another: beyond the first plane of that, within it but beyond the second, and so on.
+/// Returns the difference of two convex solids in pieces: beyond the first plane of `other`, within
+/// the first but beyond the second, and so on.
 Pieces without(const Polyhedron& convex, const Polyhedron& other, double slack) {
   Pieces pieces;
   Polyhedron rest = convex;
@@ -189,7 +191,7 @@ std::optional<Pieces> pieces_in(const Part& part, double slack, Progress& progre
 }  // namespace
 
 std::optional<std::vector<Polyhedron>> convex_pieces(const Part& part, Progress& progress) {
-  constexpr double thinnest = 1e-9;  // of the size
+  constexpr double thinnest = 1e-9;  // relative to the size
   return pieces_in(part, thinnest * bounds_of(part).diagonal(), progress);
 }
 

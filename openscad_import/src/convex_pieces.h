@@ -1,4 +1,4 @@
-/// Parts cut into convex solids.
+/// Decomposition of parts into convex solids.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,10 @@
 
 namespace fieldfab::openscad {
 
-/// Convex solids whose union a part is. Of differences and intersections of convex ones by cutting these along each other's
-/// planes, in double precision; other leafs are cut along the planes of their faces. Nothing where there would be very many, or
-/// where a leaf has many faces that are not convex. Throws cancelled.
+/// Returns convex solids whose union is the part. Differences and intersections of convex leafs are
+/// cut along each other's planes, in double precision; other leafs are cut along the planes of
+/// their faces. Returns nullopt if there would be very many solids, or if a leaf has many faces
+/// that are not convex. Throws cancelled.
 std::optional<std::vector<Polyhedron>> convex_pieces(const Part& part, Progress& progress);
 
 }  // namespace fieldfab::openscad

@@ -6,8 +6,8 @@
 #include "evaluator.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
-#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/field/operations.h"
+#include "fieldfab/frep/frep_field.h"
 #include "fieldfab/solid/open.h"
 #include "programs.h"
 
@@ -22,7 +22,7 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-/// Cells that see what is thin, but not so many on its surface that it takes long.
+/// Returns a voxel that resolves thin parts, unless that puts too many cells on the surface.
 double voxel_for(double longest, double thinnest, double area) {
   constexpr double cells_across = 2.5, fewest = 128, most = 2000, most_on_surface = 300'000;
   const double least = std::max(longest / most, std::sqrt(area / most_on_surface));
@@ -55,7 +55,7 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
   design.kind = "design";
   std::optional<Box> bounds;
   const NodeIndex start = evaluator.start();
-  // What single precision loses at the farthest corner, some times over.
+  // Several times the rounding of single precision at the farthest corner.
   constexpr double loss = 1e-6;
   Shape solid;
   if (evaluator.dimensions(start) == 2) {
@@ -68,7 +68,7 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
       if (!options.smooth)
         design.faces = [region, farthest](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
           if (!thickness) return std::nullopt;
-          constexpr double narrow = 8e-6;  // of the farthest coordinate: some last places of single precision
+          constexpr double narrow = 8e-6;  // times the farthest coordinate: several last places of single precision
           for (const Region& shape : {separated(region), without_narrows(region, narrow * farthest)}) {
             const PartPtr plate = part_of(extruded_leaf(shape, 0, *thickness, Eigen::Affine3d::Identity()));
             if (auto faces = faces_of(*plate, shown)) return faces;
@@ -93,7 +93,7 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
       bounds = box.grown(2 * growth);
       if (!options.smooth)
         design.faces = [part](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
-          if (thickness) return std::nullopt;  // a slice of it
+          if (thickness) return std::nullopt;  // a plate is wanted, not this solid
           return faces_of(*part, shown);
         };
       design.voxel = voxel_for(box.size().maxCoeff(), thickness_of(*part), area_of(*part));

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "imports.h"
 
@@ -13,7 +13,6 @@ namespace fieldfab::openscad {
 namespace {
 
 constexpr int deepest = 2000;  // nodes within nodes that join several; chains of single children do not count
-constexpr double degree = std::numbers::pi / 180;
 
 bool is_one_of(const std::string& name, std::initializer_list<const char*> known) {
   return std::any_of(known.begin(), known.end(), [&](const char* one) { return name == one; });
@@ -47,7 +46,7 @@ void Evaluator::find_dimensions() {
     const auto is_live = [&](NodeIndex child) { return !tree_.nodes[child].background && !tree_.nodes[child].disabled; };
     const bool is_made_of_children = is_one_of(node.name, {"linear_extrude", "rotate_extrude", "projection", "offset"});
     if (is_made_of_children && std::none_of(node.children.begin(), node.children.end(), is_live)) {
-      continue;  // it is neither, as if it were not there
+      continue;  // 0 dimensions: the node is ignored
     } else if (is_solid(node.name)) {
       dimensions_[i] = 3;
     } else if (is_flat(node.name)) {
@@ -118,9 +117,9 @@ Eigen::Affine3d Evaluator::placement_of(const Arguments& a, const Node& node) {
     if (angle != nullptr && angle->number() != nullptr) {
       const Vec3 axis = a.find("v") != nullptr ? vector("v", 0) : Vec3::UnitZ();
       if (axis.norm() > 0)
-        placement.linear() = Eigen::AngleAxisd(*angle->number() * degree, axis.normalized()).toRotationMatrix();
+        placement.linear() = Eigen::AngleAxisd(*angle->number() * radians_per_degree, axis.normalized()).toRotationMatrix();
     } else {
-      const Vec3 turns = vector("a", 0) * degree;
+      const Vec3 turns = vector("a", 0) * radians_per_degree;
       placement = Eigen::AngleAxisd(turns.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turns.y(), Vec3::UnitY()) *
                   Eigen::AngleAxisd(turns.x(), Vec3::UnitX());
     }
@@ -153,7 +152,7 @@ PartPtr Evaluator::solid(NodeIndex index, const Eigen::Affine3d& outer, int dept
   progress_.check();
   Eigen::Affine3d placement = outer;
   const Node* node = &tree_.nodes[index];
-  // Chains of nodes with one child each are walked down, not called.
+  // Chains of nodes with one child each are followed in a loop, without recursion.
   for (;;) {
     const bool is_placing = places(*node);
     if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"})) break;
@@ -186,7 +185,7 @@ PartPtr Evaluator::solid(NodeIndex index, const Eigen::Affine3d& outer, int dept
     if (dimensions_[child] == 3)
       parts.push_back(solid(child, placement, depth + 1));
     else if (name == "intersection" || (first && dimensions_[child] == 0))
-      return nothing();  // something is taken from nothing, or cut with it
+      return nothing();  // a difference from nothing, or an intersection with nothing
     else if (dimensions_[child] == 2)
       note(below, fmt::format("{} is 2D among 3D shapes, and left out as OpenSCAD does", below.name));
     first = false;

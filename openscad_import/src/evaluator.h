@@ -1,4 +1,4 @@
-/// What a tree's nodes mean; private.
+/// Evaluation of a tree's nodes; private.
 #pragma once
 
 #include <filesystem>
@@ -13,31 +13,31 @@
 
 namespace fieldfab::openscad {
 
-/// Turns nodes into flat regions and solids. For one tree.
+/// Turns nodes of one tree into flat regions and solids.
 class Evaluator {
  public:
   Evaluator(const Tree& tree, std::filesystem::path folder, const DesignOptions& options, Progress& progress);
 
-  /// 2 or 3, or 0 where nothing is drawn.
+  /// 2 or 3, or 0 if the node draws nothing.
   [[nodiscard]] int dimensions(NodeIndex node) const { return dimensions_[node]; }
-  /// The node to begin with: the first marked by `!`, or the whole.
+  /// The node to start with: the first one marked by `!`, or the root.
   [[nodiscard]] NodeIndex start() const { return start_; }
 
-  /// The solid of a node, placed.
+  /// Returns the solid of a node, placed.
   PartPtr solid(NodeIndex node, const Eigen::Affine3d& placement, int depth = 0);
-  /// The flat shape of a node.
+  /// Returns the flat shape of a node.
   Region flat(NodeIndex node, int depth = 0);
 
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   void find_dimensions();
-  /// The children that count, of so many dimensions.
+  /// Returns the children with that number of dimensions that are not disabled.
   [[nodiscard]] std::vector<NodeIndex> children(const Node& node, int wanted);
   [[nodiscard]] PartPtr united(const Node& node, const Eigen::Affine3d& placement, int depth);
   [[nodiscard]] Region united_flat(const Node& node, int depth);
   void note(const Node& node, const std::string& message);
-  /// Sides of a circle; 0 for a round one.
+  /// Number of sides of a circle; 0 for a round one.
   [[nodiscard]] int sides(const Arguments& arguments, double radius, const Node& node);
   [[nodiscard]] static Eigen::Affine3d placement_of(const Arguments& arguments, const Node& node);
   static bool places(const Node& node);
@@ -73,7 +73,7 @@ class Evaluator {
   std::map<std::string, std::shared_ptr<const Polyhedron>> meshes_;  ///< by file and arguments
 };
 
-/// Factors that bring a size to what resize() asks for.
+/// Returns the factors that scale a size to the one wanted by resize().
 std::vector<double> resize_factors(const std::vector<double>& wanted, const std::vector<double>& automatic,
                                    const std::vector<double>& size);
 

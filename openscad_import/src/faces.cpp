@@ -1,4 +1,4 @@
-// A part's surface by exact arithmetic, where its leafs have flat faces.
+// Surface of a part by exact arithmetic, for leafs with flat faces.
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
@@ -22,7 +22,7 @@ bool all_flat(const Part& part) {
   return std::all_of(part.children.begin(), part.children.end(), [](const PartPtr& child) { return all_flat(*child); });
 }
 
-/// Leafs that are no boxes, or not at first sight.
+/// Number of leafs that are not boxes, or not evidently.
 std::size_t count_of_many_sided(const Part& part) {
   constexpr std::size_t triangles_of_box = 12;
   if (part.kind == Part::Kind::leaf) return part.leaf->polyhedron().triangles.size() == triangles_of_box ? 0 : 1;
@@ -31,20 +31,21 @@ std::size_t count_of_many_sided(const Part& part) {
   return count;
 }
 
-/// A convex solid whose faces of many corners, such as the ends of cylinders, are divided by halves, again and again: fans of
-/// long triangles that lie in one plane with others cross them all.
+/// Returns a convex solid whose faces with many corners, such as the ends of cylinders, are divided
+/// in halves recursively. Fans of long triangles in one plane with others would intersect all of
+/// them.
 Polyhedron divided_evenly(const Polyhedron& convex) {
   const auto normal_of = [&](const Triangle& t) {
     const Vec3& a = convex.vertices[t[0]];
     return (convex.vertices[t[1]] - a).cross(convex.vertices[t[2]] - a).normalized();
   };
-  // Each edge with the triangle that has it in this direction; triangles are of one face where their normals are the same.
+  // Maps each directed edge to its triangle. Triangles with the same normal belong to one face.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> triangle_at;
   for (std::size_t i = 0; i < convex.triangles.size(); ++i)
     for (std::size_t j = 0; j < 3; ++j) triangle_at[{convex.triangles[i][j], convex.triangles[i][(j + 1) % 3]}] = i;
   Polyhedron result{convex.vertices, {}};
   constexpr std::size_t none = -1;
-  std::vector<std::size_t> face_of(convex.triangles.size(), none);  // the first triangle of the face that each belongs to
+  std::vector<std::size_t> face_of(convex.triangles.size(), none);  // by triangle: the first triangle of its face
   for (std::size_t start = 0; start < convex.triangles.size(); ++start) {
     if (face_of[start] != none) continue;
     const Vec3 normal = normal_of(convex.triangles[start]);
@@ -72,7 +73,7 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
       at = rim.find(at->second);
       if (at == rim.begin()) break;
     }
-    if (corners.size() != edges) {  // not one loop: left as it is
+    if (corners.size() != edges) {  // not one loop: unchanged
       for (const std::size_t i : face) result.triangles.push_back(convex.triangles[i]);
       continue;
     }
@@ -85,10 +86,12 @@ Polyhedron divided_evenly(const Polyhedron& convex) {
     };
     divide(0, corners.size() - 1);
   }
-  return is_closed(result) ? result : convex;  // slivers among its triangles can have any normal, and be a face of their own
+  // Slivers among the triangles can have any normal and become faces of their own.
+  return is_closed(result) ? result : convex;
 }
 
-/// Each face moved out by `growth` mm, as far as its corners can follow: where more than three planes meet, as near as can be.
+/// Moves each face outwards by `growth` mm, as far as its corners can follow; a corner of more than
+/// three planes moves to the best approximation.
 Polyhedron grown(const Polyhedron& solid, double growth) {
   std::vector<std::vector<Vec3>> normals(solid.vertices.size());
   for (const Triangle& t : solid.triangles) {
@@ -98,7 +101,7 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
     const Vec3 normal = area.normalized();
     for (const std::uint32_t corner : t) normals[corner].push_back(normal);
   }
-  constexpr double farthest = 4;  // a needle's point would go far
+  constexpr double farthest = 4;  // the point of a needle would go far
   Polyhedron result = solid;
   for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
     if (normals[i].empty()) continue;
@@ -112,22 +115,24 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
   return result;
 }
 
-/// How leafs become solids.
+/// Conversion of leafs to solids.
 struct Drawing {
   std::function<Polyhedron(const Leaf&, const Eigen::Matrix3d& axes)> solid;
-  double same = 0;  ///< faces of boxes no farther apart are in one plane, mm
-  /// How far the next solid is grown, mm; `taken` is how often it is taken away from what is taken away. Null where none is.
+  double same = 0;  ///< faces of boxes at most this far apart are in one plane, mm
+  /// Growth of the next solid, mm. `taken` is the number of differences in which the solid is on
+  /// the subtracted side. Null for no growth.
   std::function<double(int taken)> growth = nullptr;
 };
 
-/// Joins a part's leafs by exact arithmetic: boxes by their cells, as many together as can be, and all else by corefinement; what
-/// has a frame of its own in that, by itself.
+/// Joins the leafs of a part by exact arithmetic: boxes by their cells, as many together as
+/// possible, and everything else by corefinement. Parts with their own frame are joined in that
+/// frame first.
 class Joiner {
  public:
   Joiner(Drawing drawing, const Frames& frames, Progress& progress)
       : drawing_(std::move(drawing)), frames_(frames), progress_(progress) {}
 
-  /// Along the axes of frames.whole().
+  /// Returns the surface along the axes of frames.whole().
   Polyhedron surface(const Part& part) {
     const Joined all = joined(part, {0, frames_.whole()});
     if (const auto* boxes = std::get_if<Boxes>(&all)) return surface(*boxes, 0);
@@ -142,7 +147,7 @@ class Joiner {
     std::vector<ExactSolid> others;
   };
   struct Place {
-    int taken;  ///< how often it is taken away from what is taken away
+    int taken;  ///< number of differences in which the solid is on the subtracted side
     int frame;
   };
 
@@ -151,7 +156,7 @@ class Joiner {
     return surface_of(boxes, drawing_.same, grows() ? drawing_.growth(taken) : 0, progress_);
   }
 
-  /// Whether parts have a frame of their own, in which they are to be joined.
+  /// Whether parts have their own frame, in which they are to be joined.
   [[nodiscard]] bool has_own(const Part& part, const Place& at) const {
     return frames_.of(part) >= 0 && frames_.of(part) != at.frame;
   }
@@ -176,7 +181,7 @@ class Joiner {
     return joined(part.kind, all(part.kind, part.children, at), at.taken);
   }
 
-  /// Those of one frame are joined first, as `kind`.
+  /// Evaluates the parts. Those of each other frame are joined first, as `kind`.
   Solids all(Kind kind, std::span<const PartPtr> parts, const Place& at) {
     Solids solids;
     std::map<int, std::vector<PartPtr>> elsewhere;
@@ -212,7 +217,7 @@ class Joiner {
   Joined difference(std::vector<PartPtr> parts, const Place& at) {
     std::vector<PartPtr> rest(parts.begin() + 1, parts.end());
     Joined first;
-    if (has_own(*parts.front(), at)) {  // what is of its frame is taken from it in that
+    if (has_own(*parts.front(), at)) {  // subtract the solids of the same frame in that frame
       const Place own{at.taken, frames_.of(*parts.front())};
       const auto other =
           std::stable_partition(rest.begin(), rest.end(), [&](const PartPtr& part) { return frames_.of(*part) == own.frame; });
@@ -248,8 +253,9 @@ class Joiner {
   Progress& progress_;
 };
 
-/// With corners on a lattice that is much finer than single precision, and coarser than what turning and moving loses in double:
-/// so that corners which are to be the same are, and faces along the axes are in one plane.
+/// Rounds corners to a lattice that is much finer than single precision and coarser than the loss
+/// of rotations and translations in double precision. So corners that should coincide do, and faces
+/// along the axes are in one plane.
 Polyhedron settled(Polyhedron solid, double farthest) {
   const double step = std::exp2(std::ceil(std::log2(farthest)) - 34);
   for (Vec3& p : solid.vertices) p = (p / step).array().round().matrix() * step;
@@ -259,7 +265,7 @@ Polyhedron settled(Polyhedron solid, double farthest) {
 std::optional<TriangleMesh> mesh_of(const Part& part, Joiner joiner, const Eigen::Affine3d& placement) {
   try {
     const Polyhedron surface = joiner.surface(part);
-    if (surface.empty()) return std::nullopt;  // as it is for whoever looks for its bounds
+    if (surface.empty()) return std::nullopt;  // the search for bounds handles empty solids
     return in_single_precision(moved(surface, placement));
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::cancelled || error.kind() == ErrorKind::io) throw;
@@ -276,7 +282,7 @@ Polyhedron polyhedron_of(const Part& part, Progress& progress) {
 }
 
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
-  constexpr std::size_t most = 1500;  // sums are of thousands, all within each other: a contour is had sooner
+  constexpr std::size_t most = 1500;  // Minkowski sums have thousands of overlapping pieces; a contour is faster
   if (part.empty() || !all_flat(part) || count_of_many_sided(part) > most) return std::nullopt;
   const Box box = bounds_of(part);
   const double farthest = std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff());
@@ -286,14 +292,15 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
     const Polyhedron solid = settled(moved(leaf.polyhedron(), Eigen::Affine3d(axes)), farthest);
     return leaf.convex() ? divided_evenly(convex_hull(solid.vertices)) : solid;
   };
-  // Some last places of single precision.
+  // Several last places of single precision.
   const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
-  // What is thinner is not there: it is left where diagonals of faces differ that are in one plane, or where solids were grown.
+  // A surface that is thinner remains only between different triangulations of faces in one plane,
+  // or between solids that were grown; it is ignored.
   const auto is_thin = [](const TriangleMesh& surface, double thinnest) { return surface.volume() < thinnest * surface.area(); };
   if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement); surface && !is_thin(*surface, same))
     return surface;
-  // Grown by different amounts, faces that were in one plane and edges that were one line are apart; what is taken away is grown
-  // more, so that no skin stays.
+  // Growth by different amounts separates faces that were in one plane and edges that were one
+  // line. Subtracted solids grow more, so that no skin remains.
   constexpr int amounts = 8;
   int number = 0;
   const auto apart = [&](int taken) {

@@ -11,8 +11,8 @@
 namespace fieldfab::openscad {
 namespace {
 
-// Clipper works on whole numbers. These are so small that what OpenSCAD writes into a .csg file (six digits) is kept, and so
-// large that shapes of a metre fit into the numbers it is fast with.
+// Clipper computes with integers. This unit is small enough to keep the six digits that OpenSCAD
+// writes to a .csg file, and large enough for shapes of a metre to fit into Clipper's fast range.
 constexpr double units_a_mm = 1U << 20U;
 constexpr double largest = 4e18 / units_a_mm / 4;  // mm
 
@@ -32,7 +32,8 @@ ClipperLib::Paths to_paths(const std::vector<Outline>& outlines) {
   return paths;
 }
 
-/// Rounding leaves slivers, and edges that go there and back: what is less wide than this is nothing.
+/// Rounding leaves slivers and edges that go back on themselves. Anything narrower than this is
+/// removed.
 constexpr double sliver = 8;  // units
 
 Region to_region(const ClipperLib::Paths& found) {
@@ -62,7 +63,7 @@ ClipperLib::Paths clipped(ClipperLib::ClipType operation, const ClipperLib::Path
   const bool has_subject = clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   const bool has_clip = clipper.AddPaths(clip, ClipperLib::ptClip, true);
   ClipperLib::Paths result;
-  if (!has_subject && !has_clip) return result;  // Clipper calls it a failure
+  if (!has_subject && !has_clip) return result;  // Clipper reports this as a failure
   if (!clipper.Execute(operation, result, filling, filling))
     throw Error(ErrorKind::bad_input, "polygon", "outlines cannot be joined");
   return result;
@@ -135,8 +136,8 @@ Region offset(const Region& region, double distance, Corner corner, int fragment
   const ClipperLib::JoinType join = corner == Corner::round   ? ClipperLib::jtRound
                                     : corner == Corner::mitre ? ClipperLib::jtMiter
                                                               : ClipperLib::jtSquare;
-  // A polygon of n sides keeps r (1 - cos(pi / n)) from its circle.
-  // The quarter of one of 6 sides has 1.5: OpenSCAD's cosine of 30 degrees, exact to the last bit, lets that become 1.
+  // A polygon of n sides deviates by r (1 - cos(pi / n)) from its circle. OpenSCAD's cosine of 30
+  // degrees is exact to the last bit; so the 1.5 sides in a quarter of a hexagon become 1.
   const double cosine = fragments == 6 ? std::sqrt(3.0) / 2 : std::cos(std::numbers::pi / std::max(fragments, 3));
   const double tolerance = std::abs(distance) * units_a_mm * (1 - cosine);
   constexpr double longest_mitre = 1e6;  // OpenSCAD cuts no corner off
@@ -148,7 +149,8 @@ Region offset(const Region& region, double distance, Corner corner, int fragment
 }
 
 Region minkowski(const Region& a, const Region& b) {
-  // The sum of two shapes is that of each edge of one with each of the other, and the one moved to a point of the other.
+  // The sum of two shapes is the union of the sums of each edge of one with each edge of the other,
+  // and of each shape moved to a point of the other.
   ClipperLib::Paths parts;
   if (a.empty() || b.empty()) return {};
   for (const Outline& p : a.outlines)
@@ -158,7 +160,7 @@ Region minkowski(const Region& a, const Region& b) {
       parts.insert(parts.end(), sum.begin(), sum.end());
     }
   const auto add_moved = [&](const Region& region, const Region& by) {
-    for (const Outline& other : by.outlines) {  // one for each piece, for pieces may lie apart
+    for (const Outline& other : by.outlines) {  // one for each outline, since pieces may be disjoint
       std::vector<Outline> here;
       for (Outline outline : region.outlines) {
         for (Vec2& p : outline) p += other.front();

@@ -18,7 +18,7 @@ Region Evaluator::primitive(const Arguments& a, const Node& node) {
   const double r = a.number("r", 1);
   if (!(r > 0) || !std::isfinite(r)) return {};
   int count = sides(a, r, node);
-  if (count == 0) count = 1440;  // 5e-6 of the radius off a circle
+  if (count == 0) count = 1440;  // deviates by 5e-6 of the radius from a circle
   Outline outline;
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;

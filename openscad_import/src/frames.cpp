@@ -8,12 +8,12 @@
 namespace fieldfab::openscad {
 namespace {
 
-/// A plane of a solid's faces.
+/// The plane of some faces of a solid.
 struct Face {
   Vec3 normal;
-  double offset;  ///< mm, of the plane from the origin along its normal
+  double offset;  ///< mm, distance of the plane from the origin along its normal
   double area = 0;
-  bool shared = false;  ///< another solid has faces in this plane
+  bool shared = false;  ///< whether another solid has faces in this plane
 };
 using Faces = std::vector<Face>;  // of one solid
 
@@ -35,12 +35,13 @@ Faces flat_faces(const Polyhedron& solid) {
   return all;
 }
 
-/// Marks what is in one plane, to OpenSCAD's six digits, with faces of another solid, whichever way these look.
+/// Marks planes that contain faces of another solid, of either orientation, within OpenSCAD's six
+/// digits.
 void mark_shared(std::vector<Faces>& solids, double farthest) {
   struct Seen {
-    double number;  // of the plane: those of different planes are different as a rule
+    double number;  // hash of the plane: usually different for different planes
     Face* face;
-    double side;  // 1 or -1: its normal's
+    double side;  // 1 or -1: sign of its normal
     std::size_t solid;
   };
   constexpr double nearly = 1e-5;
@@ -61,8 +62,8 @@ void mark_shared(std::vector<Faces>& solids, double farthest) {
       }
 }
 
-/// Three axes, as rows, along which a solid's first faces look. OpenSCAD writes turns with six digits, and so they are only
-/// nearly across each other.
+/// Returns three axes, as rows, along normals of a solid's first faces. OpenSCAD writes rotations
+/// with six digits, so the normals are only nearly perpendicular.
 Eigen::Matrix3d axes_of(const Faces& faces) {
   const auto normal_across = [&](const Vec3& a, const Vec3& b, const Vec3& if_none) {
     constexpr double nearly = 1e-4;
@@ -78,7 +79,8 @@ Eigen::Matrix3d axes_of(const Faces& faces) {
   return axes;
 }
 
-/// How much of a solid's shared faces looks along one of the axes, great ones counting more: 0 to 1; 0 where it has none.
+/// Share of a solid's shared faces, weighted by area, that are perpendicular to one of the axes: 0
+/// to 1; 0 without such faces.
 double share_along(const Eigen::Matrix3d& axes, const Faces& faces) {
   constexpr double nearly = 1e-9;
   double along = 0, all = 0;
@@ -91,7 +93,7 @@ double share_along(const Eigen::Matrix3d& axes, const Faces& faces) {
   return all > 0 ? along / all : 0;
 }
 
-/// One more than rounding makes of a whole number is one.
+/// Rounds a number that differs from a whole one only by rounding errors.
 double without_rounding(double x) {
   constexpr double nearly = 1e-12;
   return std::abs(x - std::round(x)) < nearly ? std::round(x) : x;
@@ -130,7 +132,7 @@ Frames::Frames(const Part& part, double farthest) : Frames() {
     own.clear();  // a leaf can be in a design twice
     for (const Eigen::Matrix3d& axes : axes_) own.push_back(share_along(axes, faces[i]));
   }
-  // The best for a part; the one it would be in anyway if that is as good.
+  // Chooses the best frame of a part; prefers the inherited frame if it is as good.
   const auto choose = [&](const std::vector<double>& sums, int otherwise) {
     const auto best = std::max_element(sums.begin(), sums.end());
     if (*best == 0) return any;

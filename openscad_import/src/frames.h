@@ -1,4 +1,5 @@
-/// The axes along which the parts of a design are joined, so that faces drawn in one plane are in one.
+/// Axes along which the parts of a design are joined, such that faces drawn in one plane stay in
+/// one plane.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,21 +10,23 @@
 
 namespace fieldfab::openscad {
 
-/// Seen along its own axes, what was turned is of rounded numbers, and faces that were drawn in one plane are in one; seen along
-/// others, they are some last places apart. So each part, and each part of it, has the frame along whose axes most of those faces
-/// of it look that share a plane with another solid's.
+/// In its own axes a rotated part has round coordinates, and faces drawn in one plane are in one
+/// plane; in other axes they differ by a few last places. So each part and each of its children
+/// gets the frame to whose axes most of its faces are perpendicular. Only faces in a plane with
+/// faces of another solid count.
 class Frames {
  public:
-  static constexpr int any = -1;  ///< of a part that shares no planes
+  static constexpr int any = -1;  ///< frame of a part that shares no planes
 
-  Frames();  ///< one, the design's own
-  /// Of a part no corner of which has a coordinate beyond `farthest` mm.
+  Frames();  ///< Makes one frame, that of the design
+  /// Finds the frames of a part. No coordinate exceeds `farthest` mm in magnitude.
   Frames(const Part& part, double farthest);
 
   [[nodiscard]] int of(const Part& part) const;
-  [[nodiscard]] int whole() const { return whole_; }  ///< that of the whole design
-  [[nodiscard]] const Eigen::Matrix3d& axes(int frame) const { return axes_[static_cast<std::size_t>(frame)]; }  ///< as rows
-  /// Coordinates in one frame to those in another.
+  [[nodiscard]] int whole() const { return whole_; }  ///< frame of the whole design
+  /// Axes of a frame, as rows.
+  [[nodiscard]] const Eigen::Matrix3d& axes(int frame) const { return axes_[static_cast<std::size_t>(frame)]; }
+  /// Rotation from the coordinates of one frame to those of another.
   [[nodiscard]] Eigen::Matrix3d turn(int from, int to) const;
 
  private:

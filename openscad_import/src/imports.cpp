@@ -22,7 +22,8 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-/// The outlines of the one path in OpenSCAD's own .svg files: "M x,y L x,y ... z", its y downwards.
+/// Returns the outlines of the path in an .svg file written by OpenSCAD: "M x,y L x,y ... z", with
+/// y downwards.
 std::vector<Outline> outlines_of_svg(const std::string& text, const std::string& name) {
   std::vector<Outline> outlines;
   for (std::size_t path = text.find("<path d=\""); path != std::string::npos; path = text.find("<path d=\"", path)) {
@@ -48,7 +49,7 @@ std::vector<Outline> outlines_of_svg(const std::string& text, const std::string&
   return outlines;
 }
 
-/// Rows of heights, the first at y = 0.
+/// Returns rows of heights, the first at y = 0.
 std::vector<std::vector<double>> heights_of_text(const std::filesystem::path& file) {
   std::istringstream text(read_file(file));
   std::vector<std::vector<double>> rows;
@@ -73,7 +74,7 @@ std::vector<std::vector<double>> heights_of_text(const std::filesystem::path& fi
   return rows;
 }
 
-/// The brightness of pixels as a share of 100; the bottom row is the first.
+/// Returns the brightness of pixels in percent, the bottom row first.
 std::vector<std::vector<double>> heights_of_picture(const std::filesystem::path& file, bool invert) {
   const Image image = read_png(file);
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
@@ -119,7 +120,7 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
     run_openscad(temporary.path() / "drawing.scad", drawing, progress);
   } catch (const Error& error) {
     const std::string message = error.what();
-    // Words without a stroke, a layer without a line; no words at all.
+    // Texts without a stroke, layers without a line, empty texts.
     if (message.find("object is empty") != std::string::npos || message.find("not a 2D object") != std::string::npos) return {};
     if (error.kind() == ErrorKind::bad_input) throw Error(error.kind(), tree.place(tree.nodes[node]), message);
     throw;

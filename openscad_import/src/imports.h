@@ -1,4 +1,4 @@
-/// Shapes that come from files and fonts.
+/// Shapes from files and fonts.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,16 @@ namespace fieldfab::openscad {
 /// Whether import() of this file gives a flat shape (.dxf and .svg).
 bool is_flat_file(const std::string& file);
 
-/// A flat node as OpenSCAD itself draws it: text(), whose fonts it finds, and import() of .dxf and .svg. `folder` is where files
-/// are looked for. Throws io where openscad is not installed.
+/// Lets OpenSCAD draw a flat node: text(), for its fonts, and import() of .dxf and .svg. File names
+/// are relative to `folder`. Throws io if openscad is not installed.
 Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem::path& folder, Progress& progress);
 
-/// The mesh of import(): .stl, .off, .obj and .3mf by our own readers, others through OpenSCAD.
+/// Reads the mesh of import(): .stl, .off, .obj and .3mf by our own readers, other formats through
+/// OpenSCAD.
 Polyhedron import_mesh(const std::filesystem::path& file, Progress& progress);
 
-/// The block of surface(): heights of a .dat file of numbers or a .png picture, on a floor below the least of them.
+/// Returns the block of surface(): the heights of a .dat file of numbers or a .png picture, on a
+/// floor below the lowest one.
 Polyhedron surface(const std::filesystem::path& file, bool centre, bool invert);
 
 }  // namespace fieldfab::openscad

@@ -16,9 +16,9 @@ namespace {
 
 using frep::Expression;
 
-constexpr std::size_t most_planes = 40;  // beyond, what turns about an axis is asked otherwise
+constexpr std::size_t most_planes = 40;  // solids of revolution with more planes are evaluated by their profile
 
-/// Least and greatest factor by which a map stretches.
+/// Smallest and largest factor by which a map stretches.
 struct Stretch {
   double least, greatest;
   [[nodiscard]] bool is_even() const { return greatest - least < 1e-4 * greatest; }
@@ -28,7 +28,7 @@ Stretch stretch_of(const Eigen::Affine3d& placement) {
   return {values.minCoeff(), values.maxCoeff()};
 }
 
-/// a x + b y + c z + d, without what is 0.
+/// Returns a x + b y + c z + d without terms that are 0.
 Expression linear(const Vec3& slope, double shift) {
   const std::array<Expression, 3> axis{Expression::x(), Expression::y(), Expression::z()};
   Expression sum(0.0);
@@ -37,7 +37,7 @@ Expression linear(const Vec3& slope, double shift) {
   return sum + shift;
 }
 
-/// The greatest of all, as a tree that is as flat as can be.
+/// Joins all expressions in a tree of minimal depth.
 template <class Join>
 Expression joined(std::vector<Expression> all, const Join& join) {
   while (all.size() > 1) {
@@ -63,7 +63,7 @@ class Convex final : public Leaf {
  public:
   explicit Convex(Polyhedron solid) : solid_(std::move(solid)), planes_(planes_of(solid_)) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
-    // With the sides of its box the value is never less than the distance to that box.
+    // With the sides of its bounding box the value is never less than the distance to that box.
     std::vector<Plane> planes = planes_;
     const Box box = solid_.bounds();
     for (int axis = 0; axis < 3 && !making.formulas_only; ++axis)
@@ -79,7 +79,7 @@ class Convex final : public Leaf {
   [[nodiscard]] Box bounds() const override { return solid_.bounds(); }
   [[nodiscard]] double thickness() const override {
     double least = std::numeric_limits<double>::infinity();
-    const std::size_t every = 1 + planes_.size() / 64;  // of many planes some are enough
+    const std::size_t every = 1 + planes_.size() / 64;  // a sample of many planes suffices
     for (std::size_t i = 0; i < planes_.size(); i += every) {
       double farthest = 0;
       for (const Vec3& p : solid_.vertices) farthest = std::max(farthest, planes_[i].offset - planes_[i].normal.dot(p));
@@ -100,7 +100,7 @@ class Mesh final : public Leaf {
   Mesh(Polyhedron solid, double radius) : solid_(std::move(solid)), radius_(radius) {}
   [[nodiscard]] Shape solid(const Making& making) const override {
     if (making.formulas_only) no_formula("a polyhedron that is not convex");
-    constexpr std::size_t many = 500'000;  // triangles: to look for crossings takes too long
+    constexpr std::size_t many = 500'000;  // triangles: a search for self-intersections would take too long
     if (solid_.triangles.size() < many && bounds_a_solid(solid_))
       return {std::nullopt, surface_field(solid_, radius_ + making.growth)};
     return {std::nullopt, offset(mesh_field(to_mesh(solid_), *making.progress), radius_ + making.growth)};
@@ -118,7 +118,7 @@ class Mesh final : public Leaf {
   double radius_;
 };
 
-/// A Field in coordinates of its own, placed in the design; its values stay no more than the distance.
+/// Applies a placement to a Field; values remain lower bounds of the distance.
 FieldPtr placed(const FieldPtr& field, const Eigen::Affine3d& placement) {
   if (placement.isApprox(Eigen::Affine3d::Identity(), 0)) return field;
   const double least = stretch_of(placement).least;
@@ -162,7 +162,8 @@ class Extruded final : public Leaf {
 
  private:
   [[nodiscard]] Expression formula(double growth) const {
-    // Outer outlines less holes: holes lie within, so that the order does not matter but for what lies within a hole.
+    // Outer outlines minus holes. Holes lie inside, so the order matters only if a piece lies in a
+    // hole.
     std::vector<Expression> solid, holes;
     for (const Outline& outline : region_.outlines) {
       std::vector<double> numbers;
@@ -175,7 +176,7 @@ class Extruded final : public Leaf {
       (twice > 0 ? solid : holes).push_back(frep::shapes::outline(numbers));
     }
     const auto least = [](const Expression& a, const Expression& b) { return min(a, b); };
-    // A piece within a hole: each outer outline loses only the holes that lie within it.
+    // A piece lies in a hole: each outer outline loses only the holes inside it.
     std::vector<Expression> pieces;
     std::size_t hole = 0;
     std::vector<std::vector<Expression>> taken(solid.size());
@@ -212,7 +213,7 @@ class Turned final : public Leaf {
   [[nodiscard]] Shape solid(const Making& making) const override {
     const double growth = making.growth / stretch_of(placement_).least;
     if (making.formulas_only) no_formula("rotate_extrude");
-    // Both halves of the profile, so that the axis is no side of it.
+    // Both halves of the profile, so that the axis is not part of its boundary.
     Eigen::Affine2d mirror = Eigen::Affine2d::Identity();
     mirror(0, 0) = -1;
     const Region whole = unite({shape_.profile, moved(shape_.profile, mirror)});
@@ -240,7 +241,7 @@ class Turned final : public Leaf {
   [[nodiscard]] double thickness() const override { return shape_.profile.stroke() * stretch_of(placement_).least; }
 
  private:
-  /// What lies between the ends of a partial turn.
+  /// The wedge between the ends of a partial turn.
   [[nodiscard]] FieldPtr wedge(double growth) const {
     const double from = std::min(shape_.turn.first, shape_.turn.first + shape_.total), angle = std::abs(shape_.total);
     const auto left_of = [&](double way) { return linear({std::sin(way), -std::cos(way), 0}, 0); };
@@ -252,7 +253,7 @@ class Turned final : public Leaf {
   Eigen::Affine3d placement_;
 };
 
-/// Convex and turned about an axis: by its planes where they are few.
+/// A convex solid of revolution: by its planes if they are few.
 class Faceted final : public Leaf {
  public:
   Faceted(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement)
@@ -330,7 +331,7 @@ class Ball final : public Leaf {
   }
   [[nodiscard]] bool has_flat_faces() const override { return false; }
   [[nodiscard]] Box bounds() const override {
-    // How far an ellipsoid reaches along an axis: the length of that row of its map.
+    // The extent of an ellipsoid along an axis is the length of that row of its map.
     const Vec3 reach = radius_ * placement_.linear().rowwise().norm();
     return {placement_.translation() - reach, placement_.translation() + reach};
   }
@@ -361,7 +362,7 @@ LeafPtr convex_leaf(Polyhedron solid) {
 }
 LeafPtr mesh_leaf(Polyhedron solid) {
   if (solid.empty()) return nullptr;
-  constexpr std::size_t many = 2000;  // triangles; more are seldom convex, and are asked faster as a mesh
+  constexpr std::size_t many = 2000;  // triangles; larger solids are seldom convex, and faster to evaluate as a mesh
   if (solid.triangles.size() < many && is_closed(solid) && is_convex(solid)) return convex_leaf(std::move(solid));
   return std::make_shared<Mesh>(std::move(solid), 0);
 }

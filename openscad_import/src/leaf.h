@@ -1,4 +1,4 @@
-/// The solids a design is made of, and how they are joined.
+/// Solids of a design, and their Boolean combinations.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,45 +13,48 @@
 
 namespace fieldfab::openscad {
 
-/// A leaf or a part: a formula where it can be one, else a Field; neither where it is empty.
+/// A leaf or a part: a formula if it has one, otherwise a Field; neither if it is empty.
 struct Shape {
   std::optional<frep::Expression> formula;
   FieldPtr field = nullptr;
-  Box box = {};          ///< holds it
-  double steepness = 1;  ///< outside of the box the value is at least so many times the distance to it along the farthest axis
+  Box box = {};  ///< contains the shape
+  /// Outside the box the value is at least this factor times the distance to it along the farthest
+  /// axis.
+  double steepness = 1;
 
   [[nodiscard]] bool empty() const { return !formula && !field; }
   [[nodiscard]] FieldPtr as_field() const;
 };
 
-/// How leafs become Fields.
+/// Conversion of leafs to Fields.
 struct Making {
-  /// Solids that touch are one solid, though a Field is 0, and so not inside, where their faces meet. So each is grown by so many
-  /// mm: much less than matters, and more than single precision loses.
+  /// Growth of each solid, mm. Solids that touch must become one solid, but a Field is 0, and so
+  /// not inside, on common faces. The growth is negligible, and exceeds the rounding of single
+  /// precision.
   double growth = 0;
-  double step = 0;             ///< so much more for what is taken away, so that no skin stays where faces meet
-  bool formulas_only = false;  ///< throw bad_input rather than give what has no formula
+  double step = 0;             ///< additional growth of subtracted solids, so that no skin remains on common faces
+  bool formulas_only = false;  ///< throw bad_input for a shape without a formula
   Progress* progress = &Progress::none();
 };
 
-/// A solid without parts, where it stands in the design.
+/// A primitive solid at its place in the design.
 class Leaf {
  public:
   virtual ~Leaf() = default;
   [[nodiscard]] virtual Shape solid(const Making& making) const = 0;
-  /// With flat faces: as OpenSCAD draws it, or finely where it is round.
+  /// Returns flat faces: as OpenSCAD draws the leaf, or a fine approximation if it is round.
   [[nodiscard]] virtual Polyhedron polyhedron() const = 0;
-  /// Whether polyhedron() is the leaf itself, and the surface of a solid.
+  /// Whether polyhedron() equals the leaf and is the surface of a solid.
   [[nodiscard]] virtual bool has_flat_faces() const { return true; }
   [[nodiscard]] virtual Box bounds() const = 0;
-  /// About how thin it is where it is thinnest, mm: for choosing cells that do not miss it.
+  /// Approximate smallest thickness, mm: to choose cells that resolve it.
   [[nodiscard]] virtual double thickness() const = 0;
   /// See Shape.
   [[nodiscard]] virtual double steepness() const { return 1; }
-  /// Of its surface, mm^2.
+  /// Area of its surface, mm^2.
   [[nodiscard]] double area() const { return to_mesh(polyhedron()).area(); }
   [[nodiscard]] virtual bool convex() const { return false; }
-  /// Where it is a true ball.
+  /// An exact ball.
   struct BallShape {
     Vec3 centre;
     double radius;
@@ -60,33 +63,34 @@ class Leaf {
 };
 using LeafPtr = std::shared_ptr<const Leaf>;
 
-/// Anything convex with flat faces.
+/// Makes a leaf of a convex polyhedron.
 LeafPtr convex_leaf(Polyhedron solid);
-/// Anything with flat faces; a convex one becomes a convex_leaf(). Null where it is empty.
+/// Makes a leaf of any polyhedron; of a convex one a convex_leaf(). Null if it is empty.
 LeafPtr mesh_leaf(Polyhedron solid);
-/// What is within `radius` mm of a solid with flat faces.
+/// Makes a leaf of the points within `radius` mm of a polyhedron.
 LeafPtr rounded_leaf(Polyhedron solid, double radius);
-/// A flat shape from z = lower to upper, then placed.
+/// Extrudes a flat shape from z = lower to z = upper, then places it.
 LeafPtr extruded_leaf(const Region& region, double lower, double upper, const Eigen::Affine3d& placement);
-/// A profile in x >= 0 (its y being z) turned about z, then placed. `full` turns close themselves.
+/// A profile in x >= 0, whose y is z, rotated about z and then placed. A full turn closes itself.
 struct TurnedShape {
   Region profile;
   Turn turn;
-  double total = 0;  ///< radians, with its sign
+  double total = 0;  ///< radians, signed
   bool full = true;
 };
 LeafPtr turned_leaf(TurnedShape shape, const Eigen::Affine3d& placement);
-/// What is convex and turned about an axis: its corners where it stands, and the same by its profile and placement.
+/// Makes a leaf of a convex solid of revolution: its placed polyhedron, and its profile with the
+/// placement.
 LeafPtr faceted_leaf(Polyhedron solid, TurnedShape shape, const Eigen::Affine3d& placement);
-/// A true cylinder or cone about z, then placed.
+/// A round cylinder or cone about z, then placed.
 struct RoundCone {
   double r1, r2, lower, upper;
 };
 LeafPtr cone_leaf(const RoundCone& cone, const Eigen::Affine3d& placement);
-/// A true ball about the origin, then placed.
+/// A ball around the origin, then placed.
 LeafPtr ball_leaf(double radius, const Eigen::Affine3d& placement);
 
-/// What is joined to a design: a tree.
+/// A node of the tree of Boolean operations.
 struct Part {
   enum class Kind { nothing, leaf, unite, intersect, subtract };
   Kind kind = Kind::nothing;
@@ -98,29 +102,31 @@ struct Part {
 using PartPtr = std::shared_ptr<const Part>;
 
 PartPtr nothing();
-PartPtr part_of(LeafPtr leaf);  ///< nothing where it is null
-/// These drop what is empty.
+PartPtr part_of(LeafPtr leaf);  ///< nothing() if the leaf is null
+/// Boolean operations; empty parts are dropped.
 PartPtr unite(std::vector<PartPtr> parts);
 PartPtr intersect(std::vector<PartPtr> parts);
 PartPtr subtract(std::vector<PartPtr> parts);
 
-/// A box that holds it; only for one that is not empty.
+/// A box that contains the part. Precondition: the part is not empty.
 Box bounds_of(const Part& part);
-/// The least thickness() of its leafs.
+/// Minimum of thickness() over its leafs.
 double thickness_of(const Part& part);
-/// The sum of the areas of its leafs' surfaces, mm^2.
+/// Sum of the surface areas of its leafs, mm^2.
 double area_of(const Part& part);
 Shape solid_of(const Part& part, const Making& making);
-/// With flat faces, exactly, whatever it is joined from.
+/// Returns the exact polyhedron of a part.
 Polyhedron polyhedron_of(const Part& part, Progress& progress);
-/// Solids whose union is the part: convex where `all_convex` is told so.
+/// Returns solids whose union is the part; `all_convex` is set to whether all of them are convex.
 std::vector<Polyhedron> pieces_of(const Part& part, bool& all_convex, Progress& progress);
-/// The surface of a part whose leafs have flat faces only, with the corners and edges that exact arithmetic gives, rounded to
-/// single precision once. Nothing where a leaf is round, or is not a solid; where no surface with rounded corners is valid; or
-/// where it would take long: such a part is contoured. Solids that touch along an edge, or have very many faces in common planes,
-/// are first grown by a few millionths of the farthest coordinate, each by another amount. Throws cancelled.
+/// Returns the surface of a part whose leafs all have flat faces, with the vertices and edges of
+/// exact arithmetic, rounded to single precision once. Returns nullopt if a leaf is round or not a
+/// solid, if no surface with rounded vertices is valid, or if it would take long; such a part is
+/// contoured. Solids that touch along an edge, or that have very many faces in common planes, are
+/// first grown by a few millionths of the farthest coordinate, each by a different amount. Throws
+/// cancelled.
 std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress);
-/// Where the plane z = 0 cuts it.
+/// Cross-section of the part at z = 0.
 Region slice_of(const Part& part, Progress& progress);
 
 }  // namespace fieldfab::openscad

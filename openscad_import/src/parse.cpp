@@ -1,4 +1,5 @@
-// The text of .csg files. Nodes are kept on a stack of our own, so that depth needs memory, not stack.
+// Parser of .csg files. Nodes are kept on an explicit stack, so that nesting depth is limited by
+// memory, not by the call stack.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -92,7 +93,7 @@ class Parser {
         if (peek() == '=') {
           ++at_;
           skip();
-        } else {  // a value that is a word, such as true
+        } else {  // a word such as true
           at_ = start;
           argument.name.clear();
         }
@@ -142,7 +143,8 @@ class Parser {
     return {std::move(list)};
   }
 
-  /// OpenSCAD writes quotes within words as they are, so a quote ends them only where a value may end.
+  /// OpenSCAD does not escape quotes within strings, so a quote ends a string only where a value
+  /// may end.
   std::string words() {
     std::string found;
     for (++at_; at_ < text_.size(); ++at_) {
@@ -178,7 +180,7 @@ class Parser {
     const auto [end, failure] = std::from_chars(text_.data() + start, text_.data() + text_.size(), value);
     if (failure == std::errc::invalid_argument) fail(fmt::format("expected a value, found {}", shown()));
     at_ = static_cast<std::size_t>(end - text_.data());
-    return failure == std::errc{} ? value : 0;  // smaller than any number, or too large to mean anything
+    return failure == std::errc{} ? value : 0;  // below the range of doubles, or too large to be meaningful
   }
 
   std::string_view name() {
@@ -215,7 +217,7 @@ class Parser {
     if (c >= 33 && c < 127) return fmt::format("'{}'", c);
     return fmt::format("byte 0x{:02x}", static_cast<unsigned char>(c));
   }
-  /// Lines are counted as the parser goes, not anew for each node.
+  /// Lines are counted incrementally, not from the start for each node.
   std::uint32_t line() {
     for (; counted_ < at_; ++counted_)
       if (text_[counted_] == '\n') ++line_;

@@ -1,4 +1,4 @@
-// Parts joined to a design, and what is asked of them as a whole.
+// Boolean combinations of parts, and their properties as a whole.
 #include <algorithm>
 
 #include "assembly.h"
@@ -19,21 +19,21 @@ PartPtr joined(Kind kind, std::vector<PartPtr> parts) {
   return part;
 }
 
-/// Joins from the middle, so that what comes of it is flat.
+/// Joins by halves, so that the tree is flat.
 template <class Join>
 FieldPtr joined(std::span<const FieldPtr> all, const Join& join) {
   if (all.size() == 1) return all.front();
   return join(joined(all.first(all.size() / 2), join), joined(all.subspan(all.size() / 2), join));
 }
 
-/// The least steepness, and what is told of boxes: of a union what holds all, else what is common.
+/// Sets the least steepness and the box: for a union the box around all, otherwise the common box.
 void tell_where(Shape& result, const std::vector<Shape>& all, bool is_union) {
   result.box = all.front().box;
   for (const Shape& solid : all) {
     result.steepness = std::min(result.steepness, solid.steepness);
     result.box = is_union ? hull(result.box, solid.box) : intersection(result.box, solid.box);
   }
-  if (!result.box.valid()) result.box = all.front().box;  // they do not meet
+  if (!result.box.valid()) result.box = all.front().box;  // they do not overlap
 }
 
 template <class JoinFormulas, class JoinFields>
@@ -58,7 +58,7 @@ Shape joined(const std::vector<Shape>& all, const JoinFormulas& join_formulas, c
 }
 
 Shape united(const std::vector<Shape>& all, const Making& making) {
-  constexpr std::size_t few = 3;  // more, and looking at where they are pays
+  constexpr std::size_t few = 3;  // with more solids a search by position is faster
   Shape result;
   if (all.size() <= few || making.formulas_only) {
     result = joined(
@@ -118,7 +118,7 @@ Box bounds_of(const Part& part) {
     else if (meet(box, other))
       box = intersection(box, other);
     else
-      box = {box.lower, box.lower};  // nothing is in both
+      box = {box.lower, box.lower};  // empty intersection
   }
   return box;
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t most_in_group = 6;
 
-/// The square of the distance to a rectangle.
+/// Square of the distance to a rectangle.
 double square_distance(const Vec2& lower, const Vec2& upper, const Vec2& p) {
   return (lower - p).cwiseMax(p - upper).cwiseMax(0).squaredNorm();
 }
@@ -23,9 +23,9 @@ double square_distance(const Vec2& lower, const Vec2& upper, const Vec2& p) {
 
 struct PolygonDistance::Found {
   double square = std::numeric_limits<double>::infinity();
-  double across = 0;         ///< how far the point is from the edge's line, positive to its left, where it is inside
+  double across = 0;         ///< signed distance from the edge's line, positive to its left, inside the solid
   Vec2 to = Vec2::Zero();    ///< from the nearest point
-  Vec2 left = Vec2::Zero();  ///< the edge's normal into the solid
+  Vec2 left = Vec2::Zero();  ///< normal of the edge, into the solid
 };
 
 PolygonDistance::PolygonDistance(const Region& region) {
@@ -62,7 +62,7 @@ void PolygonDistance::divide(std::uint32_t first, std::uint32_t count) {
 void PolygonDistance::look(const Edge& edge, const Vec2& point, Found& best) {
   const Vec2 along = edge.to - edge.from, from = point - edge.from;
   const double square = along.squaredNorm(), t = along.dot(from);
-  // At a corner both edges must find the very same distance.
+  // At a corner both edges must compute exactly the same distance.
   const Vec2 to = t <= 0 ? from : t >= square ? Vec2(point - edge.to) : Vec2(from - along * (t / square));
   const double distance = to.squaredNorm();
   if (distance > best.square) return;
@@ -91,7 +91,7 @@ PolygonDistance::Nearest PolygonDistance::at(const Vec2& point) const {
     open[count++] = one_first ? here + 1 : group.second;
   }
   const double distance = std::sqrt(best.square), sign = best.across > 0 ? -1 : 1;
-  // On the edge itself the way from it tells nothing; its normal does.
+  // On the edge itself the direction from the nearest point is undefined; the normal is not.
   const bool touching = !(distance > 1e-9);
   return {sign * distance, touching ? Vec2(-best.left) : Vec2(best.to * (sign / distance))};
 }
@@ -139,7 +139,8 @@ void PolygonDistance::slopes(const Vec2& centre, double reach, std::span<const V
   constexpr std::size_t many = 64;
   if (near.empty() || near.size() > many) return;
   const auto in_space = [](const Vec2& v) { return Vec3(v.x(), v.y(), 0); };
-  // The gradient is an edge's normal, or at a corner any between those of its edges.
+  // The gradient is the normal of an edge, or at a corner any direction between the normals of its
+  // edges.
   std::vector<std::array<Vec3, 2>> corners;
   std::vector<Vec3> ways;
   std::vector<double> reaches;
@@ -152,7 +153,8 @@ void PolygonDistance::slopes(const Vec2& centre, double reach, std::span<const V
     for (const Edge& next : near)
       if (edge.to == next.from) corners.push_back({outward(edge), outward(next)}), any = true;
     if (!any) corners.push_back({outward(edge), outward(edge)});
-    // Off the outlines it leads away from the nearest place; beside the edge that is along its normal.
+    // Off the outlines the gradient points away from the nearest point; beside the edge that is
+    // along its normal.
     Found found;
     look(edge, centre, found);
     ways.push_back(distance < 0 ? Vec3(-in_space(found.to)) : in_space(found.to));

@@ -1,4 +1,4 @@
-/// How far it is to the outlines of a flat shape.
+/// Distance to the outlines of a flat shape.
 #pragma once
 
 #include <memory>
@@ -10,27 +10,28 @@
 
 namespace fieldfab::openscad {
 
-/// The signed distance to outlines in the plane, mm, negative inside: exact. Which side a point is on the nearest edge tells;
-/// where that is a corner, the one of its edges that is seen the least from the side.
+/// Exact signed distance to outlines in the plane, mm, negative inside. The nearest edge decides
+/// the side; if a corner is nearest, the edge at the corner that faces the point most directly.
 class PolygonDistance {
  public:
   explicit PolygonDistance(const Region& region);
 
   struct Nearest {
     double distance = 0;
-    Vec2 slope = Vec2::Zero();  ///< of the distance there
+    Vec2 slope = Vec2::Zero();  ///< of the distance at the point
   };
   [[nodiscard]] Nearest at(const Vec2& point) const;
 
-  /// What answers alike, bit for bit, for all points within `reach` of `centre`; null where that is this one. `distance` is set
-  /// to that at the centre.
+  /// Returns an object with the same results, bit for bit, for all points within `reach` of
+  /// `centre`; null if that is this object. Sets `distance` to the distance at the centre.
   [[nodiscard]] std::shared_ptr<const PolygonDistance> near(const Vec2& centre, double reach, double& distance) const;
 
-  /// Bounds on how fast the distance changes along each direction between points within `reach` of `centre` (Field::slopes()).
+  /// Returns bounds on the rate of change of the distance along each direction, between points
+  /// within `reach` of `centre` (Field::slopes()).
   void slopes(const Vec2& centre, double reach, std::span<const Vec2> directions, std::span<Interval> out) const;
 
   [[nodiscard]] std::size_t edges() const { return edges_.size(); }
-  /// Rough cost of at(), in arithmetic operations.
+  /// Approximate cost of at(), in arithmetic operations.
   [[nodiscard]] std::size_t cost() const;
 
  private:
@@ -40,7 +41,7 @@ class PolygonDistance {
   struct Group {
     Vec2 lower, upper;
     std::uint32_t first, count;  ///< of the edges
-    std::uint32_t second = 0;    ///< the other half; the first follows at once. 0 where it is not divided
+    std::uint32_t second = 0;    ///< index of the second half, or 0 if undivided; the first half follows this node
   };
   struct Found;
   explicit PolygonDistance(std::vector<Edge> edges);

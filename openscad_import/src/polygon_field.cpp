@@ -17,7 +17,7 @@ namespace {
 using Distance = std::shared_ptr<const PolygonDistance>;
 constexpr double huge = 1e30;
 
-/// Double precision loses less than this on the way to a value; floats are rounded from there.
+/// Bound of rounding errors in double precision; values are rounded to floats afterwards.
 double margin(double value) { return 1e-9 + 1e-12 * std::abs(value); }
 
 struct Span {
@@ -26,7 +26,8 @@ struct Span {
 
 Interval rounded(const Span& span) { return {static_cast<float>(span.lower), static_cast<float>(span.upper), false}; }
 
-/// Distances over the rectangle about `centre` with that half diagonal, and what is near of the outlines.
+/// Range of distances over the rectangle around `centre` with half diagonal `reach`, and the
+/// outlines near it.
 Span distances(const Distance& whole, const Vec2& centre, double reach, Distance& near) {
   double middle = 0;
   near = whole->near(centre, reach, middle);
@@ -35,7 +36,7 @@ Span distances(const Distance& whole, const Vec2& centre, double reach, Distance
   return {middle - wide, middle + wide};
 }
 
-constexpr std::size_t lanes = 8;  // directions that are followed together
+constexpr std::size_t lanes = 8;  // number of directions evaluated together
 
 /// Calls visit(some, first) for consecutive parts of at most `lanes` directions.
 template <class Visit>
@@ -48,7 +49,8 @@ Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
 }
 
-/// The least of cos(t) a + sin(t) b for t from `first` to `last`, which lie between 0 and a right angle.
+/// Minimum of cos(t) a + sin(t) b for t from `first` to `last`, which lie between 0 and a right
+/// angle.
 double least_mixture(double a, double b, double first, double last) {
   const double lowest = std::atan2(-b, -a);
   if (first < lowest && lowest < last) return -std::hypot(a, b);
@@ -127,12 +129,13 @@ class Extruded final : public Field {
   struct Part {
     Interval range;
     Distance outlines;
-    Span across{}, along{};  ///< the distances to the outlines, where they matter, and to the ends
+    Span across{}, along{};  ///< distances to the outlines, if they matter, and to the ends
   };
   static double half_diagonal(const Box& box) { return 0.5 * box.size().head<2>().norm(); }
 
-  /// The slope of joined(): beside both, cos(t) times that across and sin(t) times that along, where t is the angle under which
-  /// the nearest edge lies; else that of the greater.
+  /// Slope of joined(). Outside both, it is cos(t) times the slope across plus sin(t) times the
+  /// slope along, with the angle t of the direction to the nearest edge; elsewhere the slope of the
+  /// greater one.
   static Interval joined_slope(const Part& part, const Interval& across, const Interval& along, double steepest) {
     if (!part.outlines) return along;
     if (across.maybe_nan) return across;
@@ -158,11 +161,11 @@ class Extruded final : public Field {
     Distance near = outlines_;
     if (outlines_) d = distances(outlines_, box.centre().head<2>(), half_diagonal(box), near);
     const Span all{joined(d.lower, w.lower) - growth_, joined(d.upper, w.upper) - growth_};
-    if (d.upper < w.lower && d.upper < 0) near = nullptr;  // the ends alone decide
+    if (d.upper < w.lower && d.upper < 0) near = nullptr;  // only the ends matter
     return {rounded(all), near, d, w};
   }
 
-  Distance outlines_;  ///< null where they do not matter
+  Distance outlines_;  ///< null if the outlines do not matter
   double middle_, half_, growth_;
 };
 
@@ -197,7 +200,8 @@ class Turned final : public Field {
     const auto [middle, reach] = in_profile(box);
     const std::vector<Vec2> ways = ways_out(box);
     for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
-      // A step goes as far out as the ways there allow, and as far up as it says.
+      // A step moves radially by an amount within the bounds of the directions there, and along z
+      // by its own component.
       std::array<Vec2, 2 * lanes> steps;
       for (std::size_t i = 0; i < some.size(); ++i) {
         const Span out_by = steps_out(ways, some[i].head<2>());
@@ -226,7 +230,8 @@ class Turned final : public Field {
     Interval range;
     Distance profile;
   };
-  /// Where a point lies in the profile, as far out as the corners of its side are; and the way out there.
+  /// Position of a point in the profile, at the radius of the corners of its side; and the radial
+  /// direction there.
   [[nodiscard]] std::pair<double, Vec2> out_from_axis(double x, double y) const {
     if (turn_.fragments == 0) {
       const double r = std::hypot(x, y);
@@ -242,17 +247,17 @@ class Turned final : public Field {
     const Vec2 direction(std::cos(way), std::sin(way));
     return {(x * direction.x() + y * direction.y()) / shrink_, direction};
   }
-  /// The middle of a circle in the profile that holds the box, and its radius.
+  /// Centre of a circle in the profile that contains the box, and its radius.
   [[nodiscard]] std::pair<Vec2, double> in_profile(const Box& box) const {
     const Vec2 centre = box.centre().head<2>();
     const Vec2 half = 0.5 * box.size().head<2>();
     const double out = out_from_axis(centre.x(), centre.y()).first;
-    // The way out is the greatest of linear functions, none steeper than this.
+    // The radial coordinate is a maximum of linear functions, none steeper than this.
     const double reach = half.norm() / shrink_ + margin(out);
     return {Vec2(out, box.centre().z()), std::hypot(reach, 0.5 * box.size().z())};
   }
-  /// The ways out over a box: of round solids the outermost two, of others those of all sides that are there; none where any may
-  /// be.
+  /// Returns the radial directions over a box: the two outermost for a round solid, those of all
+  /// sides in the box otherwise; empty if any may occur.
   [[nodiscard]] std::vector<Vec2> ways_out(const Box& box) const {
     std::array<Vec2, 4> corners;
     for (unsigned i = 0; i < 4; ++i)
@@ -264,7 +269,8 @@ class Turned final : public Field {
       const auto [first, last] = std::minmax_element(corners.begin(), corners.end(), before);
       return {first->normalized(), last->normalized()};
     }
-    // The way out is the greatest of linear functions, of which some are nowhere in the box as great as another is everywhere.
+    // The radial coordinate is a maximum of linear functions; a function whose maximum in the box
+    // is below another's minimum does not count.
     std::vector<double> most;
     double least = -std::numeric_limits<double>::infinity();
     for (int side = 0; side < turn_.fragments; ++side) {
@@ -284,7 +290,7 @@ class Turned final : public Field {
     ways.resize(kept);
     return ways;
   }
-  /// How far out a step goes, at least and at most.
+  /// Bounds of the radial component of a step.
   [[nodiscard]] Span steps_out(const std::vector<Vec2>& ways, const Vec2& step) const {
     const double longest = step.norm();
     if (ways.empty()) return {-longest / shrink_, longest / shrink_};

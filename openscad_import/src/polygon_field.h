@@ -1,4 +1,4 @@
-/// Flat shapes, extruded and turned, as Fields.
+/// Extruded and rotated flat shapes as Fields.
 #pragma once
 
 #include "fieldfab/field/field.h"
@@ -6,19 +6,20 @@
 
 namespace fieldfab::openscad {
 
-/// A flat shape from z = lower to z = upper, grown by `growth` mm: the exact distance.
+/// Returns the exact distance to a flat shape from z = lower to z = upper, grown by `growth` mm.
 FieldPtr extruded_field(const Region& region, double lower, double upper, double growth);
-/// The same without ends along z.
+/// Returns the exact distance to the unbounded extrusion of a flat shape along z.
 FieldPtr flat_field(const Region& region, double growth);
 
-/// How a profile is turned about z.
+/// Rotation of a profile about z.
 struct Turn {
-  int fragments = 0;  ///< straight sides of the full or partial turn; 0: it is round
-  double first = 0;   ///< radians: where the first side begins
-  double step = 0;    ///< radians a side
+  int fragments = 0;  ///< number of flat sides of the full or partial turn; 0: round
+  double first = 0;   ///< start angle of the first side, radians
+  double step = 0;    ///< radians per side
 };
-/// A profile (x, z), symmetric in x, turned about z and grown by `growth` mm: a lower bound of the distance, exact where it is
-/// round. A partial turn goes on beyond its ends as its first and last side do; it is for the caller to cut it.
+/// Rotates a profile (x, z), symmetric in x, about z and grows it by `growth` mm. The value is a
+/// lower bound of the distance, and exact if round. A partial turn continues beyond its ends like
+/// its first and last side; the caller must cut it.
 FieldPtr turned_field(const Region& symmetric_profile, const Turn& turn, double growth);
 
 }  // namespace fieldfab::openscad

@@ -10,7 +10,8 @@
 namespace fieldfab::openscad {
 
 std::vector<Plane> planes_of(const Polyhedron& convex) {
-  // A face of many corners is many triangles: those with nearly the same normal are one plane, the outermost.
+  // A face with many corners is many triangles. Triangles with nearly the same normal form one
+  // plane, the outermost.
   constexpr double coarse = 4e-6, same = 1e-6;
   std::vector<Plane> planes;
   std::map<std::array<std::int64_t, 3>, std::vector<std::size_t>> by_normal;
@@ -97,13 +98,14 @@ Polyhedron turned(const Region& profile, double first, double step, int steps, b
     return {p.x() * std::cos(angle), p.x() * std::sin(angle), p.y()};
   };
   Polyhedron solid = sweep(profile, steps, place, {!full, false});
-  if (step > 0)  // x, z and the way round are a left-handed frame then
+  if (step > 0)  // then x, z and the direction of rotation form a left-handed frame
     for (Triangle& t : solid.triangles) std::swap(t[1], t[2]);
   return solid;
 }
 
 Region slice(const Polyhedron& solid) {
-  // A corner in the plane counts as above it: so each triangle is cut along one segment or not at all.
+  // A corner in the plane counts as above it. So each triangle is cut along one segment or not at
+  // all.
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
   std::vector<Outline> outlines;
   const auto edge = [](std::uint32_t a, std::uint32_t b) { return Edge(std::min(a, b), std::max(a, b)); };
@@ -142,8 +144,9 @@ Region slice(const Polyhedron& solid) {
 }
 
 Region shadow(const Polyhedron& solid) {
-  // Triangles that look up wind around what they cover; where two of them meet they wind both ways, which cancels out. So the
-  // rims of all of them together wind as often around a place as there are triangles over it.
+  // The outline of a triangle that faces up winds around its shadow. A common edge of two such
+  // triangles is passed in both directions, which cancels. So the winding number of all rims around
+  // a point is the number of triangles above it.
   const auto area = [&](const Triangle& t) {
     const Vec2 a = solid.vertices[t[0]].head<2>(), u = solid.vertices[t[1]].head<2>() - a, v = solid.vertices[t[2]].head<2>() - a;
     return u.x() * v.y() - u.y() * v.x();
@@ -153,7 +156,7 @@ Region shadow(const Polyhedron& solid) {
   for (Triangle t : solid.triangles) {
     const double up = area(t);
     if (up == 0 || (closed && up < 0)) continue;
-    if (up < 0) std::swap(t[1], t[2]);  // of an open surface: who knows which side is up
+    if (up < 0) std::swap(t[1], t[2]);  // of an open surface, whose orientation is arbitrary
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = t[i], to = t[(i + 1) % 3];
       const auto [first, last] = rims.equal_range(to);

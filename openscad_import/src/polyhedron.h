@@ -18,28 +18,29 @@ struct Plane {
   double offset;
 };
 
-/// The convex hull; empty where the points lie in a plane.
+/// Convex hull; empty if the points lie in a plane.
 Polyhedron convex_hull(std::span<const Vec3> points);
-/// The planes of a convex polyhedron's faces, each once.
+/// Planes of the faces of a convex polyhedron, each once.
 std::vector<Plane> planes_of(const Polyhedron& convex);
-/// Whether no corner is beyond the plane of a triangle, by more than rounding.
+/// Whether no corner is beyond the plane of a triangle, within rounding.
 bool is_convex(const Polyhedron& solid);
 
-/// Outlines in layers, joined by triangles; `place` tells where a point of the flat shape is in each layer of 0 to `steps`. With
-/// caps at both ends unless told otherwise. Four-sided faces are divided by their shorter diagonal; where both are as long, by
-/// that which goes forwards along the outline as it goes up, or by the other.
+/// Sweeps outlines through layers and joins the layers by triangles. `place` returns the position
+/// of a point of the flat shape in each layer 0 to `steps`. Both ends get caps unless `choices`
+/// disables them. Quadrilaterals are divided along the shorter diagonal. If both are equal,
+/// `forwards_if_equal` selects the diagonal that goes forwards along the outline as it goes up.
 struct SweepChoices {
   bool caps = true, forwards_if_equal = false;
 };
 Polyhedron sweep(const Region& region, int steps, const std::function<Vec3(const Vec2&, int)>& place,
                  const SweepChoices& choices = {});
-/// Outlines in the half plane x >= 0 turned about z, first at the angle `first` and then by `step` radians `steps` times; a full
-/// turn closes itself.
+/// Rotates outlines in the half plane x >= 0 about z, from the angle `first` in `steps` steps of
+/// `step` radians. A full turn closes itself.
 Polyhedron turned(const Region& profile, double first, double step, int steps, bool full);
 
-/// Where a plane z = 0 cuts it.
+/// Cross-section at z = 0.
 Region slice(const Polyhedron& solid);
-/// Its shadow along z.
+/// Shadow along z.
 Region shadow(const Polyhedron& solid);
 
 }  // namespace fieldfab::openscad

@@ -14,7 +14,7 @@
 namespace fieldfab::openscad {
 namespace {
 
-/// The lines of a message that tell what is wrong; all of it where none does.
+/// Returns the lines of a message that describe an error, or the whole message if there are none.
 std::string complaint_of(const std::string& said) {
   std::string told, all;
   for (std::size_t at = 0; at < said.size();) {
@@ -43,14 +43,14 @@ std::string run_openscad(const std::filesystem::path& input, const std::filesyst
   require_regular_file(input);
   std::vector<std::string> words{"openscad"};
   words.insert(words.end(), options.begin(), options.end());
-  // Absolute names cannot be taken for options, and OpenSCAD works in the folder of its input.
+  // Absolute names cannot be mistaken for options, and OpenSCAD works in the folder of its input.
   for (const std::string& word :
        {std::string("-o"), std::filesystem::absolute(output).string(), std::filesystem::absolute(input).string()})
     words.push_back(word);
   Child child({.words = words, .errors_too = true},
               "is not installed (Debian's package openscad): .scad files, text() and some imports need it");
   std::string said;
-  constexpr std::size_t most = 16'000'000;  // bytes; an echo in a loop says a lot
+  constexpr std::size_t most = 16'000'000;  // bytes; an echo in a loop prints a lot
   while (child.read(said)) {
     progress.check();
     progress.report(0, "OpenSCAD reads " + input.filename().string());
@@ -59,7 +59,7 @@ std::string run_openscad(const std::filesystem::path& input, const std::filesyst
   const int status = child.wait();
   if (WIFSIGNALED(status))
     throw Error(ErrorKind::bad_input, input.string(), fmt::format("OpenSCAD was ended by signal {}", WTERMSIG(status)));
-  // After a failed assertion OpenSCAD writes a file and calls it a success.
+  // After a failed assertion OpenSCAD writes a file and exits with 0.
   const bool complained = said.starts_with("ERROR:") || said.find("\nERROR:") != std::string::npos;
   if (WEXITSTATUS(status) != 0 || complained || !std::filesystem::exists(output)) {
     const std::string complaint = complaint_of(said);

@@ -11,7 +11,7 @@
 
 namespace fieldfab::openscad {
 
-/// A folder of our own that goes with this object.
+/// A temporary folder, removed with this object.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -21,8 +21,9 @@ class TemporaryFolder {
   std::optional<Temporary> folder_;
 };
 
-/// Runs the installed `openscad` to make `output` of `input`, and waits. Returns what it said. Throws bad_input with its message
-/// where it fails or makes nothing, io where it is not installed, cancelled (it is ended then).
+/// Runs the installed `openscad` to make `output` from `input`, and waits. Returns its messages.
+/// Throws bad_input with its message if it fails or makes no file, io if it is not installed, and
+/// cancelled, which ends it.
 std::string run_openscad(const std::filesystem::path& input, const std::filesystem::path& output, Progress& progress,
                          const std::vector<std::string>& options = {});
 

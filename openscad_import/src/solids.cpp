@@ -1,4 +1,5 @@
-// cube, sphere, cylinder, polyhedron, extrusions and imported meshes, with the very faces that OpenSCAD gives them.
+// cube, sphere, cylinder, polyhedron, extrusions and imported meshes, with exactly the faces that
+// OpenSCAD gives them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A polygon of corners as triangles: as a fan where it is convex, else by its own plane.
+/// Adds a polygon as triangles: as a fan if it is convex, otherwise triangulated in its own plane.
 void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
   if (corners.size() < 3) return;
   const auto fan = [&] {
@@ -39,11 +40,11 @@ void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
   try {
     for (const auto& t : triangulate({{outline}})) solid.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
   } catch (const Error&) {
-    fan();  // a face that crosses itself means nothing better
+    fan();  // no better result for a face that intersects itself
   }
 }
 
-/// Edges that are not passed once each way.
+/// Number of edges that are not passed once in each direction.
 std::size_t open_edges(const Polyhedron& solid) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
   for (const Triangle& t : solid.triangles)
@@ -55,8 +56,8 @@ std::size_t open_edges(const Polyhedron& solid) {
       std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
-/// How far a point goes that is `radius` mm from the axis and is turned by `angle` radians while all becomes `scale` times as
-/// wide: part of a spiral of Archimedes, risen by `height`.
+/// Length of the path of a point `radius` mm from the axis that is rotated by `angle` radians and
+/// raised by `height` mm while the shape is scaled by `scale`: part of an Archimedean spiral.
 double way_of(double radius, double angle, double scale, double height) {
   if (scale == 1) return std::hypot(radius * angle, height);
   const auto from_axis = [](double t) { return 0.5 * (t * std::sqrt(1 + t * t) + std::asinh(t)); };
@@ -64,10 +65,11 @@ double way_of(double radius, double angle, double scale, double height) {
   return std::hypot(radius / end * (from_axis(end) - from_axis(end - angle)), height);
 }
 
-/// Slices of an extrusion that is twisted or becomes wider unevenly, where none are asked for: by OpenSCAD's rules.
+/// Number of slices of an extrusion that is twisted or scaled unevenly, by OpenSCAD's rules for the
+/// default.
 int slices_of(const Arguments& a, const Region& region, double height, double twist, const Vec2& scale) {
   const double fn = a.number("$fn", 0), fa = std::max(a.number("$fa", 12), 0.01), fs = std::max(a.number("$fs", 2), 0.01);
-  double farthest = 0, widest = 0;  // from the axis; and the farthest that a corner moves outwards
+  double farthest = 0, widest = 0;  // distance from the axis; greatest outward movement of a corner
   for (const Outline& outline : region.outlines)
     for (const Vec2& p : outline) {
       farthest = std::max(farthest, p.norm());
@@ -140,7 +142,7 @@ PartPtr Evaluator::polyhedron(const Arguments& a, const Node& node, const Eigen:
   auto faces = a.paths("faces", solid.vertices.size());
   if (a.find("faces") == nullptr) faces = a.paths("triangles", solid.vertices.size());
   for (auto& face : faces) {
-    std::reverse(face.begin(), face.end());  // OpenSCAD has them clockwise
+    std::reverse(face.begin(), face.end());  // OpenSCAD's faces are clockwise
     add_face(solid, face);
   }
   if (solid.empty() || placement.linear().determinant() == 0) return nothing();
@@ -170,7 +172,7 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
   const auto place = [&](const Vec2& p, int step) -> Vec3 {
     const double share = static_cast<double>(step) / steps, angle = -twist * pi / 180 * share;
     const Vec2 turned(p.x() * std::cos(angle) - p.y() * std::sin(angle), p.x() * std::sin(angle) + p.y() * std::cos(angle));
-    const Vec2 wide = turned.cwiseProduct(Vec2(1, 1) + share * (scale - Vec2(1, 1)));  // in this order
+    const Vec2 wide = turned.cwiseProduct(Vec2(1, 1) + share * (scale - Vec2(1, 1)));  // scaled after the rotation
     return {wide.x(), wide.y(), lower + height * share};
   };
   return part_of(mesh_leaf(moved(sweep(separated(region), steps, place, {true, twist > 0}), placement)));
@@ -201,10 +203,10 @@ PartPtr Evaluator::rotate_extrude(const Arguments& a, const Node& node, const Ei
   if (count > 0) count = std::max(static_cast<int>(count * std::abs(angle) / 360), 1);
   if (count > 0 && full) count = std::max(count, 3);
   const double step = count > 0 ? std::abs(total) / count : 0;
-  // A turn the other way is one from its end.
+  // A turn in the other direction is one that starts at its end.
   if (total < 0) first += total;
   TurnedShape shape{region, {count, first, step}, std::abs(total), full};
-  if (count > 0 && step > pi * 0.9) {  // so few sides that they do not go round the axis
+  if (count > 0 && step > pi * 0.9) {  // too few sides to go around the axis
     return part_of(mesh_leaf(moved(turned(region, first, step, count, full), placement)));
   }
   return part_of(turned_leaf(std::move(shape), placement));

@@ -22,7 +22,8 @@ struct Facet {
   std::array<Vec3, 7> normals;
 };
 
-/// What was found: the square of the distance, the way from the nearest point, and the normal there.
+/// Result of a search: square of the distance, vector from the nearest point, and the facet with
+/// its normal there.
 struct Found {
   double square = std::numeric_limits<double>::infinity();
   Vec3 to = Vec3::Zero();
@@ -30,7 +31,8 @@ struct Found {
   std::size_t normal = 0;
 };
 
-/// The nearest point of a triangle, by the region of its plane that the point is above (Ericson 2005, 5.1.5).
+/// Finds the nearest point of a triangle, by the Voronoi region of its features that contains the
+/// point (Ericson 2005, 5.1.5).
 void look(const Facet& f, const Vec3& p, Found& best) {
   const Vec3 ap = p - f.a;
   const double height = f.normals[0].dot(ap);
@@ -89,7 +91,8 @@ class SurfaceField final : public Field {
       const Found found = nearest(p, last);
       last = found.facet;
       const double distance = signed_distance(found);
-      // On the surface itself the way from it tells nothing; the face's normal does.
+      // On the surface the vector from the nearest point is undefined; the normal of the face is
+      // not.
       const Vec3 slope = std::abs(distance) > 1e-9 ? Vec3(found.to / distance) : found.facet->normals[0];
       out[i] = static_cast<float>(distance - growth_);
       slopes.dx[i] = static_cast<float>(slope.x());
@@ -177,8 +180,9 @@ class SurfaceField final : public Field {
     divide(first + half, count - half);
   }
 
-  /// The nearest point; the facet that was nearest to another point, near this one as a rule, tells at once what is too far.
-  /// Where several are as near, which one is found depends on that facet; their normals at a common edge or corner are the same.
+  /// Finds the nearest point. The facet nearest to another point, usually close to this one, prunes
+  /// the search early. If several facets are equally near, `likely` decides between them; their
+  /// normals at a common edge or corner are the same.
   [[nodiscard]] Found nearest(const Vec3& p, const Facet* likely = nullptr) const {
     Found best;
     if (likely != nullptr) look(*likely, p, best);
@@ -264,7 +268,7 @@ FieldPtr surface_field(const Polyhedron& solid, double growth) {
   std::vector<Vec3> corners(solid.vertices.size(), Vec3::Zero()), faces;
   for (const Triangle& t : solid.triangles) {
     const Vec3 &a = solid.vertices[t[0]], &b = solid.vertices[t[1]], &c = solid.vertices[t[2]];
-    faces.push_back((b - a).cross(c - a).normalized());  // 0 of one without area
+    faces.push_back((b - a).cross(c - a).normalized());  // 0 for a triangle without area
     for (std::size_t i = 0; i < 3; ++i) {
       edges.try_emplace(edge_key(t[i], t[(i + 1) % 3]), Vec3::Zero()).first->second += faces.back();
       corners[t[i]] +=

@@ -1,4 +1,4 @@
-/// A closed surface of triangles that does not cross itself, as a Field.
+/// A closed triangle surface without self-intersections as a Field.
 #pragma once
 
 #include "fieldfab/field/field.h"
@@ -6,12 +6,13 @@
 
 namespace fieldfab::openscad {
 
-/// Whether each edge belongs to two triangles, once each way.
+/// Whether each edge belongs to two triangles, once in each direction.
 bool is_closed(const Polyhedron& solid);
 
-/// The exact signed distance to the surface less `growth`, mm. The side is told by the nearest triangle, or by the mean normal of
-/// the nearest edge or corner (Baerentzen and Aanaes 2005), which only holds for a surface that is closed and does not cross
-/// itself; for others there is mesh_field(). It is quicker than that, and in a box only what is near is looked at.
+/// Returns the exact signed distance to the surface minus `growth`, mm. The sign comes from the
+/// nearest triangle, or from the pseudonormal of the nearest edge or corner (Baerentzen and Aanaes
+/// 2005). That requires a closed surface without self-intersections; mesh_field() handles others.
+/// It is faster than mesh_field(), and a restriction to a box keeps only the triangles near it.
 FieldPtr surface_field(const Polyhedron& solid, double growth);
 
 }  // namespace fieldfab::openscad

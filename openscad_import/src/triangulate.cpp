@@ -1,4 +1,4 @@
-// Triangles that fill a flat shape, by CGAL's constrained Delaunay triangulation.
+// Triangulation of a flat shape, by CGAL's constrained Delaunay triangulation.
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 struct FaceInfo {
-  int around = -1;  ///< how many outlines are around it
+  int around = -1;  ///< number of outlines around it
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
@@ -46,7 +46,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(const Region& region) {
   }
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (triangulation.dimension() < 2) return triangles;
-  // From outside inwards; each outline that is crossed changes the side.
+  // From outside inwards; each crossed outline changes the side.
   std::deque<std::pair<Triangulation::Face_handle, int>> open{{triangulation.infinite_face(), 0}};
   while (!open.empty()) {
     const auto [face, around] = open.front();

@@ -1,4 +1,4 @@
-// hull, minkowski, resize and projection: what needs the whole shape of its children.
+// hull, minkowski, resize and projection: operations that need the whole shape of their children.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ std::vector<Vec3> corners_of(const std::vector<Polyhedron>& solids) {
   return points;
 }
 
-/// The triangles of a surface, each by itself.
+/// Returns the triangles of a surface, each as a polyhedron.
 std::vector<Polyhedron> triangles_of(const Polyhedron& solid) {
   std::vector<Polyhedron> pieces;
   for (const Triangle& t : solid.triangles) {
@@ -39,11 +39,11 @@ PartPtr Evaluator::hull(const Node& node, const Eigen::Affine3d& placement, int 
 PartPtr Evaluator::minkowski(const Arguments& a, const Node& node, const Eigen::Affine3d& placement, int depth) {
   PartPtr total;
   for (const NodeIndex child : children(node, 3)) {
-    // The sum moves where one of them moves; all of them are turned and stretched.
+    // A translation of one operand moves the sum; rotation and scaling apply to all.
     Eigen::Affine3d here = placement;
     if (total != nullptr) here.translation().setZero();
     const PartPtr part = solid(child, here, depth);
-    if (part->empty()) continue;  // as OpenSCAD has it
+    if (part->empty()) continue;  // as in OpenSCAD
     total = total == nullptr ? part : sum(total, part, a);
   }
   return total == nullptr ? nothing() : total;
@@ -61,8 +61,8 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
   std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_), second = pieces_of(*two, two_convex, progress_);
   if (first.empty() || second.empty()) return nothing();
   std::vector<PartPtr> parts;
-  // What is not convex is cut into convex pieces; else it is its surface, triangle by triangle, and itself moved to one point of
-  // the other.
+  // A solid that is not convex is cut into convex pieces. If that fails, the sum consists of the
+  // sums of its surface triangles, and of the solid itself moved to one point of the other.
   const auto open = [&](std::vector<Polyhedron>& pieces, const PartPtr& part, const Polyhedron& other) {
     if (auto convex = convex_pieces(*part, progress_)) {
       pieces = std::move(*convex);

@@ -1,5 +1,5 @@
-// Writes the data of Keeter's Figures 2-4, 2-5 and 2-6 as CSV files into the folder given; tests/bench/plot_figures.py draws
-// them.
+// Writes the data of Keeter's Figures 2-4, 2-5 and 2-6 as CSV files into the given folder;
+// tests/bench/plot_figures.py draws them.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -15,7 +15,7 @@ int main(int count, char** arguments) {
   namespace s = frep::shapes;
   const std::string folder = count > 1 ? arguments[1] : ".";
 
-  // A wheel like that of Fig. 2-3: rim, hub, five spokes.
+  // A wheel as in Fig. 2-3: rim, hub, five spokes.
   frep::Expression spokes = s::rectangle(0.16, 1.7);
   for (int i = 1; i < 5; ++i)
     spokes =

@@ -1,4 +1,4 @@
-// CAM: the figures that issue 5 asks for. Each prints what it was measured against.
+// CAM benchmarks with the targets of issue 5. Each comment states its target.
 #include <benchmark/benchmark.h>
 
 #include <chrono>
@@ -28,7 +28,7 @@ FieldPtr circuit_board() {
 }
 const Rectangle board{{0, 0}, {0.805 * 25.4, 1.68 * 25.4}};
 
-/// The board's bitmap at so many dots an inch.
+/// The board's bitmap at a resolution in dots per inch.
 Bitmap board_bitmap(int dpi) {
   const FieldPtr field = circuit_board();
   const double cell = 25.4 / dpi;
@@ -46,8 +46,8 @@ Bitmap board_bitmap(int dpi) {
   return bitmap;
 }
 
-/// Distance transform and contour of fab_ISP: threads, dots an inch. Asked: 1000 dpi under 0.3 s, linear in pixels, 2
-/// threads 1.6x.
+/// Distance transform and contour of fab_ISP; arguments: threads, dots per inch. Target: 1000 dpi
+/// under 0.3 s, linear in pixels, speedup 1.6 with 2 threads.
 void distance_and_contour(benchmark::State& state) {
   const ThreadLimit limit(static_cast<int>(state.range(0)));
   const Bitmap bitmap = board_bitmap(static_cast<int>(state.range(1)));
@@ -62,7 +62,7 @@ void distance_and_contour(benchmark::State& state) {
 }
 BENCHMARK(distance_and_contour)->ArgsProduct({{1, 2}, {500, 1000, 2000}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// Only the transform.
+/// Only the distance transform.
 void distance_alone(benchmark::State& state) {
   const ThreadLimit limit(static_cast<int>(state.range(0)));
   const Bitmap bitmap = board_bitmap(2000);
@@ -70,8 +70,8 @@ void distance_alone(benchmark::State& state) {
 }
 BENCHMARK(distance_alone)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
 
-/// The ShopBot's bed, 24,000 x 12,000 cells: 40 boards of fab_ISP's outline, three times as large, and their offsets. Asked: 10
-/// s, 500 MB.
+/// The ShopBot's bed, 24,000 x 12,000 cells: 40 boards with fab_ISP's outline, enlarged three
+/// times, and their offsets. Target: 10 s, 500 MB.
 void shopbot_bed(benchmark::State& state) {
   FieldPtr sheet;
   for (int i = 0; i < state.range(0); ++i) {
@@ -93,8 +93,8 @@ void shopbot_bed(benchmark::State& state) {
 }
 BENCHMARK(shopbot_bed)->Arg(10)->Arg(40)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// A million positions of a ball cutter, 0.1 mm apart, over a freeform of 100 x 100 mm, one thread; diameter in mm. Asked: 6 mm,
-/// 2 s.
+/// A million positions of a ball cutter, 0.1 mm apart, over a freeform surface of 100 x 100 mm, one
+/// thread; argument: diameter in mm. Target: 2 s for 6 mm.
 void cutter_positions(benchmark::State& state) {
   const ThreadLimit limit(1);
   const FieldPtr form = frep::make_field(frep::parse_infix("z - 10 - 3*sin(0.13*x)*cos(0.11*y) - sin(0.3*x+0.2*y)"));
@@ -115,8 +115,8 @@ void cutter_positions(benchmark::State& state) {
 }
 BENCHMARK(cutter_positions)->Arg(3)->Arg(6)->Arg(12)->Arg(24)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// The same on a mesh of about 100,000 triangles, from the mesh on: sampling it, and a million positions of a 6 mm ball.
-/// OpenCAMLib places 608 of them a second (issue 5).
+/// The same on a mesh of about 100,000 triangles, including the sampling of the mesh: a million
+/// positions of a 6 mm ball. OpenCAMLib computes 608 of them per second (issue 5).
 void cutter_positions_on_a_mesh(benchmark::State& state) {
   const ThreadLimit limit(1);
   const FieldPtr form = frep::make_field(frep::parse_infix("z - 10 - 3*sin(0.13*x)*cos(0.11*y) - sin(0.3*x+0.2*y)"));
@@ -140,7 +140,7 @@ void cutter_positions_on_a_mesh(benchmark::State& state) {
 }
 BENCHMARK(cutter_positions_on_a_mesh)->Unit(benchmark::kMillisecond)->Iterations(1);
 
-/// Ordering paths spread over a sheet. Asked: 100,000 in 5 s.
+/// Ordering of paths spread over a sheet. Target: 100,000 in 5 s.
 void ordering(benchmark::State& state) {
   std::mt19937 random(1);
   std::uniform_real_distribution<> any(0, 1000);

@@ -1,5 +1,6 @@
-// Measures how the cost of f-reps grows (Keeter 3.9, Figs 3-4 and 3-7 to 3-9) and writes CSV files into the folder given;
-// tests/bench/plot_figures.py draws them. One thread; the best of several runs, since machines are shared.
+// Measures the scaling of f-reps' cost (Keeter 3.9, Figs 3-4 and 3-7 to 3-9) and writes CSV files
+// into the given folder; tests/bench/plot_figures.py draws them. One thread; the best of several
+// runs, because machines are shared.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,19 +8,19 @@
 #include <fstream>
 #include <string>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 
 namespace {
 
 using namespace fieldfab;
 
-/// Seconds of the fastest of some runs.
+/// Time of the fastest of several runs, seconds.
 template <class Work>
 double seconds(int runs, const Work& work) {
   double best = 1e9;
@@ -45,7 +46,7 @@ frep::Expression lines(int count) {
   return frep::shapes::text(words, 6, 1);
 }
 
-/// The mean number of active nodes of the boxes that the boundary crosses, level by level.
+/// Mean number of active nodes in boxes that the boundary crosses, by level.
 void count_nodes(std::ofstream& file, const FieldPtr& root, const Box& square, int levels) {
   std::vector<std::pair<FieldPtr, Box>> open{{root, square}};
   for (int level = 0; level <= levels; ++level) {

@@ -1,6 +1,7 @@
-// Figures of docs/simulation.md: the thesis's examples (Hahn 6.1) rebuilt from their pictures, subdivisions by rules (Tables 6.2
-// to 6.4), time and memory (6.5, 6.6), and the closest-point error (6.7), beside the thesis's own numbers; cutsim's job; how time
-// and memory grow with density. With an argument, only the part of that name: splits, time, error, tilted, growth.
+// Figures of docs/simulation.md, beside the thesis's own numbers: its examples (Hahn 6.1), rebuilt
+// from their pictures; subdivisions by rules (Tables 6.2 to 6.4); time and memory (6.5, 6.6); and
+// the closest-point error (6.7). Also cutsim's job, and growth of time and memory with density. An
+// argument selects one part: splits, time, error, tilted, growth.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -31,10 +32,10 @@ struct Example {
   std::string name;
   Vec3 size;
   double radius;                            ///< of its ball
-  std::vector<std::vector<ToolPose>> ways;  ///< several cuts, one after the other
+  std::vector<std::vector<ToolPose>> ways;  ///< several cuts in sequence
 };
 
-/// The tool with the middle of its ball at a place.
+/// Pose of a tool with its ball's centre at a point.
 ToolPose about(const Vec3& middle, const Vec3& axis, double radius) {
   return {middle - radius * axis.normalized(), axis.normalized()};
 }
@@ -46,7 +47,7 @@ std::vector<ToolPose> drill(const Vec3& end, const Vec3& axis, double depth, dou
   return way;
 }
 
-/// Turns about z with the tool leaning outwards by an angle (inwards where it is below 0).
+/// Rotation about z with the tool tilted outwards by an angle (inwards if negative).
 std::vector<ToolPose> donut(const Vec3& centre, double from, double to, double turns, double lean, double radius,
                             double rise = 0) {
   std::vector<ToolPose> way;
@@ -106,20 +107,20 @@ Stock machined(const Example& example, const StockSettings& settings, double& se
   return stock;
 }
 
-/// Bytes of a grid with a pointer for each point and, where one of the three edges upwards from it has a sample, a triplet of
-/// them.
+/// Memory of a grid with a pointer per point, and a triplet of samples for each point with a sample
+/// on one of its three upward edges; bytes.
 double pointer_grid(const Stock& stock) {
   double points = 1;
   for (const int cells : stock.lattice().cells()) points *= cells + 1;
   StockSurface surface;
   surface.update(stock);
-  double samples = 0;  // one for each vertex, of which a closed mesh has half as many as triangles
+  double samples = 0;  // one per vertex; a closed mesh has about half as many vertices as triangles
   for (std::size_t i = 0; i < surface.pieces(); ++i) samples += static_cast<double>(surface.piece(i).triangles.size()) / 2;
-  // A surface has about two samples for each triplet.
+  // A surface has about two samples per triplet.
   return 8 * points + samples / 2 * 3 * 8;
 }
 
-/// Rules, and how many subdivisions the thesis has with them (Table 6.2).
+/// Rules, and the thesis's numbers of subdivisions for them (Table 6.2).
 struct Rules {
   std::string names;
   std::vector<double> theirs;
@@ -157,7 +158,7 @@ void splits(double density) {
     };
     line("thesis", [&](std::size_t i) { return fmt::format("{}", rules.theirs[i]); });
     line("ours / thesis", [&](std::size_t i) { return fmt::format("{:.2f}", ours[i] / rules.theirs[i]); });
-    // Tables 6.3: what a rule needs, of what chance needs.
+    // Table 6.3: subdivisions by a rule, relative to random choice.
     const auto share = [](double part, double whole) { return whole > 0 ? fmt::format("{:.0f}", 100 * part / whole) : "-"; };
     line("% of RS, ours", [&](std::size_t i) { return share(ours[i], chance[i]); });
     line("% of RS, thesis", [&](std::size_t i) { return share(rules.theirs[i], table[0].theirs[i]); });
@@ -166,7 +167,8 @@ void splits(double density) {
 }
 
 void time_and_memory(double density) {
-  // FEFS-FFS, CTD, SPT, RS: seconds in all without rendering (Table 6.5), share of a 3D pointer grid (Table 6.6).
+  // Rules FEFS-FFS, CTD, SPT, RS: total seconds without rendering (Table 6.5), percentage of a 3D
+  // pointer grid (Table 6.6).
   const std::vector<double> seconds_of_thesis{197.83, 24.02, 12.88, 40.38, 27.77, 20.39, 17.06, 1.42, 3.23, 19.63, 7.45};
   const std::vector<double> share_of_thesis{31.82, 5.92, 2.13, 5.38, 4.22, 24.62, 22.90, 6.92, 6.24, 4.66, 6.35};
   fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n", density);
@@ -189,7 +191,8 @@ void time_and_memory(double density) {
   }
 }
 
-/// cutsim's job: 7381 poses of a 6 mm cutter that leans, in rows 1 mm apart over a block of 60 x 60 x 20 mm.
+/// cutsim's job: 7381 poses of a tilted 6 mm cutter, in rows 1 mm apart over a block of 60 x 60 x
+/// 20 mm.
 Stock milled(ToolShape shape, double cell, double& cutting, double& meshing) {
   Tool tool;
   tool.shape = shape;
@@ -228,12 +231,13 @@ void tilted() {
   for (const Rival& rival : {Rival{ToolShape::flat, 0.156, 31, 2.9e9}, Rival{ToolShape::ball, 0.313, 9.2, 0.74e9}}) {
     double cutting = 0, meshing = 0;
     const auto bytes = static_cast<double>(milled(rival.shape, rival.cell, cutting, meshing).statistics().bytes);
-    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting, meshing,
-               rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
+    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting,
+               meshing, rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
   }
 }
 
-/// The same job at doubling density: a surface grows with the square, a grid of points with the cube.
+/// The same job with doubling density: a surface grows with the square, a grid of points with the
+/// cube.
 void growth() {
   fmt::print("The same job with a flat cutter as density doubles\n{:>8}{:>9}{:>9}{:>12}{:>9}{:>12}\n", "cell", "cut s", "mesh s",
              "bytes", "time x", "bytes x");
@@ -249,8 +253,8 @@ void growth() {
   }
 }
 
-/// Table 6.7: the distance of the triangles' centres from the surface that a leaning ball sweeps in a turn (equations 6.1
-/// to 6.7).
+/// Table 6.7: distance of the triangles' centres from the surface that a tilted ball sweeps in a
+/// rotation (equations 6.1 to 6.7).
 void error() {
   const double lean = 25 * pi / 180, radius = 0.15, major = 1.69;
   const Vec3 centre(2, 2, 0.6748);

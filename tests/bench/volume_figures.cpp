@@ -1,5 +1,5 @@
-// Volumes side by side with OpenVDB, on the same data in the same run: writes a table for docs/volumes.md to stdout. Times are
-// the best of three.
+// Volumes compared with OpenVDB, on the same data in the same run: writes a table for
+// docs/volumes.md to stdout. Times are the best of three.
 #include <fmt/format.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
@@ -48,8 +48,8 @@ void generate(const std::filesystem::path& path, const std::array<int, 3>& size,
     }
 }
 
-/// How far the surface of one function is from that of another: mean and farthest, voxels. Points of the first are found between
-/// places of different sign; around each the second is looked for.
+/// Mean and greatest distance of one function's surface from that of another, voxels. Points of the
+/// first are found between points of different sign; around each the second is searched.
 template <class Of, class From>
 std::pair<double, double> distance(const Box& box, double voxel, const Of& of, const From& from) {
   std::mt19937 random(1);
@@ -68,7 +68,7 @@ std::pair<double, double> distance(const Box& box, double voxel, const Of& of, c
     Vec3 slope;
     for (int axis = 0; axis < 3; ++axis)
       slope[axis] = from(low + 0.05 * voxel * Vec3::Unit(axis)) - from(low - 0.05 * voxel * Vec3::Unit(axis));
-    // The nearest place, in steps of a seventh, where the sign is not that of here.
+    // The nearest point of different sign, in steps of a seventh.
     const bool here = from(low) < 0;
     double near = 0.002 * voxel;
     const auto changes = [&](double t) {
@@ -103,7 +103,7 @@ void compare(const std::string& name, const std::filesystem::path& path, const V
   const double mesh_seconds = seconds([&] { mesh = contour(*asdf, asdf->region(), {voxel}); });
   const MeshVerdict verdict = inspect(mesh);
 
-  // OpenVDB: the same samples as a dense grid, its mesh, and the level set of that.
+  // OpenVDB: the same samples as a dense grid, its mesh, and the mesh's level set.
   std::vector<float> samples(lattice.count());
   scan.volume->read(0, lattice.size[2], samples.data());
   for (float& sample : samples) sample = surface.value(sample);
@@ -189,7 +189,8 @@ int main(int count, char** arguments) {
   if (large) {
     const auto scan = folder / "scan_512x512x361_int16.raw";
     const VolumePtr head = open_volume(data / "cthead");
-    const FieldPtr field = volume_field(*head, {0, false, 1e-4});  // flat, so that the cap at the border is thin
+    // flat, so that the cap at the border is thin
+    const FieldPtr field = volume_field(*head, {0, false, 1e-4});
     const Box box = head->lattice().box();
     generate<std::int16_t>(scan, {512, 512, 361}, [&](int i, int j, int k) {
       const Vec3 at = box.size().cwiseProduct(Vec3(i / 511.0, j / 511.0, k / 360.0));

@@ -1,5 +1,5 @@
-// Any bytes as an .asdf file: an Error, or a distance field that answers. Checksums are set right, so that what is behind them is
-// tried too.
+// Any bytes as an .asdf file: an Error, or a valid distance field. Checksums are corrected, so that
+// the code behind them is tested, too.
 #include <unistd.h>
 #include <zlib.h>
 

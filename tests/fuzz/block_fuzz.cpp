@@ -1,4 +1,4 @@
-// Any bytes as a block of an .asdf file, behind its compression: an Error, or a tree.
+// Any bytes as the decompressed data of a block of an .asdf file: an Error, or a tree.
 #include <cstdlib>
 #include <cstring>
 

@@ -1,4 +1,4 @@
-// Any bytes: an Error, or a tree that prints and reads back as itself.
+// Any bytes as .csg text: an Error, or a tree whose printed form is read as the same tree.
 #include <cstdlib>
 
 #include "fieldfab/core/error.h"
@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const openscad::Tree tree = openscad::parse_csg({reinterpret_cast<const char*>(data), size}, "fuzz");
     const std::string text = openscad::print_csg(tree, 0);
     const openscad::Tree again = openscad::parse_csg(text, "again");
-    // What is read stands within a group of its own.
+    // The parser returns the text's nodes in a group of their own.
     if (openscad::print_csg(again, again.top().children.at(0)) != text) std::abort();
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::bad_input && error.kind() != ErrorKind::too_large) std::abort();

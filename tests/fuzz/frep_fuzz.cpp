@@ -1,4 +1,5 @@
-// Any bytes: an Error, or an expression that prints and reads back as itself; and the language's answers to editors.
+// Any bytes as .frep text: an Error, or an expression whose printed form is read as the same
+// expression; also the functions for editors.
 #include <cstdlib>
 #include <string>
 

@@ -1,4 +1,4 @@
-// Any text as a machine's program, in each of the languages: an Error, or finite motions.
+// Any text as a program in each of the languages: an Error, or finite motions.
 #include <cmath>
 #include <cstdlib>
 #include <string>

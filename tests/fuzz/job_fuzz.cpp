@@ -1,4 +1,4 @@
-// Any text as a job, and as a machine's data file: an Error, or something that can be planned.
+// Any text as a job, and as a machine's data file: an Error, or a job that can be planned.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     return made;
   }();
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (text.find("/dev") != std::string::npos || text.find("/proc") != std::string::npos) return 0;  // files without an end
+  // infinite files
+  if (text.find("/dev") != std::string::npos || text.find("/proc") != std::string::npos) return 0;
   const auto checked = [](const auto& attempt) {
     try {
       attempt();

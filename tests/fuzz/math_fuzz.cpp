@@ -1,4 +1,5 @@
-// Any bytes: an Error, or an expression that prints and reads back as itself.
+// Any bytes as a math string: an Error, or an expression whose printed form is read as the same
+// expression.
 #include <cstdlib>
 
 #include "fieldfab/core/error.h"

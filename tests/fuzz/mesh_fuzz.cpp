@@ -1,5 +1,5 @@
-// Any bytes as a mesh file, of the kind that the first byte chooses: an Error, or triangles of vertices that are there, which a
-// file of ours has again. For .3mf there is three_mf_fuzz.cpp.
+// Any bytes as a mesh file of the format selected by the first byte: an Error, or triangles with
+// valid indices that survive a round trip through our writer. three_mf_fuzz.cpp tests .3mf.
 #include <unistd.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Any bytes as a PNG picture, and as both slices of a volume: an Error, or pixels of the size that it tells.
+// Any bytes as a PNG picture, and as both slices of a volume: an Error, or pixels of the stated
+// size.
 #include <unistd.h>
 
 #include <cstdlib>

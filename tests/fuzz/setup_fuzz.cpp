@@ -1,4 +1,5 @@
-// Any text as a project of CAMotics, or as a set-up of the simulation, as the first byte chooses: an Error, or a set-up.
+// Any text as a project of CAMotics or as a simulation set-up, selected by the first byte: an
+// Error, or a set-up.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -20,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   }();
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  if (text.find("/dev") != std::string::npos || text.find("/proc") != std::string::npos) return 0;  // files without an end
+  // infinite files
+  if (text.find("/dev") != std::string::npos || text.find("/proc") != std::string::npos) return 0;
   const auto path = folder / (data[0] % 2 == 0 ? "setup.toml" : "setup.camotics");
   write_file(path, text);
   try {

@@ -1,5 +1,5 @@
-// Any bytes as a saved stock, within a checksum that is right: an Error, or a stock that can be cut and shown, and that is saved
-// as the same bytes.
+// Any bytes as a saved stock, with a valid checksum: an Error, or a stock that can be cut and
+// drawn, and that is saved as the same bytes.
 #include <unistd.h>
 #include <zlib.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using namespace fieldfab;
 
-/// A file around bytes of a stock.
+/// A file that contains the bytes of a stock.
 std::string file_of(const std::string& raw) {
   uLongf size = compressBound(raw.size());
   std::string body(size, '\0');

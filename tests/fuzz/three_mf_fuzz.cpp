@@ -1,5 +1,6 @@
-// Any bytes as a .3mf archive, or as the model part of one, as the first byte chooses: an Error, or triangles of vertices
-// that are there, which a file of ours has again, as one mesh and as parts.
+// Any bytes as a .3mf archive, or as the model part of one, selected by the first byte: an Error,
+// or triangles with valid indices that survive a round trip through our writer, as one mesh and as
+// parts.
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
   const auto path = folder / "a.3mf";
   PendingFile file(path);
-  if (data[0] == 'P') {  // an archive begins with it, too
+  if (data[0] == 'P') {  // an archive starts with it, too
     file.write(data, size);
   } else {
     ZipWriter zip(file);

@@ -1,4 +1,5 @@
-// Any bytes as both slices of a folder, and as a .tif file of several pages: an Error, or a volume that can be read.
+// Any bytes as both slices of a folder, and as a .tif file of several pages: an Error, or a volume
+// that can be read.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -22,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   for (const auto& path : {folder, folder / "1.tif"}) try {
       const VolumePtr volume = open_volume(path);
       const SampleLattice& lattice = volume->lattice();
-      if (lattice.count() > 1'000'000) continue;  // said by a small file: nothing is read before someone asks
+      // a small file may state a large size; slices are read on demand only
+      if (lattice.count() > 1'000'000) continue;
       std::vector<float> densities(lattice.count());
       volume->read(0, lattice.size[2], densities.data());
     } catch (const Error& error) {

@@ -1,11 +1,12 @@
-// Loaded into a program by LD_PRELOAD (tests/hosts/faults.py): makes one of its calls fail, ends it at one, or keeps a
-// journal of what a loss of power would leave of its files. Calls are counted while main() runs.
+// Preloaded by LD_PRELOAD (tests/hosts/faults.py): makes a call of a program fail, kills the
+// program at a call, or keeps a journal of the state of its files after a loss of power. Calls are
+// counted while main() runs.
 //
-//   FAULT_CALL    write, pwrite, fsync, rename, malloc, pthread_create, or any: one of the first four
-//   FAULT_AT      the number of the call that fails, from 1; it and all later ones with FAULT_LASTING
-//   FAULT_KILL    the process is killed in the place of that call
-//   FAULT_COUNT   a file that is told the number of calls at the end of main()
-//   FAULT_JOURNAL a folder for the file `journal`, and for files that were renamed over
+// FAULT_CALL: write, pwrite, fsync, rename, malloc, pthread_create, or any (one of the first four)
+// FAULT_AT: number of the failing call, from 1; with FAULT_LASTING also all later ones
+// FAULT_KILL: the process is killed instead of that call
+// FAULT_COUNT: a file that receives the number of calls at the end of main()
+// FAULT_JOURNAL: a folder for the file `journal`, and for copies of files that a rename replaces
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -45,7 +46,7 @@ Function next(const char* name) {
   return reinterpret_cast<Function>(dlsym(RTLD_NEXT, name));
 }
 
-/// Whether this call fails.
+/// Counts the call and returns whether it fails.
 bool fails(const char* name) {
   if (!counting) return false;
   const bool file_call = name[0] == 'w' || name[0] == 'f' || name[0] == 'r' || (name[0] == 'p' && name[1] == 'w');
@@ -56,7 +57,7 @@ bool fails(const char* name) {
   return true;
 }
 
-/// Standard streams are none of the files that are watched.
+/// Standard streams are not watched.
 bool is_file(int descriptor) { return descriptor > STDERR_FILENO && descriptor != journal; }
 
 void note(const char* format, auto... values) {
@@ -90,7 +91,7 @@ int watched_main(int argc, char** argv, char** environment) {
     std::snprintf(path, sizeof path, "%s/journal", journal_folder);
     journal = ::open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   }
-  ::unsetenv("LD_PRELOAD");  // programs that it starts are none of ours
+  ::unsetenv("LD_PRELOAD");  // not inherited by programs that it starts
   counting = true;
   const int code = real_main(argc, argv, environment);
   counting = false;

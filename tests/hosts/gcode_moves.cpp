@@ -1,5 +1,5 @@
-// gcode_moves FILE [TOOLS]: what read_gcode makes of a program, a motion a line, for tests/hosts/gcode_test.py.
-// TOOLS: lines of "number length diameter" in mm.
+// gcode_moves FILE [TOOLS]: prints the motions that read_gcode() returns for a program, one per
+// line, for tests/hosts/gcode_test.py. TOOLS: lines of "number length diameter" in mm.
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -68,94 +68,120 @@ def turned(x, y, angle):
     return c * x - s * y, s * x + c * y
 
 
+class Canon:
+    """Follows rs274's canonical calls and collects the moves that they make."""
+
+    def __init__(self):
+        self.moves = []
+        self.unit, self.plane, self.feed, self.feed_degrees, self.per_turn, self.synchronous = 1.0, 0, 0.0, 0.0, False, None
+        self.origin, self.axis_offset, self.angle, self.tool_offset = [0.0] * 6, [0.0] * 6, 0.0, (0.0, 0.0, 0.0)
+        self.speed, self.direction, self.tool = 0.0, 0, 0
+        self.last = (0.0,) * 6  # in program coordinates
+        self.at = self.axes(self.last)
+
+    def length(self, values):
+        return [v * (self.unit if k < 3 else 1) for k, v in enumerate(values)]
+
+    def tip(self, values):
+        p = [a + b for a, b in zip(values, self.axis_offset)]
+        p[0], p[1] = turned(p[0], p[1], self.angle)
+        return tuple(a + b for a, b in zip(p, self.origin))
+
+    def axes(self, values):
+        return tuple(t + o for t, o in zip(self.tip(values), (*self.tool_offset, 0, 0, 0)))
+
+    def add(self, kind, *place, **more):
+        self.moves.append(Move(kind, *place, plane=self.plane, tool=self.tool, spindle=self.speed * self.direction, unit=self.unit, line=self.line,
+                               offset=self.tool_offset, **more))
+
+    def arrive(self, program):
+        self.last, self.at = tuple(program), self.axes(program)
+
+    def call(self, line, name, words):
+        """Follows one call; `words` is what its parentheses hold."""
+        self.line = line
+        n = [float(x) for x in re.findall(r"-?\d+\.?\d*", words)]
+        if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE"):
+            self.straight(self.length(n[:6]), name == "STRAIGHT_TRAVERSE")
+        elif name == "RIGID_TAP":
+            for where, sign in ((self.length(n[:3]) + list(self.last[3:]), 1), (list(self.last), -1)):
+                self.add("feed", self.tip(where), feed=self.synchronous * self.unit * self.speed)
+                self.moves[-1].spindle *= sign
+        elif name == "ARC_FEED":
+            self.arc(n)
+        elif name == "NURBS_FEED":
+            self.add("spline")
+        elif name in ("CHANGE_TOOL", "CHANGE_TOOL_NUMBER"):
+            self.tool = int(n[0])
+            self.add("tool_change", self.tip(self.last))
+        elif name == "DWELL":
+            self.add("dwell", self.tip(self.last), seconds=n[0])
+        elif name in ("PROGRAM_STOP", "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE_STOP"):
+            self.add("stop", self.tip(self.last))
+        elif name == "PROGRAM_END":
+            self.add("end", self.tip(self.last))
+        else:
+            self.set_mode(name, n, words)
+
+    def straight(self, program, rapid):
+        rate = self.feed
+        if self.synchronous is not None:
+            rate = self.synchronous * self.unit * self.speed
+        elif all(abs(a - b) < 1e-4 * self.unit for a, b in zip(self.axes(program)[:3], self.at[:3])) and program[3:] != list(self.at[3:]):
+            rate = self.feed_degrees * math.pi / 180
+        if self.per_turn and self.synchronous is None:
+            rate *= self.speed
+        self.add("rapid" if rapid else "feed", self.tip(program), feed=0 if rapid else rate)
+        self.arrive(program)
+
+    def arc(self, n):
+        """`n`: end 1, end 2, centre 1, centre 2, turns, axis end, A, B, C."""
+        first, second, third = ((0, 1, 2), (2, 0, 1), (1, 2, 0))[self.plane]
+        program, centre = [0.0] * 3 + n[6:9], [0.0] * 6
+        program[first], program[second], program[third] = n[0] * self.unit, n[1] * self.unit, n[5] * self.unit
+        centre[first], centre[second], centre[third] = n[2] * self.unit, n[3] * self.unit, n[5] * self.unit
+        middle = self.tip(centre)
+        self.add("arc", self.tip(program), centre=(middle[first], middle[second]), turns=int(n[4]), feed=self.feed * (self.speed if self.per_turn else 1))
+        self.arrive(program)
+
+    def set_mode(self, name, n, words):
+        if name == "USE_LENGTH_UNITS":
+            self.unit = 25.4 if "INCHES" in words else 1.0
+        elif name == "SELECT_PLANE":
+            self.plane = {"CANON_PLANE_XY": 0, "CANON_PLANE_XZ": 1, "CANON_PLANE_YZ": 2}[words]
+        elif name == "SET_G5X_OFFSET":
+            self.origin = self.length(n[1:7])
+        elif name == "SET_G92_OFFSET":
+            self.axis_offset = self.length(n[:6])
+        elif name == "SET_XY_ROTATION":
+            self.angle = n[0]
+        elif name == "USE_TOOL_LENGTH_OFFSET":
+            self.tool_offset = tuple(self.length(n[:3]))
+        elif name == "SET_FEED_RATE":
+            self.feed, self.feed_degrees = n[0] * self.unit, n[0]
+        elif name == "SET_FEED_MODE":
+            self.per_turn = n[1] == 1
+        elif name == "START_SPEED_FEED_SYNC":
+            self.synchronous = n[0]
+        elif name == "STOP_SPEED_FEED_SYNCH":
+            self.synchronous = None
+        elif name == "SET_SPINDLE_SPEED":
+            self.speed = n[1]
+        elif name == "START_SPINDLE_CLOCKWISE":
+            self.direction = 1
+        elif name == "START_SPINDLE_COUNTERCLOCKWISE":
+            self.direction = -1
+        elif name in ("STOP_SPINDLE_TURNING", "ORIENT_SPINDLE"):
+            self.direction = 0
+
+
 def canonical_moves(lines):
-    moves = []
-    unit, plane, feed, feed_degrees, per_turn, synchronous = 1.0, 0, 0.0, 0.0, False, None
-    origin, axis_offset, angle, tool_offset = [0.0] * 6, [0.0] * 6, 0.0, (0.0, 0.0, 0.0)
-    speed, direction, tool, selected = 0.0, 0, 0, 0
-    last = (0.0,) * 6
-    length = lambda values: [v * (unit if k < 3 else 1) for k, v in enumerate(values)]
-
-    def tip(values):
-        p = [a + b for a, b in zip(values, axis_offset)]
-        p[0], p[1] = turned(p[0], p[1], angle)
-        return tuple(a + b for a, b in zip(p, origin))
-
-    axes = lambda values: tuple(t + o for t, o in zip(tip(values), (*tool_offset, 0, 0, 0)))
-    at = axes(last)
-
+    canon = Canon()
     for line in lines:
         found = re.match(r"\s*\d+\s+N\S*\s+(\w+)\((.*)\)\s*$", line)
-        if not found or found[1] in ("COMMENT", "MESSAGE"):
-            continue
-        name, n = found[1], [float(x) for x in re.findall(r"-?\d+\.?\d*", found[2])]
-        common = dict(plane=plane, tool=tool, spindle=speed * direction, unit=unit, line=line.strip(), offset=tool_offset)
-        if name in ("STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "STRAIGHT_PROBE"):
-            program = length(n[:6])
-            rapid = name == "STRAIGHT_TRAVERSE"
-            rate = feed
-            if not rapid:
-                if synchronous is not None:
-                    rate = synchronous * unit * speed
-                elif all(abs(a - b) < 1e-4 * unit for a, b in zip(axes(program)[:3], at[:3])) and program[3:] != list(at[3:]):
-                    rate = feed_degrees * math.pi / 180
-                if per_turn and synchronous is None:
-                    rate *= speed
-            moves.append(Move("rapid" if rapid else "feed", tip(program), feed=0 if rapid else rate, **common))
-            last, at = tuple(program), axes(program)
-        elif name == "RIGID_TAP":
-            for where, sign in ((length(n[:3]) + list(last[3:]), 1), (list(last), -1)):
-                moves.append(Move("feed", tip(where), feed=synchronous * unit * speed, **common))
-                moves[-1].spindle *= sign
-        elif name == "ARC_FEED":  # end1, end2, centre1, centre2, turns, axis end, A, B, C
-            first, second, third = ((0, 1, 2), (2, 0, 1), (1, 2, 0))[plane]
-            program, centre = [0.0] * 3 + n[6:9], [0.0] * 6
-            program[first], program[second], program[third] = n[0] * unit, n[1] * unit, n[5] * unit
-            centre[first], centre[second], centre[third] = n[2] * unit, n[3] * unit, n[5] * unit
-            at = tip(centre)
-            moves.append(Move("arc", tip(program), centre=(at[first], at[second]), turns=int(n[4]), feed=feed * (speed if per_turn else 1), **common))
-            last, at = tuple(program), axes(program)
-        elif name == "NURBS_FEED":
-            moves.append(Move("spline", **common))
-        elif name == "USE_LENGTH_UNITS":
-            unit = 25.4 if "INCHES" in found[2] else 1.0
-        elif name == "SELECT_PLANE":
-            plane = {"CANON_PLANE_XY": 0, "CANON_PLANE_XZ": 1, "CANON_PLANE_YZ": 2}[found[2]]
-        elif name == "SET_G5X_OFFSET":
-            origin = length(n[1:7])
-        elif name == "SET_G92_OFFSET":
-            axis_offset = length(n[:6])
-        elif name == "SET_XY_ROTATION":
-            angle = n[0]
-        elif name == "USE_TOOL_LENGTH_OFFSET":
-            tool_offset = tuple(length(n[:3]))
-        elif name == "SET_FEED_RATE":
-            feed, feed_degrees = n[0] * unit, n[0]
-        elif name == "SET_FEED_MODE":
-            per_turn = n[1] == 1
-        elif name == "START_SPEED_FEED_SYNC":
-            synchronous = n[0]
-        elif name == "STOP_SPEED_FEED_SYNCH":
-            synchronous = None
-        elif name == "SET_SPINDLE_SPEED":
-            speed = n[1]
-        elif name == "START_SPINDLE_CLOCKWISE":
-            direction = 1
-        elif name == "START_SPINDLE_COUNTERCLOCKWISE":
-            direction = -1
-        elif name in ("STOP_SPINDLE_TURNING", "ORIENT_SPINDLE"):
-            direction = 0
-        elif name in ("CHANGE_TOOL", "CHANGE_TOOL_NUMBER"):
-            tool = int(n[0])
-            common["tool"] = tool
-            moves.append(Move("tool_change", tip(last), **common))
-        elif name == "DWELL":
-            moves.append(Move("dwell", tip(last), seconds=n[0], **common))
-        elif name in ("PROGRAM_STOP", "OPTIONAL_PROGRAM_STOP", "PALLET_SHUTTLE_STOP"):
-            moves.append(Move("stop", tip(last), **common))
-        elif name == "PROGRAM_END":
-            moves.append(Move("end", tip(last), **common))
-    return moves
+        if found and found[1] not in ("COMMENT", "MESSAGE"):
+            canon.call(line.strip(), found[1], found[2])
+    return canon.moves
 
 
 def difference(a, b):

@@ -7,15 +7,17 @@ import os
 import socket
 import time
 
+import numpy as np
 import pytest
 from conftest import BUILD
 from documents import DOCUMENTS
-from selenium import webdriver
+from rs274 import moves
 from selenium.webdriver import ActionChains
-from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
-from web_server import Server
+from web_server import Server, chromium
+
+import fieldfab as ff
 
 SECONDS = 40  # that anything may take on a busy machine
 SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
@@ -23,20 +25,8 @@ SHOTS = os.environ.get("FIELDFAB_SHOTS")  # a folder for pictures of the page
 
 @pytest.fixture(scope="module")
 def browser():
-    options = webdriver.ChromeOptions()
-    options.binary_location = "/usr/bin/chromium"
-    for each in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-proxy-server", "--window-size=1360,860", "--force-device-scale-factor=1"):
-        options.add_argument(each)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    kept = os.environ.copy()
-    os.environ["no_proxy"] = "127.0.0.1,localhost"
-    try:
-        driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+    with chromium() as driver:
         yield driver
-        driver.quit()
-    finally:
-        os.environ.clear()
-        os.environ.update(kept)
 
 
 @pytest.fixture(scope="module")
@@ -67,8 +57,8 @@ class Page:
     def script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
 
-    def until(self, condition, what):
-        end, now = time.monotonic() + SECONDS, None
+    def until(self, condition, what, seconds=SECONDS):
+        end, now = time.monotonic() + seconds, None
         while time.monotonic() < end:
             with contextlib.suppress(Exception):  # elements come and go
                 if now := condition():
@@ -76,7 +66,7 @@ class Page:
             time.sleep(0.05)
         shot = f"/tmp/fabserver-{os.getpid()}.png"
         self.browser.save_screenshot(shot)
-        raise AssertionError(f"{what}: not within {SECONDS} s ({shot}); {self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
+        raise AssertionError(f"{what}: not within {seconds} s ({shot}); {self.text('#message')} {self.text('#sheet-message')} {self.text('#away')}")
 
     def text(self, selector):
         return self.script("return document.querySelector(arguments[0])?.textContent ?? ''", selector)
@@ -312,6 +302,106 @@ def test_names_and_texts_never_become_html(page, folder):
     assert "evil.json" in page.browser.title
 
 
+def test_a_scan_by_upload(page, folder, tmp_path):
+    """A scan becomes a model whose threshold is slid beside its histogram; the picture follows."""
+    at = np.indices((32, 32, 32)) - 15.5
+    ff.Volume(np.clip(100 + 40 * (8 - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32), origin=(-15.5, -15.5, -15.5)).save(tmp_path / "ball.nii.gz")
+    page.open()
+    page.until(lambda: page.find("#new-scan").is_displayed(), "the gallery")
+    page.find("#scan-file").send_keys(str(tmp_path / "ball.nii.gz"))
+    page.until(lambda: page.find("#histogram svg").is_displayed(), "the histogram")
+    page.settled()
+    page.find("#mode option[value=bitmap]").click()
+    page.settled()
+    area = page.coloured()
+    level = float(page.find("#sliders input[type=number]").get_attribute("value"))
+    assert abs(area / (math.pi * (8 + (100 - level) / 40) ** 2) - 1) < 0.05
+    bar = page.find("#histogram svg")
+    ActionChains(page.browser).move_to_element_with_offset(bar, round(-0.3 * bar.size["width"]), 0).click().perform()
+    page.until(lambda: f'{float(page.find("#sliders input[type=number]").get_attribute("value")):g}' in (folder / "ball.frep").read_text() and page.coloured() > 1.1 * area, "a lower threshold")
+    page.shot("web_scan")
+    assert (folder / "ball.nii.gz").read_bytes() == (tmp_path / "ball.nii.gz").read_bytes()
+
+
+def set_value(page, selector, value):
+    page.script("const e = document.querySelector(arguments[0]); e.value = arguments[1]; e.dispatchEvent(new Event('change'))", selector, str(value))
+
+
+def program_of(page, server, path):
+    """Downloads what the link to the program leads to."""
+    link = next(each for each in page.browser.find_elements(By.CSS_SELECTOR, "#job-result a") if each.text == "Program")
+    status, _, data = server[0].ask("GET", link.get_attribute("href").split(str(server[0].port))[1])
+    assert status == 200
+    path.write_bytes(data)
+    return link.get_attribute("download")
+
+
+def plan(page, button="#simulate"):
+    shown = page.find("#stage").get_attribute("data-shown") or "0"
+    page.find(button).click()
+    page.until(lambda: (page.find("#stage").get_attribute("data-shown") or "0") != shown or page.text("#job-message"), "a plan", 200)
+    assert page.text("#job-message") == ""
+
+
+def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
+    """Keeter 6: from a scan to a machine, in stacked panels; the program is read by LinuxCNC."""
+    page.open("ball.frep")  # the scan that was uploaded above
+    page.until(lambda: page.find("#picture").get_attribute("data-shown"), "the picture")
+    page.find("#machine").click()
+    page.until(lambda: page.find("#panels [data-setting=diameter]").is_displayed(), "the panels")
+    set_value(page, "#panels [data-setting=diameter]", 4)
+    page.until(lambda: json.loads((folder / "ball.job").read_text())["tools"][0]["diameter"] == 4, "the job's file")
+    plan(page)
+    page.shot("web_machine")
+    assert "The simulation found" in page.text("#job-result") and "s" in page.text("#job-time")
+    assert program_of(page, server, tmp_path / "program.ngc") == "ball.ngc"
+    places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 4),))
+    assert len(places) > 100 and {"STRAIGHT_TRAVERSE", "STRAIGHT_FEED"} <= set(kinds)
+
+    view = "return document.querySelector('#stage canvas').toDataURL()"
+    end = page.script(view)
+    page.script("const bar = document.querySelector('#stage input'); bar.value = 300; bar.dispatchEvent(new Event('input'))")
+    page.until(lambda: page.script(view) != end, "the stock at an earlier time")
+    middle, still = page.script(view), page.find("#stage").get_attribute("data-still")
+    ActionChains(page.browser).click_and_hold(page.find("#stage .scene")).move_by_offset(70, 20).release().perform()
+    page.until(lambda: page.script(view) != middle, "the stock, turned")
+    page.find("#stage .film button").click()
+    page.until(lambda: int(page.find("#stage").get_attribute("data-still")) > int(still) + 1, "the film")
+    page.find("#stage .film button").click()
+
+
+def test_panels_of_a_job(page, folder, server, tmp_path):
+    """Operations are added, ordered and removed; settings that do not matter are not shown; mistakes are told; all is there after a reload."""
+    (folder / "plate.frep").write_text("rounded_rectangle(30, 20, 3) - circle(5)\n")
+    page.open("plate.frep")
+    page.settled()
+    page.find("#machine").click()
+    page.until(lambda: page.find("#panels [data-setting=type]").get_attribute("value") == "profile", "a profile, for a flat model")
+    assert not page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=tab_width]")
+    set_value(page, "[data-setting=tabs]", 2)
+    page.until(lambda: page.find("[data-setting=tab_width]").is_displayed(), "the tabs' width")
+    page.find("button[aria-label='Add to operations']").click()
+    page.until(lambda: len(page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=type]")) == 2, "another operation")
+    page.script("const e = document.querySelectorAll('[data-setting=type]')[1]; e.value = 'pocket'; e.dispatchEvent(new Event('change'))")
+    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]] == ["profile", "pocket"], "the job's file")
+    page.script("document.querySelectorAll('button[aria-label=Earlier]')[2].click()")
+    page.until(lambda: [each["type"] for each in json.loads((folder / "plate.job").read_text())["operations"]] == ["pocket", "profile"], "the other order")
+    plan(page, "#plan")
+    program_of(page, server, tmp_path / "program.ngc")
+    assert len(moves(tmp_path / "program.ngc", tools=((1, 40, 3),))[0]) > 20
+    set_value(page, "[data-setting=machine]", "epilog")
+    page.until(lambda: json.loads((folder / "plate.job").read_text())["machine"] == "epilog", "another machine")
+    assert page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=material]") or page.browser.find_elements(By.CSS_SELECTOR, "[data-setting=power]")
+    page.browser.refresh()
+    page.settled()
+    page.find("#machine").click()
+    page.until(lambda: page.find("[data-setting=machine]").get_attribute("value") == "epilog", "the job, after a reload")
+    set_value(page, "[data-setting=machine]", "linuxcnc")
+    set_value(page, "[data-setting=diameter]", 0)
+    page.find("#plan").click()
+    page.until(lambda: page.text("#job-message"), "what is wrong with a tool without a diameter")
+
+
 def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):
     newer = sheet(version=2)
     (folder / "newer.json").write_text(newer)
@@ -344,10 +434,13 @@ def test_the_page_is_accessible(page, folder, theme):
     page.open()
     page.script("localStorage.setItem('fabserver theme', arguments[0])", theme)
     (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
-    for name in ("nodes.json", "part.frep", ""):
-        page.open(name)
+    for name in ("nodes.json", "part.frep", "part.frep, its machine", ""):
+        page.open(name.split(",")[0])
         if name:
             page.settled()
+            if "machine" in name:
+                page.find("#machine").click()
+                page.until(lambda: page.find("#panels select").is_displayed(), "the panels")
         else:
             page.until(lambda: page.find("#examples .card").is_displayed(), "the gallery")
         page.script(axe.read_text())

@@ -16,14 +16,16 @@ import zlib
 import aiohttp
 import numpy as np
 from conftest import COMMAND
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
 
 
 class Server:
     """A server on a port of its own, or on a given one, with its documents in `folder`."""
 
-    def __init__(self, folder, *options, port=0, **environment):
+    def __init__(self, folder, *options, port=0, command=(COMMAND, "serve"), **environment):
         kept = {name: value for name, value in os.environ.items() if not name.lower().endswith("_proxy")}
-        words = [COMMAND, "serve", folder, "--no-browser", "--port", str(port), *options]
+        words = [*command, folder, "--no-browser", "--port", str(port), *options]
         self.process = subprocess.Popen(list(map(str, words)), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env={**kept, **environment}, start_new_session=True)
         self.said = self.process.stdout.readline()
         self.address = re.search(r"http://\S+", self.said)[0]
@@ -63,12 +65,24 @@ class Server:
 
     def workers(self):
         """Process numbers of its workers."""
-        found = []
-        for name in os.listdir("/proc"):
-            with contextlib.suppress(OSError, ValueError):
-                if name.isdigit() and int(open(f"/proc/{name}/stat").read().rpartition(")")[2].split()[1]) == self.process.pid:
-                    found.append(int(name))
-        return found
+        return children(self.process.pid)
+
+
+def children(parent):
+    """Numbers of the processes that a process started."""
+    found = []
+    for name in os.listdir("/proc"):
+        with contextlib.suppress(OSError, ValueError):
+            if name.isdigit() and int(open(f"/proc/{name}/stat").read().rpartition(")")[2].split()[1]) == parent:
+                found.append(int(name))
+    return found
+
+
+def wait_until(condition, what, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, f"{what}: not within {seconds} s"
+        time.sleep(0.05)
 
 
 def pixels(data):
@@ -122,3 +136,25 @@ class Socket:
             answers.append(await self.receive(end - time.monotonic()))
             if wanted(answers[-1][0]):
                 return answers
+
+
+@contextlib.contextmanager
+def chromium():
+    """A browser without a window; WebGL is drawn by the processor."""
+    options = webdriver.ChromeOptions()
+    options.binary_location = "/usr/bin/chromium"
+    for each in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--no-proxy-server",
+                 "--window-size=1360,860", "--force-device-scale-factor=1"):  # fmt: skip
+        options.add_argument(each)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    kept = os.environ.copy()
+    os.environ["no_proxy"] = "127.0.0.1,localhost"
+    try:
+        driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        try:
+            yield driver
+        finally:
+            driver.quit()
+    finally:
+        os.environ.clear()
+        os.environ.update(kept)

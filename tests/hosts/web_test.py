@@ -8,14 +8,18 @@ import signal
 import socket as sockets
 import struct
 import subprocess
+import sys
 import time
 import zlib
 
 import aiohttp
+import distributed
 import numpy as np
 import pytest
-from conftest import COMMAND
-from web_server import Server, Socket, pixels
+import web_hostile
+from conftest import BUILD, COMMAND
+from rs274 import moves
+from web_server import Server, Socket, children, pixels, wait_until
 
 import fieldfab as ff
 
@@ -300,6 +304,37 @@ def test_jobs_are_cancelled_and_refused(server):
     assert status == 404
 
 
+def test_jobs_run_on_a_cluster(tmp_path):
+    """As on this machine: files, mistakes, progress, an end on request; a cluster that is away is told."""
+    path = {"PYTHONPATH": str(BUILD / "python")}
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None, env=path) as cluster:
+        [nanny] = cluster.workers.values()
+        running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+        workers = running.workers()
+        try:
+            job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
+            assert job["state"] == "done" and job["progress"] == 1, job
+            (tmp_path / "ball.stl").write_bytes(running.ask("GET", f"/api/jobs/{job['job']}/file")[2])
+            assert abs(ff.Mesh.load(tmp_path / "ball.stl").volume / (4 / 3 * np.pi * 125) - 1) < 0.01
+            job = finished(running, running.post("/api/files", {"text": "spheer(5)", "extension": ".stl"})[1])
+            assert job["state"] == "failed" and "did you mean 'sphere'?" in job["error"]["message"]
+
+            _, job = running.post("/api/files", {"text": ENDLESS, "extension": ".stl"})
+            wait_until(lambda: children(nanny.pid), "the job's process on the cluster")
+            assert running.workers() == workers, "no process of the server's own"
+            assert running.ask("DELETE", f"/api/jobs/{job['job']}")[0] == 200
+            assert finished(running, job)["state"] == "cancelled"
+            wait_until(lambda: not children(nanny.pid), "its end")
+        finally:
+            running.end()
+    running = Server(tmp_path, "--scheduler", cluster.scheduler_address, command=(sys.executable, "-m", "fieldfab.serve"), **path)
+    try:
+        job = finished(running, running.post("/api/files", {**SPHERE, "extension": ".stl"})[1])
+        assert job["state"] == "failed" and "does not answer" in job["error"]["message"]
+    finally:
+        running.end()
+
+
 # Documents
 
 
@@ -354,6 +389,124 @@ def test_texts_open_files_of_the_folder_only(server, folder, tmp_path):
     refused(server.post("/api/look", {"text": 'open("aside.frep")'}), 422, "is not in the folder")
 
 
+# Machining
+
+TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 20, "length": 40}
+JOB = {"machine": "linuxcnc", "zero": "corner", "stock": {"margin": 2, "top": 1}, "tools": [TOOL], "operations": [{"type": "rough", "tool": 1, "allowance": 0}]}
+BLOCK = "box(30, 20, 8) - move(box(8, 8, 8), 0, 0, 4)"
+
+
+def test_the_tables_of_machines_and_operations(server):
+    told = json.loads(server.ask("GET", "/api/machining")[2])
+    assert {each["id"] for each in told["machines"]} == set(ff.cam.machines())
+    rough = next(each for each in told["operations"] if each["name"] == "rough")
+    assert {"cell", "stepover", "allowance", "bottom"} <= {each["name"] for each in rough["settings"]} and {"feed", "spindle"} <= {each["name"] for each in told["joining"]}
+
+
+def test_a_program_is_planned_and_simulated(server, tmp_path):
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": JOB, "simulate": True})[1])
+    assert job["state"] == "done", job
+    told, file = job["result"], lambda name: server.ask("GET", f"/api/jobs/{job['job']}/files/{name}")
+    assert told["good"] and told["events"] == [] and told["removed"] > 300 and 20 < told["seconds"] < 2000 and told["stock"][3] - told["stock"][0] > 34
+    (tmp_path / "program.ngc").write_bytes(file("program.ngc")[2])
+    places, kinds, _ = moves(tmp_path / "program.ngc", tools=((1, 40, 6),))
+    assert len(places) > 20 and places[:, 2].min() > -9.1 and "STRAIGHT_FEED" in kinds
+    assert server.ask("GET", f"/api/jobs/{job['job']}/file")[2] == (tmp_path / "program.ngc").read_bytes()
+    for name in ("sheet.html", "report.html"):
+        status, headers, data = file(name)
+        assert status == 200 and b"<html" in data and "sandbox" in headers["Content-Security-Policy"] and "script" not in headers["Content-Security-Policy"].replace("sandbox allow-popups", "")
+    stock, data = json.loads(file("stock.json")[2]), file("stock.bin")[2]
+    volumes = [drawn_volume(stock["stills"][: i + 1], data) for i in (0, len(stock["stills"]) - 1)]
+    assert abs(volumes[0] - volumes[1] - told["removed"]) < 0.05 * told["removed"], "what is drawn is what was removed"
+    assert {int(pose[6]) for pose in stock["poses"]} == {1} and set(stock["tools"]["1"]) >= {"cutting"}
+    (tmp_path / "part.frep").write_text(BLOCK)
+    (tmp_path / "job.toml").write_bytes(file("job.toml")[2])
+    subprocess.run([COMMAND, "cam", tmp_path / "job.toml", "-o", tmp_path / "again.ngc"], check=True, capture_output=True)
+    assert (tmp_path / "again.ngc").read_text().splitlines()[3:] == (tmp_path / "program.ngc").read_text().splitlines()[3:], "the command plans the same"
+    assert file("setup.py")[0] == 404 and file("..%2F..%2Fapp.py")[0] == 404
+
+
+def drawn_volume(stills, data):
+    """The volume within the newest pieces of a surface."""
+    newest = {piece["piece"]: piece for still in stills for piece in still["pieces"]}
+    total = 0
+    for piece in newest.values():
+        vertices = np.frombuffer(data, "<f4", 3 * piece["vertices"], piece["at"]).reshape(-1, 3).astype(float)
+        a, b, c = vertices[np.frombuffer(data, "<u2" if piece["vertices"] < 65536 else "<u4", 3 * piece["triangles"], piece["corners"]).reshape(-1, 3).T]
+        total += np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
+    return total
+
+
+@pytest.mark.parametrize("change, words", [
+    ({"machine": "../mine.toml"}, "must be one of"), ({"tools": [{**TOOL, "library": "/etc/passwd"}]}, "'library' is no setting"), ({"stock": {"file": "/etc/passwd"}}, "'file' is no setting"),
+    ({"input": {"model": "x"}}, "must be an object of"), ({"tools": [{**TOOL, "name": 'x"\nlibrary = "y'}]}, "short text"), ({"operations": [{'type"]\n': "x"}]}, "no setting"),
+    ({"operations": [{"type": "rough", "tool": 1, "feed": float("nan")}]}, "finite"), ({"tools": [TOOL] * 51}, "at most 50"),
+])  # fmt: skip
+def test_jobs_name_no_files(server, change, words):
+    refused(server.post("/api/machine", {"text": BLOCK, "job": {**JOB, **change}}), 400, words)
+
+
+def test_what_a_job_lacks_is_told(server):
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "operations": [{"type": "rough", "tool": 1, "stepovr": 1}]}})[1])
+    assert job["state"] == "failed" and "stepover" in job["error"]["message"]
+    job = finished(server, server.post("/api/machine", {"text": BLOCK, "job": {**JOB, "tools": [{**TOOL, "name": '"]x'}], "operations": []}})[1])
+    assert job["state"] == "failed" and "operation" in job["error"]["message"]
+
+
+# Scans
+
+
+def ball_scan(path, radius=8, size=32):
+    """Densities 0 to 200, 100 at the surface of a ball; a sample a mm."""
+    at = np.indices((size, size, size)) - (size - 1) / 2
+    ff.Volume(np.clip(100 + 40 * (radius - np.sqrt((at**2).sum(axis=0))), 0, 200).astype(np.float32)).save(path)
+    return path.read_bytes()
+
+
+def test_a_scan_is_uploaded_looked_at_and_shown(server, folder, tmp_path):
+    data = ball_scan(tmp_path / "ball.nii.gz")
+    assert server.ask("PUT", "/api/scans/ball.nii.gz", data)[0] == 201
+    assert open(f"{folder}/ball.nii.gz", "rb").read() == data
+    assert server.ask("PUT", "/api/scans/ball.nii.gz", b"other")[0] == 409 and open(f"{folder}/ball.nii.gz", "rb").read() == data
+    assert json.loads(server.ask("GET", "/api/documents")[2])["scans"] == ["ball.nii.gz"]
+    status, scan = server.post("/api/scan", {"name": "ball.nii.gz"})
+    assert status == 200 and scan["size"] == [32, 32, 32] and sum(scan["counts"]) == 32**3 and len(scan["counts"]) <= 256
+    assert scan["from"] <= 0 and scan["to"] >= 200 and 60 < scan["halfway"] < 140
+    for level, within in ((100, False), (60, True)):
+        text = f'level = {level}\nopen("ball.nii.gz", threshold = level)\n'
+        values = server.post("/api/values", {"text": text, "points": [[15.5, 15.5, 15.5], [15.5, 15.5 + 8.5, 15.5]]})[1]["values"]
+        assert values[0] < 0 and (values[1] < 0) == within
+    assert server.ask("DELETE", "/api/scans/ball.nii.gz")[0] == 200 and not os.path.exists(f"{folder}/ball.nii.gz")
+    refused(server.post("/api/scan", {"name": "ball.nii.gz"}), 404, "no scan")
+
+
+@pytest.mark.parametrize("name", ["../out.nii", "..%2Fout.nii", "%2Fetc%2Fpasswd.nii", ".hidden.nii", "x.nrrd", "x.frep", "x.nii%00.sh", "a" * 200 + ".nii"])
+def test_scans_stay_in_the_folder(server, folder, name):
+    before = sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))
+    assert server.ask("PUT", f"/api/scans/{name}", b"data")[0] in (400, 404, 405)
+    assert server.ask("DELETE", f"/api/scans/{name}")[0] in (400, 404, 405)
+    assert (sorted(os.listdir(folder)), sorted(os.listdir(os.path.dirname(folder)))) == before
+
+
+def test_scans_are_whole_or_refused(server, folder, tmp_path):
+    os.symlink(tmp_path / "elsewhere.nii", f"{folder}/link.nii")
+    (tmp_path / "elsewhere.nii").write_bytes(b"secret")
+    refused(server.post("/api/scan", {"name": "link.nii"}), 404)
+    assert server.ask("PUT", "/api/scans/link.nii", b"data")[0] == 409 and (tmp_path / "elsewhere.nii").read_bytes() == b"secret"
+    assert server.ask("PUT", "/api/scans/empty.nii", b"")[0] == 400
+    assert server.ask("PUT", "/api/scans/garbage.nii", os.urandom(4000))[0] == 201
+    refused(server.post("/api/scan", {"name": "garbage.nii"}), 422)
+    os.remove(f"{folder}/garbage.nii"), os.remove(f"{folder}/link.nii")
+    with sockets.create_connection(("127.0.0.1", server.port)) as half:  # it ends in the middle
+        half.sendall(f"PUT /api/scans/half.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 100000\r\n\r\n".encode() + bytes(50_000))
+        wait_until(lambda: any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's beginning")
+    wait_until(lambda: not any(each.startswith(".upload") for each in os.listdir(folder)), "the upload's end")
+    assert not os.path.exists(f"{folder}/half.nii")
+    with sockets.create_connection(("127.0.0.1", server.port)) as long:
+        long.sendall(f"PUT /api/scans/long.nii HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nContent-Length: 2000000000\r\n\r\n".encode())
+        assert b" 413 " in long.recv(1000)
+
+
 # Safety
 
 
@@ -376,7 +529,7 @@ def test_the_page_has_a_policy(server):
     sandbox = server.ask("GET", "/page/sandbox.html")[1]["Content-Security-Policy"]
     assert "sandbox allow-scripts;" in sandbox and "connect-src 'none'" in sandbox and "allow-same-origin" not in sandbox
     assert server.ask("GET", "/page/..%2Fapp.py")[0] == 404 and server.ask("GET", "/page/app.py")[0] == 404
-    page = sum(len(zlib.compress(server.ask("GET", f"/page/{name}")[2])) for name in ("page.js", "style.css", "sandbox.html"))
+    page = sum(len(zlib.compress(server.ask("GET", f"/page/{name}")[2])) for name in os.listdir(BUILD / "python" / "fieldfab" / "serve" / "page"))
     assert page < 400_000
 
 
@@ -423,6 +576,19 @@ def test_garbage_and_idle_connections_do_no_harm(server):
     assert server.post("/api/look", SPHERE)[0] == 200
     for each in idle:
         each.close()
+
+
+def test_a_short_siege(tmp_path):
+    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A polite client gets its
+    pictures all the while, the server's memory stays, and it leaves and says nothing."""
+    running = Server(tmp_path)
+    try:
+        waited, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))
+    finally:
+        running.kill()
+    assert waited and max(waited) < 60
+    assert max(server for _, server, _ in memory) < 250 and max(workers for _, _, workers in memory) < 4000
+    assert said == "" and os.listdir(tmp_path) == []
 
 
 def test_the_command_tells_what_is_wrong(tmp_path):

@@ -1,4 +1,5 @@
-// Writes three parts to the files named, for hosts/formats_test.py: boxes of 30 by 20 by 10 mm, one above the other.
+// Writes three parts to the given files, for hosts/formats_test.py: boxes of 30 by 20 by 10 mm,
+// stacked.
 #include <cstdio>
 
 #include "fieldfab/core/error.h"

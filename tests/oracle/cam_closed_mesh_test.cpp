@@ -1,5 +1,5 @@
-// The closed mesh of a stock, whose flats are merged, against the same with all its vertices; and what a simulation says of
-// deviations against what all those vertices say.
+// Closed mesh of a stock with simplified flats, compared with the full mesh; and deviations from a
+// simulation, compared with those of all vertices of the full mesh.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using Place = std::array<float, 3>;
 
 Vec3 vector(const Place& p) { return {p[0], p[1], p[2]}; }
 
-/// All vertices: the pieces put together at equal places.
+/// The full mesh: the pieces joined at equal points.
 struct Fine {
   TriangleMesh mesh;
   std::vector<std::uint32_t> cuts;
@@ -56,7 +56,7 @@ Tool cutter(const std::string& shape) {
   return tool;
 }
 
-/// Random strokes with several cutters, level along an axis for the most part.
+/// A stock after random strokes with several cutters, most of them parallel to an axis.
 Stock random_stock(std::mt19937& random, int brick, double height) {
   StockSettings settings;
   settings.cell = 0.2;
@@ -81,7 +81,7 @@ Stock random_stock(std::mt19937& random, int brick, double height) {
   return stock;
 }
 
-/// Whether a place lies on one of the triangles that are level there, seen along the axis.
+/// Whether a point lies on one of the axis-aligned triangles, in projection along the axis.
 bool on_level_triangle(const TriangleMesh& mesh, const std::vector<std::uint32_t>& level, const Vec3& p, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   for (const std::uint32_t i : level) {
@@ -115,10 +115,11 @@ TEST_P(ClosedMeshTwin, IsTheSameSurfaceWithFewerVertices) {
     const TriangleMesh mesh = stock.mesh(&cuts);
     ASSERT_EQ(cuts.size(), mesh.vertices.size());
     expect_closed(mesh);
-    // It does not even overlap itself within a plane: the area is the same as well.
+    // The area is equal, too, so that the mesh does not overlap itself within a plane.
     EXPECT_NEAR(mesh.volume(), fine.mesh.volume(), 1e-6 * fine.mesh.volume());
     EXPECT_NEAR(mesh.area(), fine.mesh.area(), 1e-6 * fine.mesh.area());
-    // Its vertices are fine ones, or in the middle of some; all are used. Those that are gone lie on level triangles of theirs.
+    // Its vertices are those of the full mesh, or centres of several; all are used. Removed
+    // vertices lie on axis-aligned triangles of the same cut.
     std::map<Place, std::uint32_t> left;
     for (std::uint32_t v = 0; v < cuts.size(); ++v) left.emplace(mesh.vertices[v], cuts[v]);
     ASSERT_EQ(left.size(), cuts.size());
@@ -168,10 +169,10 @@ TEST(ClosedMesh, OfAnUncutBoxHasFewTriangles) {
   const Stock stock({{0, 0, 0}, {40, 30, 2}}, settings);
   const TriangleMesh mesh = stock.mesh();
   EXPECT_TRUE(inspect(mesh).valid());
-  EXPECT_LT(mesh.triangles.size(), 30'000u);  // the rims keep their vertices: of 548,000
+  EXPECT_LT(mesh.triangles.size(), 30'000u);  // the rims keep their vertices; 548,000 in the full mesh
 }
 
-// Simulations: a program that cuts too deep here and there, compared with solids whose distance is known.
+// Simulations: a program with some gouges, compared with solids of known distance.
 
 struct Target {
   const char* text;
@@ -210,7 +211,7 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   struct Worst {
     double depth = 0;
   };
-  // A pass is what the program does between two rapids: two lines of four.
+  // A pass lies between two rapids: two lines of four.
   const auto pass_of = [](int line) { return (line - 5) / 4; };
   std::map<int, double> gouges;
   std::vector<double> at_vertex;
@@ -259,7 +260,7 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   EXPECT_NEAR(said.mean, sum / area, 1e-5);
   EXPECT_NEAR(said.root_mean_square, std::sqrt(squares / area), 1e-5);
   const std::vector<double> steps = said.areas.steps(from, to, bins);
-  // What lies on the border of two steps may count in either: sums from the first on hardly differ.
+  // Values at the border of two bins may count in either, hence the comparison of cumulative sums.
   double ours = 0, theirs = 0;
   for (std::size_t i = 0; i < bins; ++i) {
     ours += steps[i], theirs += histogram[i];
@@ -267,7 +268,7 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   }
   EXPECT_NEAR(ours, theirs, 1e-6 * area);
 
-  // The merged mesh: each vertex has its own deviation, or that of its neighbours in a square that are alike.
+  // The simplified mesh: each vertex has its own deviation, or a similar one of its square.
   const TriangleMesh& mesh = result.surface().mesh;
   ASSERT_EQ(said.at_vertex.size(), mesh.vertices.size());
   ASSERT_EQ(result.lines_of_vertices().size(), mesh.vertices.size());

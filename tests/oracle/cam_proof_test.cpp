@@ -1,4 +1,5 @@
-// Proofs of finishing paths: nothing is gouged, nothing that could be reached is left; against the exact Field and brute force.
+// Proofs for finishing paths: no gouge, and no reachable material left. Oracles: the exact Field
+// and brute force.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ struct Part {
   std::string name;
   FieldPtr solid;
   Box bounds;
-  double sharpest = 1e9;  // radius of the smallest bumps, mm: ridges between passes are higher on them
+  double sharpest = 1e9;  // minimum radius of curvature, mm: it increases the scallop height
   friend std::ostream& operator<<(std::ostream& out, const Part& p) { return out << p.name; }
 };
 
@@ -81,7 +82,7 @@ TEST_P(Finishing, NeverGouges) {
   for (const Tool& t : tools) {
     const auto tips = std::make_shared<TipSurface>(surface, t.profile());
     const std::vector<Path> paths = all_finishes(tips, part.bounds, 0.7, tolerance, 1);
-    // Straight pieces, chosen as often as they are long.
+    // Straight segments, chosen with a probability proportional to their length.
     std::vector<std::pair<Vec3, Vec3>> pieces;
     std::vector<double> length{0};
     for (const Path& path : paths) {
@@ -102,7 +103,7 @@ TEST_P(Finishing, NeverGouges) {
       const double away = profile.radius() * std::sqrt(share(random)), angle = 2 * pi * share(random);
       const Vec3 p(tip.x() + away * std::cos(angle), tip.y() + away * std::sin(angle), tip.z() + profile.height(away) + 1e-4);
       if (!part.bounds.contains(p) || !Rectangle::of(part.bounds).grown(-0.05).contains(Vec2(p.head<2>())))
-        continue;  // what is beyond the bounds is not to be machined
+        continue;  // outside of the bounds nothing is to be machined
       x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
     }
     std::vector<float> value(x.size()), dx(x.size()), dy(x.size()), dz(x.size());
@@ -115,13 +116,13 @@ TEST_P(Finishing, NeverGouges) {
       if (const double depth = value[i] / std::max(slope, 1e-3); depth < deepest) deepest = depth, worst = i;
     }
     RecordProperty(std::string(name_of(t.shape)), std::to_string(deepest));
-    // The surface's tolerance and the path's.
+    // The tolerances of the surface and of the path.
     EXPECT_GT(deepest, -2 * tolerance) << part.name << " " << name_of(t.shape) << " at " << x[worst] << " " << y[worst] << " "
                                        << z[worst];
   }
 }
 
-/// For each place of a lattice the lowest that a cutter with its tip at these places leaves.
+/// Lower envelope over a lattice of a cutter at these tip positions.
 HeightMap left_by(const std::vector<Vec3>& tips, const Profile& profile, HeightMap map) {
   const int reach = static_cast<int>(profile.radius() / map.cell);
   for (const Vec3& tip : tips) {
@@ -151,7 +152,7 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
         for (int s = 0; s <= steps; ++s) cut.push_back(points[i - 1].at + way * s / steps);
       }
     }
-    // Brute force: every place on a lattice, as low as can be.
+    // Brute force: the lowest tip at every point of a lattice.
     const Rectangle area = Rectangle::of(part.bounds);
     constexpr double cell = 0.1;
     for (double y = area.lower.y(); y <= area.upper.y(); y += cell)
@@ -163,8 +164,8 @@ TEST_P(Finishing, LeavesNoMoreThanTheScallop) {
     double most = 0;
     for (int row = 2; row < block.height - 2; ++row)
       for (int column = 2; column < block.width - 2; ++column) {
-        // Along the normal: what stands on a slope is measured across it. A column of the lattice may lie on either side of a
-        // wall: the highest of its neighbours counts there.
+        // Measured along the normal on slopes. A column of the lattice may lie on either side of a
+        // wall, hence the maximum of its neighbours.
         double target = possible.at(column, row), slope = 0;
         for (int v = row - 2; v <= row + 2; ++v)
           for (int u = column - 2; u <= column + 2; ++u) {

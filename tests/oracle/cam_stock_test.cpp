@@ -1,9 +1,11 @@
-// Simulated stock against two oracles that share nothing with it but the tools' definitions: dense dexels along all three axes
-// and OpenVDB's level sets, both cut by tools that stand still at many poses close together.
+// Simulated stock against two oracles that share only the tools' definitions with it: dense dexels
+// along all three axes and OpenVDB's level sets, both cut by static tools at many closely spaced
+// poses.
 //
-// How far off the oracles are: between two poses no point of a tool goes farther than `step`, so that everything that is swept
-// lies within step / 2 of one of the poses. A stroke that turns is carried out to within a tolerance that is the Stock's own.
-// Tools larger and smaller by the sum of both enclose what a stroke has to remove: the Stock has to lie in between, everywhere.
+// Error of the oracles: between two poses no point of a tool moves farther than `step`, so that all
+// swept points lie within step / 2 of a pose. A stroke that turns is executed within the Stock's
+// own tolerance. Tools larger and smaller by the sum of both bounds enclose the removed volume: the
+// Stock must lie between the two results everywhere.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <openvdb/openvdb.h>
@@ -28,13 +30,14 @@ namespace {
 
 // Tools.
 
-/// A convex solid of revolution: all places within `rounding` of what a half section turns to. Its outline goes from the axis,
-/// lowest, to the axis, highest: points (distance from the axis, height).
+/// A convex solid of revolution: all points within `rounding` of the revolved half section. Its
+/// outline, as (distance from the axis, height), starts at the lowest point of the axis and ends at
+/// the highest.
 struct Part {
   std::vector<Vec2> outline;
   double rounding = 0;
 
-  /// Signed distance of a place given by its distance from the axis and its height: exact, and convex along any line.
+  /// Signed distance at a distance from the axis and a height: exact, and convex along any line.
   [[nodiscard]] double distance(double r, double z) const {
     const Vec2 p(r, z);
     double least = (p - outline[0]).squaredNorm();
@@ -75,7 +78,7 @@ Tool cutter(const std::string& shape) {
   return tool;
 }
 
-/// The same tools, said once more.
+/// A second, independent definition of the same tools.
 std::vector<Part> parts_of(const std::string& shape) {
   constexpr double r = 1.5;
   const auto rod = [&](double from) { return Part{{{0, from}, {r, from}, {r, flute}, {0, flute}}, 0}; };
@@ -96,7 +99,7 @@ ToolPose between(const ToolPose& a, const ToolPose& b, double t) {
   return {a.tip + t * (b.tip - a.tip), (a.axis + t * (b.axis - a.axis)).normalized()};
 }
 
-/// No point of a tool goes farther than this between two poses.
+/// Upper bound of the displacement of a tool's points between two poses.
 double farthest(const ToolPose& a, const ToolPose& b) {
   return std::max((b.tip - a.tip).norm(), (b.tip + flute * b.axis - a.tip - flute * a.axis).norm()) +
          1.5 * (b.axis - a.axis).norm();
@@ -141,7 +144,7 @@ struct Job {
         next = {pose.tip + 0.6 * going, (pose.axis + 0.12 * turning).normalized()};
         if (!box.contains(next.tip)) going = (box.centre() - pose.tip).normalized(), next.tip = pose.tip + 0.6 * going;
       }
-      // As steps are made from programs: divided until the sagitta of what turns is within the tolerance.
+      // Divided as for programs, until the sagitta of rotations is within the tolerance.
       const int steps = std::max(1, static_cast<int>(std::ceil(std::acos(std::clamp(pose.axis.dot(next.axis), -1.0, 1.0)) *
                                                                std::sqrt(flute / (8 * settings.cell / 50)))));
       for (int k = 1; k <= steps; ++k) way.push_back(between(pose, next, static_cast<double>(k) / steps));
@@ -162,7 +165,8 @@ struct Job {
     stock->cut(strokes);
   }
 
-  /// Poses of a stroke between which no point of the tool goes farther than `step`.
+  /// Poses of a stroke such that no point of the tool moves farther than `step` between two of
+  /// them.
   [[nodiscard]] std::vector<ToolPose> poses(std::size_t stroke, double step) const {
     const int count = std::max(1, static_cast<int>(std::ceil(farthest(way[stroke - 1], way[stroke]) / step)));
     std::vector<ToolPose> result;
@@ -170,11 +174,11 @@ struct Job {
     return result;
   }
 
-  /// How far the oracles may be off: half a step, the sagitta of strokes that turn, and the tolerance of the surface that they
-  /// sweep.
+  /// Error bound of the oracles: half a step, the sagitta of strokes that turn, and the tolerance
+  /// of the swept surface.
   [[nodiscard]] double off(double step) const { return step / 2 + 2 * stock->tolerance(); }
 
-  /// What the stock is at first, besides its box: a part of it, or all but that.
+  /// The initial stock: a part, or its complement, within the box.
   struct Start {
     ToolPose pose;
     Part part;
@@ -196,7 +200,7 @@ struct Job {
 struct Interval {
   double from, to;
 };
-/// Sorted, apart.
+/// Sorted and disjoint.
 using Intervals = std::vector<Interval>;
 
 void add(Intervals& to, Interval more) {
@@ -234,17 +238,19 @@ double length(const Intervals& all) {
   return sum;
 }
 
-/// The part of a line, along an axis from `at`, that lies nearer to a part than -off and than +off.
+/// Intervals of a line, along an axis from `at`, with a distance to the part of at most -off and of
+/// at most +off.
 std::array<std::optional<Interval>, 2> met(const Part& part, const ToolPose& pose, Vec3 at, int axis, double off) {
   const Box bounds = part.bounds(pose, off);
   const auto distance = [&](double s) {
     at[axis] = s;
     return part.distance(pose, at);
   };
-  // Distance from what is convex is convex along a line: its least place by thirds, unless one deep enough is found before.
+  // The distance to a convex solid is convex along a line: ternary search for the minimum, ended
+  // early at a sufficiently deep point.
   double low = bounds.lower[axis], high = bounds.upper[axis], middle = 0.5 * (low + high), least = distance(middle);
   while (least > -off && high - low > 1e-7) {
-    if (least - 0.5 * (high - low) > off) return {};  // it changes no faster than the place
+    if (least - 0.5 * (high - low) > off) return {};  // the distance has the Lipschitz constant 1
     const double a = low + (high - low) / 3, b = high - (high - low) / 3, at_a = distance(a), at_b = distance(b);
     (at_a < at_b ? high : low) = at_a < at_b ? b : a;
     middle = at_a < at_b ? a : b, least = std::min(at_a, at_b);
@@ -266,7 +272,8 @@ std::array<std::optional<Interval>, 2> met(const Part& part, const ToolPose& pos
   return result;
 }
 
-/// Material along all lattice lines in one direction: `most` of what may be left, `least` of what surely is.
+/// Material along all lattice lines of one direction: `most` is an upper bound of the remaining
+/// material, `least` a lower bound.
 struct Dexels {
   Dexels(const StockLattice& of, int along, const Job& job, double step, double off)
       : lattice(of), axis(along), u((along + 1) % 3), v((along + 2) % 3) {
@@ -281,7 +288,7 @@ struct Dexels {
           if (job.start->hollow && in) subtract(here, *in);
           if (!job.start->hollow) here = in ? Intervals{*in} : Intervals{};
         }
-        // A chord of the bore between two points is not seen.
+        // A chord of the bore between two points is not visible to the lattice.
         if (job.start->hollow)
           if (const auto in = met(job.start->part, job.start->pose, at, axis, 1e-4); in[1])
             hide(line, {*in[1]}, in[0] ? Intervals{*in[0]} : Intervals{});
@@ -309,7 +316,8 @@ struct Dexels {
   }
 
   void cut(const Job& job, const std::vector<ToolPose>& poses, double off) {
-    // All that the stroke removes of each line, then its removal: so that it is known whether a point is among it.
+    // All intervals that the stroke removes from each line are collected before they are
+    // subtracted, so that the points among them are known.
     std::map<std::size_t, std::array<Intervals, 2>> removed;
     for (const ToolPose& pose : poses)
       for (const Part& part : job.parts)
@@ -325,8 +333,8 @@ struct Dexels {
     }
   }
 
-  /// Marks the edges on which something is removed that may hold no point, between points that may be solid: a lattice does not
-  /// see it (docs/simulation.md, limits).
+  /// Marks edges between possibly solid points from which an interval without a lattice point is
+  /// removed: a lattice cannot represent that (docs/simulation.md, limits).
   void hide(std::size_t line, const Intervals& removed, const Intervals& surely) {
     const double h = lattice.spacing()[axis];
     for (const Interval& i : removed) {
@@ -354,8 +362,8 @@ struct Dexels {
 
 class StockOracle : public ::testing::TestWithParam<Case> {};
 
-/// The axis along which a vertex lies between two lattice points, and the one of them that is nearer. Vertices in the middle of a
-/// lattice's cube, which some polygons need, lie between points along several.
+/// The axis along which a vertex lies between two lattice points, and the nearer one of them.
+/// std::nullopt for vertices in the middle of a lattice cube, which some polygons need.
 std::optional<int> axis_of(const StockLattice& lattice, const Vec3& place, Index3& near) {
   std::optional<int> axis;
   for (int a = 0; a < 3; ++a) {
@@ -377,7 +385,7 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
   std::vector<Dexels> dexels;
   for (int axis = 0; axis < 3; ++axis) dexels.emplace_back(lattice, axis, job, step, off);
 
-  // Points: surely solid, surely air, or too near to the surface to tell.
+  // Points: surely solid, surely air, or undecided near the surface.
   std::size_t solid = 0, air = 0, open = 0, wrong = 0;
   Index3 p;
   for (p[2] = 0; p[2] <= lattice.cells()[2]; ++p[2])
@@ -385,7 +393,8 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
       for (p[0] = 0; p[0] <= lattice.cells()[0]; ++p[0])
         for (const Dexels& d : dexels) {
           const auto axis = static_cast<std::size_t>(d.axis);
-          if (p[axis] == 0 || p[axis] == lattice.cells()[axis]) continue;  // a line's ends are inner points of others
+          // a line's ends are inner points of other lines
+          if (p[axis] == 0 || p[axis] == lattice.cells()[axis]) continue;
           const std::size_t line = d.line(p[static_cast<std::size_t>(d.u)], p[static_cast<std::size_t>(d.v)]);
           const double at = p[axis] * lattice.spacing()[d.axis];
           const bool surely = contains(d.least[line], at, 1e-5), perhaps = contains(d.most[line], at, -1e-5);
@@ -397,12 +406,12 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
   EXPECT_GT(air, 2000u);
   EXPECT_LT(static_cast<double>(open), 0.03 * static_cast<double>(solid + air));
 
-  // The surface where it crosses the lattice's edges.
+  // Intersections of the surface with the lattice's edges.
   const TriangleMesh mesh = stock.mesh();
   expect_closed(mesh);
   StockSurface surface;
   surface.update(stock);
-  TriangleMesh samples;  // all of them: the mesh's flats are merged
+  TriangleMesh samples;  // of the full mesh, because the other one has simplified flats
   std::vector<std::uint32_t> cuts;
   for (std::size_t i = 0; i < surface.pieces(); ++i) {
     std::vector<std::uint32_t> cuts_here;
@@ -419,7 +428,8 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
     ASSERT_TRUE(axis);
     const Dexels& d = dexels[static_cast<std::size_t>(*axis)];
     const std::size_t line = d.line(near[static_cast<std::size_t>(d.u)], near[static_cast<std::size_t>(d.v)]);
-    const double at = place[*axis], h = lattice.spacing()[*axis], slack = 1.1e-3 * h;  // vertices keep h / 1000 from points
+    // vertices keep a distance of h / 1000 from points
+    const double at = place[*axis], h = lattice.spacing()[*axis], slack = 1.1e-3 * h;
     ++checked;
     if (contains(d.most[line], at, -slack) && !contains(d.least[line], at, slack)) continue;
     const auto& hidden = d.hidden[line];
@@ -429,8 +439,8 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
   EXPECT_EQ(wrong_seen, 0u);
   EXPECT_LE(wrong_hidden, checked / 200);
 
-  // Volumes: sums over lines, ours along several axes. A mesh's chords cut into what is round, and chamfer edges: less than a
-  // twentieth of a cell in the mean.
+  // Volumes as sums over lines, along several axes. Chords of the mesh cut into convex surfaces,
+  // and chamfer edges, on average by less than a twentieth of a cell.
   for (const Dexels& d : dexels) {
     EXPECT_GT(stock.volume(), d.volume(d.least));
     EXPECT_LT(stock.volume(), d.volume(d.most));
@@ -442,7 +452,7 @@ TEST_P(StockOracle, LiesBetweenDexelsOfLargerAndSmallerTools) {
 
 constexpr double voxel = 0.15;
 
-/// A function that is a distance near its surface as a level set; nobody asks beyond the box.
+/// Level set of a function that is a distance near its surface; not defined outside of the box.
 template <class Distance>
 openvdb::FloatGrid::Ptr level_set(const Box& box, const Distance& distance) {
   auto grid = openvdb::createLevelSet<openvdb::FloatGrid>(voxel);
@@ -491,9 +501,9 @@ openvdb::FloatGrid::Ptr cut_level_set(const Job& job, double step) {
   return stock;
 }
 
-// Where level sets are made and cut their values are no worse than `off`, and they change no faster than the place. Between
-// voxels they are means of eight corners, which are sqrt(3) / 2 voxels away in the mean, at most: nothing else comes to the
-// bound, not even at sharp edges.
+// The values of the level sets have an error of at most `off` and Lipschitz constant 1. Trilinear
+// interpolation averages eight corners with a mean distance of at most sqrt(3) / 2 voxels. These
+// two are all terms of the bound, also at sharp edges.
 TEST_P(StockOracle, AgreesWithLevelSetsOfOpenVDB) {
   openvdb::initialize();
   const Job job(GetParam());
@@ -532,9 +542,9 @@ TEST_P(StockOracle, AgreesWithLevelSetsOfOpenVDB) {
   EXPECT_GT(checked, mesh.vertices.size() * 9 / 10);
   EXPECT_LT(worst, bound);
   EXPECT_LT(sum / static_cast<double>(checked),
-            0.05 * voxel);  // where surfaces are flat there is nothing between voxels to be off
-  // Level sets round edges off by less than a voxel, and their volume is an integral over a band as wide: a sixth of a voxel in
-  // the mean.
+            0.05 * voxel);  // on flat surfaces interpolation is exact
+  // Level sets round edges by less than a voxel, and their volume is an integral over a band of
+  // that width: a sixth of a voxel on average.
   EXPECT_NEAR(openvdb::tools::levelSetVolume(*grid), mesh.volume(), mesh.area() * voxel / 6);
 }
 

@@ -1,4 +1,4 @@
-/// What oracles ask of closed meshes.
+/// Requirements on closed meshes.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Contouring against CGAL: valid whatever the Field, true to it where it is resolved.
+// Contouring against CGAL: valid for any Field, and accurate where the Field is resolved.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,13 +7,13 @@
 #include <numbers>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 
 namespace fieldfab {
 namespace {
@@ -45,13 +45,14 @@ std::vector<Sample> samples() {
           {"cube less sphere", s::subtract(s::box(2, 2, 2), s::sphere(1.2)), 0}};
 }
 
-// The ten turns of the issue: about two axes, none of them aligned but the first.
+// Ten rotations about two axes; only the first is aligned.
 TEST(Contour, IsValidForEveryShapeResolutionAndTurn) {
   for (const Sample& sample : samples())
     for (int turn = 0; turn < 10; ++turn) {
       const FieldPtr solid = rotate(rotate(frep::make_field(sample.solid), Vec3::UnitZ(), 0.37 * turn), {1, 0.3, 0}, 0.53 * turn);
       for (const double voxel : {0.2, 0.11, 0.06}) {
-        if (voxel == 0.06 && turn % 4 != 0) continue;  // CGAL's check of the finest takes most of the time
+        // CGAL's check of the finest meshes takes most of the time
+        if (voxel == 0.06 && turn % 4 != 0) continue;
         const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
         const std::string what = std::string(sample.name) + " turn " + std::to_string(turn) + " voxel " + std::to_string(voxel);
         expect_valid(mesh, what);
@@ -75,9 +76,10 @@ TEST(Contour, KeepsACubeACube) {
   }
 }
 
-/// Area-weighted quantile of the mesh's distance from the solid, to first order, in voxels: at seven places of each triangle.
+/// Area-weighted quantile of the mesh's distance from the solid, to first order, in voxels, sampled
+/// at seven points per triangle.
 double distance_quantile(const TriangleMesh& mesh, const Field& solid, double voxel, double share) {
-  std::vector<std::pair<double, double>> distances;  // and the area each stands for
+  std::vector<std::pair<double, double>> distances;  // with the area that each represents
   double area = 0;
   for (const auto& triangle : mesh.triangles) {
     std::array<Vec3, 3> corner;
@@ -100,7 +102,7 @@ double distance_quantile(const TriangleMesh& mesh, const Field& solid, double vo
   return distances.back().first;
 }
 
-// Corners cut off and edges like saws are what a lattice leaves of a cube that is turned against it.
+// A naive lattice method cuts corners and leaves sawtooth edges on a rotated cube.
 TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
   int exact = 0, corners = 0;
   for (int turn = 1; turn <= 8; ++turn)
@@ -134,7 +136,8 @@ TEST(Contour, KeepsTheEdgeOfAKnife) {
 }
 
 TEST(Contour, IsValidForFieldsThatAreNone) {
-  // Noise, a double cone's tip, jumps, creases everywhere, NaN: the guarantee does not rest on the Field.
+  // Noise, the tip of a double cone, discontinuities, creases, NaN: validity does not depend on the
+  // Field.
   const Expression x = Expression::x(), y = Expression::y(), z = Expression::z();
   const Expression wave = frep::sin(x * 127.1 + y * 311.7 + z * 74.7) * 43758.5453;
   const std::vector<std::pair<const char*, Expression>> wild{
@@ -150,7 +153,7 @@ TEST(Contour, IsValidForFieldsThatAreNone) {
   for (const auto& [name, expression] : wild)
     for (const double voxel : {0.25, 0.1}) {
       ContourSettings settings{voxel};
-      settings.most_divided = 4'000;  // what is rough at any size would take them all
+      settings.most_divided = 4'000;  // a Field that is rough at any scale would use all of them
       const ContourMesh mesh = contour(*frep::make_field(expression), {Vec3::Constant(-1.1), {1.2, 1.3, 1}}, settings);
       expect_valid(mesh, name);
       EXPECT_TRUE(!mesh.certainty.certain() || std::string(name) != "noise");
@@ -171,7 +174,7 @@ TEST(Contour, WithoutFeaturesCutsEdgesOffByACellOnly) {
   const TriangleMesh box = contour(*frep::make_field(s::box(19, 19, 19)), bounds, {.voxel = 0.5, .features = false});
   expect_valid(box, "box");
   EXPECT_GT(box.volume(), 19 * 19 * 19 - 12 * 19 * 0.5 * 0.5);
-  EXPECT_LT(box.triangles.size(), 20000U);  // its faces are merged still
+  EXPECT_LT(box.triangles.size(), 20000U);  // its flat faces are still simplified
 }
 
 TEST(Contour, RefusesNonsenseAndStopsWhenTold) {
@@ -228,7 +231,7 @@ TEST(Check, SeesWhatIsWrong) {
   EXPECT_GT(inspect(broken).self_intersections, 0U);
 }
 
-/// A Field that lies: it contradicts its own gradient and interval by `shift`.
+/// An inconsistent Field: values differ by `shift` from its gradients and intervals.
 class Shifted final : public Field {
  public:
   Shifted(FieldPtr inner, float shift) : inner_(std::move(inner)), shift_(shift) {}

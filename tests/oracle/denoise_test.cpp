@@ -1,4 +1,4 @@
-// Denoising is ITK's: here is only whether it is asked the right way.
+// Denoising is done by ITK: this tests the parameters passed to it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +35,7 @@ TEST(Denoise, FiltersSmooth) {
 }
 
 TEST(Denoise, MediansAndMeansAreThoseOfTheNeighbourhood) {
-  // One bright sample: gone by the median; by a Gaussian spread without loss.
+  // A single bright sample: removed by the median, spread by a Gaussian without loss.
   SampleLattice lattice;
   lattice.size = {17, 17, 17};
   lattice.spacing = {0.5, 0.5, 0.5};

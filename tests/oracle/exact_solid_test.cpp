@@ -1,4 +1,4 @@
-// Exact solids of meshes against the winding number of the same triangles, place by place.
+// Exact solids of meshes against the winding number of the same triangles at sampled points.
 #include "fieldfab/mesh/exact_solid.h"
 
 #include <gtest/gtest.h>
@@ -97,8 +97,10 @@ TEST(ExactSolid, OfABoxIsTheBox) {
 TEST(ExactSolid, HasHollowsOnlyWhereTheyAreWithin) {
   const TriangleMesh outer = box(Vec3::Zero(), Vec3::Constant(2));
   EXPECT_NEAR(faces_of(joined({outer, inverted(box(Vec3::Zero(), Vec3::Constant(1)))}))->volume(), 64 - 8, 1e-9);
-  EXPECT_EQ(exact_solid_of(joined({outer, inverted(box({2, 0, 0}, Vec3::Constant(1)))})).has_value(), false);  // sticks out
-  EXPECT_EQ(exact_solid_of(joined({outer, outer, inverted(box(Vec3::Zero(), Vec3::Constant(1)))})).has_value(), false);  // twice
+  // protrudes
+  EXPECT_EQ(exact_solid_of(joined({outer, inverted(box({2, 0, 0}, Vec3::Constant(1)))})).has_value(), false);
+  // duplicate shell
+  EXPECT_EQ(exact_solid_of(joined({outer, outer, inverted(box(Vec3::Zero(), Vec3::Constant(1)))})).has_value(), false);
 }
 
 TEST(ExactSolid, IsNotHadOfWhatIsOpenOrCrossesItself) {
@@ -106,7 +108,7 @@ TEST(ExactSolid, IsNotHadOfWhatIsOpenOrCrossesItself) {
   open.triangles.pop_back();
   EXPECT_EQ(exact_solid_of(open).has_value(), false);
   TriangleMesh pulled = box(Vec3::Zero(), Vec3::Constant(2));
-  pulled.vertices[0] = {5, 0.3F, 0.2F};  // through the face opposite
+  pulled.vertices[0] = {5, 0.3F, 0.2F};  // through the opposite face
   EXPECT_EQ(exact_solid_of(pulled).has_value(), false);
   EXPECT_EQ(exact_solid_of(TriangleMesh()).has_value(), false);
 }
@@ -153,7 +155,8 @@ TEST(ExactSolid, OfManyIsJoinedInAnOrderInWhichItCanBe) {
     std::vector<ExactSolid> cubes;
     for (int i = 0; i < 12; ++i)
       cubes.emplace_back(to_polyhedron(box(Vec3(i % 2, i / 2 % 2, i / 4) + Vec3::Constant(0.5), Vec3::Constant(0.5))));
-    std::shuffle(cubes.begin(), cubes.end(), random);  // half of the first ones touch along edges or at corners only
+    // among the first cubes, half touch along edges or at corners only
+    std::shuffle(cubes.begin(), cubes.end(), random);
     const ExactSolid block = all_of(cubes, Operation::unite, Progress::none());
     EXPECT_NEAR(to_mesh(block.polyhedron()).volume(), 12, 1e-9) << seed;
     EXPECT_FALSE(block.touches_itself());

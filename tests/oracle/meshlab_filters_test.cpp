@@ -1,5 +1,5 @@
-// MeshLab's filters without MeshLab: cancelled at any moment, and given meshes of any kind. What they make is in
-// tests/hosts/meshlab_test.py.
+// MeshLab's filters without MeshLab: cancellation at any time, and arbitrary meshes.
+// tests/hosts/meshlab_test.py tests their results.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -9,10 +9,10 @@
 #include <thread>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "filter.h"
 
 namespace fieldfab::meshlab {
@@ -69,7 +69,7 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
   for (int round = 0; round < 6; ++round) {
     Layer soup{"soup", {}};
     if (round % 2 == 0) soup = *ball_layer(2);
-    for (int n = 0; n < 40; ++n) {  // triangles anywhere, many through each other
+    for (int n = 0; n < 40; ++n) {  // random triangles, many of which intersect
       for (int corner = 0; corner < 3; ++corner) soup.mesh.vertices.push_back({place(random), place(random), place(random)});
       const auto last = static_cast<std::uint32_t>(soup.mesh.vertices.size() - 1);
       soup.mesh.triangles.push_back({last - 2, last - 1, last});
@@ -82,7 +82,7 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
       if (round % 2 == 0) {
         EXPECT_NEAR(result.layers.front().mesh.volume(), 4189, 150);
       }
-    } catch (const Error& error) {  // mere triangles may enclose nothing; that is said
+    } catch (const Error& error) {  // random triangles may enclose no volume, which is a reported error
       EXPECT_EQ(round % 2, 1) << error.what();
       EXPECT_EQ(error.kind(), ErrorKind::bad_input);
     }
@@ -92,7 +92,8 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
 TEST(MeshlabFilters, StopWithinAMomentWhenCancelled) {
   const auto layer = ball_layer(0.15);
   const std::size_t triangles = layer->mesh.triangles.size();
-  // Edges are rounded: distances on a lattice. Those of small triangles are sharpened one after the other, which stops later.
+  // Rounded edges use distances on a lattice. Edges of small triangles are sharpened one after the
+  // other, which delays cancellation.
   for (const auto& [name, edges, seconds] : {std::tuple{"Remesh", 2.0, 1.0},
                                              {"Offset", 2.0, 1.0},
                                              {"Shell", 2.0, 1.0},

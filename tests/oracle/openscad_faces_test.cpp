@@ -1,5 +1,5 @@
-// The exact faces of OpenSCAD's designs: valid by CGAL, with the volume and the corners of closed forms, and the same solid as
-// the Field that is contoured.
+// Exact faces of OpenSCAD designs: valid by CGAL, with volumes and corners of closed forms, and
+// equal to the Field that is contoured.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -32,7 +32,7 @@ std::string moved(double x, double y, double z, const std::string& text) {
   return "multmatrix([[1,0,0," + std::to_string(x) + "],[0,1,0," + std::to_string(y) + "],[0,0,1," + std::to_string(z) +
          "],[0,0,0,1]]) { " + text + " }";
 }
-/// Turned by an angle whose sine and cosine are not exact.
+/// Rotated by an angle with irrational sine and cosine.
 std::string turned(const std::string& text) {
   return "multmatrix([[0.8660254037844387,-0.5,0,0],[0.5,0.8660254037844387,0,0],[0,0,1,0],[0,0,0,1]]) { "
          "multmatrix([[1,0,0,0],[0,0.9659258262890683,-0.2588190451025207,0],[0,0.2588190451025207,0.9659258262890683,0],"
@@ -40,7 +40,7 @@ std::string turned(const std::string& text) {
          text + " } }";
 }
 
-/// The volume of a solid that comes out valid.
+/// Volume of a solid, which must be valid.
 double volume(const std::string& text, std::optional<double> thickness = {}) {
   const auto surface = faces(text, thickness);
   if (!surface) return std::nan("");
@@ -59,21 +59,24 @@ TEST(CsgFaces, HaveTheVolumesOfClosedForms) {
       EXPECT_NEAR(volume(tilted ? turned(text) : text), wanted, 1e-5 * wanted) << text;
     };
     check(block, 64);
-    check(block + moved(4, 0, 0, block), 128);                                         // a face in common
-    check(block + moved(4, 1, 0, block), 128);                                         // a part of one
-    check("difference() { " + block + moved(2, 2, 0, beam) + " }", 64 - beam_volume);  // flush at both ends
+    check(block + moved(4, 0, 0, block), 128);  // a common face
+    // a part of a face in common
+    check(block + moved(4, 1, 0, block), 128);
+    // flush at both ends
+    check("difference() { " + block + moved(2, 2, 0, beam) + " }", 64 - beam_volume);
     check("difference() { " + block + moved(2, 2, -1, beam) + " }", 64 - 0.75 * beam_volume);
     check("intersection() { " + block + moved(3, 0, 0, block) + " }", 16);
     check("difference() { " + block + " difference() { " + moved(1, 1, 1, block) + moved(2, 2, 2, block) + " } }", 64 - 27 + 8);
-    check(beam + moved(0, 0, 4, beam) + moved(5, 0, 0, beam), 3 * beam_volume);  // one on another, one apart
+    // one on top of another, one separate
+    check(beam + moved(0, 0, 4, beam) + moved(5, 0, 0, beam), 3 * beam_volume);
     check("difference() { " + moved(0, 0, 0, "cylinder($fn = 360, h = 4, r1 = 2, r2 = 2);") +
               "cylinder($fn = 360, h = 4, r1 = 1, r2 = 1); }",
-          4 * 3 * 180 * std::sin(std::numbers::pi / 180));  // ends of long thin triangles in one plane
+          4 * 3 * 180 * std::sin(std::numbers::pi / 180));  // coplanar ends of long thin triangles
   }
   EXPECT_NEAR(volume("difference() { square(size = 4); " + moved(1, 1, 0, "square(size = 1);") + " }", 3), 45, 1e-4);
 }
 
-/// Turned in any way about the origin, written with six digits as OpenSCAD does.
+/// Rotated randomly about the origin, written with six digits as OpenSCAD does.
 std::string turned_anyhow(std::mt19937& random, const std::string& text) {
   std::normal_distribution<double> number;
   const Eigen::Matrix3d turn =
@@ -109,7 +112,7 @@ TEST(CsgFaces, AreSetApartWhereTheyTouchAlongAnEdge) {
     ASSERT_TRUE(surface);
     EXPECT_TRUE(inspect(*surface).valid());
     EXPECT_NEAR(surface->volume(), 128, 0.05);
-    // With a hole that is flush at both ends no skin stays.
+    // A hole that is flush at both ends leaves no thin skin.
     const std::string bored = "difference() { group() { " + text + " } " + moved(2, 2, 0, beam) + " }";
     EXPECT_NEAR(volume(tilted ? turned(bored) : bored), 128 - beam_volume, 0.05);
   }
@@ -126,13 +129,14 @@ TEST(CsgFaces, AreFewAndHaveTheCornersOfTheDesign) {
 TEST(CsgFaces, AreNotHadOfWhatIsRoundOrEmptyOrOpen) {
   EXPECT_EQ(design("sphere(r = 3);", true).faces, nullptr);
   EXPECT_EQ(faces("intersection() { " + block + moved(9, 0, 0, block) + " }"), std::nullopt);
-  EXPECT_EQ(faces("intersection() { " + block + turned(moved(-4, -4, -4, block)) + " }"), std::nullopt);  // a corner in common
+  // a common corner
+  EXPECT_EQ(faces("intersection() { " + block + turned(moved(-4, -4, -4, block)) + " }"), std::nullopt);
   EXPECT_EQ(faces("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);"), std::nullopt);
   EXPECT_EQ(faces("square(size = 2);"), std::nullopt);
   EXPECT_EQ(faces(block, 2.0), std::nullopt);
 }
 
-/// What a random tree is made of.
+/// Leaves of a random tree.
 std::string leaf(std::mt19937& random) {
   std::uniform_real_distribution<double> number(1, 4);
   const std::string a = std::to_string(number(random)), b = std::to_string(number(random)), c = std::to_string(number(random));
@@ -164,8 +168,8 @@ TEST(CsgFaces, AreTheSolidThatTheFieldIs) {
     if (!surface) continue;
     ++had;
     ASSERT_TRUE(inspect(*surface).valid()) << text;
-    // Every corner and middle of a face is where the Field is 0. It is exact to the last places of single precision; faces that
-    // were set apart are off by some millionths of the size more.
+    // The Field is 0 at every corner and centre of a face, within the last digits of single
+    // precision. Faces that were separated deviate by some millionths of the size more.
     float farthest = 0;
     for (const auto& t : surface->triangles) {
       Vec3 middle = Vec3::Zero();
@@ -181,11 +185,11 @@ TEST(CsgFaces, AreTheSolidThatTheFieldIs) {
   EXPECT_GT(had, 90);
 }
 
-/// Solids of unit cells in a block of them, as slow and plain as can be.
+/// Sets of unit cells in a block: the slow, obvious twin.
 constexpr int across = 7;
 using Cells = std::array<bool, across * across * across>;
 
-/// A random tree of boxes with whole coordinates, as text and as the cells in it.
+/// A random tree of boxes with integer coordinates, as text and as the set of its cells.
 std::pair<std::string, Cells> boxes(std::mt19937& random, int depth) {
   if (depth == 0) {
     std::array<int, 3> lower{}, upper{};
@@ -201,7 +205,7 @@ std::pair<std::string, Cells> boxes(std::mt19937& random, int depth) {
                       height = std::to_string(upper[2] - lower[2]);
     return {moved(lower[0], lower[1], lower[2], "cube(size = [" + width + ", " + depth_of + ", " + height + "]);"), cells};
   }
-  const std::size_t operation = random() % 4;  // unions twice as often
+  const std::size_t operation = random() % 4;  // unions are twice as likely
   const char* const names[] = {"group", "difference", "intersection", "group"};
   auto [text, cells] = boxes(random, depth - 1);
   for (auto others = 1 + random() % 3; others > 0; --others) {
@@ -214,7 +218,8 @@ std::pair<std::string, Cells> boxes(std::mt19937& random, int depth) {
 }
 
 TEST(BoxFaces, AreThoseOfTheCellsInThem) {
-  // As OpenSCAD writes them: rotate([0,0,90]), rotate([20,30,40]), mirror([1,2,0]) and scale([1.5,0.7,-2]), with six digits.
+  // As OpenSCAD writes them: rotate([0,0,90]), rotate([20,30,40]), mirror([1,2,0]) and
+  // scale([1.5,0.7,-2]), with six digits.
   struct Placement {
     std::string matrix;
     double volume;
@@ -239,7 +244,7 @@ TEST(BoxFaces, AreThoseOfTheCellsInThem) {
       const MeshVerdict verdict = inspect(*surface);
       ASSERT_TRUE(verdict.valid()) << placed;
       const double wanted = count * placement.volume;
-      // Where cells touch only, all are grown by 4 millionths of the farthest coordinate.
+      // If cells only touch, all are grown by 4 millionths of the largest coordinate.
       ASSERT_NEAR(verdict.volume, wanted, 6e-5 * surface->area()) << placed;
       ++had;
       if (std::abs(verdict.volume - wanted) < 3e-6 * wanted) ++exact;
@@ -249,7 +254,7 @@ TEST(BoxFaces, AreThoseOfTheCellsInThem) {
 }
 
 TEST(BoxFaces, AreHadOfASponge) {
-  // Three levels of bars taken away, tilted; its volume is known.
+  // Three levels of bars are subtracted, in a tilted position; the volume is known.
   std::string bars;
   const std::function<void(double, double, double, int)> add = [&](double y, double z, double side, int level) {
     const double third = side / 3;
@@ -267,7 +272,7 @@ TEST(BoxFaces, AreHadOfASponge) {
   const std::string sponge = "difference() { " + whole + bars + along_y + along_z + " }";
   const double wanted = 81.0 * 81 * 81 * std::pow(20.0 / 27, 3);
   EXPECT_NEAR(volume(turned(sponge)), wanted, 1e-5 * wanted);
-  // Half of it, cut along a plane that is not one of the bars'.
+  // One half, cut along a plane that is not a plane of the bars.
   const std::string half = "difference() { " + turned(sponge) + moved(-100, -100, 0, "cube(size = [200, 200, 200]);") + " }";
   EXPECT_NEAR(volume(half), wanted / 2, 1e-5 * wanted);
 }

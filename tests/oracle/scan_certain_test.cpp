@@ -1,4 +1,5 @@
-// Scans: the mesh has the topology of the trilinear function between the samples, and says so.
+// Scans: the mesh has the topology of the trilinear interpolation of the samples, and reports
+// certainty.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +21,8 @@ long euler(const TriangleMesh& mesh) {
   return static_cast<long>(mesh.vertices.size()) - static_cast<long>(edges.size()) + static_cast<long>(mesh.triangles.size());
 }
 
-/// Small cubes of a solid, about points that divide a box evenly, its border included, with air around them.
+/// Small cubes of a solid, centred at points that divide a box evenly, its border included, with
+/// air around them.
 class Cubes {
  public:
   Cubes(const Field& field, const Box& box, const std::array<int, 3>& count) : size_{count[0] + 3, count[1] + 3, count[2] + 3} {
@@ -32,8 +34,9 @@ class Cubes {
           solid_[index(i + 1, j + 1, k + 1)] = field.value(box.lower + side.cwiseProduct(Vec3(i, j, k))) < 0;
   }
 
-  /// The Euler characteristic of the cubes with their faces, edges and corners, or of what is inside of them: these differ where
-  /// cubes touch in an edge or a corner only, and so does the topology of the solid then from that of its cubes.
+  /// Euler characteristic of the union of the closed cubes, or of its interior. The two differ if
+  /// cubes touch in an edge or a corner only; then the topology of the solid differs from that of
+  /// its cubes, too.
   [[nodiscard]] long euler(bool closed) const {
     long sum = 0;
     for (int k = 1; k < size_[2]; ++k)
@@ -81,7 +84,7 @@ TEST(ScanCertain, NoiseHasItsOwnTopology) {
     constexpr int fine = 24;
     const Cubes cubes(*field, lattice.box(), {4 * fine, 5 * fine, 3 * fine});
     const long wanted = cubes.euler(true);
-    if (cubes.euler(false) != wanted) continue;  // the cubes are not small enough to tell
+    if (cubes.euler(false) != wanted) continue;  // the cubes are too large to decide
     ++compared;
     EXPECT_EQ(euler(mesh), 2 * wanted) << seed << " " << finer;
   }

@@ -1,5 +1,5 @@
-// Meshes in text forms: whether a reader takes the digits as floats or as doubles, it gets the mesh that was written, and that is
-// valid. The readers here are a few lines each, and none of the kernel's.
+// Meshes in text formats: a reader that parses floats and one that parses doubles both get the mesh
+// that was written, and it is valid. The readers here are independent of the kernel's.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,12 +9,12 @@
 #include <random>
 
 #include "fieldfab/check/check.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/field/bounds.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/solid/open.h"
 #include "mesh/zip_archive.h"
 #include "thin_solid.h"
@@ -24,13 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A mesh as it stands in a text: numbers read both ways.
+/// A mesh as read from a text: numbers as floats and as doubles.
 struct TextMesh {
   std::vector<std::array<double, 3>> doubles;
   std::vector<std::array<float, 3>> floats;
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
-  /// Reads three numbers at `at`, each after `before`, and goes on past them.
+  /// Reads three numbers at `at`, each after `before`, and advances `at`.
   void add_vertex(const char*& at, std::array<std::string_view, 3> before) {
     std::array<double, 3> wide;
     std::array<float, 3> narrow;
@@ -58,7 +58,7 @@ struct TextMesh {
   }
 };
 
-/// Calls act() with the rest of each line that begins so.
+/// Calls act() with the rest of each line that starts with the given text.
 template <class Act>
 void each_line(const std::string& text, std::string_view begins, const Act& act) {
   for (std::size_t at = 0; at < text.size();) {
@@ -114,7 +114,7 @@ class TextForms : public testing::Test {
         for (std::size_t axis = 0; axis < 3; ++axis)
           ASSERT_EQ(read.doubles[i][axis], double{read.floats[i][axis]}) << what << ' ' << extension << " vertex " << i;
     }
-    // All readings are this mesh, to the last bit.
+    // All readings equal this mesh bit for bit.
     const MeshVerdict verdict = inspect(mesh);
     EXPECT_TRUE(verdict.valid()) << what << ": closed " << verdict.closed << " manifold " << verdict.manifold
                                  << " self-intersections " << verdict.self_intersections;
@@ -145,7 +145,7 @@ TEST_F(TextForms, OfTheGalleryAreValidReadEitherWay) {
   EXPECT_GE(count, 20);
 }
 
-/// FIELDFAB_TEXT_FORMS says how many; the full proof tries 500.
+/// FIELDFAB_TEXT_FORMS sets the number of solids; the full proof uses 500.
 TEST_F(TextForms, OfRandomSolidsAreValidReadEitherWay) {
   const char* wanted = std::getenv("FIELDFAB_TEXT_FORMS");
   const int count = wanted != nullptr ? std::atoi(wanted) : 100;

@@ -9,7 +9,8 @@
 
 namespace fieldfab {
 
-/// A few boxes, balls, cylinders and shells, some dimension of each far below a cell, turned and joined at random.
+/// A union of some boxes, balls, cylinders and shells in random orientations, each with a dimension
+/// far below a cell.
 inline std::string random_thin_solid(std::mt19937& random) {
   const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
   const auto thin = [&] { return std::pow(10, number(-2, 0)); };

@@ -1,4 +1,4 @@
-// A stock that is saved and read again is the same, to the bit, and is cut on in the same way.
+// A stock that is saved and read again is equal bit for bit, and further cuts have equal results.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -91,7 +91,8 @@ RC_GTEST_PROP(SavedStock, IsRefusedWhereDamaged, (std::uint32_t seed)) {
   }
 }
 
-// Two set-ups, the second one from the first one's stock, leave what one program in two parts leaves.
+// Two set-ups, the second with the stock of the first, give the same result as one set-up with both
+// programs.
 TEST(SavedStock, IsWhatASecondSetUpBeginsWith) {
   const auto folder = std::filesystem::temp_directory_path() / fmt::format("stock_setups_{}", ::getpid());
   std::filesystem::create_directories(folder);
@@ -112,13 +113,13 @@ TEST(SavedStock, IsWhatASecondSetUpBeginsWith) {
   one.forget_cuts(), other.forget_cuts();
   EXPECT_EQ(bytes_of(one), bytes_of(other));
   EXPECT_EQ(second.report().removed + first.report().removed, both.report().removed);
-  // The first program's cuts are no lines of the second one.
+  // Cuts of the first program have no line numbers of the second.
   for (const int line : second.lines_of_vertices()) EXPECT_TRUE(line == 0 || line == 4 || line == 5) << line;
   setup.sampling.cell = 0.1;
   EXPECT_THROW(simulate(setup, folder / "b.ngc"), Error);
   write_file(folder / "third.toml", "machine = \"linuxcnc\"\ncell = 0.1\n[stock]\nfile = \"first.fieldstock\"\n" + tools);
   EXPECT_THROW((void)read_simulation_setup(folder / "third.toml"), Error);
-  // A job begins with it, too.
+  // A job may start with it, too.
   write_file(folder / "part.frep", "max(max(abs(x-10)-8, abs(y-10)-8), max(z+2, -8-z))");
   write_file(folder / "job.toml",
              "machine = \"linuxcnc\"\n[input]\nmodel = \"part.frep\"\n[stock]\nfile = \"first.fieldstock\"\n" + tools +

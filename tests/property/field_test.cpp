@@ -1,15 +1,16 @@
-// Operations over Fields, and the Asdf: intervals hold values, restriction changes nothing, threads change nothing.
+// Operations on Fields, and the Asdf: intervals contain all values; restriction and threads do not
+// change values.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/render/render.h"
 #include "fieldfab/volume/distances.h"
 #include "random_expression.h"

@@ -1,4 +1,4 @@
-// Expressions: evaluators, intervals, pruning and text forms agree, over random expressions.
+// Agreement of evaluators, intervals, pruning and text forms over random expressions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -17,7 +17,7 @@
 namespace fieldfab::frep {
 namespace {
 
-/// Points of a box, its corners among them.
+/// Points of a box, including its corners.
 struct Samples {
   std::vector<float> x, y, z;
   explicit Samples(const Box& box, std::size_t count = 200) {
@@ -48,7 +48,7 @@ std::vector<float> values(const Field& field, const Samples& samples) {
   return out;
 }
 
-/// Those that this processor has.
+/// Evaluators that this processor supports.
 std::vector<Evaluator> all_evaluators() {
   std::vector<Evaluator> all;
   for (int i = 1; i <= static_cast<int>(Evaluator::jit_avx512); ++i)
@@ -127,7 +127,7 @@ RC_GTEST_PROP(Frep, RestrictingManyIsRestrictingEach, ()) {
   make_field(expression, evaluators[static_cast<std::size_t>(draw(0, static_cast<int>(evaluators.size())))])
       ->restrict_all(boxes, purpose, many);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Restriction one = slow->restricted(boxes[i], purpose);  // interval by interval
+    const Restriction one = slow->restricted(boxes[i], purpose);  // one box at a time
     RC_ASSERT(many[i].range == one.range);
     RC_ASSERT(active_nodes(*many[i].field) == active_nodes(*one.field));
     const Samples samples(boxes[i], 20);
@@ -143,7 +143,7 @@ RC_GTEST_PROP(Frep, TextFormsReadBackTheSameExpression, ()) {
   RC_ASSERT(parse_infix(print_infix(expression)) == expression);
 }
 
-/// Texts made of the language's own words, and of texts cut and joined anywhere.
+/// Texts of the language's words, and texts cut and joined at random.
 std::string random_text() {
   // clang-format off
   static const std::string_view pieces[] = {
@@ -198,7 +198,7 @@ RC_GTEST_PROP(Frep, EditorsAndParserAgreeOnTexts, ()) {
 }
 
 RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {
-  // Operations without cancellation or jumps, so that last bits cannot grow into large differences.
+  // Operations without cancellation or discontinuities, so that rounding errors stay small.
   std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), 0.0, 1.0, -1.0, 2.0, random_constant()};
   const auto any = [&] { return parts[static_cast<std::size_t>(draw(0, static_cast<int>(parts.size())))]; };
   constexpr Opcode calm[] = {Opcode::minimum, Opcode::maximum, Opcode::negate,   Opcode::absolute, Opcode::multiply,
@@ -210,7 +210,7 @@ RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {
   const Expression before = parts.back(), after = simplify(before);
   RC_ASSERT(node_count(after) <= node_count(before));
   const auto exact = [](const Expression& e, float x, float y, float z) {
-    // In double, so that only what the rewriting does shows.
+    // In double precision, so that only differences due to the simplification are visible.
     const Flat flat = flatten(e);
     std::vector<double> v;
     double largest = 1;

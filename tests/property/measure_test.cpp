@@ -1,4 +1,4 @@
-// Bounds of volumes and areas hold: against closed forms, and against random points.
+// Bounds of volumes and areas hold, by closed forms and by random points.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi, infinite = std::numeric_limits<double>::
 
 FieldPtr solid_of(const std::string& text) { return frep::make_field(frep::parse_infix(text)); }
 
-/// Some primitives and polynomials, turned and joined in any way.
+/// Random combinations of rotated primitives and polynomials.
 std::string random_solid(std::mt19937& random, int depth) {
   const auto number = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
   const auto one_of = [&](int count) { return std::uniform_int_distribution<int>(0, count - 1)(random); };
@@ -43,9 +43,9 @@ std::string random_solid(std::mt19937& random, int depth) {
 
 struct Known {
   const char* text;
-  double half;                      ///< of the cube about zero that is measured
+  double half;                      ///< of the measured cube about the origin
   double volume, area;              ///< mm3, mm2
-  double volume_error, area_error;  ///< at most, percent
+  double volume_error, area_error;  ///< upper bounds, percent
 };
 
 TEST(Measure, HoldsClosedForms) {

@@ -1,4 +1,5 @@
-// Formulas with opened Fields in them: the Field that is made of one against the reference evaluator, which is its slow twin.
+// Formulas that contain opened Fields: their Field against the reference evaluator, which is the
+// slow twin.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -19,7 +20,7 @@ namespace {
 using frep::Expression;
 namespace shapes = frep::shapes;
 
-/// A leaf that is no formula to those who use it: a box, or a ball.
+/// A leaf that is opaque to its users: a box or a ball.
 Expression leaf(int which) {
   static const auto made = [] {
     std::vector<frep::SourcePtr> sources;
@@ -36,7 +37,8 @@ Expression leaf(int which) {
 
 double number(double low, double high) { return low + (high - low) * draw(0, 10001) / 10000.0; }
 
-/// A design of leaves, formulas, sets, blends and moves, whose values are distances or steeper by little.
+/// A design of leaves, formulas, set operations, blends and moves, whose values are distances or
+/// slightly steeper.
 Expression random_design(int size) {
   std::vector<Expression> parts{leaf(0), leaf(1), shapes::cylinder(0.8, 3), shapes::torus(1.5, 0.4)};
   const auto any = [&] { return parts[static_cast<std::size_t>(draw(0, static_cast<int>(parts.size())))]; };
@@ -91,7 +93,7 @@ RC_GTEST_PROP(MixedField, HasIntervalsSlopesAndRestrictionsThatHold, ()) {
     }
     expect_slopes_hold(*field, box, [&](const Vec3& p) {
       const RoundedValue own = rounded_value(*field, p);
-      return RoundedValue{own.value, 8 * own.rounding};  // coordinates are rounded on the way to each leaf
+      return RoundedValue{own.value, 8 * own.rounding};  // coordinates are rounded at each leaf
     });
   }
 }
@@ -114,7 +116,7 @@ TEST(MixedField, OfALeafIsTheLeafsOwnField) {
 }
 
 TEST(MixedField, EvaluatesWhatServesTwiceOnce) {
-  // A chain of smooth unions doubles at each link where it is taken for a tree.
+  // Traversal of a chain of smooth unions as a tree would double the work at each link.
   Expression chain = leaf(0);
   for (int i = 0; i < 60; ++i) chain = shapes::smooth_unite(chain, shapes::move(leaf(1), i, 0, 0), 0.5);
   const FieldPtr field = frep::make_field(chain);

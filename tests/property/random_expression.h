@@ -1,4 +1,5 @@
-/// Random expressions for property tests: every operation, constants of all sizes, shared parts.
+/// Random expressions for property tests: all operations, constants of all magnitudes, shared
+/// subexpressions.
 #pragma once
 
 #include <rapidcheck.h>
@@ -10,8 +11,8 @@
 
 namespace fieldfab {
 
-/// A whole number from `low` up to, but not, `high`: over the whole range from the first test on (RapidCheck begins with small
-/// ones).
+/// A uniform integer in [low, high), over the whole range from the first test on (RapidCheck starts
+/// with small ones).
 inline int draw(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 
 }  // namespace fieldfab
@@ -27,8 +28,8 @@ inline double random_constant() {
   return draw(-100000, 100000) / 7919.0;
 }
 
-/// An expression of about `size` operations; arguments are drawn from all parts made so far, so that many are shared, and what
-/// nothing has used in the end is joined.
+/// A random expression of about `size` operations. Arguments are drawn from all previous
+/// subexpressions, so that many are shared; unused ones are joined at the end.
 inline Expression random_expression(int size) {
   std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), random_constant(), random_constant()};
   std::vector<bool> used(parts.size(), true);

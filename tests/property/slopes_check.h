@@ -1,4 +1,4 @@
-/// Whether Field::slopes() holds differences.
+/// Check that Field::slopes() contains difference quotients.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,23 +15,23 @@
 
 namespace fieldfab {
 
-inline constexpr double last_place = 1.2e-7;  // of floats
+inline constexpr double last_place = 1.2e-7;  // machine epsilon of floats
 
-/// A value, and how far rounding may have taken it from the Field's own formula.
+/// A value with a bound of the rounding error relative to the Field's formula.
 struct RoundedValue {
   double value;
   double rounding;
-  double slope_rounding = 0;  ///< how far it may have taken slopes there
+  double slope_rounding = 0;  ///< bound of the rounding error of slopes there
 };
 
-/// The Field's value. Numbers up to its coordinates and its value were rounded to floats some times: for Fields that are no
-/// steeper than 1 a mm, or not much.
+/// The Field's value, with a bound for several roundings of its coordinates and its value to
+/// floats. For Fields with slopes of about 1 per mm at most.
 inline RoundedValue rounded_value(const Field& field, const Vec3& p) {
   const double value = field.value(p);
   return {value, 32 * last_place * (1 + p.cwiseAbs().maxCoeff() + std::abs(value))};
 }
 
-/// Directions of length 1, along the axes and others.
+/// Unit vectors, along the axes and random.
 inline std::vector<Vec3> directions_for_slopes(std::size_t count) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -40,11 +40,11 @@ inline std::vector<Vec3> directions_for_slopes(std::size_t count) {
   return directions;
 }
 
-/// Checks every difference between values at places of a box, not nearer to each other than a thousandth of its side, against
-/// slopes(). `value` may give a NaN for a place of which it does not know the value. Returns how many directions have known
-/// slopes.
+/// Checks difference quotients between random points of a box, at least a thousandth of its side
+/// apart, against slopes(). `value` may return NaN for an unknown value. Returns the number of
+/// directions with known slopes.
 inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const std::function<RoundedValue(const Vec3&)>& value) {
-  constexpr std::size_t count = 11;  // more than are followed together
+  constexpr std::size_t count = 11;  // more than are processed together
   const std::vector<Vec3> directions = directions_for_slopes(count);
   std::array<Interval, count> slopes;
   field.slopes(box, directions, slopes);
@@ -66,7 +66,8 @@ inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const 
       if (!box.contains(from) || !box.contains(to) || (to - from).norm() < 1e-3 * side) continue;
       const RoundedValue a = value(from), b = value(to);
       if (std::isnan(a.value) || std::isnan(b.value)) continue;
-      // Rounded to floats, the way there is not quite along the direction: what is left is made up for along the axes.
+      // Rounding to floats turns the line slightly: the remainder is bounded by the slopes along
+      // the axes.
       const double t = (to - from).dot(directions[i]);
       const Vec3 aside = to - from - t * directions[i];
       double sum = steepest(slope), rounding = a.rounding + b.rounding;

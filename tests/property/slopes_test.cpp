@@ -1,15 +1,16 @@
-// Field::slopes() of expressions, volumes and what OpenSCAD's designs are made of: no difference is outside of them.
+// Field::slopes() of expressions, volumes and OpenSCAD's building blocks contains all difference
+// quotients.
 #include "slopes_check.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/opcode.h"
 #include "fieldfab/frep/shapes.h"
 #include "fieldfab/frep/text.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/openscad/design.h"
 #include "fieldfab/volume/volume_field.h"
 #include "random_expression.h"
@@ -20,7 +21,7 @@ namespace {
 double number(double from, double to) { return from + (to - from) * draw(0, 10001) / 10000.0; }
 Vec3 place(double from, double to) { return {number(from, to), number(from, to), number(from, to)}; }
 
-/// Boxes of all sizes with their middle in a box, cubes and others.
+/// Boxes of all sizes and shapes with their centre in a box.
 Box box_near(const Box& whole) {
   const Vec3 middle = whole.lower + place(0, 1).cwiseProduct(whole.size());
   const double side = whole.size().maxCoeff() * std::pow(10, number(-2.5, 0));
@@ -28,15 +29,15 @@ Box box_near(const Box& whole) {
   return {middle - half, middle + half};
 }
 
-// --- expressions
-// ----------------------------------------------------------------------------------------------------------------
+// ---------- expressions
 
-/// An expression in double precision. Numbers that do not depend on the place are those of single precision, as in the tape.
+/// An expression in double precision. Constants have single precision, as in the tape.
 class Twin {
  public:
   explicit Twin(const frep::Expression& expression) : flat_(frep::flatten(expression)) {}
 
-  /// NaN where single precision takes another branch than double precision: then two formulas are compared.
+  /// NaN if single precision takes another branch than double precision, so that the values belong
+  /// to different formulas.
   RoundedValue operator()(const Vec3& p) {
     entries_.resize(flat_.order.size());
     double largest = 0;
@@ -54,8 +55,8 @@ class Twin {
     double value;
     float single;
     bool fixed;
-    double summed = 0;  // the slope, with all that it is summed from taken as positive
-    double blur = 0;    // how much of it is due to values that single precision has otherwise
+    double summed = 0;  // sum of the absolute values of the slope's terms
+    double blur = 0;    // part of it that is due to rounding of values to single precision
   };
 
   static Entry made(frep::Opcode op, double constant, const Entry& a, const Entry& b, const Vec3& p) {
@@ -82,7 +83,8 @@ class Twin {
     if (frep::info(op).arity == 2) add(b, by_b, single_by_b);
     return made;
   }
-  /// By the first and the second argument; of those that decide by size or sign some bounds.
+  /// Partial derivatives by the first and the second argument; bounds for operations that depend on
+  /// order or sign.
   static std::pair<double, double> partials(frep::Opcode op, double x, double y, double value) {
     using frep::Opcode;
     switch (op) {
@@ -130,8 +132,7 @@ RC_GTEST_PROP(FieldOperations, SlopesOfExpressionsHoldDifferences, ()) {
   expect_slopes_hold(*frep::make_field(expression), {lower, lower + Vec3::Constant(number(0.01, 1))}, Twin(expression));
 }
 
-// --- volumes
-// --------------------------------------------------------------------------------------------------------------------
+// ---------- volumes
 
 struct Scan {
   SampleLattice lattice;
@@ -163,19 +164,21 @@ RC_GTEST_PROP(Slopes, OfVolumesHoldDifferences, ()) {
   expect_slopes_hold(*transform(scan.field, placement), {middle - half, middle + half});
 }
 
-/// Where the samples' ends do not matter the range is that of the gradients at the corners of all cells' parts in the box.
+/// Except near the ends of the lattice the range is that of the gradients at the corners of all
+/// parts of cells in the box.
 RC_GTEST_PROP(Slopes, OfVolumesAreTight, ()) {
   const Scan scan = random_scan();
   const Box whole = scan.lattice.box();
   Box box = box_near(whole);
   box = intersection(box, whole.grown(-0.05 * whole.size().minCoeff()));
   if (!box.valid()) return;
-  // The surface must lie deeper in the lattice than values are large.
+  // The surface must lie deeper inside the lattice than the magnitude of the values.
   if (scan.field->interval(box).lower < (box.upper - whole.upper).cwiseMax(whole.lower - box.lower).maxCoeff()) return;
   const std::vector<Vec3> directions = directions_for_slopes(5);
   std::array<Interval, 5> slopes;
   scan.field->slopes(box, directions, slopes);
-  std::array<std::vector<double>, 3> at;  // just beside the planes where cells meet, and the box's own faces
+  // slightly beside the planes between cells, and the box's own faces
+  std::array<std::vector<double>, 3> at;
   for (int axis = 0; axis < 3; ++axis) {
     const double nudge = 1e-3 * std::min(scan.lattice.spacing[axis], box.size()[axis]);
     const auto add = [&](double plane) {
@@ -185,7 +188,7 @@ RC_GTEST_PROP(Slopes, OfVolumesAreTight, ()) {
     add(box.lower[axis]), add(box.upper[axis]);
     for (int i = 0; i < scan.lattice.size[static_cast<std::size_t>(axis)]; ++i) {
       const double plane = scan.lattice.origin[axis] + i * scan.lattice.spacing[axis];
-      // A part of a cell that is thinner than that is not seen.
+      // A thinner part of a cell is not sampled.
       if (std::min(std::abs(plane - box.lower[axis]), std::abs(plane - box.upper[axis])) < 2 * nudge) return;
       add(plane);
     }
@@ -226,8 +229,7 @@ TEST(Slopes, OfVolumesAreUnknownForManyCellsAndWhatIsNoNumber) {
   EXPECT_TRUE(slopes[0].maybe_nan);
 }
 
-// --- OpenSCAD
-// -------------------------------------------------------------------------------------------------------------------
+// ---------- OpenSCAD
 
 /// A simple outline about the origin.
 std::string random_outline(double right_of) {

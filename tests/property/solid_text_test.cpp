@@ -1,4 +1,4 @@
-// A model written as .frep text and read again is the same model, whatever its solids come from.
+// A model written as .frep text and read again is the same model, for all sources of its solids.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -18,7 +18,7 @@
 namespace fieldfab {
 namespace {
 
-/// A folder with files of all kinds, each of a ball of radius 2 or of something that has parts.
+/// A folder with files of all kinds, each of a ball of radius 2 or of a solid with several parts.
 class Files {
  public:
   Files() {
@@ -57,7 +57,7 @@ class Files {
   OpenSettings settings_;
 };
 
-/// The text of a solid of each kind there is.
+/// The text of one solid of each kind.
 const std::vector<std::string> leaves{
     "sphere(1.5)",
     "gyroid(3)",
@@ -67,7 +67,7 @@ const std::vector<std::string> leaves{
     "open(\"two parts.3mf\")",
     "open(\"two parts.3mf\", part = \"a: b\")",
     "open(\"two parts.3mf\", part = \"ö\")",
-#ifdef FIELDFAB_HAS_ITK  // the sanitizer build has none
+#ifdef FIELDFAB_HAS_ITK  // not in the sanitizer build
     "open(\"ball.nrrd\", threshold = 128)",
     "open(\"ball.nrrd\", threshold = \"otsu\", below = 1, denoise = \"median:1\")",
     "open(\"ball.nrrd\", threshold = \"40%\", keep_largest = 1, crop = \"2,2,2,20,21,22\")",
@@ -81,7 +81,8 @@ const std::vector<std::string> leaves{
 
 double number(double low, double high) { return low + (high - low) * draw(0, 10001) / 10000.0; }
 
-/// The text of leaves that are moved, bent, joined and blended; of each function some argument is a leaf.
+/// The text of leaves that are moved, bent, joined and blended; each function is called with a
+/// leaf.
 std::string random_text(int depth) {
   if (depth == 0) return leaves[static_cast<std::size_t>(draw(0, static_cast<int>(leaves.size())))];
   const std::string a = random_text(depth - 1);

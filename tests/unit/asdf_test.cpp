@@ -1,4 +1,4 @@
-// The distance field: exact where it should be, compact, its files sound.
+// The distance field: exact where required, compact, with valid files.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -31,15 +31,17 @@ TEST(AsdfTest, InterpolatesToWithinItsError) {
       Vec3 direction(unit(random), unit(random), unit(random));
       if (direction.norm() < 0.1) continue;
       direction.normalize();
-      worst = std::max(worst, std::abs(asdf->value(direction) - 0.0));  // points of the surface lie in leafs
+      // points of the surface lie in leafs
+      worst = std::max(worst, std::abs(asdf->value(direction) - 0.0));
     }
-    // Within a smallest cell interpolation itself is off by the curvature, about voxel^2 / 4; 16 bits add 1/32767 of a cell.
+    // In a smallest cell the interpolation error is due to curvature, about voxel^2 / 4; 16 bits
+    // add 1/32767 of a cell.
     EXPECT_LT(worst, max_error + 0.05 * 0.05 / 2);
   }
 }
 
 TEST(AsdfTest, KeepsEverySampleToMaxError) {
-  // At lattice points nothing but merging and 16 bits come between the Field and the samples.
+  // At lattice points merging and quantization to 16 bits are the only errors.
   const double max_error = 0.01;
   const auto asdf = Asdf::build(*ball, {Vec3::Constant(-1.5), Vec3::Constant(1.5)}, {3.0 / 64, max_error, true});
   const double far = asdf->voxel() * std::sqrt(3.0);
@@ -121,7 +123,7 @@ TEST_F(AsdfFiles, ComeBackAsTheyWere) {
   EXPECT_EQ(again->region(), asdf->region());
   EXPECT_EQ(again->lattice(), asdf->lattice());
   EXPECT_EQ(again->statistics().cells(), asdf->statistics().cells());
-  // Half a quantum, and what 16 bits round.
+  // Half a quantum, plus rounding to 16 bits.
   const double bound = 0.5 * AsdfFileSettings{}.quantum_for(asdf->voxel()) + 4e-5;
   for (double x = -1.1; x < 1.2; x += 0.0371) {
     EXPECT_NEAR(again->value({x, 0.1, 0.2}), asdf->value({x, 0.1, 0.2}), bound);
@@ -184,13 +186,14 @@ TEST_F(AsdfFiles, OfKokopelliAreRead) {
     const double ring = std::hypot(p.x(), p.y()) - 1, truth = std::hypot(ring, p.z()) - 0.4;
     if (std::abs(truth) > 0.05) {
       EXPECT_EQ(torus->value(p) < 0, truth < 0) << p.transpose();
-    } else if (std::abs(torus->value(p)) < 0.2) {  // in a leaf: the distance itself, to the curvature in a cell of 0.13
+    } else if (std::abs(torus->value(p)) < 0.2) {
+      // in a leaf: the distance itself, up to the curvature in a cell of 0.13
       EXPECT_NEAR(torus->value(p), truth, 0.03);
     }
   }
   const FieldPtr field = frep::make_field(frep::parse_vm(read_file(TEST_DATA "/frep/tanglecube.vm")));
   int wrong = 0;
-  for (int k = 1; k < 32; ++k)  // at lattice points the file has the value itself, to 16 bits
+  for (int k = 1; k < 32; ++k)  // at lattice points the file stores the value itself, in 16 bits
     for (int j = 1; j < 32; ++j)
       for (int i = 1; i < 32; ++i) {
         const Vec3 p = Vec3::Constant(-2.5) + Vec3(i, j, k) * (5.0 / 32);

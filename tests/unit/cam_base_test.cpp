@@ -1,4 +1,4 @@
-// What files name by words: tools' shapes, kinds of machines and of files.
+// Names in files: tool shapes, kinds of machines and of files.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@
 namespace fieldfab::cam {
 namespace {
 
-/// The message of the error that a call ends with; its place is in it.
+/// The message of the error that a call throws, including its place.
 template <class Call>
 std::string refusal(const Call& call) {
   try {
@@ -47,7 +47,7 @@ TEST(Names, UnknownOnesAreRefusedWithTheNearest) {
   EXPECT_EQ(refusal([] { (void)coolant_named("water", "x"); }), "x: coolant is 'water'; it must be one of none, mist, flood");
 }
 
-// Each at the line that says it, when the file is read.
+// Each error names its line when the file is read.
 TEST(Names, OfMachineFiles) {
   const auto read = [](const std::string& toml) {
     return refusal([&] { (void)read_machine("name = \"m\"\nextension = \".nc\"\n" + toml, "m.toml"); });
@@ -60,7 +60,7 @@ TEST(Names, OfMachineFiles) {
             "m.toml:4: kind is 'table'; it must be one of none, head-head, table-table, head-table");
 }
 
-/// Files in a folder of their own.
+/// Files in a temporary folder.
 class ToolLibraries : public ::testing::Test {
  protected:
   ToolLibraries() { std::filesystem::create_directories(folder_); }
@@ -89,7 +89,7 @@ TEST_F(ToolLibraries, OfFreeCad) {
   write("Library/all.fctl", R"({"version": 1, "tools": [{"nr": 1, "path": "end.fctb"}, {"nr": 4, "path": "bull.fctb"},
     {"nr": 7, "path": "v.fctb"}, {"nr": 8, "path": "probe.fctb"}]})");
   const std::vector<Tool> all = tools("[[tool]]\nlibrary = \"Library/all.fctl\"\n");
-  ASSERT_EQ(all.size(), 3u);  // a probe cuts nothing
+  ASSERT_EQ(all.size(), 3u);  // a probe is not a cutting tool
   EXPECT_EQ(all[0].shape, ToolShape::flat);
   EXPECT_DOUBLE_EQ(all[0].diameter, 6.35);
   EXPECT_DOUBLE_EQ(all[0].flute, 30);
@@ -100,8 +100,8 @@ TEST_F(ToolLibraries, OfFreeCad) {
   EXPECT_DOUBLE_EQ(all[1].corner_radius, 2);
   EXPECT_EQ(all[2].shape, ToolShape::v);
   EXPECT_NEAR(all[2].angle, std::numbers::pi / 3, 1e-12);
-  EXPECT_NEAR(all[2].flute, 4.5 / std::tan(std::numbers::pi / 6), 1e-9);  // as far as its edge goes
-  // One of them, with words of its own; and a tool by itself, with the next number.
+  EXPECT_NEAR(all[2].flute, 4.5 / std::tan(std::numbers::pi / 6), 1e-9);  // up to the end of its edge
+  // One of them, with settings of its own; and a single tool, with the next number.
   const std::vector<Tool> some =
       tools("[[tool]]\nlibrary = \"Library/all.fctl\"\nnumber = 4\nlength = 33\n[[tool]]\nlibrary = \"Bit/end.fctb\"\n");
   ASSERT_EQ(some.size(), 2u);
@@ -154,7 +154,8 @@ TEST_F(ToolLibraries, RefuseNonsense) {
   EXPECT_NE(said("\"list.json\"").find("no tool library"), std::string::npos);
   EXPECT_NE(said("\"wrong.json\"").find("'DC' is no number"), std::string::npos);
   EXPECT_NE(said("\"one.fctl\"\nnumber = 3").find("has no tool 3"), std::string::npos);
-  EXPECT_NE(said("\"one.fctl\"\nlength = 3").find("length"), std::string::npos);  // of which of them?
+  // ambiguous: the library has several tools
+  EXPECT_NE(said("\"one.fctl\"\nlength = 3").find("length"), std::string::npos);
   EXPECT_NE(said("\"one.fctl\"\n[[tool]]\nlibrary = \"one.fctl\"").find("two tools with number 1"), std::string::npos);
 }
 

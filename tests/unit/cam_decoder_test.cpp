@@ -1,4 +1,4 @@
-// Lines of G-code as typed commands, without a machine that carries them out.
+// Lines of G-code as typed commands, without an interpreter.
 #include "gcode/decoder.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace fieldfab::cam::gcode {
 namespace {
 
-/// A control without parameters of its own.
+/// A control without predefined parameters.
 struct NoPredefined final : PredefinedParameters {
   [[nodiscard]] double numbered(int) const override { return 0; }
   [[nodiscard]] std::optional<double> named(std::string_view) const override { return std::nullopt; }
@@ -60,7 +60,7 @@ TEST(decoder, modal_words_have_meanings) {
   EXPECT_FALSE(set.control);
   EXPECT_EQ(decoded({"G55"}).command.modal.system, 2);
   EXPECT_EQ(decoded({"M19"}).command.modal.spindle, 0);
-  // Nothing stays from the block before.
+  // No state remains from the previous block.
   EXPECT_FALSE(decoded({"G20 G18", "G0 X1"}).command.modal.inch);
 }
 
@@ -75,7 +75,7 @@ TEST(decoder, words_without_a_use_are_refused_or_passed_over) {
   EXPECT_NE(fanuc.notes[0].find("I in a block"), std::string::npos);
 }
 
-// In Fanuc's way G80 ends a cycle and has the moves from before it in force again.
+// On Fanuc controls G80 ends a cycle and restores the motion mode from before it.
 TEST(decoder, g80_beside_g0_and_the_motion_in_force) {
   EXPECT_THROW(decoded({"G0 G80 X1"}), Refusal);
   const Decoded both = decoded({"G1 X1", "G80"}, Dialect::fanuc, 810);

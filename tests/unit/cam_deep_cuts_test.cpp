@@ -1,4 +1,5 @@
-// Tools that are too short for a job: how far they go, proved by simulating what was planned.
+// Tools that are too short for a job: the depth that they reach, proved by simulation of the
+// planned program.
 #include "fieldfab/cam/plan/deep_cuts.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ class DeepJobs : public ::testing::Test {
     job.write(folder_ / "program.ngc");
     return job;
   }
-  /// Nothing may go wrong, at a cell of the simulation's choice or at another one.
+  /// Simulates the program, with the default cell or another one, and expects no events.
   SimulationResult proved(double cell = 0) {
     SimulationSetup setup = read_simulation_setup(folder_ / "job.toml", formula(block));
     if (cell > 0) setup.sampling.cell = cell;
@@ -74,7 +75,7 @@ TEST_F(DeepJobs, BackOutInOneDeepPass) {
   ASSERT_EQ(job.notes().size(), 1u);
   proved();
   proved(0.13);
-  // At the flutes' length below the stock's top, less a cell at most and a quarter of one.
+  // At the flutes' length below the stock's top, at most a cell and a quarter higher.
   double lowest = 0;
   for (std::size_t k = 1; k < job.program().sections[0].moves.size(); ++k) {
     const Move &from = job.program().sections[0].moves[k - 1], &to = job.program().sections[0].moves[k];
@@ -91,7 +92,7 @@ TEST_F(DeepJobs, LeaveTheRestToALongerTool) {
   const Job job = plan(tools, finish + "tool = 1\n" + finish + "tool = 2\nplane = \"top\"\n");
   ASSERT_EQ(job.notes().size(), 1u);
   const SimulationResult result = proved();
-  // The pocket is as deep as the part has it.
+  // The pocket has the full depth of the part.
   EXPECT_FALSE(result.stock().solid({result.stock().lattice().cells()[0] / 2, result.stock().lattice().cells()[1] / 2,
                                      static_cast<int>((30 - 24.5) / result.stock().lattice().spacing().z())}));
 }
@@ -115,7 +116,7 @@ TEST_F(DeepJobs, HoldersThatMeetMaterialAreErrors) {
   }
 }
 
-// Passes that only repeat in the air what a higher level did are left out.
+// Passes that only repeat a higher level in the air are removed.
 TEST_F(DeepJobs, LeaveOutPassesThatCutNothing) {
   DeepCuts stock({{-20, -20, -30}, {20, 20, 0}});
   Tool cutter = tool("flat", 6);
@@ -135,7 +136,7 @@ TEST_F(DeepJobs, LeaveOutPassesThatCutNothing) {
   for (std::size_t k = 1; k < done.size(); ++k)
     if (!done[k].rapid() && done[k - 1].rapid()) ++passes;
   EXPECT_EQ(passes, 2) << "the third pass goes no deeper than the second one";
-  // Rapids stay where nothing is in the way.
+  // Rapids keep their height if nothing is in the way.
   for (std::size_t k = 1; k < done.size(); ++k)
     if (done[k].rapid() && done[k].to.head<2>() != done[k - 1].to.head<2>())
       EXPECT_TRUE(done[k].to.z() == 5 && done[k - 1].to.z() == 5);

@@ -1,4 +1,4 @@
-// Programs as shops write them, for controls other than LinuxCNC's; and projects of CAMotics.
+// Programs from practice for controls other than LinuxCNC's, and projects of CAMotics.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -141,7 +141,7 @@ TEST(Dialects, CountInInchesWhereToldTo) {
   near(gcode("X1\nG21 X1\nM30\n", options).at(1), {1, 0, 0});
 }
 
-/// A folder with a project in it.
+/// A folder with a project.
 struct Project {
   Project(const std::string& text, const std::string& program = "") {
     folder = std::filesystem::temp_directory_path() / ("fieldfab_camotics_" + std::to_string(getpid()));

@@ -1,4 +1,4 @@
-// G-code read back, feature by feature against closed forms. tests/hosts/gcode_test.py compares
+// Readings of G-code, feature by feature, against closed forms. tests/hosts/gcode_test.py compares
 // with LinuxCNC's interpreter.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -166,10 +166,11 @@ TEST(gcode, straight_moves_units_and_distance) {
   near(r.at(1), {2, 2, 3});
   EXPECT_NEAR(r.motions[1].end[Axis::a], pi, 1e-12);
   near(r.at(2), {27.4, 2, 3});
-  EXPECT_DOUBLE_EQ(r.motions[2].feed, 10);  // F counts before G20
+  EXPECT_DOUBLE_EQ(r.motions[2].feed, 10);  // F has the unit from before G20
   EXPECT_TRUE(r.noted("units before"));
   near(r.at(3), {0, 2, 3});
-  EXPECT_NEAR(r.motions[4].feed, 100 * pi / 180, 1e-12);  // degrees a minute where nothing but a rotary axis moves
+  // degrees per minute if only a rotary axis moves
+  EXPECT_NEAR(r.motions[4].feed, 100 * pi / 180, 1e-12);
   EXPECT_DOUBLE_EQ(gcode("G20\nF10 G1 X1\nM2").motions[0].feed, 254);
 }
 
@@ -197,7 +198,7 @@ TEST(gcode, arcs_by_centre_and_radius_in_all_planes) {
   near(r.at(1), {0, 0, 4});
   EXPECT_NEAR((r.motions[2].centre - Vec2(1, -std::sqrt(3))).norm(), 0, 1e-12);
   EXPECT_NEAR((r.motions[3].centre - Vec2(1, -std::sqrt(3))).norm(), 0, 1e-12);
-  near(r.at(4), {0, 0, 4});  // all around
+  near(r.at(4), {0, 0, 4});  // full circle
   EXPECT_EQ(r.motions[5].centre, Vec2(1, 0));
   r = moves("G18 G2 X2 I1 Y3\nG19 G3 Y5 Z2 J1 K1\n");
   EXPECT_EQ(r.motions[0].plane, ArcPlane::zx);
@@ -267,12 +268,12 @@ TEST(gcode, tool_lengths) {
       "Z1\nM2");
   EXPECT_EQ(r.motions[0].kind, Kind::tool_change);
   EXPECT_EQ(r.motions[0].tool, 1);
-  near(r.at(1), {0, 0, 0});  // the tip; the axes stand 10 higher
+  near(r.at(1), {0, 0, 0});  // the tip; the axes are 10 higher
   near(r.motions[1].tool_offset, {0, 0, 10});
   near(r.motions[2].tool_offset, {0, 0, 35});
   near(r.motions[3].tool_offset, {0, 0, 0});
   near(r.motions[4].tool_offset, {1, 0, 2});
-  near(r.at(4), {-1, 0, 3});  // G53 places the axes
+  near(r.at(4), {-1, 0, 3});  // G53 gives axis positions
   EXPECT_EQ(r.motions[5].tool, 2);
   near(r.motions[6].tool_offset, {0, 0, 25});
   near(r.motions[7].tool_offset, {0, 0, 7});
@@ -300,9 +301,9 @@ TEST(gcode, rotation_g68) {
   EXPECT_NEAR((r.motions[2].centre - Vec2(10, 0)).norm(), 0, 1e-12);
   EXPECT_EQ(r.motions[2].turns, 1);
   near(r.at(3), {1, 1, 0});
-  r = moves("G0 X3 Y4\nG68 X0 Y0 R30\nG91 G1 X1\n");  // an increment is turned, too
+  r = moves("G0 X3 Y4\nG68 X0 Y0 R30\nG91 G1 X1\n");  // increments are rotated, too
   near(r.at(1), {3 + std::cos(pi / 6), 4 + std::sin(pi / 6), 0}, 1e-12);
-  r = moves("G18 G68 Z0 X0 R90\nG1 Z2 X1\n");  // z, x: z goes to x
+  r = moves("G18 G68 Z0 X0 R90\nG1 Z2 X1\n");  // z, x: z is mapped to x
   near(r.at(0), {2, 0, -1}, 1e-12);
   r = moves("G10 L2 P1 X5\nG0 X0\nG68 X1 Y0 R180\nG0 X3\n");
   near(r.at(1), {5 - 1, 0, 0}, 1e-12);
@@ -318,7 +319,7 @@ TEST(gcode, arcs_that_a_rotation_takes_out_of_their_plane_become_chords) {
   const Reading r = moves("G10 L2 P1 R90\nG18 G3 X0 Z20 K10\n");
   EXPECT_TRUE(r.noted("short straight feeds"));
   ASSERT_GT(r.motions.size(), 100U);
-  for (const Motion& m : r.motions) {  // the arc stands in y and z now
+  for (const Motion& m : r.motions) {  // the arc is now in the y-z plane
     EXPECT_EQ(m.kind, Kind::feed);
     EXPECT_NEAR(std::hypot(m.end[Axis::y], m.end[Axis::z] - 10), 10, 1e-9);
     EXPECT_NEAR(m.end[Axis::x], 0, 1e-9);
@@ -362,7 +363,8 @@ TEST(gcode, drilling_cycles) {
 }
 
 TEST(gcode, cycles_with_the_spindle) {
-  for (const std::string plane : {"G17", "G18", "G19"}) {  // rs274 itself mixes up axes in G18 and G19 here
+  // rs274 itself confuses axes in G18 and G19 here
+  for (const std::string plane : {"G17", "G18", "G19"}) {
     const Reading r = gcode(plane + " F100 S500 M3 G0 X9 Y9 Z9\nG84 G99 X1 Y1 Z1 R5\nM2");
     EXPECT_EQ(r.motions[3].kind, Kind::feed);
     EXPECT_EQ(r.motions[3].spindle, 500);
@@ -382,7 +384,7 @@ TEST(gcode, cycles_with_the_spindle) {
   for (std::size_t i = 0; i < bore.size(); ++i) near(r.at(i), bore[i]);
   r = gcode("F100 S500 M3 G0 Z9\nG88 X1 Z-1 R5 P2\nM2");
   EXPECT_EQ(r.motions[5].kind, Kind::stop);
-  near(r.at(6), {1, 0, 5});  // drawn out by hand
+  near(r.at(6), {1, 0, 5});  // retracted by hand
   EXPECT_TRUE(r.noted("G88"));
 }
 
@@ -424,14 +426,15 @@ TEST(gcode, threads_and_synchronous_moves) {
 }
 
 TEST(gcode, splines_stay_near_the_curve) {
-  // The second cubic begins in the direction in which the first one ends: its first handle is (10, -10).
+  // The second cubic starts in the direction of the first one's end: its first control point is
+  // (10, -10).
   Reading r = moves("G5 X10 Y0 I0 J10 P0 Q10\nG5 X20 Y0 P0 Q-10\n");
   ASSERT_GT(r.motions.size(), 20U);
   Vec3 last(0, 0, 0);
   for (const Motion& m : r.motions) {
     const bool second = m.line == 3;
     const double x = m.end[Axis::x] - (second ? 10 : 0);
-    double low = 0, high = 1;  // of the parameter: x = 30 t^2 - 20 t^3 grows
+    double low = 0, high = 1;  // bisection for the parameter: x = 30 t^2 - 20 t^3 increases
     for (int i = 0; i < 60; ++i) {
       const double t = (low + high) / 2;
       (30 * t * t - 20 * t * t * t < x ? low : high) = t;
@@ -443,7 +446,7 @@ TEST(gcode, splines_stay_near_the_curve) {
   near(last, {20, 0, 0});
   r = moves("G5.1 X2 Y0 I1 J2\n");  // y = 2 x - x^2
   for (const Motion& m : r.motions) EXPECT_NEAR(m.end[Axis::y], 2 * m.end[Axis::x] - m.end[Axis::x] * m.end[Axis::x], 1e-9);
-  // A quarter of a circle as a NURBS of order 3.
+  // A quarter circle as a NURBS curve of order 3.
   r = moves("G0 X1 Y0\nG5.2 P1 L3\nX1 Y1 P" + std::to_string(std::sqrt(0.5)) + "\nX0 Y1 P1\nG5.3\nG1 X5\n");
   for (std::size_t i = 1; i + 1 < r.motions.size(); ++i) EXPECT_NEAR(r.at(i).norm(), 1, 1e-6);
   near(r.at(r.motions.size() - 2), {0, 1, 0});
@@ -455,7 +458,7 @@ TEST(gcode, splines_stay_near_the_curve) {
 }
 
 TEST(gcode, cutter_compensation_of_a_square) {
-  Reading r = moves("G0 X0 Y-10\nG41 D1 G1 X0 Y0\nY20\nX20\nG40 G1 Y30\n");  // left: the corners are outer ones
+  Reading r = moves("G0 X0 Y-10\nG41 D1 G1 X0 Y0\nY20\nX20\nG40 G1 Y30\n");  // left: outer corners
   near(r.at(1), {-3, 0, 0});
   near(r.at(2), {-3, 20, 0});
   EXPECT_EQ(r.motions[3].kind, Kind::arc);
@@ -464,12 +467,12 @@ TEST(gcode, cutter_compensation_of_a_square) {
   near(r.at(3), {0, 23, 0});
   near(r.at(4), {20, 23, 0});
   near(r.at(5), {20, 30, 0});
-  r = moves("G0 X0 Y-10\nG42.1 D6 G1 X0 Y0\nY20\nX20 Z1\nZ2\nY0\nG40\n");  // right: inner ones
+  r = moves("G0 X0 Y-10\nG42.1 D6 G1 X0 Y0\nY20\nX20 Z1\nZ2\nY0\nG40\n");  // right: inner corners
   near(r.at(2), {3, 17, 0});
   near(r.at(3), {17, 17, 1});
   near(r.at(4), {17, 17, 2});
   near(r.at(5), {17, 0, 2});
-  r = moves("G41.1 D4 G1 X5 Y0\nX20\nG2 X30 I5\nG1 X50\nG40\n");  // a line meets a circle
+  r = moves("G41.1 D4 G1 X5 Y0\nX20\nG2 X30 I5\nG1 X50\nG40\n");  // intersection of a line and a circle
   near(r.at(1), {25 - std::sqrt(45), 2, 0});
   EXPECT_EQ(r.motions[2].centre, Vec2(25, 0));
   near(r.at(2), {25 + std::sqrt(45), 2, 0});
@@ -572,7 +575,7 @@ TEST(gcode, repeats_count_as_blocks) {
 }
 
 TEST(gcode, entry_of_compensation_along_an_arc) {
-  // The arc ends beside the path's end, tangent to it, and begins where the tool is.
+  // The arc ends beside the path's end, tangent to it, and starts at the tool's position.
   const Reading r = moves("G0 X0 Y-10\nG41.1 D4\nG3 X10 Y0 I0 J10\nG1 Y20\nG40\n");
   near(r.at(1), {8, 0, 0});
   EXPECT_NEAR(r.motions[1].centre.y(), 0, 1e-12);
@@ -627,7 +630,8 @@ TEST(gcode, subroutine_files) {
     read("o<one> call [7]\nM2\n");
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.place(), (folder / "more" / "two.ngc").string() + ":3");  // where the feed is missing
+    // line of the missing feed
+    EXPECT_EQ(error.place(), (folder / "more" / "two.ngc").string() + ":3");
   }
   std::filesystem::remove_all(folder);
 }

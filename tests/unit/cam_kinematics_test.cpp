@@ -1,4 +1,4 @@
-// Machines whose rotary axes do not meet, against turning one after the other by hand.
+// Machines whose rotary axes do not intersect, against explicit rotations.
 #include "../../cam/machine/kinematics.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace fieldfab::cam {
 namespace {
 
-/// A point turned about a line.
+/// A point rotated about a line.
 Vec3 turned(const Vec3& p, const Vec3& on_line, const Vec3& direction, double angle) {
   return on_line + Eigen::AngleAxisd(angle, direction) * (p - on_line);
 }
@@ -22,7 +22,7 @@ TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
   for (int round = 0; round < 200; ++round) {
     Kinematics k;
     k.kind = GetParam();
-    k.centre = {1000, 0, 0};  // of no meaning where both axes have their own
+    k.centre = {1000, 0, 0};  // without effect if both axes have their own centre
     for (const char letter : {'A', 'C'}) {
       RotaryAxis axis;
       axis.letter = letter;
@@ -36,8 +36,8 @@ TEST_P(Kinds, AxesWithCentresOfTheirOwn) {
     const auto [tip, axis] = solver.pose(at, length);
     EXPECT_NEAR(axis.norm(), 1, 1e-12);
     EXPECT_LT((solver.position(tip, at.angles, length) - at.position).norm(), 1e-9);
-    // By hand: the tool's tip and a point above it in the machine, the head's inner axis first; then both taken back to the part,
-    // the table's outer axis first.
+    // Explicitly: the tool's tip and a point above it in machine coordinates, the head's inner axis
+    // first; then both mapped to the part, the table's outer axis first.
     const bool head[2] = {k.kind != Kinematics::Kind::table_table, k.kind == Kinematics::Kind::head_head};
     std::array<Vec3, 2> points{Vec3(0, 0, 0), Vec3(0, 0, 1)};
     for (Vec3& p : points) {

@@ -1,4 +1,4 @@
-// Operations on outlines, entries, and how long programs take: closed forms.
+// Operations on outlines, entries, and durations of programs, against closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +52,8 @@ TEST(Profile2d, RunsAroundAtTheToolsRadius) {
   EXPECT_NEAR(outside[0].length(), 60 + 4 * pi, 0.02);
   EXPECT_NEAR(inside[0].length(), 60 - 16, 0.02);
   EXPECT_NEAR(on[0].length(), 60, 0.02);
-  // Climb: the wall on the right, so clockwise outside and anticlockwise inside.
+  // Climb milling: the wall is on the right, so that outside profiles are clockwise and inside
+  // profiles anticlockwise.
   const auto area = [](const Path& path) {
     Loop loop;
     for (const PathPoint& p : points_along(path, 0.1)) loop.points.push_back(p.at.head<2>());
@@ -76,7 +77,7 @@ TEST(Profile2d, TabsStandAsWideAsAsked) {
     if (piece.points[0].at.z() != piece.points[1].at.z()) continue;
     (piece.points[0].at.z() == -3 ? low : high) += piece.length();
   }
-  EXPECT_NEAR(high, 4 * (5 + 3), 0.01);  // each as wide as the tab and the tool
+  EXPECT_NEAR(high, 4 * (5 + 3), 0.01);  // each as wide as the tab plus the tool
   EXPECT_NEAR(low + high, 140 + 3 * pi, 0.05);
 }
 
@@ -95,7 +96,7 @@ TEST(Pocket, ReachesEveryPlaceTheToolFits) {
           EXPECT_LE(distance->value({tips.back().x(), tips.back().y(), 0}), -1.5 + 0.01);
         }
     }
-    // Every place that the tool covers from somewhere lies under it somewhere.
+    // Every point that some permitted position of the tool covers is covered.
     const FieldPtr middles = outline_field(offset(area, -1.5, 0.05));
     for (double x = 0; x < 30; x += 0.17)
       for (double y = 0; y < 20; y += 0.19) {
@@ -120,7 +121,7 @@ TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
   EXPECT_NEAR((left[1] - Vec2(15, 25)).norm(), 0, 0.1);
 }
 
-/// Cells of a pocket that are still to be cut: the slow, obvious twin of what adaptive() steers by.
+/// Cells of a pocket that are still to be cut: the slow, obvious twin of adaptive()'s model.
 struct Chips {
   Chips(const Field& area, const Rectangle& region, double edge)
       : cells(static_cast<int>(region.size().x() / edge), static_cast<int>(region.size().y() / edge), edge,
@@ -129,7 +130,7 @@ struct Chips {
       for (int c = 0; c < cells.width; ++c)
         cells.at(c, row) = area.value({cells.place(c, row).x(), cells.place(c, row).y(), 0}) < 0 ? 1 : 0;
   }
-  /// Area that a disc takes away.
+  /// Area that a disc removes.
   double cut(const Vec2& at, double radius) {
     int count = 0;
     for (int row = 0; row < cells.height; ++row) {
@@ -149,7 +150,7 @@ TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
   for (int trial = 0; trial < 4; ++trial) {
     Loops area{rectangle(60, 45)};
     for (int island = 0; island < trial; ++island) {
-      // Far enough from each other that a tool of 4 mm has room to turn between them.
+      // Far enough apart that a tool of 4 mm can turn between them.
       const Vec2 at(x(random), y(random));
       const double radius = size(random), angle = turn(random);
       const bool free = std::all_of(area.begin() + 1, area.end(), [&](const Loop& other) {
@@ -195,7 +196,8 @@ TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
       EXPECT_LE(at(1), 1.6 * stepover);
       EXPECT_GE(std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size()), 0.7 * stepover);
       EXPECT_LE(in_links, 0.3);
-      // What is left lies where the tool cannot reach, but for hairs thinner than twice the tolerance.
+      // The remaining material is out of the tool's reach, except slivers thinner than twice the
+      // tolerance.
       const FieldPtr middles = outline_field(offset(area, -2, 0.05));
       for (int row = 0; row < chips.cells.height; ++row)
         for (int c = 0; c < chips.cells.width; ++c) {
@@ -209,7 +211,7 @@ TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
 }
 
 TEST(Adaptive, CutsSlotsLast) {
-  // A wide pocket with a slot as wide as the tool: the slot takes all of the tool's width, and nothing else does.
+  // A wide pocket with a slot as wide as the tool: only the slot requires full engagement.
   const Loop area{{{0, 0}, {30, 0}, {30, 8}, {45, 8}, {45, 12.2}, {30, 12.2}, {30, 20}, {0, 20}}};
   const auto paths = pocket(outline({area}, {{0, 0}, {45, 20}}), {1, true, 1.6}, cut_of(2, 1));
   double farthest = 0;
@@ -233,7 +235,7 @@ TEST(Drill, FindsRoundHolesOnly) {
   EXPECT_NEAR(paths[0].length(), 5.0 / 3 * 2 + 10.0 / 3 * 2 + 5, 1e-9);
 }
 
-/// How deep a V of half angle 45 degrees has carved at a place.
+/// Depth of a V of half angle 45 degrees at a point.
 double carved(const std::vector<Path>& paths, const Vec2& q, double slope) {
   double lowest = 0;
   for (const Path& path : paths) {
@@ -269,7 +271,7 @@ TEST(VCarve, WidePlacesGetAFlatFloor) {
   for (const Path& path : paths)
     for (const PathPoint& p : path.points) deepest = std::min(deepest, p.at.z());
   EXPECT_NEAR(deepest, -2, 1e-9);
-  EXPECT_NEAR(carved(paths, {10, 10}, 1), -2, 0.3);  // ridges of a stepover at most
+  EXPECT_NEAR(carved(paths, {10, 10}, 1), -2, 0.3);  // ridges of one stepover at most
   EXPECT_NEAR(carved(paths, {1, 10}, 1), -1, 0.01);
 }
 
@@ -277,7 +279,7 @@ TEST(VCarve, RoundThingsHaveNoSpurs) {
   const auto paths = v_carve({ring({0, 0}, 5, false, 200)}, pi / 4, 0.2, cut_of(0, 50));
   double length = 0;
   for (const Path& path : paths) length += path.length();
-  EXPECT_LT(length, 1);  // the middle, not 200 spokes
+  EXPECT_LT(length, 1);  // only the centre, not 200 spokes
 }
 
 TEST(Link, EntersByRampsAndStaysAboveTheMaterial) {
@@ -300,7 +302,7 @@ TEST(Link, EntersByRampsAndStaysAboveTheMaterial) {
     if (!moves[i].rapid() && way.z() < 0) steepest = std::max(steepest, std::atan2(-way.z(), way.head<2>().norm()));
   }
   EXPECT_LE(steepest, settings.ramp_angle + 1e-9);
-  EXPECT_GT(lengths(moves).cut, 80);  // the ramp, and once round at the bottom
+  EXPECT_GT(lengths(moves).cut, 80);  // the ramp, and one round at the bottom
 }
 
 TEST(Link, WindsDownWhereThereIsRoom) {
@@ -327,18 +329,18 @@ TEST(Link, WindsDownWhereThereIsRoom) {
     EXPECT_LE(std::asin(down / way), settings.ramp_angle + 1e-9);
   }
   EXPECT_GE(arcs, 4U);
-  // Where there is no room it goes along the path.
+  // Without clearance it descends along the path.
   settings.may_stay_down = [](const Vec3&, const Vec3&) { return false; };
   for (const Move& m : link({path}, settings)) EXPECT_EQ(m.bulge, 0);
 }
 
 TEST(Duration, IsThatOfClosedForms) {
   const Dynamics d{6000, 100, 0.01};
-  // 100 mm at 50 mm/s, half a second to get there and to stop: 25/2 mm each.
+  // 100 mm at 50 mm/s, half a second each to accelerate and to stop: 25/2 mm each.
   EXPECT_NEAR(duration({{{0, 0, 0}}, {{100, 0, 0}, 3000}}, d), 0.5 + 0.5 + 75.0 / 50, 1e-9);
   // Too short to reach its speed.
   EXPECT_NEAR(duration({{{0, 0, 0}}, {{1, 0, 0}, 3000}}, d), 2 * std::sqrt(1.0 / 100), 1e-9);
-  // A straight way in two pieces takes as long as in one; a corner takes longer.
+  // Two collinear pieces take as long as one; a corner takes longer.
   const double straight = duration({{{0, 0, 0}}, {{50, 0, 0}, 3000}, {{100, 0, 0}, 3000}}, d);
   EXPECT_NEAR(straight, 2.5, 1e-9);
   EXPECT_GT(duration({{{0, 0, 0}}, {{50, 0, 0}, 3000}, {{50, 50, 0}, 3000}}, d), straight + 0.2);
@@ -359,7 +361,7 @@ TEST(Material, IsWhatTheToolLeaves) {
   EXPECT_EQ(where_material({across}, material, 2).size(), 2U);
 }
 
-/// A ball of radius 10 whose middle is 4 mm below a plate's top.
+/// A ball of radius 10 whose centre is 4 mm below a plate's top.
 FieldPtr knob() { return formula("min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-16, max(abs(y)-16, abs(z+1)-1)))"); }
 const Box knob_bounds{{-16, -16, -2}, {16, 16, 6}};
 
@@ -387,7 +389,8 @@ TEST(Rough, ClearsWhatTheTipReachesAndNothingElse) {
     left.cut(link(paths, {}), tool("ball", 5).profile());
     for (double x = -16.5; x < 17; x += 0.7)
       for (double y = -16.5; y < 17; y += 0.7) {
-        // Levels lie 2 mm apart; between passes of a ball a ridge of 0.12 mm is left, and heights are kept by cells of 0.2 mm.
+        // Levels are 2 mm apart. Passes of a ball leave a ridge of 0.12 mm, and heights are stored
+        // in cells of 0.2 mm.
         const double lowest = tips->tip({x, y}), level = 7 - 2 * std::floor((7 - std::max(lowest, -1.0)) / 2);
         EXPECT_LE(left.highest({x, y}, 0), level + 0.4) << x << " " << y;
       }
@@ -395,7 +398,7 @@ TEST(Rough, ClearsWhatTheTipReachesAndNothingElse) {
 }
 
 TEST(Pencil, RunsAlongValleys) {
-  // Where a ball lies on the plate and against the knob.
+  // Position of a ball that touches both the plate and the knob.
   const double r = 1.5, away = std::sqrt((10 + r) * (10 + r) - (r + 4) * (r + 4));
   const TipSurface tips(Surface::of(*knob(), knob_bounds, {0.1, 0.005}), tool("ball", 2 * r).profile());
   FinishSettings settings;
@@ -418,7 +421,7 @@ TEST(Pencil, RunsAlongValleys) {
 }
 
 TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
-  // A slot through a block from the top, seen from the front; and from a plane that is tilted.
+  // A slot through a block from the top, seen from the front, and from a tilted plane.
   const Box block{{0, 0, 0}, {20, 16, 12}};
   const Plane top = plane_named("top");
   Material above(Rectangle::of(block), 12, 0.25);
@@ -431,7 +434,7 @@ TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
     take_away(material, plane, seen.lower.z(), above, top);
     int lowered = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-      // Nothing that is left of the block stands above the heights.
+      // No remaining material is above the heights.
       const Vec3 p =
           (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array()).matrix();
       const Vec3 q = plane.into(p);
@@ -443,7 +446,8 @@ TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
     }
     EXPECT_GT(lowered, 100);
   }
-  // Straight from the front the slot's floor is 5 mm up, and the material behind its end begins at y = 12 (9 and the radius).
+  // Seen from the front, the slot's floor is at height 5 mm, and the material behind its end starts
+  // at y = 12 (9 plus the radius).
   Material front(Rectangle::of(plane_named("front").into(block)), 0, 0.25);
   take_away(front, plane_named("front"), -16, above, top);
   EXPECT_NEAR(front.highest({6, 9}, 0), -12, 0.8);

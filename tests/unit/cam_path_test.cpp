@@ -36,7 +36,7 @@ TEST(Path, ArcsHaveLengthBoundsAndPoints) {
   for (const PathPoint& p : points_along(turned, 0.1)) EXPECT_NEAR((p.at.head<2>() - Vec2(1, 2)).norm(), 5, 1e-9);
 }
 
-/// The greatest distance of points of a path from a polyline's corners and edges.
+/// Greatest distance of a path's points from a polyline's corners and edges.
 double deviation(const Path& path, const std::vector<Vec2>& points) {
   double worst = 0;
   for (const PathPoint& p : points_along(path, 0.02)) {
@@ -112,7 +112,7 @@ TEST(Order, IsNeverWorseThanGreedyAndKeepsTheRule) {
     const AirTravel air = order(ordered, {});
     ASSERT_EQ(ordered.size(), paths.size());
     EXPECT_LT(air.after, 0.35 * air.before);
-    // Circles that wholly enclose others come later.
+    // Circles that enclose others come later.
     for (std::size_t i = 0; i < ordered.size(); ++i)
       for (std::size_t k = i + 1; k < ordered.size(); ++k) {
         const Rectangle a = ordered[i].bounds(), b = ordered[k].bounds();

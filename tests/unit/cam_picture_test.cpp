@@ -1,4 +1,4 @@
-// Colours of deviations: what they promise to the eye.
+// Colours of deviations: perceptual properties.
 #include <gtest/gtest.h>
 
 #include "fieldfab/cam/simulate/picture.h"
@@ -20,7 +20,7 @@ TEST(DeviationScales, AreGreyWithinAndOneColourOnEachSide) {
     const Colour red = scale.colour(-0.05 - over), blue = scale.colour(0.1 + over);
     EXPECT_GT(red[0], red[2] + 60) << over;
     EXPECT_GT(blue[2], blue[0] + 60) << over;
-    // The more, the darker.
+    // A greater deviation is darker.
     EXPECT_LE(brightness(-0.05 - over), before_red) << over;
     EXPECT_LE(brightness(0.1 + over), before_blue) << over;
     before_red = brightness(-0.05 - over), before_blue = brightness(0.1 + over);

@@ -99,7 +99,7 @@ TEST(Contours, AreTheSameForAnyNumberOfThreadsAndHoldEveryIsland) {
     ASSERT_EQ(one[i].points, many[i].points);
     area += one[i].area();
   }
-  int inside = 0;  // brute force: how much of the region is solid
+  int inside = 0;  // brute force: solid fraction of the region
   for (int j = 0; j < 2000; ++j)
     for (int i = 0; i < 2400; ++i) inside += field->value({0.0125 + 0.025 * i, 0.0125 + 0.025 * j, 0}) < 0 ? 1 : 0;
   EXPECT_NEAR(area, inside * 0.000625, 0.2);
@@ -152,7 +152,8 @@ TEST(Offset, ASquareGrownHasRoundCornersAndShrunkSharpOnes) {
 }
 
 TEST(Offset, IsTheMinkowskiSumWithADiscByBruteForce) {
-  // An L with a hole, offset both ways: each point of the result is exactly that far from the curves.
+  // An L with a hole, offset both ways: each point of the result has exactly that distance from the
+  // curves.
   Loops part{{{{0, 0}, {20, 0}, {20, 6}, {8, 6}, {8, 15}, {0, 15}}}, {{{2, 2}, {2, 5}, {5, 5}, {5, 2}}}};
   const FieldPtr distance = outline_field(part);
   for (const double by : {-0.8, -0.3, 0.5, 1.2, 3.0}) {
@@ -225,7 +226,7 @@ TEST(LatticeField, IsBilinearAndBounded) {
 }
 
 TEST(OutlineField, KeepsItsSignWhereCurvesCross) {
-  // A corner that ties itself into a small bow, as noise makes them; seen from far off the bow must not matter.
+  // A corner with a small bow-shaped self-intersection, as noise causes: its effect must be local.
   const Loop bow{{{0, 0}, {10, 0}, {10, 6}, {9.9, 6.1}, {10.1, 6.12}, {9.95, 5.9}, {9.8, 6.2}, {10, 10}, {0, 10}}};
   const FieldPtr field = outline_field({bow});
   std::mt19937 random(2);
@@ -238,7 +239,7 @@ TEST(OutlineField, KeepsItsSignWhereCurvesCross) {
     if (near) continue;
     EXPECT_EQ(field->value({p.x(), p.y(), 0}) < 0, inside) << p.transpose();
   }
-  // So its offsets are whole, too.
+  // Offsets are correct, too.
   for (const double distance : {2.0, -2.0}) {
     const Loops moved = offset({bow}, distance, 0.1);
     ASSERT_EQ(moved.size(), 1U);

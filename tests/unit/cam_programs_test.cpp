@@ -1,4 +1,4 @@
-// What our CAM writes, read back; ShopBot, RML and HPGL, feature by feature.
+// Programs written by this CAM, read back; ShopBot, RML and HPGL, feature by feature.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -16,7 +16,7 @@
 namespace fieldfab::cam {
 namespace {
 
-// What our own CAM writes -------------------------------------------------------------------------------------------------------
+// ---------- What our own CAM writes
 
 Program square() {
   Program program;
@@ -105,8 +105,7 @@ TEST(written_programs, hpgl) {
   }
 }
 
-// ShopBot
-// -------------------------------------------------------------------------------------------------------------------------
+// ---------- ShopBot
 
 Reading sbp(const std::string& text, double unit = 1) {
   Reading reading;
@@ -161,7 +160,7 @@ TEST(sbp, circles) {
   EXPECT_DOUBLE_EQ(r.motions[1].feed, 300);
   near(r.at(2), {5, 0, -1});
   EXPECT_EQ(r.motions[2].turns, -1);
-  near(r.at(3), {5, 0, 1});  // pulled up again
+  near(r.at(3), {5, 0, 1});  // retracted
   r = sbp("MS,10,5\nJZ,1\nCP,10,0,0,T,-1\nEND");
   near(r.at(1), {0, 5, 1});
   EXPECT_EQ(r.motions[2].turns, 1);
@@ -203,8 +202,7 @@ TEST(sbp, what_it_refuses) {
   EXPECT_THROW(read_sbp("A:\nGOTO A\n", "part.sbp", options, 1, [](const Motion&) {}), Error);
 }
 
-// RML and HPGL
-// --------------------------------------------------------------------------------------------------------------------
+// ---------- RML and HPGL
 
 TEST(rml, pens_and_places) {
   std::vector<Motion> m;

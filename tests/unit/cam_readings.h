@@ -37,7 +37,7 @@ inline Reading gcode(const std::string& text, const ReadingOptions& options = wi
   return reading;
 }
 
-/// Only motions that move.
+/// Motions that move only.
 inline Reading moves(const std::string& text, const ReadingOptions& options = with_tools()) {
   Reading reading = gcode("G21 G90 F100\n" + text, options);
   std::erase_if(reading.motions,
@@ -49,7 +49,7 @@ inline void near(const Vec3& a, const Vec3& b, double within = 1e-9) {
   EXPECT_NEAR((a - b).norm(), 0, within) << a.transpose() << " instead of " << b.transpose();
 }
 
-/// That reading throws bad_input at that line with a message that has that text in it.
+/// Expects that reading throws Error(bad_input) at a line, with a message that contains a text.
 inline void refused(const std::string& text, int line, const std::string& message, const ReadingOptions& options = with_tools()) {
   try {
     gcode(text, options);

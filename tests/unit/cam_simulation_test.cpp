@@ -1,4 +1,4 @@
-// Simulation: what it remembers, against programs that end early.
+// Playback of simulations, against programs that end early.
 #include "fieldfab/cam/simulate/simulate.h"
 
 #include <fmt/format.h>
@@ -76,7 +76,7 @@ TEST_F(SimulationFiles, AnyMomentIsWhatAProgramLeavesThatEndsThere) {
     const SimulationResult shorter = simulate(setup(), write("shorter.nc", {lines.begin(), lines.begin() + line}));
     const std::size_t done = playback.done_after_line(line);
     const TriangleMesh then = head.stock_after(done).mesh(), ended = shorter.stock().mesh();
-    // Where strokes are put together otherwise, samples may be rounded otherwise.
+    // Strokes that are grouped differently may be rounded differently.
     ASSERT_EQ(then.vertices.size(), ended.vertices.size()) << line;
     EXPECT_EQ(then.triangles, ended.triangles) << line;
     for (std::size_t v = 0; v < then.vertices.size(); ++v)
@@ -89,7 +89,7 @@ TEST_F(SimulationFiles, AnyMomentIsWhatAProgramLeavesThatEndsThere) {
   EXPECT_EQ(head.stock_after(0).volume(), Stock(setup().stock_box, setup().sampling).volume());
 }
 
-// Many copies, and room for few: any moment is still the right one.
+// Many copies and little memory: every moment is still correct.
 TEST(Playback, IsRightHoweverFewCopiesItKeeps) {
   Tool cutter;
   cutter.diameter = 3;
@@ -121,7 +121,8 @@ TEST(Playback, IsRightHoweverFewCopiesItKeeps) {
   Playhead head_of_plenty(plenty), head_of_scarce(scarce);
   for (int k = 0; k < 60; ++k) {
     const auto moment = static_cast<std::size_t>(std::uniform_int_distribution<int>(0, 300)(random));
-    EXPECT_NEAR(head_of_plenty.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;  // of 2000 mm3
+    // of 2000 mm3
+    EXPECT_NEAR(head_of_plenty.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;
     EXPECT_NEAR(head_of_scarce.stock_after(moment).volume(), volumes[moment], 1e-3) << moment;
   }
 }
@@ -145,7 +146,8 @@ TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   EXPECT_EQ(name_of(result.events()[0].kind), "over-travel");
 }
 
-// The shank meets the wall on the lines of two passes, the deeper ones last: two events, each with its lines and worst place.
+// The shank meets the wall on lines of two passes, the deeper ones last: two events, each with its
+// lines and worst place.
 TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {
   SimulationSetup wide = setup();
   wide.tools[1].shank = 4;
@@ -165,7 +167,7 @@ TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {
   EXPECT_EQ(second.message.find("worst of"), std::string::npos);
 }
 
-// Gouges are found at the end: they belong to the passes that cut them all the same.
+// Gouges are found at the end, but belong to the passes that cut them.
 TEST_F(SimulationFiles, GougesOfOnePassAreOne) {
   SimulationSetup aimed = setup();
   aimed.target = box_field({{0, 0, -8}, {20, 20, -2}});
@@ -180,7 +182,8 @@ TEST_F(SimulationFiles, GougesOfOnePassAreOne) {
   EXPECT_NEAR(result.events()[1].amount, 0.5, 1e-3);
 }
 
-// Two programs in a row leave what one program of both leaves, and say which of them it was.
+// Two consecutive programs leave the same material as one combined program, and events name the
+// program.
 TEST_F(SimulationFiles, ProgramsInARow) {
   const std::vector<std::string> head{"G21 G90", "T1 M6", "S1000 M3"};
   const std::vector<std::string> one{"G0 X-5 Y4 Z5", "Z-3", "G1 X30 F600", "G0 Z5"}, two{"G0 X-5 Y14 Z5", "Z-3", "G0 X30", "Z5"};
@@ -189,7 +192,8 @@ TEST_F(SimulationFiles, ProgramsInARow) {
     return lines;
   };
   SimulationSetup both = setup();
-  both.programs = {write("one.nc", joined(head, one)), write("two.nc", joined({"G21 G90", "S1000 M3"}, two))};  // the tool stays
+  // the tool stays in the spindle
+  both.programs = {write("one.nc", joined(head, one)), write("two.nc", joined({"G21 G90", "S1000 M3"}, two))};
   const SimulationResult row = simulate(both, std::vector<std::filesystem::path>{}, {.remember = true});
   const SimulationResult whole = simulate(setup(), write("whole.nc", joined(joined(head, one), two)));
   EXPECT_EQ(row.stock().volume(), whole.stock().volume());
@@ -204,7 +208,7 @@ TEST_F(SimulationFiles, ProgramsInARow) {
   EXPECT_EQ(playback.done_after_line(5, 1), 7u);
   EXPECT_EQ(row.report().lines.back().program, 1);
   EXPECT_THROW((void)simulate(setup(), std::vector<std::filesystem::path>{}), Error);
-  // Programs in JavaScript are named as such, whether they are there or not.
+  // Programs in JavaScript are reported as such, whether the files exist or not.
   try {
     (void)simulate(setup(), "missing.tpl");
     ADD_FAILURE();
@@ -213,7 +217,7 @@ TEST_F(SimulationFiles, ProgramsInARow) {
   }
 }
 
-// A result is a value: it outlives what it was made from, and two places in its playback do not disturb each other.
+// A result is a value: it outlives its sources, and two positions in its playback are independent.
 TEST_F(SimulationFiles, ResultsAreValues) {
   std::optional<SimulationResult> first = simulate(setup(), write("part.nc", program(40)), {.remember = true});
   const SimulationResult copy = *first;
@@ -227,7 +231,7 @@ TEST_F(SimulationFiles, ResultsAreValues) {
   EXPECT_EQ(simulate(setup(), write("part.nc", program(2))).playback(), nullptr);
 }
 
-// Tool 1 cuts 4 mm deep and its shank is as wide from there on: at 7 mm both have made the wall.
+// Tool 1 has flutes of 4 mm and a shank of equal width: at a depth of 7 mm both have made the wall.
 TEST_F(SimulationFiles, TellsWhichPartOfTheToolHasCut) {
   SimulationSetup wide = setup();
   wide.tools[1].shank = 4;

@@ -1,4 +1,5 @@
-// Stock against slow, obvious twins: membership of points in a tool at hundreds of poses, closed forms of swept balls.
+// Stock against slow, obvious twins: membership of points in a tool at hundreds of poses, and
+// closed forms of swept balls.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,17 +26,18 @@ Tool cutter(const std::string& shape) {
   tool.corner_radius = shape == "tapered" ? 0.6 : 0.8;
   tool.angle = shape == "tapered" ? 0.3 : 1.2;
   tool.tip_diameter = shape == "v" ? 0.5 : 0;
-  if (shape == "form") tool.points = {{0, 0}, {1.5, 0}, {1.5, 1}, {0.7, 1.6}, {0.7, 3}, {1.2, 4}};  // a dovetail with a neck
+  // a dovetail with a neck
+  if (shape == "form") tool.points = {{0, 0}, {1.5, 0}, {1.5, 1}, {0.7, 1.6}, {0.7, 3}, {1.2, 4}};
   return tool;
 }
 
-/// Whether a place is in a tool, by its profile alone.
+/// Whether a point is in a tool, by its profile alone.
 bool in_tool(const Tool& tool, const ToolPose& pose, const Vec3& p) {
   const Vec3 d = p - pose.tip;
   const double z = d.dot(pose.axis), r = (d - z * pose.axis).norm();
   if (z < 0 || z > tool.flute) return false;
   if (tool.shape == ToolShape::form) {
-    // The outline's radius at that height: of several, the widest.
+    // The greatest of the outline's radii at that height.
     double widest = -1;
     for (std::size_t i = 1; i < tool.points.size(); ++i) {
       const Vec2 &a = tool.points[i - 1], &b = tool.points[i];
@@ -48,7 +50,7 @@ bool in_tool(const Tool& tool, const ToolPose& pose, const Vec3& p) {
   return r <= tool.radius() && tool.profile().height(r) <= z;
 }
 
-/// Places next to a place, in all directions.
+/// Points near a point, in all directions.
 std::array<Vec3, 15> about(const Vec3& p, double by) {
   std::array<Vec3, 15> places;
   std::size_t i = 0;
@@ -72,7 +74,7 @@ std::vector<Stroke> strokes_of(const ToolSolid& solid, const std::vector<ToolPos
   return strokes;
 }
 
-/// A way that wanders through a box, turning by at most `turn` radians a step.
+/// A random walk through a box, with turns of at most `turn` radians per step.
 std::vector<ToolPose> random_way(std::mt19937& random, int count, double turn) {
   std::uniform_real_distribution<double> unit(-1, 1);
   ToolPose pose{{2 * unit(random) + 5, 2 * unit(random) + 5, 4 + 2 * unit(random)}, Vec3::UnitZ()};
@@ -111,8 +113,8 @@ struct Case {
 
 class StockTwin : public ::testing::TestWithParam<Case> {};
 
-// Points well inside of what the tool was are air, points well outside are solid; and where a surface lies on an edge of the
-// lattice is where membership changes.
+// Points well inside of the tool's poses are air, points well outside are solid, and the surface
+// crosses an edge of the lattice where membership changes.
 TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
   const Case& c = GetParam();
   const Tool tool = cutter(c.shape);
@@ -161,7 +163,7 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
   const TriangleMesh mesh = stock.mesh();
   expect_closed(mesh, c.shape);
   EXPECT_NEAR(mesh.volume(), left, 0.02 * all);
-  // The mesh's vertices that tools made lie on what they swept.
+  // Vertices made by tools lie on their swept volumes.
   std::vector<std::uint32_t> cuts;
   const TriangleMesh again = stock.mesh(&cuts);
   std::size_t checked = 0, off = 0;
@@ -179,7 +181,7 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
     off += !touches || inside;
   }
   EXPECT_GT(checked, 80u);
-  // A lattice sees nothing of what is thinner than its cells: next to such places vertices may be off.
+  // A lattice does not represent features thinner than its cells: nearby vertices may deviate.
   EXPECT_LE(off, checked / 100);
 }
 
@@ -196,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(Tools, StockTwin,
                                               test.param.brick, test.param.both_ends ? "both" : "one");
                          });
 
-// A ball along a straight way at an angle: every vertex of the groove on the capsule.
+// A ball along an oblique straight line: every vertex of the groove lies on the capsule.
 TEST(Stock, GrooveOfABallIsExact) {
   Tool tool = cutter("ball");
   tool.diameter = 6;
@@ -228,7 +230,7 @@ TEST(Stock, GrooveOfABallIsExact) {
   EXPECT_LT(sum / static_cast<double>(count), 0.005);
 }
 
-// A tool that goes far along its axis and turns a little: the curves where it grazes wander round it on the way.
+// A tool that moves far along its axis and turns a little: its grazing curves move round it.
 TEST(Stock, SlidingAlongTheAxisWhileTurningLeavesNothing) {
   Tool tool = cutter("bull");
   tool.corner_radius = 0.5;
@@ -238,7 +240,7 @@ TEST(Stock, SlidingAlongTheAxisWhileTurningLeavesNothing) {
   const ToolSolid solid = tool_solid(tool);
   StockSettings settings;
   settings.cell = 0.2;
-  settings.tolerance = 0.0074;  // what such a turn is divided for
+  settings.tolerance = 0.0074;  // the tolerance for which such a turn is divided
   Stock stock({{0, 0, 0}, {8, 8, 6}}, settings);
   stock.cut(strokes_of(solid, {a, b}));
   const StockLattice& lattice = stock.lattice();
@@ -270,7 +272,8 @@ TEST(Stock, StrokesThatOnlyAskLeaveItAsItIs) {
   const auto removed = stock.cut(strokes);
   EXPECT_EQ(asked[0].points, removed[0].points);
   EXPECT_NEAR(asked[0].volume, removed[0].volume, 1e-9);
-  EXPECT_NEAR(removed[0].volume, 2 * (6 * 3 + std::numbers::pi * 2.25), 1.5);  // columns on the very edge count whole
+  // columns on the border count fully
+  EXPECT_NEAR(removed[0].volume, 2 * (6 * 3 + std::numbers::pi * 2.25), 1.5);
   EXPECT_EQ(stock.cut(strokes)[0].points, 0u);
 }
 
@@ -295,7 +298,7 @@ TEST(Stock, CopiesAreCheckpoints) {
   EXPECT_EQ(again.mesh().triangles, after.triangles);
 }
 
-/// Triangles by their corners' places, each beginning with its least corner.
+/// Triangles by the positions of their corners, each starting with its smallest corner.
 std::multiset<std::array<std::array<float, 3>, 3>> by_places(const TriangleMesh& mesh) {
   std::multiset<std::array<std::array<float, 3>, 3>> set;
   for (const auto& t : mesh.triangles) {
@@ -306,8 +309,8 @@ std::multiset<std::array<std::array<float, 3>, 3>> by_places(const TriangleMesh&
   return set;
 }
 
-// After each of many cuts the surface that is kept up to date is the one that is made at once, piece by piece; those that are
-// said to have stayed have stayed.
+// After each of many cuts the updated surface equals a new one, piece by piece, and pieces reported
+// as unchanged are unchanged.
 TEST(Stock, SurfaceIsKeptUpToDate) {
   for (const int brick : {6, 11, 64}) {
     StockSettings settings;
@@ -367,7 +370,8 @@ TEST(Stock, BeginsAsAField) {
   for (const auto& v : mesh.vertices) EXPECT_NEAR(field->value({v[0], v[1], v[2]}), 0, 2e-3);
 }
 
-/// The square root of a negative number is no number, and outside: an interval that holds it decides nothing.
+/// The square root of a negative number is NaN, which counts as outside: an interval that contains
+/// it proves nothing.
 TEST(Stock, IsOutsideWhereItsFieldIsNoNumber) {
   const FieldPtr field = frep::make_field(frep::parse_infix("sqrt(x) - 100"));
   StockSettings settings;

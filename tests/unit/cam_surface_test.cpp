@@ -1,4 +1,4 @@
-// Surfaces as cutters meet them: against closed forms, brute force, and the Field itself.
+// Contacts of cutters with surfaces, against closed forms, brute force, and the Field itself.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ TEST(Profile, HeightsAreThoseOfTheShapes) {
   EXPECT_NEAR(tool("ball", 6).profile().height(1), 3 - std::sqrt(8.0), 1e-12);
   EXPECT_NEAR(tool("bull", 6, 1).profile().height(2.5), 1 - std::sqrt(0.75), 1e-12);
   EXPECT_NEAR(tool("v", 6, 0, pi / 2).profile().height(2), 2, 1e-12);
-  const Profile tapered = tool("tapered", 6, 0.5, pi / 9).profile();  // 10 degrees a side
+  const Profile tapered = tool("tapered", 6, 0.5, pi / 9).profile();  // 10 degrees per side
   const double bend = 0.5 * std::cos(pi / 18);
   EXPECT_NEAR(tapered.height(bend), 0.5 * (1 - std::sin(pi / 18)), 1e-12);
   EXPECT_NEAR(tapered.height(bend + 1) - tapered.height(bend), 1 / std::tan(pi / 18), 1e-12);
@@ -76,8 +76,8 @@ TEST(Surface, FindsRibsThatNoSampleMeets) {
   EXPECT_NEAR(surface->height({0.125, 1.234}), 5, 1e-2);
 }
 
-/// Ribs and pins thinner than fine samples are apart, low ones, such beside a higher wall, a turned one: the tool must stay above
-/// all of them.
+/// Ribs and pins thinner than the distance of fine samples: low ones, some beside a higher wall, a
+/// rotated one. The tool must stay above all of them.
 TEST(Surface, KeepsWhatIsThinnerThanAnySample) {
   const Box bounds{{-6, -6, -1}, {6, 6, 5}};
   const FieldPtr floor = box_field({{-6, -6, -1}, {6, 6, 0}});
@@ -86,7 +86,7 @@ TEST(Surface, KeepsWhatIsThinnerThanAnySample) {
   struct Rib {
     const char* name;
     FieldPtr solid;
-    Vec2 from, to;  ///< along its middle
+    Vec2 from, to;  ///< along its centre line
     double top;
   };
   const auto line = [](double angle, double length) { return Vec2(length * std::cos(angle), length * std::sin(angle)); };
@@ -109,12 +109,13 @@ TEST(Surface, KeepsWhatIsThinnerThanAnySample) {
       const Vec2 p = rib.from + (rib.to - rib.from) * (0.01 + 0.0098 * i);
       EXPECT_GE(tips.tip(p), rib.top - 0.081) << rib.name << " " << p.transpose();
       EXPECT_LE(tips.tip(p), rib.top + 0.081) << rib.name << " " << p.transpose();
-      EXPECT_GT(needle.tip(p), 0.01) << rib.name << " " << p.transpose();  // so that it is in an outline
+      // so that it is part of an outline
+      EXPECT_GT(needle.tip(p), 0.01) << rib.name << " " << p.transpose();
     }
   }
 }
 
-/// A slope that intervals are loose on is not taken for a rib.
+/// A slope with loose intervals is not taken for a rib.
 TEST(Surface, RaisesNothingWhereNothingStands) {
   const FieldPtr hills = formula("z - sin(x)*cos(y) - 0.3*sin(3*x + 1)*sin(2*y) - 1.5");
   const auto surface = Surface::of(*hills, {{-6, -6, -1}, {6, 6, 5}}, {0.2, 0.01});
@@ -142,7 +143,7 @@ TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
       const double h = surface->height(p);
       for (double z = h + 0.02; z < 7; z += 0.9) EXPECT_GT(solid->value({p.x(), p.y(), z}), -0.01) << p.transpose() << " " << z;
       if (h < bounds.lower.z() + 0.02) continue;
-      bool at_a_wall = false;  // there heights are those in between
+      bool at_a_wall = false;  // heights there are intermediate
       for (const Vec2& q : {Vec2(0.02, 0), Vec2(-0.02, 0), Vec2(0, 0.02), Vec2(0, -0.02)})
         at_a_wall |= std::abs(surface->height(p + q) - h) > 0.1;
       if (at_a_wall) continue;
@@ -154,17 +155,17 @@ TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
 }
 
 TEST(TipSurface, FollowsClosedForms) {
-  // A dome: a ball cutter's centre stays its radius off.
+  // A dome: the centre of a ball cutter keeps its radius as distance.
   const auto dome = Surface::of(*formula("sqrt(x*x+y*y+z*z) - 10"), {{-12, -12, 0}, {12, 12, 10}}, {0.1, 0.01});
   const TipSurface ball(dome, tool("ball", 6).profile());
   for (double x = 0; x < 9; x += 0.37) EXPECT_NEAR(ball.tip({x, 0.2}), std::sqrt(13 * 13 - x * x - 0.04) - 3, 0.01) << x;
   // A flat cutter touches a dome with its rim.
   const TipSurface flat(dome, tool("flat", 6).profile());
   for (double x = 3.1; x < 12; x += 0.37) EXPECT_NEAR(flat.tip({x, 0}), std::sqrt(100 - (x - 3) * (x - 3)), 0.01) << x;
-  // Allowance is kept along the normal.
+  // The allowance is measured along the normal.
   const TipSurface off(dome, tool("ball", 6).profile(), 0.5);
   EXPECT_NEAR(off.tip({5, 0}), std::sqrt(13.5 * 13.5 - 25) - 3, 0.01);
-  // A V in a groove of its own angle goes to the bottom.
+  // A V in a groove of its own angle reaches the bottom.
   const auto groove = Surface::of(*formula("max(z - abs(x), z - 4)"), {{-6, -6, -1}, {6, 6, 4}}, {0.1, 0.01});
   EXPECT_NEAR(TipSurface(groove, tool("v", 6, 0, pi / 2).profile()).tip({0, 0}), 0, 0.02);
   EXPECT_NEAR(TipSurface(groove, tool("v", 6, 0, pi / 2).profile()).tip({1, 0}), 1, 0.02);
@@ -208,14 +209,15 @@ TEST(TipSurface, IsThatOfBruteForce) {
 }
 
 TEST(TipSurface, NeverCutsTheSolid) {
-  // Random places of each cutter on hostile solids: no point of its surface is inside by more than the tolerance.
+  // Random positions of each cutter on difficult solids: no point of its surface is inside by more
+  // than the tolerance.
   struct Case {
     FieldPtr solid;
     Box bounds;
   };
   const Case cases[] = {
       {rotate(box_field({{-5, -4, 0}, {5, 4, 4}}), {0, 0, 1}, 0.3), {{-8, -8, 0}, {8, 8, 4.5}}},
-      {formula("(z - 3 + 2*abs(x)) / sqrt(5)"), {{-6, -6, 0}, {6, 6, 3.2}}},  // a knife's edge
+      {formula("(z - 3 + 2*abs(x)) / sqrt(5)"), {{-6, -6, 0}, {6, 6, 3.2}}},  // a knife edge
       {formula("z - 2 - sin(1.3*x)*cos(1.1*y)"), {{-8, -8, 0}, {8, 8, 4}}},
   };
   std::mt19937 random(3);

@@ -1,4 +1,5 @@
-// Five axes at once: what FreeSpace calls clear is, and leaning tools touch the part with their ball only.
+// Five-axis machining: FreeSpace is conservative, and tilted tools touch the part only with their
+// ball.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +30,7 @@ Tool held_ball(double diameter, double flute, double length) {
   return t;
 }
 
-/// Points all over a piece of a tool: its walls, its ends, its inside.
+/// Visits points of a piece of a tool: its walls, its ends, its inside.
 template <class Visit>
 void each_point(const Vec3& tip, const Vec3& axis, const Frustum& piece, double longest, const Visit& visit) {
   const Vec3 side = axis.unitOrthogonal(), other = axis.cross(side);
@@ -61,7 +62,7 @@ TEST(FreeSpace, NeverCallsClearWhatIsNot) {
       each_point(tip, axis, piece, 1e9, [&](const Vec3& p) { touches |= solid->value(p) < 0, near |= solid->value(p) < 0.4; });
       const bool called_clear = space.clear(tip, axis, piece, 0.05);
       EXPECT_FALSE(called_clear && touches) << tip.transpose() << " along " << axis.transpose();
-      // What is well clear is called so: samples are at most 2 mm apart.
+      // Poses with a wide clearance are reported as clear: samples are at most 2 mm apart.
       if (!near && !called_clear) {
         Frustum wider = piece;
         wider.radius_from += 2, wider.radius_to += 2, wider.from -= 1;
@@ -121,7 +122,7 @@ TEST(Tilted, TouchesThePartWithTheBallOnly) {
         for (const double share : {0.5, 1.0}) {
           const Vec3 axis = (a.axis + share * (b.axis - a.axis)).normalized(), tip = a.at + share * (b.at - a.at),
                      middle = tip + ball * axis;
-          // The ball is where it was, no deeper.
+          // The ball keeps its position, and is no deeper.
           EXPECT_GE(middle.z() - ball, tips.tip(middle.head<2>()) - 0.02) << middle.transpose();
           for (const Frustum& piece : pieces)
             each_point(tip, axis, piece, 45, [&](const Vec3& p) {
@@ -138,7 +139,8 @@ TEST(Tilted, TouchesThePartWithTheBallOnly) {
 }
 
 TEST(Tilted, FollowsTheArcsOfLevelContours) {
-  // Round a dome of radius 10: closed paths of a few arcs each. The ball's middle stays 12 mm from the dome's.
+  // Round a dome of radius 10: closed paths of a few arcs each. The ball's centre keeps a distance
+  // of 12 mm from the dome's centre.
   const FieldPtr solid = formula("max(sqrt(x*x+y*y+z*z)-10, -z)");
   const Box bounds{{-11, -11, 0}, {11, 11, 10}};
   const Tool t = held_ball(4, 20, 30);
@@ -162,7 +164,7 @@ TEST(Tilted, FollowsTheArcsOfLevelContours) {
 }
 
 TEST(Tilted, LeavesOutWhereNothingFits) {
-  // A slot 30 mm deep for a tool that is 12 mm out of its holder.
+  // A slot 30 mm deep for a tool that protrudes 12 mm from its holder.
   const FieldPtr solid = formula("max(max(abs(x)-20, max(abs(y)-20, max(z, -31-z))), -max(abs(x)-4, -30-z))");
   const Box bounds{{-20, -20, -31}, {20, 20, 0}};
   const Tool t = held_ball(4, 10, 12);
@@ -177,7 +179,7 @@ TEST(Tilted, LeavesOutWhereNothingFits) {
   EXPECT_GT(report.left_out, 40);
   double lowest = 0;
   for (const Path& path : paths)
-    for (const PathPoint& p : path.points)  // at the slot's ends the tool may lean outwards
+    for (const PathPoint& p : path.points)  // at the slot's ends the tool may tilt outwards
       if (std::abs(p.at.y()) < 5) lowest = std::min(lowest, p.at.z());
   EXPECT_GT(lowest, -20);
   EXPECT_LT(lowest, -3);

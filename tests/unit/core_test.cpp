@@ -1,4 +1,4 @@
-// Files written whole or not at all, progress, memory, text.
+// Atomic writes of files, progress, memory, text.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -172,7 +172,7 @@ TEST(Text, IsOneLineOfValidCharacters) {
   EXPECT_EQ(printable("Ø 3 mm – ✓ 😀"), "Ø 3 mm – ✓ 😀");
   EXPECT_EQ(printable("a\tb\nc\x7f"), "a b c ");
   EXPECT_EQ(printable("\xcd\x35|\xc0\x80\xed\xa0\x80\xf5"), "\uFFFD5|\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD");
-  EXPECT_EQ(printable("\xe2\x82"), "\uFFFD\uFFFD");  // half a character at the end
+  EXPECT_EQ(printable("\xe2\x82"), "\uFFFD\uFFFD");  // a truncated character at the end
   std::mt19937 random(1);
   std::uniform_int_distribution<int> byte(0, 255);
   for (int n = 0; n < 2000; ++n) {
@@ -180,7 +180,7 @@ TEST(Text, IsOneLineOfValidCharacters) {
     for (char& c : bytes)
       c = static_cast<char>(n % 2 ? byte(random) : "\xf0\x9f\x98\x80\xe2\x82\xac\xc3\xa4z"[byte(random) % 10]);
     const std::string line = printable(bytes);
-    EXPECT_NO_THROW((void)nlohmann::json(line).dump());  // it refuses what is no UTF-8
+    EXPECT_NO_THROW((void)nlohmann::json(line).dump());  // the library rejects invalid UTF-8
     EXPECT_EQ(printable(line), line);
     bool valid = true;
     try {

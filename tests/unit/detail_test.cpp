@@ -1,4 +1,4 @@
-// Meshes that are finer where the eye is near.
+// Meshes that are finer near the eye.
 #include "fieldfab/contour/detail.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
   const Vec3 eye(0, 0, 1.3);
   EXPECT_TRUE(mesh.parts(eye).empty());
   ASSERT_TRUE(mesh.refine(eye));
-  EXPECT_EQ(mesh.parts(eye).size(), 1U);  // something to see at once
+  EXPECT_EQ(mesh.parts(eye).size(), 1U);  // a coarse mesh is available at once
   int calls = 1;
   while (mesh.refine(eye) && ++calls < 1000) EXPECT_FALSE(mesh.parts(eye).empty());
   int nearest = 0, farthest = 99;
@@ -46,7 +46,7 @@ TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
 }
 
 TEST(DetailMesh, CoversTheSurfaceWithoutGapsOrInnerWalls) {
-  // Parts cover every place of the surface, and all they have is on it.
+  // Parts cover the whole surface, and all their points lie on it.
   const FieldPtr cube = frep::make_field(s::box(1.5, 1.5, 1.5));
   DetailMesh mesh(cube, bounds, {8, 3, 0.05});
   const Vec3 eye(0.2, 0.9, 0.9);
@@ -70,7 +70,7 @@ TEST(DetailMesh, ForgetsWhatIsNotLookedAt) {
   while (mesh.refine(far)) {
   }
   EXPECT_EQ(mesh.parts(far).size(), 1U);
-  EXPECT_LT(triangles(mesh.parts(near)), before);  // it has to be made again
+  EXPECT_LT(triangles(mesh.parts(near)), before);  // it has to be computed again
   while (mesh.refine(other)) {
   }
   EXPECT_GT(triangles(mesh.parts(other)), before / 2);

@@ -1,4 +1,5 @@
-// Evaluators: all models alike, machine code that is never writable, and what happens where there is no memory for it.
+// Evaluators: equal results for all models, machine code that is never writable, and failure of
+// memory allocation.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -29,7 +30,7 @@ struct Samples {
   [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
 };
 
-/// Values and gradients, one after the other, as bits but for the kinds of NaN and the sign of zero.
+/// Values and gradients in sequence, as bits, without regard to kinds of NaN and the sign of zero.
 std::vector<float> all_numbers(const Field& field, const Samples& samples) {
   const std::size_t n = samples.x.size();
   std::vector<float> out(5 * n);
@@ -63,7 +64,7 @@ TEST(Evaluators, AgreeOnEveryModel) {
 }
 
 TEST(Evaluators, ManySlotsAndFewPointsAgree) {
-  // More values alive at once than there are registers, and batches that do not fill a vector.
+  // More live values than registers, and batches that do not fill a vector.
   Expression sum = 0.0;
   std::vector<Expression> alive;
   for (int i = 0; i < 60; ++i)
@@ -99,7 +100,7 @@ TEST(Evaluators, HaveNames) {
 
 Evaluator machine_code() { return available(Evaluator::jit_avx512) ? Evaluator::jit_avx512 : Evaluator::jit_avx2; }
 
-/// The pages of this process with such permissions that no file is behind.
+/// Number of anonymous memory pages of this process with the given permissions.
 int anonymous_pages(const char* permissions) {
   std::ifstream maps("/proc/self/maps");
   int found = 0;
@@ -118,7 +119,8 @@ TEST(MachineCode, IsNeverWritableAndExecutable) {
   EXPECT_EQ(anonymous_pages("rwx"), 0);
 }
 
-/// Leaves the process with 0 where a machine-code evaluator gives the right numbers although no memory is to be had any more.
+/// Exits the process with 0 if a machine-code evaluator gives correct numbers although memory can
+/// no longer be allocated.
 [[noreturn]] void evaluate_without_memory() {
   const Samples samples(64, 2);
   const std::vector<float> expected = all_numbers(*make_field(s::torus(1, 0.2), Evaluator::portable), samples);

@@ -1,4 +1,4 @@
-// Operations over Fields against closed forms, and the bounds of solids.
+// Operations on Fields against closed forms, and bounds of solids.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -65,7 +65,7 @@ TEST(Operations, ABlendIsAUnionAwayFromItsFillet) {
   const FieldPtr a = box_field({{-1, -1, -1}, {1, 1, 1}}), b = box_field({{9, -1, -1}, {11, 1, 1}}), both = blend(a, b, 2);
   EXPECT_EQ(both->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field,
             a->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field);
-  // Between two that nearly touch there is one.
+  // Between two balls that nearly touch the blend is solid.
   const FieldPtr near = blend(a, translate(a, {2.2, 0, 0}), 2);
   const Box middle{{1.05, -0.5, -0.5}, {1.15, 0.5, 0.5}};
   EXPECT_LT(near->value({1.1, 0, 0}), 0);
@@ -88,9 +88,10 @@ frep::Expression turned(const frep::Expression& shape, int turn) {
   return s::move(s::rotate_x(s::rotate_z(shape, 0.37 * turn), 0.53 * turn), 20, -7, 3);
 }
 
-// Across a twisted bar intervals know nothing until its length is known, and in x, y and z a turned bar's length is along none.
+// Intervals of a twisted bar are unbounded until its length is known, and the length of a rotated
+// bar is along none of x, y and z.
 TEST(Bounds, AreFoundOfWhatIsTwistedTaperedAndTurned) {
-  const double half = std::sqrt(2 * 0.49 + 1);  // of the twisted bar's diagonal
+  const double half = std::sqrt(2 * 0.49 + 1);  // half diagonal of the twisted bar
   for (int turn = 0; turn < 10; ++turn) {
     for (const frep::Expression& shape : {s::twist(s::box(1.4, 1.4, 2), 0.6), s::taper(s::box(1.6, 1.6, 2), 4, 0.5)}) {
       const FieldPtr solid = frep::make_field(turned(shape, turn));
@@ -98,7 +99,7 @@ TEST(Bounds, AreFoundOfWhatIsTwistedTaperedAndTurned) {
       ASSERT_TRUE(found.is_bounded()) << turn;
       EXPECT_TRUE(found.box.contains({20, -7, 3}));
       EXPECT_LT(found.box.diagonal(), 2 * std::sqrt(3.0) * 1.1 * half);
-      // Nothing of it is beyond any side.
+      // No part of it is beyond any side.
       for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {-1.0, 1.0}) {
           Box beyond{found.box.lower - Vec3::Constant(3), found.box.upper + Vec3::Constant(3)};

@@ -1,4 +1,4 @@
-// Mesh files and PNGs: what is written reads back the same; damage is an error.
+// Mesh files and PNGs: round trips are exact; damaged files are errors.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ class TemporaryFolder : public testing::Test {
 using MeshFiles = TemporaryFolder;
 using Pictures = TemporaryFolder;
 
-/// A tetrahedron with awkward floats.
+/// A tetrahedron with coordinates that test the round trip of floats.
 TriangleMesh tetrahedron() {
   return {{{0.1F, 1e-7F, 0}, {1.3333334F, 0, 0}, {0, 123456.7F, 0}, {0, 0, -0.3F}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
 }

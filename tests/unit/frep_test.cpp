@@ -1,4 +1,5 @@
-// Expressions and their three text forms: what is read, what is refused and where, and depth without end.
+// Expressions and their three text forms: valid and invalid texts, places of errors, and unlimited
+// depth.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -44,7 +45,7 @@ TEST(Expressions, AreSimplified) {
   EXPECT_EQ(x - x, Expression(0.0));
   EXPECT_EQ(x * x, square(x));
   EXPECT_EQ(sqrt(4.0), Expression(2.0));
-  EXPECT_EQ(sqrt(Expression(-1.0)).opcode(), Opcode::square_root);  // never folded into NaN
+  EXPECT_EQ(sqrt(Expression(-1.0)).opcode(), Opcode::square_root);  // not folded into NaN
 }
 
 TEST(MathStrings, AreReadAsKokopelliReadsThem) {
@@ -55,7 +56,8 @@ TEST(MathStrings, AreReadAsKokopelliReadsThem) {
   EXPECT_EQ(parse_math("+m  YZX"), Expression::make(Opcode::add, y, x));  // the map ends with its body
   EXPECT_EQ(parse_math("f-0"), Expression(0.0));
   EXPECT_EQ(parse_math("+f.5f6.5e-3"), Expression::make(Opcode::add, 0.5, 6.5e-3));
-  EXPECT_EQ(parse_math("+f0xX"), Expression::make(Opcode::add, 0.0, exp(x)));  // 0, then exp: no hexadecimal
+  // 0, then exp: not hexadecimal
+  EXPECT_EQ(parse_math("+f0xX"), Expression::make(Opcode::add, 0.0, exp(x)));
   EXPECT_EQ(parse_math("f+3"), Expression(3.0));
   EXPECT_EQ(parse_math("X\n"), x);
 }
@@ -128,7 +130,8 @@ TEST(FrepText, TellsSolidsFromNumbers) {
 }
 
 TEST(FrepText, MakesNamedParts) {
-  const auto parts = parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
+  const auto parts =
+      parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].name, "ball");
   EXPECT_EQ(*parts[0].colour, (Colour{255, 99, 71}));
@@ -234,7 +237,8 @@ TEST(Pruning, DropsWhatCannotMatter) {
   const FieldPtr whole = make_field(two);
   const FieldPtr part = whole->restricted({{8, -1, 0}, {12, 1, 0}}).field;
   EXPECT_LT(active_nodes(*part), active_nodes(*whole) / 2 + 1);
-  // Alg. 3.4: an argument of known sign is left out where only the sign matters, though its value may win.
+  // Alg. 3.4: if only the sign matters, an argument of known sign is removed even if its value may
+  // be selected.
   const FieldPtr both = make_field(max(x, y - 5.0));
   const Box box{{-3, 4, 0}, {-1, 6, 0}};
   EXPECT_EQ(active_nodes(*both->restricted(box).field), active_nodes(*both));

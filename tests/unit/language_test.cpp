@@ -1,4 +1,4 @@
-// The .frep language as editors see it: tokens, parameters, mistakes, names that fit, meanings.
+// The .frep language for editors: tokens, parameters, mistakes, completions, meanings.
 #include "fieldfab/frep/language.h"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@ namespace {
 
 using Places = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// The line and column of each mistake.
+/// Line and column of each mistake.
 Places mistakes(std::string_view text) {
   Places places;
   for (const Diagnostic& found : diagnostics(text)) places.emplace_back(found.line, found.column);
   return places;
 }
 
-/// What could be inserted where `|` stands in a text.
+/// Completions at the position `|` of a text.
 std::vector<std::string> inserts(std::string text, std::span<const Word> options = {}) {
   const std::size_t at = text.find('|');
   text.erase(at, 1);

@@ -1,4 +1,4 @@
-// Distances to a mesh on a lattice, against the mesh as a Field, whose distances come another way.
+// Distances to a mesh on a lattice, against mesh_field(), which is an independent implementation.
 #include "fieldfab/mesh/mesh_distances.h"
 
 #include <gtest/gtest.h>
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/mesh/mesh_field.h"
 
 namespace fieldfab {
@@ -48,7 +48,7 @@ void expect_as_the_field(const TriangleMesh& mesh, const DistanceLattice& lattic
       for (int i = 0; i < lattice.size[0]; ++i, ++n) {
         const Vec3 p = lattice.origin + lattice.spacing * Vec3(i, j, k);
         const double expected = std::clamp(static_cast<double>(field->value(p)), -reach, reach);
-        if (std::abs(expected) < 1e-5)  // on the surface there is no side
+        if (std::abs(expected) < 1e-5)  // on the surface the sign is undefined
           ASSERT_NEAR(std::abs(found[n]), 0, 2e-5) << p.transpose();
         else
           ASSERT_NEAR(found[n], expected, 2e-5) << p.transpose();
@@ -72,7 +72,7 @@ TEST(MeshDistances, HoldOnPlacesThatLieOnEdgesAndFaces) {
 
 TEST(MeshDistances, AFewFlatTrianglesAreEnoughForALargeLattice) {
   TriangleMesh mesh = cube(1);
-  for (auto& p : mesh.vertices) {  // turned, so that nothing is level
+  for (auto& p : mesh.vertices) {  // rotated, so that no face is axis-aligned
     const float x = p[0], y = p[1], z = p[2];
     p = {0.8F * x - 0.6F * y, 0.48F * x + 0.64F * y - 0.6F * z, 0.36F * x + 0.48F * y + 0.8F * z};
   }
@@ -96,14 +96,14 @@ TEST(MeshDistances, LidsCloseWhatIsOpen) {
 TEST(MeshDistances, LidsAreGoodWhereTheyAreSmallAndDoNotLieOverThemselves) {
   TriangleMesh inverted_face = cube(3);
   for (std::size_t t : {10, 11}) std::swap(inverted_face.triangles[t][0], inverted_face.triangles[t][1]);
-  const Lids over_it = lids_of(inverted_face);  // twice, so that it is wound around once
+  const Lids over_it = lids_of(inverted_face);  // twice, so that the winding number is 1
   EXPECT_TRUE(over_it.are_good(inverted_face));
   EXPECT_NEAR(closed_by(over_it, inverted_face).volume(), 27, 1e-5);
   EXPECT_FALSE(lids_of(cube(3)).are_good(cube(3)));  // there are none
   TriangleMesh sheet = cube(3);
   sheet.triangles.resize(2);
   EXPECT_FALSE(lids_of(sheet).are_good(sheet));
-  // A box over an L that is long and thin, without its lower face: the middle of the rim is beside it.
+  // A box over a long thin L, without its lower face: the centre of the rim is outside of it.
   const std::vector<std::array<float, 2>> corners{{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}};
   TriangleMesh bent;
   for (const float z : {0.0F, 5.0F})
@@ -117,7 +117,8 @@ TEST(MeshDistances, LidsAreGoodWhereTheyAreSmallAndDoNotLieOverThemselves) {
   EXPECT_TRUE(along_it.middles.empty());
   EXPECT_NEAR(along_it.area, 19, 1e-5);
   EXPECT_NEAR(closed_by(along_it, bent).volume(), 95, 1e-4);
-  TriangleMesh twice = bent;  // no loop, but two in one: triangles to the middle, over each other
+  // not a single loop but two joined ones: triangles to the centre, which overlap
+  TriangleMesh twice = bent;
   append(twice, bent, false);
   for (auto& t : twice.triangles)
     for (std::uint32_t& vertex : t)
@@ -140,7 +141,7 @@ TEST(MeshDistances, LidsCloseWhateverIsLeftOfAMesh) {
       for (std::size_t axis = 0; axis < 3; ++axis) away += std::abs(mesh.vertices[t[0]][axis] - middle[axis]);
       return seed % 2 == 0 ? chance() < share : away < 2 * share;
     });
-    if (seed % 3 == 0)  // places become the same, edges flat, and rims lines
+    if (seed % 3 == 0)  // coincident vertices, flat edges, and rims that are lines
       for (auto& p : mesh.vertices)
         for (float& x : p) x = coarse * std::round(x / coarse);
     if (mesh.triangles.empty()) continue;

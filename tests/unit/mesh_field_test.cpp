@@ -46,7 +46,7 @@ std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::size_t triangle) {
   return points;
 }
 
-/// The nearest point of a triangle is in it, on one of its edges, or a corner.
+/// The nearest point of a triangle is inside of it, on an edge, or a corner.
 double distance_to(const std::array<Vec3, 3>& t, const Vec3& p) {
   double best = HUGE_VAL;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -86,7 +86,7 @@ TEST(MeshField, AgreesWithBruteForce) {
     std::mt19937 random(1);
     std::vector<float> x, y, z;
     for (int i = 0; i < 400; ++i) {
-      // Some runs of neighbours: what is found at one point helps to look at the next.
+      // Runs of neighbours, because a query reuses the result of the previous one.
       const bool jump = i % 20 == 0;
       x.push_back(static_cast<float>(jump ? uniform(random, -1.5, 1.7) : x.back() + uniform(random, -0.05, 0.05)));
       y.push_back(static_cast<float>(jump ? uniform(random, -1.5, 1.5) : y.back() + uniform(random, -0.05, 0.05)));
@@ -107,7 +107,8 @@ TEST(MeshField, AgreesWithBruteForce) {
   }
 }
 
-/// Of faces that are four triangles around the middle, with one without area on each edge of the lower face.
+/// A box with faces of four triangles round their centre, and a triangle without area on each edge
+/// of the lower face.
 TriangleMesh divided_box(float side) {
   TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner)
@@ -138,13 +139,14 @@ TriangleMesh divided_box(float side) {
 
 TEST(MeshField, CountsLinesThroughEdgesAndCornersRightly) {
   TriangleMesh two = divided_box(4);
-  append(two, divided_box(2));  // within, in planes with it: wound around twice
+  append(two, divided_box(2));  // inside, with common planes: winding number 2
   TriangleMesh open = divided_box(4);
   open.triangles.erase(open.triangles.end() - 4, open.triangles.end());  // without its last face
   for (const TriangleMesh& mesh : {two, inside_out(two), open}) {
     const FieldPtr solid = mesh_field(mesh);
     for (int n = 0; n < 13 * 13 * 13; ++n) {
-      const Vec3 p = 0.5 * Vec3(n % 13 - 2, n / 13 % 13 - 2, n / 169 - 2);  // on planes, edges and diagonals of all faces
+      // on planes, edges and diagonals of all faces
+      const Vec3 p = 0.5 * Vec3(n % 13 - 2, n / 13 % 13 - 2, n / 169 - 2);
       const double winding = std::abs(brute_winding(mesh, p));
       if (brute_distance(mesh, p) < 1e-6 || std::abs(winding - 0.5) < 0.03) continue;
       EXPECT_EQ(solid->value(p) < 0, winding > 0.5) << p.transpose();
@@ -173,20 +175,21 @@ TEST(MeshField, IntervalsHoldEveryValue) {
   }
 }
 
-/// On ways along the normals that facing() gives, and between them, the solid is left at most; of set operations and moves, too.
+/// Lines along the normals from facing(), and between them, leave the solid but do not enter it;
+/// also for set operations and moves.
 TEST(MeshField, WaysAlongItsNormalsDoNotEnterTheSolid) {
   const TriangleMesh ball = ball_mesh();
   TriangleMesh two = ball;
   append(two, ball_mesh(0.7, {0.8, 0.3, 0}));
-  EXPECT_FALSE(mesh_field(two)->faceted());  // what is wound around twice may be left and still be inside
+  // a line may leave a solid with winding number 2 and still be inside
+  EXPECT_FALSE(mesh_field(two)->faceted());
   EXPECT_FALSE(mesh_field(inside_out(ball))->faceted());
   const FieldPtr mesh = mesh_field(ball);
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
   map.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).scale(Vec3(1, 0.6, 1.3));
   const FieldPtr bar = frep::make_field(frep::parse_infix("box(0.5, 0.5, 3)"));
   std::mt19937 random(3);
-  for (const FieldPtr& solid :
-       {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
+  for (const FieldPtr& solid : {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
     ASSERT_TRUE(solid->faceted());
     int told = 0, crossed = 0;
     for (int n = 0; n < 1500; ++n) {

@@ -1,4 +1,5 @@
-// Mesh files of several parts: names, colours, places and sizes, as each form can say them.
+// Mesh files of several parts: names, colours, positions and sizes, as far as each format supports
+// them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -23,7 +24,7 @@ using Json = nlohmann::json;
 const std::vector<std::string> extensions{".stl", ".ply", ".off", ".obj", ".3mf", ".glb"};
 const std::string awkward = "Zahnrad \"groß\" <1> & 'zwei' 歯車 🔩";
 
-/// A tetrahedron of `size`, its right angle at (at, 0, 0).
+/// A tetrahedron of `size` with its right angle at (at, 0, 0).
 TriangleMesh tetrahedron(float at = 0, float size = 1) {
   return {{{at, 0, 0}, {at + size, 0, 0}, {at, size, 0}, {at, 0, size}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
@@ -46,7 +47,7 @@ class MeshParts : public testing::Test {
     EXPECT_EQ(notes, Notes());
     return read;
   }
-  /// The parts of a .3mf file with these resources and items, as another program may write it.
+  /// Parts of a .3mf file with these resources and items, as another program may write it.
   [[nodiscard]] std::vector<MeshPart> read(const std::string& resources, const std::string& build, Notes& notes) const {
     const std::string relationships =
         R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r" )"
@@ -91,7 +92,7 @@ TEST_F(MeshParts, OfA3mfFileComeBackToTheLastBit) {
   EXPECT_EQ(merged.notes, Notes{"a.3mf: left out: colours and materials, names of objects"});
 }
 
-/// XML knows no control characters, no broken UTF-8, and neither U+FFFE nor U+FFFF.
+/// XML excludes control characters, invalid UTF-8, and U+FFFE and U+FFFF.
 TEST_F(MeshParts, WithNamesThatXmlCannotSayAreStillRead) {
   const std::vector<MeshPart> back = there_and_back({{tetrahedron(),
                                                       "a\x01"
@@ -184,7 +185,8 @@ TEST_F(MeshParts, OfComponentsAreMerged) {
                          "names of components"});
 }
 
-/// What is no base material of a whole object stays a note; a reference to no material is no reason to refuse a solid.
+/// Colours other than a base material of a whole object give a note. A reference to a missing
+/// material is no error.
 TEST_F(MeshParts, WithOtherColoursAreTold) {
   const Notes told{"b.3mf: left out: colours and materials other than one opaque base material an object"};
   const auto object_with = [](const std::string& attributes) {
@@ -268,7 +270,7 @@ TEST_F(MeshParts, OfAnObjFileThatCannotBeWrittenLeaveNoMaterials) {
   std::filesystem::create_symlink("/dev/full", path("a.obj"));
   EXPECT_THROW(write_mesh_parts({&part, 1}, path("a.obj")), Error);
   EXPECT_EQ(names_in_folder(), std::set<std::string>{"a.obj"});
-  std::filesystem::create_directory(path("b.mtl"));  // where the materials belong
+  std::filesystem::create_directory(path("b.mtl"));  // the path of the material file
   write_file(path("b.obj"), "old");
   EXPECT_THROW(write_mesh_parts({&part, 1}, path("b.obj")), Error);
   EXPECT_EQ(read_file(path("b.obj")), "old");
@@ -289,7 +291,7 @@ TEST_F(MeshParts, OfAPlyFileColourTheirVertices) {
   EXPECT_EQ(corner, 4U) << "indices go on from part to part";
 }
 
-/// A .glb file's chunks.
+/// Chunks of a .glb file.
 struct Glb {
   Json json;
   std::string binary;
@@ -312,7 +314,7 @@ struct Glb {
       EXPECT_EQ(binary.size(), word(next));
     }
   }
-  /// The triples that an accessor stands for.
+  /// The triples of an accessor.
   template <class Number>
   [[nodiscard]] std::vector<std::array<Number, 3>> triples(std::size_t accessor) const {
     const Json& view = json["bufferViews"][json["accessors"][accessor]["bufferView"].get<std::size_t>()];
@@ -331,7 +333,7 @@ TEST_F(MeshParts, OfAGlbFileAreNodes) {
   EXPECT_EQ(json["asset"], (Json{{"version", "2.0"}, {"generator", "Fieldfab"}}));
   EXPECT_EQ(json["scenes"][0]["nodes"], Json::array({0}));
   EXPECT_EQ(json["nodes"][0]["children"], Json::array({1, 2, 3}));
-  // Columns: where x, y and z go. Metres, and z up becomes y up.
+  // Columns are the images of x, y and z. Metres; z up becomes y up.
   EXPECT_EQ(json["nodes"][0]["matrix"], Json::array({0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1}));
   EXPECT_EQ(json["nodes"][1], (Json{{"name", awkward}, {"mesh", 0}}));
   EXPECT_EQ(json["nodes"][2], (Json{{"name", "empty"}}));
@@ -342,7 +344,7 @@ TEST_F(MeshParts, OfAGlbFileAreNodes) {
   const auto factor = json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"].get<std::vector<double>>();
   ASSERT_EQ(factor.size(), 4U);
   EXPECT_EQ(factor[0], 1);
-  EXPECT_NEAR(factor[1], 0.2158605, 1e-7);  // 128 of 255, sRGB's curve
+  EXPECT_NEAR(factor[1], 0.2158605, 1e-7);  // 128 of 255 by sRGB's curve
   EXPECT_NEAR(factor[2], 10 / 255.0 / 12.92, 1e-12);
   EXPECT_EQ(factor[3], 1);
   EXPECT_FALSE(json["materials"][1]["pbrMetallicRoughness"].contains("baseColorFactor"));

@@ -1,12 +1,12 @@
-// OpenSCAD's .csg files: what is read, what is refused and where, and the solids that come of it.
+// OpenSCAD's .csg files: valid and invalid files, places of errors, and the resulting solids.
 #include <gtest/gtest.h>
 
 #include <numbers>
 #include <random>
 
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/frep_field.h"
-#include "fieldfab/contour/contour.h"
 #include "fieldfab/openscad/design.h"
 
 namespace fieldfab::openscad {
@@ -107,13 +107,14 @@ TEST(CsgSolids, KeepWhatModifiersSay) {
        {"group();", "union();", "hull();", "linear_extrude(height = 2);", "projection();", "square(size = 1);"})
     for (const char* text : {"intersection() { cube(size = 1); ", "intersection() { "})
       EXPECT_EQ(solid(text + std::string(empty) + " cube(size = 1); }"), nullptr) << text << empty;
-  EXPECT_NE(solid("projection(); cube(size = 1);"), nullptr);  // no shape is neither flat nor solid
+  // an empty shape is neither flat nor solid
+  EXPECT_NE(solid("projection(); cube(size = 1);"), nullptr);
   EXPECT_NE(solid("minkowski() { sphere(r = 0); cube(size = 1); }"), nullptr);
   EXPECT_NE(solid("linear_extrude(height = 1) { offset(r = -9) { square(size = 2); } } cube(size = 1);"), nullptr);
 }
 
 TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
-  // Faces that meet lie on lattice planes here.
+  // Common faces coincide with lattice planes here.
   const OpenedSolid two =
       design("cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
   const TriangleMesh joined = contour(*two.field, {{-1, -1, -1}, {9, 5, 5}}, {0.5, -1, true});
@@ -128,7 +129,7 @@ TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
 }
 
 TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
-  const double six = 6 * std::sin(std::numbers::pi / 3) / 2;  // a hexagon of radius 1
+  const double six = 6 * std::sin(std::numbers::pi / 3) / 2;  // area of a hexagon of radius 1
   EXPECT_NEAR(volume("cylinder($fn = 6, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * six, 0.3);
   EXPECT_NEAR(volume("cylinder($fn = 60, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * 30 * std::sin(std::numbers::pi / 30), 0.3);
   EXPECT_NEAR(volume("cylinder(h = 2, r1 = 5, r2 = 5);", 0.3, {true, false}), 50 * std::numbers::pi, 0.3);
@@ -136,7 +137,7 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
               5, 0.02);
   EXPECT_NEAR(volume("minkowski() { cube(size = 2); cube(size = [1, 2, 3]); }", 0.2), 60, 0.1);
   EXPECT_NEAR(volume("resize(newsize = [8, 0, 0], auto = [0, 1, 0]) { cube(size = [2, 1, 1]); }", 0.2), 32, 0.1);
-  // A ring of square section turned by half: Pappus with the hexagonal sides' factor.
+  // Half a ring of square section: Pappus's theorem with the factor of hexagonal sides.
   EXPECT_NEAR(volume("rotate_extrude(angle = 180, $fn = 12) { polygon(points = [[2,0],[4,0],[4,2],[2,2]]); }", 0.1),
               6 * 0.5 * std::sin(std::numbers::pi / 6) * 12 * 2, 0.1);
   const double rounded = 8 + 6 * 4 * 1 + 12 * 2 * std::numbers::pi / 4 + 4 * std::numbers::pi / 3;
@@ -149,7 +150,7 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
       (49 - 9) * 3, 0.3);
 }
 
-/// Everything that has a Field of its own.
+/// All nodes with a Field of their own.
 constexpr const char* zoo = R"(
 multmatrix([[0.8,-0.6,0,1],[0.6,0.8,0,2],[0,0,1,3],[0,0,0,1]]) { sphere($fn = 40, r = 5); }
 linear_extrude(height = 9) { difference() { circle($fn = 9, r = 8); circle($fn = 30, r = 3); } }

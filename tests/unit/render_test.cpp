@@ -1,4 +1,4 @@
-// Pictures against the slow, obvious way: every pixel asked for by itself.
+// Pictures against the slow, obvious twin: each pixel computed by itself.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ TEST(HeightMaps, MeetTheSurface) {
 }
 
 TEST(HeightMaps, TurnWithAlphaAndBeta) {
-  // A rod along x, turned about z by 90 degrees and tilted by 90 about x, stands upright.
+  // A rod along x, rotated about z by 90 degrees and tilted by 90 about x, is upright.
   const FieldPtr rod = frep::make_field(s::box(4, 1, 1));
   const Box bounds{{-2, -0.5, -0.5}, {2, 0.5, 0.5}};
   const Image image = render(*rod, bounds, {RenderMode::height, 64, std::numbers::pi / 2, std::numbers::pi / 2});
@@ -66,7 +66,8 @@ TEST(HeightMaps, TurnWithAlphaAndBeta) {
 }
 
 TEST(Perspective, ShowsWhatRaysThroughTheEyeMeet) {
-  // A ball in the middle of its bounds, seen from near: its outline is a cone's, and the middle of the picture is its top.
+  // A ball in the middle of its bounds, seen from near: its outline is that of a tangent cone, and
+  // the picture's centre is its top.
   const FieldPtr ball = frep::make_field(s::sphere(1));
   const Box bounds{Vec3::Constant(-1), Vec3::Constant(1)};
   constexpr double angle = 0.8;
@@ -78,7 +79,7 @@ TEST(Perspective, ShowsWhatRaysThroughTheEyeMeet) {
   for (int row = 0; row < size; ++row)
     for (int column = 0; column < size; ++column) {
       const auto i = static_cast<std::size_t>(row * size + column);
-      // The ray from the eye through this pixel's place in the plane z = 0.
+      // The ray from the eye through this pixel's point in the plane z = 0.
       const Vec3 eye(0, 0, distance), through((column + 0.5) * 2 * half / size - half, half - (row + 0.5) * 2 * half / size, 0);
       const Vec3 along = (through - eye).normalized();
       const double b = eye.dot(along), c = eye.squaredNorm() - 1, root = b * b - c;

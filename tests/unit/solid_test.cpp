@@ -129,7 +129,7 @@ TEST(Formats, AreOneTable) {
   for (const Format& row : all.rows()) {
     EXPECT_FALSE(row.extensions.empty() || row.help.empty());
     EXPECT_TRUE(row.written || row.read != nullptr);
-    // The readers and writers of the rooms below know the same.
+    // Readers and writers in the lower layers have the same extensions.
     for (const std::string& extension : row.extensions)
       EXPECT_EQ(is_mesh_extension(extension), row.kind == FormatKind::mesh) << extension;
     for (const std::string& extension : row.extensions) EXPECT_EQ(all.find("part" + extension), &row) << extension;
@@ -139,7 +139,7 @@ TEST(Formats, AreOneTable) {
   EXPECT_EQ(kernel_formats().find("part.scad"), nullptr);
   EXPECT_EQ(all.find("part.scad")->kind, FormatKind::design);
   EXPECT_TRUE(all.is_read_as(FormatKind::design, "part.SCAD"));
-  EXPECT_FALSE(all.is_read_as(FormatKind::mesh, "part.glb"));  // is written only
+  EXPECT_FALSE(all.is_read_as(FormatKind::mesh, "part.glb"));  // can only be written
   EXPECT_EQ(all.written("part.glb"), FormatKind::mesh);
   EXPECT_EQ(all.written("scan.vdb"), FormatKind::distances);
   EXPECT_EQ(all.written("scan.dcm"), std::nullopt);

@@ -1,4 +1,5 @@
-// .3mf files as other programs write them, and as nobody should: what the build places, and nothing else; counted first.
+// .3mf files of other programs, and malicious ones: only items of the build count, and their size
+// is computed first.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -22,7 +23,7 @@ const std::string production = "http://schemas.microsoft.com/3dmanufacturing/pro
 const std::string relationships =
     R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="r" )"
     R"(Target="/3D/3dmodel.model" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
-/// A tetrahedron of 1/6.
+/// A tetrahedron of volume 1/6.
 const std::string tetrahedron =
     R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>)"
     R"(<vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>)"
@@ -123,10 +124,11 @@ TEST_F(ThreeMf, TheBuildIsPlacedAndNothingElse) {
   EXPECT_TRUE(twice.notes.empty());
 }
 
-/// The transform within is carried out first: rows are images of the axes.
+/// Inner transforms apply first: rows are images of the axes.
 TEST_F(ThreeMf, ComponentsAreTransformedFromWithin) {
-  const std::string turned = "transform=\"0 1 0 -1 0 0 0 0 1 10 0 0\"";  // x to y, y to -x; then 10 along x
-  const std::string moved = "1 0 0 0 1 0 0 0 2 0 100 0";                 // z twice as long; then 100 along y
+  // x to y, y to -x; then 10 along x
+  const std::string turned = "transform=\"0 1 0 -1 0 0 0 0 1 10 0 0\"";
+  const std::string moved = "1 0 0 0 1 0 0 0 2 0 100 0";  // z doubled; then 100 along y
   const TriangleMesh mesh =
       read(model(object(1, tetrahedron) + object(2, components(component(1, turned))) + object(3, components(component(2))),
                  item(3, moved)))
@@ -150,7 +152,7 @@ TEST_F(ThreeMf, MirroredObjectsKeepTheirVolume) {
 TEST_F(ThreeMf, OnlyModelsAreSolids) {
   for (const std::string type : {"support", "solidsupport", "surface", "other"}) {
     const std::string other = object(2, tetrahedron, "type=\"" + type + "\"");
-    // The type of an object that holds components is theirs.
+    // The type of an object with components is that of the components.
     const std::string both = object(3, components(component(1) + component(2)), "type=\"" + type + "\"");
     const MeshFromFile file = read(model(object(1, tetrahedron, "type=\"model\"") + other + both, item(3)));
     EXPECT_EQ(file.mesh.triangles.size(), 4U) << type;
@@ -179,7 +181,7 @@ TEST_F(ThreeMf, NamespacesAreResolvedWhateverTheirPrefix) {
     text.insert(text[at + 1] == '/' ? at + 2 : at + 1, "m:");
   text.replace(text.find("xmlns="), 6, "xmlns:m=");
   EXPECT_EQ(read(text).mesh.triangles.size(), 4U);
-  // Elements of the same names in another namespace are others.
+  // Elements of the same names in another namespace are unrelated.
   const std::string foreign = "<triangle xmlns=\"http://example.com/mine\" v1=\"9\" v2=\"9\" v3=\"9\"/></triangles>";
   std::string mixed = model(object(1, tetrahedron), item(1));
   mixed.replace(mixed.find("</triangles>"), 12, foreign);
@@ -273,7 +275,7 @@ TEST_F(ThreeMf, ArchivesThatAreDamagedAreRefused) {
     write_file(path_, whole.substr(0, cut));
     EXPECT_THROW(load_mesh(path_), Error) << cut;
   }
-  // Any bit: an error of ours, or the mesh where the bit says nothing.
+  // Flips any bit: an Error, or the same mesh if the bit has no meaning.
   for (std::size_t i = 0; i < whole.size(); ++i) {
     std::string bytes = whole;
     bytes[i] = static_cast<char>(bytes[i] ^ 1 << i % 8);
@@ -286,7 +288,7 @@ TEST_F(ThreeMf, ArchivesThatAreDamagedAreRefused) {
   }
 }
 
-/// Some tenths of a second are usual, seconds under sanitizers.
+/// Usually tenths of a second; seconds under sanitizers.
 template <class Act>
 void expect_soon(const Act& act) {
   const auto start = std::chrono::steady_clock::now();
@@ -295,7 +297,8 @@ void expect_soon(const Act& act) {
 }
 
 TEST_F(ThreeMf, BombsAreCountedAndRefusedAtOnce) {
-  // Each object is ten of the one before: 4 * 10^10 triangles in 3 kB, and 10^10 times nothing.
+  // Each object contains ten of the previous one: 4 * 10^10 triangles in 3 kB, and 10^10 empty
+  // objects.
   for (const bool empty : {false, true}) {
     std::string resources = object(1, empty ? "" : tetrahedron);
     for (int id = 2; id <= 11; ++id) {
@@ -310,7 +313,7 @@ TEST_F(ThreeMf, BombsAreCountedAndRefusedAtOnce) {
         expect_refused(model(resources, item(11)), ErrorKind::too_large, "more than 2147483647 triangles or vertices");
     });
   }
-  // More than memory holds, or more than it is worth to go through.
+  // More than the memory holds, or than can be traversed in reasonable time.
   std::string doubled = object(1, tetrahedron);
   for (int id = 2; id <= 28; ++id) doubled += object(id, components(component(id - 1) + component(id - 1)));
   expect_soon([&] { expect_refused(model(doubled, item(28)), ErrorKind::too_large, "places more than 100000000 components"); });
@@ -360,7 +363,8 @@ TEST_F(ThreeMf, LargePartsHaveSizesOf64Bits) {
   zip.end();
   zip.finish();
   file.commit();
-  EXPECT_NE(read_file(path_).find(std::string("\x01\x00\x18\x00", 4)), std::string::npos);  // the directory's field of 24 bytes
+  // the directory's field of 24 bytes
+  EXPECT_NE(read_file(path_).find(std::string("\x01\x00\x18\x00", 4)), std::string::npos);
   EXPECT_EQ(load_mesh(path_).mesh.triangles.size(), 4U);
 }
 

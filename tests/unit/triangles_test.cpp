@@ -1,4 +1,4 @@
-// Pictures of triangles against the slow, obvious way: each pixel's ray against every triangle.
+// Pictures of triangles against the slow, obvious twin: each pixel's ray against every triangle.
 #include "fieldfab/render/triangles.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ struct Mesh {
   [[nodiscard]] Triangles view() const { return {vertices, triangles, colours}; }
 };
 
-/// Triangles anywhere, large and small, through one another; some share edges.
+/// Random triangles, large and small, which intersect; some share edges.
 Mesh random_mesh(std::mt19937& random, std::size_t count) {
   std::uniform_real_distribution<float> place(-5, 5), step(-1, 1);
   Mesh mesh;
@@ -57,7 +57,7 @@ Mesh ball(int rings, float radius) {
   return mesh;
 }
 
-/// The z at which a ray from above first meets a triangle, after the turn.
+/// z of a vertical ray's first intersection with a triangle, after the rotation.
 double first_height(const Mesh& mesh, const Eigen::Matrix3d& turn, double x, double y) {
   double highest = -std::numeric_limits<double>::infinity();
   for (const auto& t : mesh.triangles) {
@@ -104,7 +104,7 @@ TEST(TrianglePictures, ShowWhatRaysMeet) {
 }
 
 TEST(TrianglePictures, OfClosedSurfacesHaveNoHoles) {
-  // Seen along an axis, many edges go through pixels' centres exactly.
+  // Seen along an axis, many edges pass exactly through pixels' centres.
   const Mesh mesh = ball(60, 1);
   RenderSettings settings;
   settings.mode = RenderMode::normals;
@@ -118,7 +118,7 @@ TEST(TrianglePictures, OfClosedSurfacesHaveNoHoles) {
       const std::size_t i = static_cast<std::size_t>(row) * 200 + static_cast<std::size_t>(column);
       if (r > 0.98) continue;
       ASSERT_NEAR(picture.heights[i], std::sqrt(1 - r * r), 0.03) << x << ' ' << y;
-      // Normals are smooth: those of the ball.
+      // Normals are interpolated: those of the ball.
       EXPECT_NEAR(picture.image.pixels8[3 * i] / 127.5 - 1, x, 0.06) << x << ' ' << y;
       EXPECT_NEAR(picture.image.pixels8[3 * i + 1] / 127.5 - 1, y, 0.06) << x << ' ' << y;
     }

@@ -1,4 +1,4 @@
-// Volumes: each routine against its slow, obvious twin, and against shapes whose size is known.
+// Volumes: each routine against its slow, obvious twin, and against solids of known size.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -51,7 +51,7 @@ float density_at(const Volume& volume, int i, int j, int k) {
   return slice[static_cast<std::size_t>(i) + static_cast<std::size_t>(volume.lattice().size[0]) * static_cast<std::size_t>(j)];
 }
 
-/// Trilinear interpolation of densities, the slow way; `at` in samples.
+/// Trilinear interpolation of densities, the slow twin; `at` in samples.
 double trilinear(const Volume& volume, const Vec3& at) {
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -73,7 +73,8 @@ double uniform(std::mt19937& random, double low, double high) {
 }
 
 TEST(VolumeField, StaysSmoothWhereItIsJoinedWithOtherSolids) {
-  // Interpolated noise has a crease at every cell; contouring must not look for edges there, whatever stands beside it.
+  // Interpolated noise has a crease at every cell; contouring must not search for edges there, also
+  // if another solid is adjacent.
   std::mt19937 random(5);
   std::normal_distribution<double> grain(0, 6);
   const VolumePtr scan = volume_by(
@@ -90,10 +91,10 @@ TEST(VolumeField, StaysSmoothWhereItIsJoinedWithOtherSolids) {
   };
   const auto alone = triangles(noise);
   EXPECT_GT(alone, 1000);
-  // Curves on cells' faces are bent as for any solid; edges would be three times as many.
+  // Curves on cells' faces are bent as for any solid; edges would triple the number.
   EXPECT_LT(triangles(unite(noise, ball)), 1.4 * static_cast<double>(alone));
   EXPECT_LT(triangles(blend(noise, ball, 0.5)), 1.4 * static_cast<double>(alone));
-  // In a fillet they meet; the other solid's own edges elsewhere stay sharp.
+  // Both solids meet in a fillet; the other solid's own edges elsewhere stay sharp.
   const FieldPtr plate = box_field({{-0.9, -0.9, -0.9}, {11.9, 11.9, 1.2}}), both = blend(plate, noise, 2);
   EXPECT_FALSE(both->sampled());
   ContourSettings without{0.4};
@@ -133,7 +134,7 @@ TEST(VolumeField, GradientsAreDifferences) {
   std::mt19937 random(4);
   const double h = 1e-3;
   for (int n = 0; n < 500; ++n) {
-    // Off the planes of samples, where slopes jump.
+    // Off the planes of samples, where slopes are discontinuous.
     Vec3 p;
     for (int axis = 0; axis < 3; ++axis)
       p[axis] = volume->lattice().spacing[axis] * (static_cast<int>(uniform(random, 1, 5)) + uniform(random, 0.1, 0.9));
@@ -162,7 +163,7 @@ TEST(VolumeField, IntervalsHoldEveryValue) {
   }
 }
 
-/// A ball as a scanner sees it: a ramp of densities a few mm wide, the same everywhere else.
+/// A scanned ball: a ramp of densities a few mm wide, constant elsewhere.
 FieldPtr scanned_ball(double radius) {
   const VolumePtr ball = volume_by(lattice_of(41, 41, 41, Vec3::Ones(), Vec3::Constant(-20)),
                                    [&](const Vec3& p) { return std::clamp(100 - 40 * (p.norm() - radius), 0.0, 200.0); });
@@ -172,7 +173,7 @@ FieldPtr scanned_ball(double radius) {
 TEST(Distances, AreThoseToTheNearestPointOfTheSurface) {
   constexpr double radius = 8, reach = 6, voxel = 0.5;
   const FieldPtr ball = scanned_ball(radius);
-  EXPECT_LT(ball->value({15, 0, 0}), 3);  // far from 7: the density says no more
+  EXPECT_LT(ball->value({15, 0, 0}), 3);  // far from 7: densities contain no more information
   const FieldPtr told = distances(ball, ball->known_bounds(), {reach, voxel});
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-14, 14);
@@ -181,7 +182,7 @@ TEST(Distances, AreThoseToTheNearestPointOfTheSurface) {
     const double distance = p.norm() - radius, found = told->value(p);
     EXPECT_EQ(found < 0, ball->value(p) < 0);
     if (std::abs(distance) < 2 * voxel || std::abs(distance) > reach - voxel) continue;
-    // The surface itself is trilinear between samples, a mm apart.
+    // The surface itself is trilinear between samples with a spacing of 1 mm.
     ASSERT_NEAR(found, distance, 0.15 * voxel + 0.03) << p.transpose();
     EXPECT_NEAR(told->gradient(p).norm(), 1, 0.15);
   }
@@ -194,7 +195,7 @@ TEST(Distances, AreAsOneByOneOnARandomSolid) {
   constexpr double voxel = 0.5, reach = 3;
   const Box bounds = solid->known_bounds();
   const FieldPtr told = distances(solid, bounds, {reach, voxel});
-  // The slow, obvious way: the least distance to any of the places where the sign changes, on a lattice four times as fine.
+  // The slow, obvious twin: least distance to any sign change on a lattice four times as fine.
   std::vector<Vec3> surface;
   constexpr double step = voxel / 4;
   const Vec3 cells = (bounds.size() / step).array().ceil() + 2;
@@ -216,11 +217,12 @@ TEST(Distances, AreAsOneByOneOnARandomSolid) {
     for (const Vec3& s : surface) least = std::min(least, (s - p).norm());
     const double found = told->value(p);
     EXPECT_EQ(found < 0, solid->value(p) < 0);
-    if (least < 2 * voxel) continue;  // next to the surface it is the solid itself
+    if (least < 2 * voxel) continue;  // near the surface the value is the solid's own
     ++compared;
     sum += std::abs(std::abs(found) - least);
-    EXPECT_GT(std::abs(found), least - 0.3 * voxel);  // interpolation cuts off ridges, where two parts are equally near
-    EXPECT_LT(std::abs(found), least + 0.6 * voxel);  // where the lattice has missed a small piece
+    // interpolation cuts off ridges, where two parts are equally near
+    EXPECT_GT(std::abs(found), least - 0.3 * voxel);
+    EXPECT_LT(std::abs(found), least + 0.6 * voxel);  // the lattice may have missed a small piece
   }
   EXPECT_GT(compared, 20);
   EXPECT_LT(sum / compared, 0.1 * voxel);
@@ -229,9 +231,9 @@ TEST(Distances, AreAsOneByOneOnARandomSolid) {
 TEST(Distances, MakeOffsetsAndBlendsOfScansRight) {
   const FieldPtr ball = scanned_ball(8), told = distances(ball, ball->known_bounds(), {5, 0.5});
   const TriangleMesh grown = contour(*offset(told, 4), {{-19, -19, -19}, {19, 19, 19}}, {0.5});
-  // The scan's own surface is 0.02 mm too far in, between its samples.
+  // The scan's own surface is 0.02 mm too far in between its samples.
   EXPECT_NEAR(grown.volume(), 4 * std::numbers::pi / 3 * 12 * 12 * 12, 4 * std::numbers::pi * 12 * 12 * 0.04);
-  // A plate far below the ball stays flat; by densities it would rise all over the scan's box.
+  // A plate far below the ball stays flat; by densities it would rise throughout the scan's box.
   const FieldPtr plate = box_field({{-18, -18, -18}, {18, 18, -14}});
   const FieldPtr both = blend(plate, told, 3);
   EXPECT_GT(both->value({15, 15, -13.99}), 0);
@@ -246,7 +248,8 @@ TEST(Distances, RefuseWhatMakesNone) {
 }
 
 TEST(SurfaceDistance, OfAScansOwnSurfaceIsSmallEverywhere) {
-  // Between noisy samples a walk down the slope goes to and fro; what lies on the surface is not far from it for that.
+  // Between noisy samples a descent along the gradient oscillates; points of the surface must still
+  // have a small distance.
   std::mt19937 random(11);
   std::normal_distribution<double> grain(100, 30);
   SampleLattice lattice;
@@ -260,7 +263,8 @@ TEST(SurfaceDistance, OfAScansOwnSurfaceIsSmallEverywhere) {
   surface_distances(*solid, mesh.vertices, found);
   double squares = 0;
   std::size_t count = 0;
-  const Box inner = solid->known_bounds().grown(-1);  // what ends at the lattice's end may be as thin as one likes
+  // a solid that ends at the lattice's border may be arbitrarily thin
+  const Box inner = solid->known_bounds().grown(-1);
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3 p(mesh.vertices[i][0], mesh.vertices[i][1], mesh.vertices[i][2]);
     if (!inner.contains(p)) continue;
@@ -277,7 +281,7 @@ TEST(SurfaceDistance, IsThatOfClosedForms) {
   std::vector<std::array<float, 3>> places(5000);
   for (auto& p : places) p = {place(random), place(random), place(random)};
   std::vector<float> found(places.size());
-  // Values that are no distances: the square of the radius, less a square.
+  // Values that are no distances: the squared distance from the centre minus a square.
   const frep::Expression x = frep::Expression::x(), y = frep::Expression::y(), z = frep::Expression::z();
   surface_distances(*frep::make_field(x * x + y * y + z * z - 4), places, found);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -296,7 +300,7 @@ TEST(Threshold, OtsuIsTheBestOfAll) {
     histogram.width = 2;
     for (int i = 0; i < 40; ++i) histogram.counts.push_back(random() % 4 == 0 ? 0 : random() % 1000);
     for (const auto count : histogram.counts) histogram.samples += count;
-    // Every threshold's variance between the classes, from the definition.
+    // Between-class variance of every threshold, from the definition (Otsu).
     const auto variance = [&](double threshold) {
       double weight[2] = {}, sum[2] = {};
       for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
@@ -379,7 +383,7 @@ TEST(Volumes, CroppedAndHalved) {
   EXPECT_THROW(cropped(volume, {6, 0, 0}, {4, 2, 2}), Error);
   EXPECT_THROW(cropped(volume, {0, 0, 0}, {2147483647, 2, 2}), Error);
 
-  // What is linear stays so, but for the border.
+  // A linear volume stays linear except at the border.
   const VolumePtr slope = volume_by(lattice_of(11, 11, 11), [](const Vec3& p) { return p.x() + 2 * p.y() - p.z(); });
   const VolumePtr half = halved(slope);
   EXPECT_EQ(half->lattice().size, (std::array{6, 6, 6}));
@@ -403,7 +407,7 @@ TEST(Clean, CrumbsGoAndCavitiesAreFilled) {
   EXPECT_EQ(pieces({{}, false, 50, {}}), (std::array{true, false, true, false}));
   EXPECT_EQ(pieces({{}, false, {}, 1e9}), (std::array{true, true, true, true}));
   EXPECT_EQ(pieces({{}, false, {}, 10}), (std::array{true, false, true, true}));
-  // Inverted, what was a cavity is a piece of its own.
+  // After inversion a former cavity is a piece of its own.
   const VolumePtr inverted = cleaned(volume, 100, true, {{}, true, {}, {}});
   EXPECT_GE(density_at(*inverted, 12, 15, 15), 100);
   EXPECT_LT(density_at(*inverted, 1, 1, 1), 100);
@@ -420,7 +424,7 @@ class Import : public testing::Test {
   std::filesystem::path first = temporary("1.asdf"), second = temporary("2.asdf");
 };
 
-/// Wavy, with a little noise: some cells merge, others do not.
+/// Waves with a little noise: some cells merge, others do not.
 VolumePtr waves(const SampleLattice& lattice) {
   std::mt19937 random(13);
   std::normal_distribution<double> noise(0, 0.01);
@@ -447,7 +451,8 @@ TEST_F(Import, TheSurfaceIsThatOfTheSamples) {
   const auto asdf = Asdf::load(first);
   const FieldPtr truth = volume_field(*volume, scan.surface);
   EXPECT_EQ(asdf->region(), volume->lattice().box());
-  // Both ways: near each point of the surface of one the other changes its sign, within what was asked for.
+  // In both directions: near each point of one surface the other solid changes its sign, within the
+  // tolerance.
   const auto farther = [&](const Field& of, const Field& from, double distance) {
     std::mt19937 random(15);
     int found = 0, missed = 0;
@@ -477,7 +482,7 @@ TEST_F(Import, TheSurfaceIsThatOfTheSamples) {
 }
 
 TEST_F(Import, BallsComeBackWithTheirDiameters) {
-  // 0.2 mm apart (0.2 x 0.2 x 0.3), blurred, noisy: the diameter must be right within 0.02 mm.
+  // Spacing 0.2 mm (0.2 x 0.2 x 0.3), blurred, noisy: the diameter must be accurate to 0.02 mm.
   std::mt19937 random(14);
   std::normal_distribution<double> noise(0, 15);
   for (const double diameter : {3.0, 7.3}) {
@@ -495,7 +500,7 @@ TEST_F(Import, BallsComeBackWithTheirDiameters) {
 }
 
 TEST_F(Import, CylindersComeBackWithTheirDiameters) {
-  // Through the lattice from end to end, tilted a little, blurred and noisy.
+  // Through the lattice from end to end, slightly tilted, blurred and noisy.
   std::mt19937 random(16);
   std::normal_distribution<double> noise(0, 15);
   const Vec3 along = Vec3(0.1, 0.05, 1).normalized(), through(4.93, 4.87, 5.21);

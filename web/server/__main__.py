@@ -3,6 +3,7 @@
 import argparse
 import asyncio
 import ipaddress
+import logging
 import os
 import signal
 import socket
@@ -10,6 +11,7 @@ import sys
 import webbrowser
 
 from aiohttp import web
+from aiohttp.http_exceptions import HttpProcessingError
 
 from .app import Server
 from .safety import Guard, new_token
@@ -24,6 +26,7 @@ def options_of(arguments):
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--no-browser", action="store_true")
     parser.add_argument("--allow-scripts", action="store_true")
+    parser.add_argument("--scheduler")
     return parser.parse_args(arguments)
 
 
@@ -47,6 +50,17 @@ def listening(host, port):
         return socket.create_server((address[0], 0), family=family)
 
 
+def is_our_fault(record):
+    """Whether a line of the log is about us: those about clients that send garbage or vanish would have no end."""
+    return not (record.exc_info and isinstance(record.exc_info[1], (HttpProcessingError, ConnectionError, UnicodeError)))
+
+
+def handle_exception(loop, context):
+    """As asyncio's own, but for pipes to workers that were ended."""
+    if not isinstance(context.get("exception"), ConnectionError):
+        loop.default_exception_handler(context)
+
+
 async def serve(options):
     local = is_this_machine(options.host)
     token = None if local else os.environ.get("FIELDFAB_TOKEN") or new_token()
@@ -54,7 +68,9 @@ async def serve(options):
     port = listener.getsockname()[1]
     name = f"[{options.host}]" if ":" in options.host else options.host
     hosts = {f"{each}:{port}" for each in ("127.0.0.1", "localhost", "[::1]", name)} if local else None
-    server = Server(options.folder, options.allow_scripts)
+    asyncio.get_running_loop().set_exception_handler(handle_exception)
+    logging.getLogger("aiohttp.server").addFilter(is_our_fault)
+    server = Server(options.folder, options.allow_scripts, scheduler=options.scheduler)
     runner = web.AppRunner(server.app(Guard(hosts, token)), access_log=None)
     await runner.setup()
     await web.SockSite(runner, listener, shutdown_timeout=1).start()

@@ -1,5 +1,6 @@
 """The server's addresses (docs/web.md has them as a table)."""
 
+import asyncio
 import json
 import os
 import pathlib
@@ -9,13 +10,15 @@ from aiohttp import web
 
 import fieldfab as ff
 
-from . import files, openapi
+from . import files, machining, openapi
+from .cluster import Cluster
 from .documents import Documents
 from .jobs import Jobs
 from .limits import LIMITS
 from .processes import Pool, Refused
 from .protocol import checked, wrong
-from .safety import SANDBOX_POLICY, guarding, policy
+from .scans import Scans
+from .safety import REPORT_POLICY, SANDBOX_POLICY, guarding, policy
 from .sockets import Sockets
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -24,11 +27,13 @@ NO_PAGE = "The page is not built: npm was out of reach when Fieldfab was built. 
 
 
 class Server:
-    def __init__(self, folder, allow_scripts=False, workers=None):
+    def __init__(self, folder, allow_scripts=False, workers=None, scheduler=None):
+        """`scheduler`: address of a Dask scheduler, where jobs run; without it they run on this machine."""
         self.documents = Documents(folder, allow_scripts)
-        self.allow_scripts = allow_scripts
+        self.scans, self.allow_scripts = Scans(folder), allow_scripts
         self.pool = Pool(workers or max(2, os.cpu_count() or 2))
-        self.jobs = Jobs()
+        self.cluster = Cluster(scheduler) if scheduler else None
+        self.jobs = Jobs(self.cluster.worker) if self.cluster else Jobs()
         self.sockets = Sockets(self.pool, self.documents.folder, allow_scripts)
 
     def app(self, guard):
@@ -44,13 +49,19 @@ class Server:
             web.delete("/api/documents/{name}", self.remove_document),
             web.get("/api/examples", self.list_examples),
             web.get("/api/examples/{name}", self.read_example),
+            web.put("/api/scans/{name}", self.upload_scan),
+            web.delete("/api/scans/{name}", self.remove_scan),
+            web.post("/api/scan", self.look_at_scan),
             web.get("/api/library", self.library),
             web.post("/api/picture", self.picture),
             *(web.post(f"/api/{do}", self.answer_to(do)) for do in ("look", "values", "pick", "parameters", "words")),
+            web.get("/api/machining", self.machining_tables),
             web.post("/api/files", self.start_file),
+            web.post("/api/machine", self.start_machining),
             web.get("/api/jobs/{job}", self.job),
             web.delete("/api/jobs/{job}", self.cancel_job),
             web.get("/api/jobs/{job}/file", self.file_of_job),
+            web.get("/api/jobs/{job}/files/{name}", self.file_of_job),
         ])
         app.on_startup.append(self._start)
         app.on_shutdown.append(self._shut_down)
@@ -66,6 +77,8 @@ class Server:
     async def _clean_up(self, app):
         self.pool.kill()
         self.jobs.close()
+        if self.cluster:
+            await self.cluster.close()
 
     # The page
 
@@ -89,7 +102,7 @@ class Server:
     # Documents
 
     async def list_documents(self, request):
-        return web.json_response({"documents": self.documents.names(), "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
+        return web.json_response({"documents": self.documents.names(), "scans": self.scans.names(), "scripts": self.allow_scripts, "formats": sorted(files.written_formats())})
 
     async def read_document(self, request):
         data, version = self.documents.read(request.match_info["name"])
@@ -103,6 +116,19 @@ class Server:
     async def remove_document(self, request):
         self.documents.remove(request.match_info["name"])
         return web.json_response({})
+
+    async def upload_scan(self, request):
+        await self.scans.upload(request.match_info["name"], request)
+        return web.json_response({}, status=201)
+
+    async def remove_scan(self, request):
+        self.scans.remove(request.match_info["name"])
+        return web.json_response({})
+
+    async def look_at_scan(self, request):
+        wanted = await self._checked("scan", request)
+        head, _ = await self._asked(request, {**wanted, "path": self.scans.existing(wanted["name"])})
+        return web.json_response(head)
 
     async def list_examples(self, request):
         names = sorted(path.name for path in EXAMPLES.iterdir()) if EXAMPLES.is_dir() else []
@@ -128,15 +154,27 @@ class Server:
     async def _checked(self, do, request):
         return checked(do, await self._given(request), self.documents.folder, self.allow_scripts)
 
+    async def _asked(self, request, wanted):
+        """The pool's answer, as long as the one who asked is there."""
+        task = asyncio.create_task(self.pool.ask(wanted))
+        try:
+            while not task.done():
+                await asyncio.wait([task], timeout=0.5)
+                if request.transport is None or request.transport.is_closing():
+                    raise Refused(400, "gone", "the connection was closed")
+            return task.result()
+        finally:
+            task.cancel()
+
     def answer_to(self, do):
         async def answer(request):
-            head, _ = await self.pool.ask(await self._checked(do, request))
+            head, _ = await self._asked(request, await self._checked(do, request))
             return web.json_response(head)
 
         return answer
 
     async def picture(self, request):
-        head, data = await self.pool.ask({**await self._checked("picture", request), "coarse": False})
+        head, data = await self._asked(request, {**await self._checked("picture", request), "coarse": False})
         return web.Response(body=data, content_type="image/png", headers={"Fieldfab-Picture": json.dumps(head)})
 
     # Jobs
@@ -146,6 +184,14 @@ class Server:
         if wanted["extension"] not in files.written_formats():
             raise wrong(f"'{wanted['extension'][:20]}' is no format of files; these are: {' '.join(sorted(files.written_formats()))}")
         return web.json_response(self.jobs.start(wanted, "model" + wanted["extension"]).told(), status=202)
+
+    async def machining_tables(self, request):
+        return web.json_response(machining.tables())
+
+    async def start_machining(self, request):
+        wanted = await self._checked("machine", request)
+        name = "program" + ff.cam.machine(wanted["job"]["machine"])["extension"]
+        return web.json_response(self.jobs.start(wanted, name).told(), status=202)
 
     async def job(self, request):
         """Answers when something is new since `state` and `progress` of the query, after 10 s at the latest."""
@@ -166,4 +212,10 @@ class Server:
         job = self.jobs.job(request.match_info["job"])
         if job.state != "done":
             raise Refused(409, "state", f"the job is {job.state}; it has no file")
-        return web.FileResponse(job.path, headers={"Content-Disposition": f'attachment; filename="{job.name}"', "X-Content-Type-Options": "nosniff"})
+        name = request.match_info.get("name", job.name)
+        if name not in os.listdir(job.folder):
+            raise Refused(404, "missing", f"the job made no file '{name[:60]}'")
+        headers = {"Content-Disposition": f'attachment; filename="{name}"', "X-Content-Type-Options": "nosniff"}
+        if name.endswith(".html"):  # our own reports: no scripts, nothing from elsewhere, an origin of their own
+            headers = {"Content-Security-Policy": REPORT_POLICY, "X-Content-Type-Options": "nosniff"}
+        return web.FileResponse(os.path.join(job.folder, name), headers=headers)

@@ -9,7 +9,7 @@ import fieldfab as ff
 from .limits import LIMITS
 from .processes import Refused
 
-NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(frep|json|math|vm)", re.ASCII | re.IGNORECASE)
+NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(frep|json|job|math|vm)", re.ASCII | re.IGNORECASE)
 SCRIPT_NAME = re.compile(r"[^\W_][\w .+-]{0,99}\.(py|ko|scad)", re.ASCII | re.IGNORECASE)
 
 

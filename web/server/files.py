@@ -28,8 +28,9 @@ def plate(model, thickness):
 
 
 def write(model, request, progress):
-    """Writes the file `request["path"]`; returns what there is to tell of it."""
-    path, extension, told = request["path"], request["extension"], {}
+    """Writes the file `model` with the extension into the folder `request["into"]`; returns what there is to tell of it."""
+    extension, told = request["extension"], {}
+    path = os.path.join(request["into"], "model" + extension)
     if extension in FORMULAS:
         ff.write_file(path, FORMULAS[extension](model))
         return {"bytes": os.path.getsize(path)}

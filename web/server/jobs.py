@@ -1,4 +1,4 @@
-"""Jobs: files that take long to make, each in a process of its own."""
+"""Jobs: what takes long and makes files, each in a process of its own, here or on a cluster."""
 
 import asyncio
 import os
@@ -12,8 +12,10 @@ from .processes import Refused, Worker
 
 class Job:
     def __init__(self, folder, request, name):
+        """`name`: of its first file, in the job's own folder."""
         self.number, self.name = secrets.token_urlsafe(9), name
-        self.path = request["path"] = os.path.join(folder, self.number + request["extension"])
+        self.folder = request["into"] = os.path.join(folder, self.number)
+        os.mkdir(self.folder)
         self.state, self.progress, self.message, self.result, self.error = "waiting", 0.0, "", None, None
         self.request, self.worker, self.task, self.changed = request, None, None, asyncio.Condition()
 
@@ -22,7 +24,9 @@ class Job:
 
 
 class Jobs:
-    def __init__(self):
+    def __init__(self, worker=lambda: Worker(niceness=10)):
+        """`worker`: makes the worker of a job; pictures go before it."""
+        self._worker = worker
         self._folder = tempfile.mkdtemp(prefix="fieldfab-jobs-")
         self._jobs, self._turn = {}, asyncio.Semaphore(LIMITS.jobs)
 
@@ -48,7 +52,7 @@ class Jobs:
     async def _run(self, job):
         try:
             async with self._turn:
-                job.worker = Worker()
+                job.worker = self._worker()
                 await self._tell(job, state="working")
                 try:
                     async for head, _ in job.worker.ask(job.request, LIMITS.job_seconds):
@@ -80,8 +84,7 @@ class Jobs:
         finished = [job for job in self._jobs.values() if job.state not in ("waiting", "working")]
         for job in finished[: max(0, len(finished) - LIMITS.kept_jobs)]:
             del self._jobs[job.number]
-            if os.path.exists(job.path):
-                os.remove(job.path)
+            shutil.rmtree(job.folder, ignore_errors=True)
 
     def close(self):
         for job in self._jobs.values():

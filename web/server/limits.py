@@ -11,11 +11,17 @@ class Limits:
     documents: int = 2_000  # documents that are listed
     side: int = 4096  # pixels along a side of a picture
     pixels: int = 4_000_000
+    scan: int = 1_000_000_000  # bytes of a scan that is uploaded
+    uploads: int = 2  # at a time
+    upload_seconds: float = 600
     points: int = 100_000  # values at points in one request
     views: int = 8  # views of one socket
     sockets: int = 200
     unsent: int = 16  # answers that a socket may leave unread
     picture_seconds: float = 20
+    crowded_seconds: float = 5  # the same where another request has waited for so long
+    much_seconds: float = 3  # of workers that a socket took lately, beyond which others go first
+    at_once: int = 2  # pictures of one socket in the making, or waiting for a worker
     job_seconds: float = 300
     jobs: int = 2  # at a time; more wait
     waiting_jobs: int = 20

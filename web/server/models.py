@@ -2,6 +2,7 @@
 
 import collections
 import os
+import re
 import tempfile
 
 import fieldfab as ff
@@ -143,6 +144,34 @@ def make(text, language, values, folder):
     return Model(parts)
 
 
+BINS = 256
+
+
+def scan_told(path):
+    """What there is to know of a scan before its threshold is chosen."""
+    volume = ff.Volume.open(path)
+    counts, edges = volume.histogram()
+    step = -(-len(counts) // BINS)
+    counts = [sum(counts[i : i + step]) for i in range(0, len(counts), step)]
+    return {"size": volume.size, "spacing": volume.spacing, "type": volume.type, "counts": counts, "from": edges[0], "to": edges[0] + step * len(counts) * (edges[1] - edges[0]),
+            "halfway": volume.threshold(), "otsu": volume.threshold("otsu")}
+
+
+OPENING = re.compile(r'\bopen\s*\(\s*"([^"]*)"')
+
+
+def opened_files(request):
+    """Names, sizes and times of the files that a text opens; None where they may open more."""
+    found = []
+    for name in OPENING.findall(request["text"]):
+        path = os.path.join(request["folder"], name)
+        if name.lower().endswith(".frep") or not os.path.isfile(path):
+            return None
+        state = os.stat(path)
+        found.append((name, state.st_size, state.st_mtime_ns))
+    return found
+
+
 class Models:
     """The models of the last few texts."""
 
@@ -150,13 +179,13 @@ class Models:
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        key = (request["text"], request["language"], tuple(sorted(request["values"].items())))
+        made = lambda: make(request["text"], request["language"], request["values"], request["folder"])  # noqa: E731: shorter than a function
+        opened = opened_files(request)
+        if opened is None:
+            return made()
+        key = (request["text"], request["language"], tuple(sorted(request["values"].items())), *opened)
         if key not in self._kept:
-            # Files that a text opens may change without it.
-            model = make(request["text"], request["language"], request["values"], request["folder"])
-            if "open" in request["text"]:
-                return model
-            self._kept[key] = model
+            self._kept[key] = made()
             if len(self._kept) > KEPT:
                 self._kept.popitem(last=False)
         self._kept.move_to_end(key)

@@ -1,6 +1,9 @@
 """Requests, checked: what reaches a worker has the fields, kinds and sizes that the tables here and in docs/web.md say."""
 
 import math
+import re
+
+import fieldfab as ff
 
 from .limits import LIMITS
 from .processes import Refused
@@ -95,6 +98,45 @@ def points(value, name):
     return [numbers(each, name, 3) for each in value]
 
 
+# Of tools; a library, which would be a file, is none of them.
+TOOL_KEYS = ("number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "flute", "length", "shank", "holder_diameter", "holder_length", "flutes")
+STOCK_KEYS = ("margin", "top", "thickness")
+SETTING_NAME = re.compile(r"[a-z][a-z0-9_]{0,39}")
+
+
+def short_text(value, name):
+    if not isinstance(value, str) or len(value) > 100 or not value.isprintable():
+        raise wrong(f"'{name}' must be a short text")
+    return value
+
+
+def settings(value, name, keys=None):
+    """Numbers, flags and short texts by name; `keys`: the names that there may be."""
+    if not isinstance(value, dict) or len(value) > 60:
+        raise wrong(f"'{name}' must be an object of settings by name")
+    checked_values = {}
+    for key, each in value.items():
+        if not SETTING_NAME.fullmatch(key) or (keys is not None and key not in keys):
+            raise wrong(f"'{key[:40]}' is no setting of '{name}'")
+        is_text = isinstance(each, str) and each not in ("NaN", "Infinity", "-Infinity")  # which JSON's numbers became
+        checked_values[key] = each if isinstance(each, bool) else short_text(each, f"{name}.{key}") if is_text else number(each, f"{name}.{key}")
+    return checked_values
+
+
+def machining_job(value, name):
+    """A job of fieldfab.cam, without any file."""
+    fields = {"machine", "material", "setting", "zero", "stock", "tools", "operations"}
+    if not isinstance(value, dict) or set(value) - fields:
+        raise wrong(f"'{name}' must be an object of {', '.join(sorted(fields))}")
+    lists = {each: value.get(each, []) for each in ("tools", "operations")}
+    if any(not isinstance(each, list) or len(each) > 50 for each in lists.values()):
+        raise wrong("'tools' and 'operations' must be lists of at most 50")
+    return {"machine": one_of(value.get("machine"), "machine", tuple(ff.cam.machines())), "material": short_text(value.get("material", ""), "material"),
+            "setting": settings(value.get("setting", {}), "setting"), "zero": one_of(value.get("zero", "model"), "zero", ("model", "corner", "centre")),
+            "stock": settings(value.get("stock", {}), "stock", STOCK_KEYS), "tools": [settings(each, "tool", TOOL_KEYS) for each in lists["tools"]],
+            "operations": [settings(each, "operation") for each in lists["operations"]]}
+
+
 # {field: (check, default)} of each request; a field without default must be given.
 MUST = object()
 MODEL = {"text": (text, MUST), "language": (lambda v, n: one_of(v, n, FORMULAS + SCRIPTS), "frep"), "values": (parameter_values, {})}
@@ -123,9 +165,11 @@ REQUESTS = {
     "values": {**MODEL, "points": (points, MUST)},
     "pick": {**MODEL, **VIEW, "at": (lambda v, n: numbers(v, n, 2), MUST)},
     "parameters": {"text": (text, MUST)},
+    "scan": {"name": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST)},
     "words": {"text": (text, MUST), "offset": (lambda v, n: whole(v, n, 0, LIMITS.text), MUST)},
     "file": {**MODEL, "extension": (lambda v, n: v if isinstance(v, str) else one_of(v, n, ()), MUST), "voxel": (optional(lambda v, n: number(v, n, 1e-6)), None),
              "thickness": (lambda v, n: number(v, n, 1e-6), 1.0)},
+    "machine": {**MODEL, "job": (machining_job, MUST), "simulate": (flag, False)},
 }
 
 

@@ -17,36 +17,44 @@ class View:
     """What one view of one socket asks for."""
 
     def __init__(self, session):
-        self._session, self._next, self._worker, self._task, self._text = session, None, None, None, None
+        self._session, self._next, self._worker, self._task, self._finer, self._text = session, None, None, None, None, None
 
     def ask(self, number, name, request):
         self._next = (number, name, request)
         if self._worker is not None:
             self._worker.stop()
+        elif self._finer is not None:  # it waits for a worker: the newer request does not wait for it
+            self._finer.cancel()
         if self._task is None or self._task.done():
             self._task = asyncio.create_task(self._run())
 
     def close(self):
         if self._worker is not None:
             self._worker.stop()
-        if self._task is not None:
-            self._task.cancel()
+        for task in (self._finer, self._task):
+            if task is not None:
+                task.cancel()
 
     async def _run(self):
         while self._next is not None:
-            async with self._session.pool.worker(self._next[2]["text"]) as self._worker:
+            async with self._session.turn, self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker:
                 (number, name, request), self._next = self._next, None  # the newest, after what may have been a long wait
                 head = {"number": number, "view": name}
                 first = {**request, "fine": not request["coarse"], "smooth": request["smooth"] and not request["coarse"]}
                 good = await self._answer(head, first, parameters=True)
             if good and request["coarse"] and self._next is None:  # the coarse pictures of all go before the fine ones of any
-                async with self._session.pool.worker(request["text"], rank=1) as self._worker:
-                    if self._next is None:
-                        await self._answer(head, {**request, "coarse": False})
-                    self._worker = None
+                self._finer = asyncio.create_task(self._fine(head, request))
+                await asyncio.wait([self._finer])
+
+    async def _fine(self, head, request):
+        async with self._session.turn, self._session.pool.worker(request["text"], 1 + self._session.rank()) as self._worker:
+            if self._next is None:
+                await self._answer(head, {**request, "coarse": False})
+            self._worker = None
 
     async def _answer(self, head, request, parameters=False):
         """Sends the pictures of a request, after the text's parameters if it is new. Returns whether all were made."""
+        started = asyncio.get_running_loop().time()
         try:
             if parameters and request["text"] != self._text and request["language"] == "frep":
                 self._text = request["text"]
@@ -62,6 +70,7 @@ class View:
             return False
         finally:
             self._worker = None
+            self._session.used(asyncio.get_running_loop().time() - started)
 
 
 class Session:
@@ -69,13 +78,27 @@ class Session:
 
     def __init__(self, socket, pool, folder, allow_scripts):
         self._socket, self.pool, self._folder, self._allow_scripts = socket, pool, folder, allow_scripts
-        self._views, self._queue = {}, asyncio.Queue(LIMITS.unsent)
+        self._used, self._counted = 0.0, asyncio.get_running_loop().time()
+        self._ended = None  # the task that closes it
+        self._views, self._queue, self.turn = {}, asyncio.Queue(LIMITS.unsent), asyncio.Semaphore(LIMITS.at_once)
+
+    def used(self, seconds):
+        """Counts the time that its pictures took; half of it is forgotten in 5 s."""
+        now = asyncio.get_running_loop().time()
+        self._used, self._counted = self._used * 0.5 ** ((now - self._counted) / 5) + seconds, now
+
+    def rank(self):
+        """Those who take much go after those who take little."""
+        self.used(0)
+        return 2 if self._used > LIMITS.much_seconds else 0
 
     def tell(self, head, body=None):
+        if self._ended:
+            return
         try:
             self._queue.put_nowait((head, body))
         except asyncio.QueueFull:
-            asyncio.create_task(self._socket.close(code=aiohttp.WSCloseCode.TRY_AGAIN_LATER, message=b"answers are not read"))
+            self._ended = asyncio.create_task(self._socket.close(code=aiohttp.WSCloseCode.TRY_AGAIN_LATER, message=b"answers are not read"))
 
     async def _send(self):
         with contextlib.suppress(ConnectionError, RuntimeError):
@@ -111,8 +134,11 @@ class Session:
         sender = asyncio.create_task(self._send())
         try:
             async for message in self._socket:
+                if self._ended:
+                    break
                 if message.type == aiohttp.WSMsgType.TEXT:
                     self._take(message.data)
+                await asyncio.sleep(0)  # others have their turn, however many came at once
         finally:
             sender.cancel()
             for view in self._views.values():
@@ -139,6 +165,8 @@ class Sockets:
         return socket
 
     async def close(self):
-        for socket in list(self._open):
+        async def end(socket):
             with contextlib.suppress(ConnectionError, TimeoutError):
                 await asyncio.wait_for(socket.close(code=aiohttp.WSCloseCode.GOING_AWAY), 1)
+
+        await asyncio.gather(*map(end, list(self._open)))

@@ -1,4 +1,4 @@
-"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and answers on standard
+"""A worker process: `python3 -m fieldfab.serve.worker MEMORY NICENESS`. It takes one request after another on standard input and answers on standard
 output, in frames. Texts can ask for any memory, any time and any depth of stack: what goes wrong here ends here."""
 
 import ctypes
@@ -12,9 +12,9 @@ import threading
 
 import fieldfab as ff
 
-from . import files, pictures
+from . import files, machining, pictures
 from .frames import frame, read_frame
-from .models import Mistakes, Models, parameters_of, utf16
+from .models import Mistakes, Models, parameters_of, scan_told, utf16
 
 PR_SET_PDEATHSIG = 1
 
@@ -74,6 +74,9 @@ class Worker:
     def parameters(self, request):
         self.answer({"parameters": parameters_of(request["text"])})
 
+    def scan(self, request):
+        self.answer(scan_told(request["path"]))
+
     def words(self, request):
         """Names that fit at an offset, which is JavaScript's here."""
         data = request["text"].encode()
@@ -86,8 +89,12 @@ class Worker:
         self._told = None
         self.answer(files.write(self._models.of(request), request, self.told_progress))
 
+    def machine(self, request):
+        self._told = None
+        self.answer(machining.machine(self._models.of(request), request, self.told_progress))
+
     def serve(self):
-        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.words, self.file)}
+        known = {each.__name__: each for each in (self.picture, self.look, self.values, self.pick, self.parameters, self.scan, self.words, self.file, self.machine)}
         while True:
             request = self.requests.get()
             try:
@@ -110,6 +117,7 @@ def main():
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # the server's end is ours, however it ends
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's to handle
     memory = int(sys.argv[1])
+    os.nice(int(sys.argv[2]))
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     output = os.fdopen(os.dup(1), "wb")

@@ -84,6 +84,18 @@ class ShowUncertainPlaces(Command):
         look_at_largest(chosen[0])
 
 
+class SectionPlane(Command):
+    """Also while a panel is open."""
+
+    def IsActive(self):
+        return hasattr(FreeCADGui.activeView(), "getSceneGraph")
+
+    def Activated(self):
+        from ..views.section import toggle  # it needs Coin
+
+        toggle(FreeCAD.ActiveDocument)
+
+
 def _chosen_solids():
     return [obj for obj in FreeCADGui.Selection.getSelection() if is_solid(obj) and obj.Mesh.CountFacets]
 
@@ -98,6 +110,10 @@ COMMANDS = {
         "UncertainPlaces", "Show uncertain places", "Show where the selected solid's mesh may lack parts of it, or hide these places again",
         "Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to "
         "take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
+    "Fieldfab_Section": SectionPlane(
+        "Section", "Section plane", "Cut what the view shows, to see what is inside, or show it whole again",
+        "Cuts all solids of the view, across the axis that points most to you. Drag the handle on the plane to move it. Cut faces are orange. It also cuts "
+        "what panels show: solids that are being edited, scans, the stock of a simulation. Choose it again to see all. Nothing of the document is changed."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
         "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),

@@ -2,6 +2,7 @@
 
 import re
 
+from .. import units
 from ..words import described, marked, tr
 from .document_object import DocumentObject, create_object
 
@@ -24,8 +25,8 @@ LENGTHS = {
 
 # What tools of each shape are called, after their diameter.
 NAMES = {
-    "flat": marked("{diameter} mm end mill"), "ball": marked("{diameter} mm ball end mill"), "bull": marked("{diameter} mm bull-nose end mill"),
-    "v": marked("{diameter} mm V-bit"), "tapered": marked("{diameter} mm tapered ball end mill"), "drill": marked("{diameter} mm drill"),
+    "flat": marked("{diameter} end mill"), "ball": marked("{diameter} ball end mill"), "bull": marked("{diameter} bull-nose end mill"),
+    "v": marked("{diameter} V-bit"), "tapered": marked("{diameter} tapered ball end mill"), "drill": marked("{diameter} drill"),
 }
 
 
@@ -79,9 +80,10 @@ def name_of(obj):
 
 
 def _names(obj):
-    """The same in the user's language, in English, and as documents of earlier versions have it."""
-    diameter, form = f"{obj.Diameter.Value:g}", NAMES[obj.Shape]
-    return tr(form).format(diameter=diameter), form.format(diameter=diameter), f"{diameter} mm {obj.Shape}"
+    """The same in the user's language and unit, in English, in mm and in inches, and as documents of earlier versions have it."""
+    diameter, form = obj.Diameter.Value, NAMES[obj.Shape]
+    sizes, forms = (units.told(diameter, digits=6), f"{diameter:g} mm", f"{diameter / units.INCH:.6g} in"), (tr(form), form)
+    return *(form.format(diameter=size) for size in sizes for form in forms), f"{diameter:g} mm {obj.Shape}"
 
 
 def described(obj):

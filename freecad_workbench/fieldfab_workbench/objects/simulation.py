@@ -208,6 +208,9 @@ class Simulation(Solid):
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
         return set_ups.text(tools, lower, upper, machine, tolerances, obj.MoreOfSetup).encode(), "setup.toml", None
 
+    def ahead(self, obj):
+        """Nothing: its panel carries it out."""
+
     edited = False  # whether its panel is open, which hides it and shows what it makes
 
     def waits(self, obj):

@@ -72,6 +72,28 @@ class Solid(DocumentObject):
         except work.Cancelled:
             raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
 
+    _ready = (None, None)  # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
+
+    def ahead(self, obj):
+        """A `function(progress)` that makes the mesh for the next recompute, on any thread; None where there is nothing to make, or the recompute
+        has to tell what is wrong."""
+        try:
+            source, settings = self.source(obj), self.mesh_settings(obj)
+        except ValueError:
+            return None
+        made_from = key_of(source, settings)
+        if obj.MadeFrom == made_from or self.waits(obj):
+            return None
+
+        def make(progress):
+            task = work.Task(lambda progress: source.mesh(progress, **settings))
+            task.progress = progress
+            task.run()
+            if getattr(task.error, "kind", "") != "cancelled":
+                self._ready = made_from, task.outcome
+
+        return make
+
     @staticmethod
     def waits(obj):
         """Whether nobody needs the mesh now: other solids are made of Fields, not of meshes."""
@@ -79,13 +101,15 @@ class Solid(DocumentObject):
 
     def make_mesh(self, obj):
         """Makes the mesh, where it is not what it should be. Raises ValueError, and work.Cancelled."""
-        fieldfab = kernel.load()
+        fieldfab, (ready_for, ready), self._ready = kernel.load(), self._ready, (None, None)
         try:
             source, settings = self.source(obj), self.mesh_settings(obj)
             made_from = key_of(source, settings)
             if obj.MadeFrom == made_from:
                 return
-            mesh = work.run(lambda progress: source.mesh(progress, **settings), obj.Label)
+            if ready_for != made_from:
+                ready = lambda: work.run(lambda progress: source.mesh(progress, **settings), obj.Label)  # noqa: E731
+            mesh = ready()
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         self.put_mesh(obj, mesh)

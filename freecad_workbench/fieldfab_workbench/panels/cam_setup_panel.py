@@ -1,6 +1,6 @@
 """The task panel of a CAM set-up: a stack of panels, one a stage, from the part to the machine (Keeter, Fig. 6-2), and the plan."""
 
-from .. import kernel, work, workflow
+from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
 from ..shim import QtCore, QtWidgets
 from ..words import PROPERTY, property_label, tr
@@ -145,8 +145,8 @@ class SetupPanel(EditPanel):
         self.machine_place.addWidget(self.machine_rows)
         offer(self.material, self.obj.getEnumerationsOfProperty("Material"), self.obj.Material)
         self.material.setEnabled(self.material.count() > 1)
-        known = [tr("travel {travel} mm").format(travel=" x ".join(f"{t:g}" for t in told["travel"]))] if any(told["travel"]) else []
-        known += [tr("up to {limit}").format(limit=f"{told[name]:g} {tr(unit)}") for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
+        known = [tr("travel {travel}").format(travel=units.told_all(told["travel"], digits=6))] if any(told["travel"]) else []
+        known += [tr("up to {limit}").format(limit=units.told(told[name], tr(unit), 6)) for name, unit in (("max_feed", "mm/min"), ("max_spindle", "rpm")) if told[name]]
         known += [tr("turns about {axes}").format(axes=f" {tr('and')} ".join(told["axes"]))] if told["axes"] else []
         self.limits.setText("; ".join([told["description"], *known]))
 
@@ -156,7 +156,7 @@ class SetupPanel(EditPanel):
         self.plan_button.setToolTip(tr("Plans all paths; the window stays free meanwhile"))
         self.plan_button.clicked.connect(lambda: self.stop() if self.task else self.plan())
         self.bar = QtWidgets.QProgressBar()
-        self.bar.setRange(0, 1000)
+        self.planned = work.Gauge(self.bar)
         self.bar.setTextVisible(False)
         row.addWidget(self.plan_button)
         row.addWidget(self.bar, 1)
@@ -173,7 +173,7 @@ class SetupPanel(EditPanel):
         self.message.setVisible(bool(text))
 
     def _report(self, text):
-        self.outcome.setText(text)
+        self.outcome.setText(units.in_words(text))
         self.outcome.setVisible(bool(text))
 
     # What the widgets do.
@@ -254,7 +254,7 @@ class SetupPanel(EditPanel):
         self.machine_box.hint.setText(self.obj.Machine)
         try:
             lower, upper = cam_setup.stock_box(self.obj)
-            self.stock_box.hint.setText(" x ".join(f"{size:.4g}" for size in upper - lower) + " mm")
+            self.stock_box.hint.setText(units.told_all(upper - lower))
         except ValueError:
             self.stock_box.hint.setText("")
         self.machine_rows.refresh()
@@ -284,14 +284,14 @@ class SetupPanel(EditPanel):
 
     def _look(self):
         task = self.task
-        self.bar.setValue(round(1000 * task.fraction))
+        self.planned.show(task.fraction)
         if task.is_alive():
             self._report(tr("Planning: {message}").format(message=task.message) if task.message else tr("Planning"))
             return
         self.timer.stop()
         self.task = None
         self.plan_button.setText(tr("Plan"))
-        self.bar.setValue(0)
+        self.planned.stop()
         try:
             plan = task.outcome()
         except work.Cancelled:

@@ -6,7 +6,7 @@ import io
 import FreeCADGui
 import numpy as np
 
-from .. import kernel, meshes
+from .. import kernel, meshes, units
 from ..certainty import is_uncertain, with_doubt
 from ..deviations import colours, deviations, nice_reach
 from ..icons import icon
@@ -17,6 +17,7 @@ from ..sources import with_cell
 from ..views.coin_mesh import MeshBytes
 from ..views.deviation_view import DeviationView
 from ..words import marked, tr
+from ..work import Gauge
 from .edit_panel import COLOURS
 
 HEADINGS = ("", marked("Measured, and its bound"))
@@ -35,7 +36,7 @@ class CheckPanel:
         self.verdict = QtWidgets.QLabel(tr("Checking {label} against OpenVDB and CGAL…").format(label=obj.Label))
         self.verdict.setWordWrap(True)
         self.progress = QtWidgets.QProgressBar()
-        self.progress.setRange(0, 1000)
+        self.gauge = Gauge(self.progress)
         self.table = QtWidgets.QTableWidget(0, len(HEADINGS))
         self.table.setHorizontalHeaderLabels([heading and tr(heading) for heading in HEADINGS])
         self.table.verticalHeader().hide()
@@ -85,7 +86,7 @@ class CheckPanel:
             self.work.ask(check, self._checked)
             self.coloured = result
             off = result[-1]
-            self.figures.setText(tr("Mesh to solid: {mean:.3g} mm on average, {most:.3g} mm at most.").format(mean=np.abs(off).mean(), most=np.abs(off).max()))
+            self.figures.setText(tr("Mesh to solid: {mean} on average, {most} at most.").format(mean=units.told(np.abs(off).mean(), digits=3), most=units.told(np.abs(off).max(), digits=3)))
             self.colour.setEnabled(True)
             self._show_colours()
 
@@ -98,12 +99,12 @@ class CheckPanel:
         words, good = words.format(broken=len(broken), count=len(report.rows)), not broken
         if good and is_uncertain(self.obj):
             words, good = with_doubt(words, self.obj.Certainty)
-        self.verdict.setText(words)
+        self.verdict.setText(units.in_words(words))
         self.verdict.setStyleSheet(f"color: {COLOURS[good]}")
         self.table.setRowCount(len(report.rows))
         for i, row in enumerate(report.rows):
-            figures = tr("{measured:.4g} of {bound:.4g}").format(measured=row.measured, bound=row.bound)
-            texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures} {row.unit}")
+            figures = tr("{measured} of {bound}").format(measured=f"{units.shown(row.measured, row.unit):.4g}", bound=units.told(row.bound, row.unit))
+            texts = ("✓" if row.passed else "✗", f"{row.name}\n{figures}")
             for column, text in enumerate(texts):
                 item = QtWidgets.QTableWidgetItem(text.strip())
                 item.setToolTip(row.name)
@@ -121,13 +122,13 @@ class CheckPanel:
             self.shown = DeviationView(self.obj, *self.coloured[:-1])
 
     def _failed(self, error):
-        self.verdict.setText(str(error))
+        self.verdict.setText(units.in_words(str(error)))
         self.verdict.setStyleSheet(f"color: {COLOURS[False]}")
 
     def _show_progress(self, fraction, message):
         self.progress.setVisible(fraction is not None)
         if fraction is not None:
-            self.progress.setValue(round(1000 * fraction))
+            self.gauge.show(fraction)
             self.progress.setFormat(message or "%p %")
 
     def text(self):

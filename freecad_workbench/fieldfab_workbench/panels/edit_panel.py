@@ -2,8 +2,10 @@
 
 import FreeCADGui
 
+from .. import units, work
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
+from ..views.part_view import is_there
 from ..words import tr
 from .wheel import WheelGuard
 
@@ -25,6 +27,14 @@ class EditPanel:
         self.layout = QtWidgets.QVBoxLayout(self.form)
         self.message = QtWidgets.QLabel()
         self.message.setWordWrap(True)
+        self.making, self.bar_of_making = None, QtWidgets.QProgressBar()
+        self.layout.addWidget(self.bar_of_making)
+        self.bar_of_making.setObjectName("Making")
+        self.bar_of_making.setTextVisible(False)
+        self.bar_of_making.hide()
+        self.gauge = work.Gauge(self.bar_of_making)
+        self.look_at_making = QtCore.QTimer(self.form)
+        self.look_at_making.timeout.connect(self._look_at_making)
         if obj.isValid() and is_uncertain(obj):
             self.say_valid()
         shown = QtCore.QTimer(self.form)  # goes with the form
@@ -46,7 +56,7 @@ class EditPanel:
         raise NotImplementedError
 
     def say(self, text, good=False):
-        self.message.setText(text)
+        self.message.setText(units.in_words(text))
         self.message.setStyleSheet(f"color: {COLOURS[good]}")
 
     def say_valid(self):
@@ -63,6 +73,66 @@ class EditPanel:
         self.say(self.obj.getStatusString())
         return False
 
+    # Making a solid's mesh beside the window.
+    def after_making(self, then):
+        """Takes the values over, makes what the recompute will need, and returns what `then()` does. Where that takes longer than a moment it returns
+        False: the window goes on, the panel shows progress, and `then` follows once the mesh is there."""
+        if self.making is not None:
+            return False
+        try:
+            self.take_over()
+        except ValueError as error:
+            self.say(str(error))
+            return False
+        make = self.obj.Proxy.ahead(self.obj) if hasattr(self.obj.Proxy, "ahead") else None
+        if make is None:
+            return then()
+        self.rest()
+        self.making, self.then = work.Task(make), then
+        self.form.destroyed.connect(self.making.cancel)
+        self.making.start()
+        self.making.join(work.SHOW_AFTER)
+        if not self.making.is_alive():
+            self.making = None
+            return then()
+        self._set_making(True)
+        return False
+
+    def rest(self):
+        """Ends other work for the picture of the solid."""
+
+    def _set_making(self, on):
+        if on:
+            kept = (self.bar_of_making, self.message)
+            self._inputs = [each for each in self.form.children() if isinstance(each, QtWidgets.QWidget) and each.isEnabled() and each not in kept]
+        for widget in self._inputs:
+            widget.setEnabled(not on)
+        self.bar_of_making.setVisible(on)
+        if on:
+            self.look_at_making.start(30)
+        else:
+            self.look_at_making.stop()
+
+    def _look_at_making(self):
+        task = self.making
+        if not is_there(self.obj):
+            self.stop_making()
+            return
+        self.gauge.show(task.fraction)
+        if task.is_alive():
+            words = tr("Computing: {message}").format(message=task.message) if task.message else tr("Computing")
+            if words != self.message.text():
+                self.say(words, True)
+            return
+        self.making = None
+        self._set_making(False)
+        self.then()
+
+    def stop_making(self):
+        self.look_at_making.stop()
+        if self.making is not None:
+            self.making.cancel()
+
     # What FreeCAD asks of a task panel.
     def getStandardButtons(self):
         buttons = QtWidgets.QDialogButtonBox
@@ -70,9 +140,13 @@ class EditPanel:
 
     def clicked(self, button):
         if button == QtWidgets.QDialogButtonBox.Apply:
-            self.apply()
+            self.after_making(self.apply)
 
     def accept(self):
+        return self.after_making(self.finish)
+
+    def finish(self):
+        """Recomputes and closes the panel; False where the object did not come out well."""
         if not self.apply():
             return False
         self.document.commitTransaction()
@@ -87,5 +161,6 @@ class EditPanel:
         return True
 
     def close(self):
+        self.stop_making()
         FreeCADGui.getDocument(self.document.Name).resetEdit()
         FreeCADGui.Control.closeDialog()

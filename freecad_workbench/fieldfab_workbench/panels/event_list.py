@@ -1,5 +1,6 @@
 """What went wrong in a simulation, by kinds, the worst first."""
 
+from .. import units
 from ..objects.simulation import event_order
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
@@ -23,8 +24,7 @@ OPENED = 20  # events of a kind that are seen at once
 
 
 def amount_of(event):
-    unit = UNITS.get(event["kind"], "mm\N{SUPERSCRIPT THREE}")
-    return f"{event['amount']:.3g} {unit}".strip()
+    return units.told(event["amount"], UNITS.get(event["kind"], "mm³"), 3)
 
 
 def lines_of(event):
@@ -111,7 +111,7 @@ class EventList(QtWidgets.QTreeWidget):
         item = QtWidgets.QTreeWidgetItem([tr(event["kind"]), lines_of(event), amount_of(event)])
         item.setData(0, EVENT, event)
         for column in range(3):
-            item.setToolTip(column, event["message"])
+            item.setToolTip(column, units.in_words(event["message"]))
         for column in (1, 2):
             item.setTextAlignment(column, QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         return item

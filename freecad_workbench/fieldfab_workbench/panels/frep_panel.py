@@ -1,6 +1,6 @@
 """The task panel of an f-rep solid: its text, its numbers, its resolution, and what it will look like."""
 
-from .. import kernel, preferences
+from .. import kernel, preferences, units
 from ..certainty import is_uncertain, with_doubt
 from ..frep_language import parameters, with_values
 from ..objects.frep_solid import property_name, source_of_text
@@ -10,6 +10,7 @@ from ..words import tr
 from .edit_panel import EditPanel
 from .frep_editor import FrepEditor
 from .gallery import Gallery
+from .measures import MeasureBox
 from .parameter_rows import ParameterRow
 
 
@@ -22,6 +23,8 @@ class FrepPanel(EditPanel):
         self.layout.addWidget(self._tools())
         self.layout.addWidget(self.text, 1)
         self.layout.addWidget(self.message)
+        if units.in_inches():
+            self.layout.addWidget(QtWidgets.QLabel(tr("Numbers of the text are in mm")))
         self.sliders = QtWidgets.QFormLayout()
         self.layout.addLayout(self.sliders)
         self.layout.addLayout(self._resolution())
@@ -64,13 +67,8 @@ class FrepPanel(EditPanel):
 
     @staticmethod
     def _length(value, zero):
-        box = QtWidgets.QDoubleSpinBox()
-        box.setDecimals(4)
-        box.setRange(0, 1e6)
-        box.setSuffix(" mm")
-        box.setSpecialValueText(tr("automatic"))
+        box = MeasureBox(value, zero=tr("automatic"))
         box.setToolTip(tr("0 is automatic: {zero}").format(zero=zero))
-        box.setValue(value)
         return box
 
     def _follow_text(self):
@@ -146,6 +144,9 @@ class FrepPanel(EditPanel):
             if held in self.obj.PropertiesList and row.isEnabled() and getattr(self.obj, held) != row.value():
                 setattr(self.obj, held, row.value())
         self.obj.VoxelSize, self.obj.MaxError = self.voxel.value(), self.max_error.value()
+
+    def rest(self):
+        self.preview.rest()
 
     def close(self):
         self.preview.close()

@@ -5,9 +5,10 @@ import time
 
 import numpy as np
 
+from .. import units
 from ..shim import QtCore, QtGui, QtWidgets
 from ..views.legend import ColourLegend, ScaleLegend
-from ..views.part_view import PartView
+from ..views.part_view import PartView, is_there
 from ..views.player import Player
 from ..views.program_view import COLOURS, RAPID_COLOUR, lines
 from ..views.stock_scene import StockScene
@@ -24,13 +25,6 @@ ABOUT = 40  # seconds that a program lasts at the speed that is chosen at first
 def clock(seconds):
     """Minutes and seconds: 1:02.3"""
     return f"{int(seconds // 60)}:{seconds % 60:04.1f}"
-
-
-def is_open(document):
-    try:
-        return bool(document.Name)
-    except (ReferenceError, RuntimeError):  # as FreeCAD says that it was closed
-        return False
 
 
 def _is_in_the_way(obj):
@@ -190,7 +184,7 @@ class Playback(QtWidgets.QWidget):
             if legend is not None:
                 legend.close()
         self.player = self.scene = self.legend = self.colours = None
-        there = self.document.Objects if is_open(self.document) else []
+        there = self.document.Objects if is_there(self.document) else []
         for obj in self.parts:
             if obj in there:
                 obj.ViewObject.Visibility = False
@@ -207,7 +201,8 @@ class Playback(QtWidgets.QWidget):
             self.axes[letter] = label = QtWidgets.QLabel()
             label.setFont(fixed)
             label.setFrameShape(QtWidgets.QFrame.StyledPanel)
-            label.setToolTip((tr("Where axis {letter} stands, mm") if i < 3 else tr("Where axis {letter} stands, degrees")).format(letter=letter))
+            unit = units.shown_unit("mm") if i < 3 else tr("degrees")
+            label.setToolTip(tr("Where axis {letter} stands, {unit}").format(letter=letter, unit=unit))
             self.axes_row.addWidget(label, i // 3, i % 3)
 
     # What the user does.
@@ -270,7 +265,7 @@ class Playback(QtWidgets.QWidget):
         self._began = (time.monotonic(), self.seconds)
 
     def _tick(self):
-        if not is_open(self.document):
+        if not is_there(self.document):
             self.timer.stop()
             self.player.close()
             return
@@ -334,7 +329,10 @@ class Playback(QtWidgets.QWidget):
         self.time.setText(f"{clock(seconds)} / {clock(self.player.length)}")
         for letter, label in self.axes.items():
             value = self._moment["axes"]["XYZABC".index(letter)]
-            label.setText(f"{letter} {value:9.3f}" + ("" if letter in "XYZ" else "\N{DEGREE SIGN}"))
+            if letter in "XYZ":
+                label.setText(f"{letter} {units.shown(value):9.{4 if units.in_inches() else 3}f}")
+            else:
+                label.setText(f"{letter} {value:9.3f}\N{DEGREE SIGN}")
         self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(tool=self._moment["tool"]))
 
     def _show_line(self, line):

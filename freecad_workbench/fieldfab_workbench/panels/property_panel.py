@@ -1,7 +1,6 @@
 """A task panel made from an object's own properties, for solids that are described by a few numbers and choices."""
 
 import FreeCAD
-import FreeCADGui
 
 from .. import kernel
 from ..shim import QtCore, QtWidgets
@@ -9,9 +8,11 @@ from ..views.preview import Preview
 from ..words import PROPERTY, marked, property_label, tr
 from .choices import offer
 from .edit_panel import EditPanel
+from .measures import place_boxes, quantity_box
 
 SHARED = ("Mesh", "Region", "Result", "Base", "")  # groups that the property editor is enough for
 HIDDEN = "Hidden"
+PURE = ("Direction", "Factors")  # vectors of plain numbers; the others are places and ways
 TITLES = {"Combine": marked("Combine"), "Modify": marked("Modify"), "SolidFromObject": marked("Solid from object"), "PartShape": marked("Part shape"),
           "FilePart": marked("Part of a model"),
           "PathOfProgram": marked("Path of program"), "OpenScadNode": marked("OpenSCAD shape"), "OpenScadText": marked("OpenSCAD text"),
@@ -38,6 +39,10 @@ class PropertyPanel(EditPanel):
                 self.preview.show(self.obj.Proxy.source(self.obj), self.obj.Proxy.mesh_settings(self.obj))
         except (ValueError, kernel.load().Error) as error:
             self.say(str(error))
+
+    def rest(self):
+        if self.preview:
+            self.preview.rest()
 
     def close(self):
         if self.preview:
@@ -76,10 +81,7 @@ class PropertyPanel(EditPanel):
         return box, lambda: setattr(self.obj, name, box.currentData())
 
     def _quantity(self, name):
-        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
-        box.setProperty("value", getattr(self.obj, name))
-        if hasattr(FreeCADGui, "ExpressionBinding"):
-            FreeCADGui.ExpressionBinding(box).bind(self.obj, name)
+        box = quantity_box(self.obj, name)
         box.valueChanged.connect(self.changed)
         return box, lambda: self._write_quantity(name, box)
 
@@ -97,12 +99,17 @@ class PropertyPanel(EditPanel):
         return box, lambda: setattr(self.obj, name, box.value())
 
     def _free_number(self, name):
+        box = self._free_box(getattr(self.obj, name))
+        box.valueChanged.connect(self.changed)
+        return box, lambda: setattr(self.obj, name, box.value())
+
+    @staticmethod
+    def _free_box(value):
         box = QtWidgets.QDoubleSpinBox()
         box.setDecimals(4)
         box.setRange(-1e6, 1e6)
-        box.setValue(getattr(self.obj, name))
-        box.valueChanged.connect(self.changed)
-        return box, lambda: setattr(self.obj, name, box.value())
+        box.setValue(value)
+        return box
 
     def _words(self, name):
         if name == "Text":  # many lines
@@ -130,15 +137,10 @@ class PropertyPanel(EditPanel):
         row = QtWidgets.QWidget()
         layout = QtWidgets.QHBoxLayout(row)
         layout.setContentsMargins(0, 0, 0, 0)
-        boxes = []
-        for value in getattr(self.obj, name):
-            box = QtWidgets.QDoubleSpinBox()
-            box.setDecimals(4)
-            box.setRange(-1e6, 1e6)
-            box.setValue(value)
+        boxes = place_boxes(getattr(self.obj, name)) if name not in PURE else [self._free_box(value) for value in getattr(self.obj, name)]
+        for box in boxes:
             box.valueChanged.connect(self.changed)
             layout.addWidget(box)
-            boxes.append(box)
         return row, lambda: setattr(self.obj, name, FreeCAD.Vector(*(box.value() for box in boxes)))
 
     def _link(self, name):

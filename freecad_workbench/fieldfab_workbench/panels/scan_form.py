@@ -8,6 +8,7 @@ from ..words import tr
 from .choices import offer
 from .edit_panel import EditPanel
 from .histogram import Histogram
+from .measures import MeasureBox, place_boxes
 
 
 class ScanForm(EditPanel):
@@ -58,13 +59,11 @@ class ScanForm(EditPanel):
 
     def _add_lattice_rows(self):
         form = QtWidgets.QFormLayout()
-        self.own_spacing = QtWidgets.QCheckBox(tr("Other spacing (mm)"))
-        self.spacing = [_number_box(1e-6, 1e6, 4) for _ in range(3)]
+        self.own_spacing = QtWidgets.QCheckBox(tr("Other spacing"))
+        self.spacing = place_boxes((1, 1, 1), 1e-6)
         self.cropping = QtWidgets.QCheckBox(tr("Crop (first, last sample)"))
         self.crop = [_count_box(0, 100000) for _ in range(6)]
-        self.voxel = _number_box(0, 1e6, 4)
-        self.voxel.setSpecialValueText(tr("as the samples"))
-        self.voxel.setSuffix(" mm")
+        self.voxel = MeasureBox(zero=tr("as the samples"))
         form.addRow(self.own_spacing)
         self.spacing_row = _in_a_row(self.spacing)
         form.addRow(self.spacing_row)
@@ -80,10 +79,7 @@ class ScanForm(EditPanel):
         self.denoise = QtWidgets.QComboBox()
         offer(self.denoise, scans.DENOISING, scans.DENOISING[0])
         self.largest = QtWidgets.QCheckBox(tr("Largest piece only"))
-        self.island, self.hole = _number_box(0, 1e9, 2), _number_box(0, 1e9, 2)
-        for box in (self.island, self.hole):
-            box.setSpecialValueText(tr("all"))
-            box.setSuffix(" mm³")
+        self.island, self.hole = (MeasureBox(unit="mm³", high=1e9, zero=tr("all")) for _ in range(2))
         self.island.setToolTip(tr("Smaller pieces go"))
         self.hole.setToolTip(tr("Smaller cavities are filled"))
         form.addRow(tr("Denoise"), self.denoise)
@@ -95,7 +91,6 @@ class ScanForm(EditPanel):
         self.estimate = QtWidgets.QLabel()
         self.estimate.setWordWrap(True)
         self.progress = QtWidgets.QProgressBar()
-        self.progress.setRange(0, 1000)
         self.progress.setTextVisible(True)
         room = self.progress.sizePolicy()
         room.setRetainSizeWhenHidden(True)

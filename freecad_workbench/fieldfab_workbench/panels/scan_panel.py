@@ -5,13 +5,14 @@ import os
 
 import FreeCADGui
 
-from .. import scans
+from .. import scans, units
 from ..files import whole_stack
 from ..newest import Newest
 from ..shim import QtWidgets
 from ..views.coin_mesh import MeshBytes
 from ..views.scan_preview import ScanPreview
 from ..words import tr
+from ..work import Gauge
 from .scan_form import ScanForm, set_quietly
 
 RAW = (".raw", ".vol", ".dcm")  # whose type or size the file itself may not tell
@@ -26,7 +27,7 @@ class ScanPanel(ScanForm):
         self._unseen = obj.Mesh.CountFacets == 0
         FreeCADGui.Selection.clearSelection()  # its green would cover the picture
         self.preview = ScanPreview(obj)
-        self.work = Newest(self._failed, self._show_progress)
+        self.work, self.reading = Newest(self._failed, self._show_progress), Gauge(self.progress)
         self.form.destroyed.connect(self.work.stop)  # whoever closes it
         self._connect()
         self._changed_file()
@@ -90,8 +91,8 @@ class ScanPanel(ScanForm):
 
     def _opened(self, overview):
         self.overview, volume = overview, overview.volume
-        self.told.setText(tr("{count} samples of {spacing} mm, {kind}").format(
-            count=_by(volume.size), spacing=_by(round(s, 4) for s in volume.spacing), kind=volume.type))
+        self.told.setText(tr("{count} samples of {spacing}, {kind}").format(
+            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "), kind=volume.type))
         self.histogram.set_densities(overview.counts, overview.edges)
         self.threshold.setSingleStep((overview.edges[-1] - overview.edges[0]) / 200)
         if not self.own_spacing.isChecked():
@@ -162,7 +163,7 @@ class ScanPanel(ScanForm):
     def _show_progress(self, fraction, message):
         self.progress.setVisible(fraction is not None and self.overview is None)
         if fraction is not None:
-            self.progress.setValue(round(1000 * fraction))
+            self.reading.show(fraction)
             self.progress.setFormat(f"{message} %p %")
 
     def accept(self):
@@ -187,10 +188,6 @@ class ScanPanel(ScanForm):
         self.work.stop()
         self.preview.close()
         super().close()
-
-
-def _by(numbers):
-    return " × ".join(f"{n:g}" for n in numbers)
 
 
 def _rounded(number):

@@ -1,30 +1,10 @@
 """A form made from the settings of a workflow stage. What is not given shows its default in grey; what is wrong is said below the setting."""
 
-import FreeCAD
-
+from .. import units
 from ..shim import QtCore, QtWidgets
 from ..words import tr
 
 GREY, RED = "color: gray", "color: #b3261e"
-
-
-def number_of(text, setting):
-    """What a text says in the setting's unit: "600", "0.5 in", "2 cm/s". Raises ValueError."""
-    text = text.strip()
-    if setting.unit and text.endswith(setting.unit):
-        text = text[: -len(setting.unit)]
-    try:
-        return float(text.replace(",", "."))
-    except ValueError:
-        pass
-    try:
-        value = FreeCAD.Units.Quantity(text)
-        wanted = {"mm": "mm", "mm/min": "mm/min", "degrees": "deg"}.get(setting.unit)
-        if not wanted or value.Unit != FreeCAD.Units.Quantity(f"1 {wanted}").Unit:
-            raise ValueError
-    except Exception:  # FreeCAD raises several
-        raise ValueError(tr("must be a number in {unit}").format(unit=setting.unit) if setting.unit else tr("must be a number")) from None
-    return value.Value / setting.factor
 
 
 class Row:
@@ -39,7 +19,7 @@ class Row:
         self.problem.hide()
         make = self._choice if setting.choices else self._flag if setting.kind == "flag" else self._line
         self.editor = make()
-        tip = f"{setting.help[:1].upper()}{setting.help[1:]}"
+        tip = units.in_words(f"{setting.help[:1].upper()}{setting.help[1:]}")
         for widget in (self.label, self.editor):
             widget.setToolTip(tip)
         self.field = QtWidgets.QWidget()
@@ -86,7 +66,7 @@ class Row:
         self.say(self.setting.problem(value) if value is not None else "")
 
     def say(self, words):
-        self.problem.setText(words)
+        self.problem.setText(units.in_words(words))
         self.problem.setVisible(bool(words))
 
     def show(self):
@@ -107,7 +87,7 @@ class Row:
 
         def typed(text):
             try:
-                value = None if not text.strip() else text if self.setting.kind == "text" else number_of(text, self.setting)
+                value = None if not text.strip() else text if self.setting.kind == "text" else units.read(text, self.setting.unit)
                 words = self.setting.problem(value) if value is not None else ""
             except ValueError as error:
                 value, words = None, str(error)

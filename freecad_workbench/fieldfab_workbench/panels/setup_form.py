@@ -2,17 +2,20 @@
 
 import FreeCAD
 
+from .. import units
 from ..objects import programs, set_ups
 from ..objects.simulation import DIALECTS, bounds_of
 from ..shim import QtCore, QtWidgets
 from ..words import PROPERTY, marked, tr
 from .choices import offer
+from .measures import MeasureBox, place_boxes
 from .property_panel import candidates
 
 TOOL_COLUMNS = tuple(zip(
     ("number", "shape", "diameter", "corner_radius", "angle", "flute", "length", "shank", "holder_diameter", "holder_length"),
     marked(("No.", "Shape", "Diameter", "Corner", "Angle", "Flute", "Length", "Shank", "Holder \N{DIAMETER SIGN}", "Holder length"))))
 SHAPES = marked(("flat", "ball", "bull", "v", "tapered", "drill", "form"))
+UNITS = {"number": "", "angle": ""}  # of columns that are no lengths
 MARGIN = 5.0  # mm of stock around what a program reaches, where nothing else is known
 
 
@@ -38,29 +41,9 @@ class FileBox(QtWidgets.QWidget):
             self.line.editingFinished.emit()
 
 
-def corner_boxes(values):
-    boxes = []
-    for value in values:
-        box = QtWidgets.QDoubleSpinBox()
-        box.setDecimals(3)
-        box.setRange(-1e6, 1e6)
-        box.setButtonSymbols(box.NoButtons)
-        box.setMinimumWidth(60)
-        box.setValue(value)
-        boxes.append(box)
-    return boxes
-
-
-def length_box(value, zero=""):
-    box = QtWidgets.QDoubleSpinBox()
-    box.setDecimals(4)
-    box.setRange(0, 1e6)
-    box.setSingleStep(0.01)
-    box.setSuffix(" mm")
-    if zero:
-        box.setSpecialValueText(zero)
-    box.setValue(value)
-    return box
+def _cell(tool, key):
+    """What a column shows of a tool."""
+    return units.told(tool[key], UNITS.get(key, "mm"), 6) if tool.get(key) else ""
 
 
 class SetupForm(QtWidgets.QWidget):
@@ -81,7 +64,7 @@ class SetupForm(QtWidgets.QWidget):
         offer(self.dialect, DIALECTS, obj.Dialect)
         self.dialect.setToolTip(tr(obj.getDocumentationOfProperty("Dialect"), PROPERTY))
         self.setup = FileBox(obj.SetupFile, tr("none: as below"), tr("Set-ups and jobs (*.toml)"))
-        self.cell = length_box(obj.Cell.Value, tr("automatic"))
+        self.cell = MeasureBox(obj.Cell.Value, zero=tr("automatic"), step=0.01)
         self.target = self._objects(obj.Target, candidates(obj), tr("none, or the set-up's"))
         rows.addRow(tr("Program of"), self.of_object)
         rows.addRow(tr("Program"), self.program)
@@ -118,8 +101,8 @@ class SetupForm(QtWidgets.QWidget):
         self.machine = QtWidgets.QComboBox()
         offer(self.machine, obj.getEnumerationsOfProperty("Machine"), obj.Machine)
         self.stock = self._objects(obj.Stock, candidates(obj), tr("a box"))
-        self.lower, self.upper = corner_boxes(obj.StockLower), corner_boxes(obj.StockUpper)
-        self.gouge, self.excess, self.touch = length_box(obj.Gouge.Value), length_box(obj.Excess.Value, tr("any")), length_box(obj.Touch.Value)
+        self.lower, self.upper = place_boxes(obj.StockLower), place_boxes(obj.StockUpper)
+        self.gouge, self.excess, self.touch = (MeasureBox(value.Value, zero=zero, step=0.01) for value, zero in ((obj.Gouge, ""), (obj.Excess, tr("any")), (obj.Touch, "")))
         rows.addRow(tr("Machine"), self.machine)
         rows.addRow(tr("Stock"), self.stock)
         self.corners = QtWidgets.QWidget()
@@ -166,7 +149,7 @@ class SetupForm(QtWidgets.QWidget):
                 offer(box, SHAPES, tool.get("shape", "flat"))
                 self.tools.setCellWidget(row, column, box)
             else:
-                self.tools.setItem(row, column, QtWidgets.QTableWidgetItem(f"{tool[key]:g}" if tool.get(key) else ""))
+                self.tools.setItem(row, column, QtWidgets.QTableWidgetItem(_cell(tool, key)))
         self.tools.item(row, 0).setData(QtCore.Qt.UserRole, set_ups.tool_to_line(tool))  # with what has no column
         self.tools.resizeColumnsToContents()
 
@@ -177,11 +160,13 @@ class SetupForm(QtWidgets.QWidget):
             if key == "shape":
                 tool[key] = self.tools.cellWidget(row, column).currentData()
                 continue
-            text = self.tools.item(row, column).text().strip().replace(",", ".")
+            text = self.tools.item(row, column).text().strip()
+            if text == _cell(tool, key):
+                continue
             tool.pop(key, None)
             if text:
                 try:
-                    tool[key] = int(text) if key == "number" else float(text)
+                    tool[key] = int(text) if key == "number" else units.read(text, UNITS.get(key, "mm"))
                 except ValueError:
                     raise ValueError(tr("tool {row}: {words} is a number, not {text!r}").format(row=row + 1, words=tr(words), text=text)) from None
         return tool

@@ -6,9 +6,10 @@ import os
 from .. import kernel, meshes, work
 from ..objects.simulation import planned_of, verdict
 from ..shim import QtCore, QtWidgets, flags
+from ..views.part_view import is_there
 from ..words import tr
 from .edit_panel import EditPanel
-from .playback import Playback, is_open
+from .playback import Playback
 from .setup_form import SetupForm
 
 FRAMES = 200  # pictures of a film
@@ -83,7 +84,7 @@ class SimulationPanel(EditPanel):
         self.start_button = QtWidgets.QPushButton(tr("Simulate"))
         self.start_button.clicked.connect(self.start_or_stop)
         self.bar = QtWidgets.QProgressBar()
-        self.bar.setRange(0, 1000)
+        self.carried_out = work.Gauge(self.bar)
         self.bar.setTextVisible(False)
         row.addWidget(self.start_button)
         row.addWidget(self.bar, 1)
@@ -116,20 +117,20 @@ class SimulationPanel(EditPanel):
         self.task.start()
 
     def _watch(self):
-        if not is_open(self.document):
+        if not is_there(self.document):
             self.timer.stop()
             if self.task is not None:
                 self.task.cancel()
             return
         if self.task is None:
             return
-        self.bar.setValue(round(1000 * self.task.fraction))
+        self.carried_out.show(self.task.fraction)
         if self.task.is_alive():
             if self.task.message:
                 self.say(self.task.message, True)
             return
         task, self.task = self.task, None
-        self.bar.setValue(0)
+        self.carried_out.stop()
         self.start_button.setText(tr("Simulate"))
         try:
             result = task.outcome()

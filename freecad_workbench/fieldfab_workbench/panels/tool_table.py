@@ -1,13 +1,14 @@
 """The tools of a CAM set-up as a table, and all numbers of the one that is chosen below it."""
 
-from .. import tool_bits
+from .. import tool_bits, units
 from ..objects import cam_setup, cam_tool
 from ..shim import QtWidgets
 from ..words import PROPERTY, marked, property_label, tr
 from .choices import offer
+from .measures import MeasureBox
 
 MORE = ("CornerRadius", "Angle", "TipDiameter", "Flute", "StickOut", "Shank", "HolderDiameter", "HolderLength", "Flutes", "Feed", "Plunge", "Spindle")
-COLUMNS = marked(("No.", "Name", "Shape", "\u2300 mm"))
+COLUMNS = marked(("No.", "Name", "Shape", "\u2300 {unit}"))
 
 
 class ToolTable(QtWidgets.QWidget):
@@ -19,7 +20,7 @@ class ToolTable(QtWidgets.QWidget):
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         self.table = QtWidgets.QTableWidget(0, len(COLUMNS))
-        self.table.setHorizontalHeaderLabels([tr(words) for words in COLUMNS])
+        self.table.setHorizontalHeaderLabels([tr(words).format(unit=units.shown_unit("mm")) for words in COLUMNS])
         self.table.verticalHeader().hide()
         self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtWidgets.QAbstractItemView.SingleSelection)
@@ -57,14 +58,14 @@ class ToolTable(QtWidgets.QWidget):
         self.table.blockSignals(True)
         self.table.setRowCount(len(self.setup.Tools))
         for line, tool in enumerate(self.setup.Tools):
-            for place, value in enumerate((tool.Number, tool.Label, None, tool.Diameter.Value)):
+            for place, value in enumerate((tool.Number, tool.Label, None, units.shown(tool.Diameter.Value))):
                 if place == 2:
                     shape = QtWidgets.QComboBox()
                     offer(shape, cam_tool.SHAPES, tool.Shape)
                     shape.activated.connect(lambda index, tool=tool, shape=shape, line=line: self._reshape(tool, shape.itemData(index), line))
                     self.table.setCellWidget(line, place, shape)
                 else:
-                    item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:g}")
+                    item = QtWidgets.QTableWidgetItem(value if place == 1 else f"{value:.6g}")
                     self.table.setItem(line, place, item)
         self.table.blockSignals(False)
         if self.setup.Tools:
@@ -86,7 +87,7 @@ class ToolTable(QtWidgets.QWidget):
             tool.Label = text or cam_tool.name_of(tool)
             return ""
         try:
-            number = int(text) if column == 0 else float(text.replace(",", "."))
+            number = int(text) if column == 0 else units.read(text)
         except ValueError:
             return tr("{text!r} is no number").format(text=text)
         if column == 0 and number in {other.Number for other in self.setup.Tools if other != tool}:
@@ -119,16 +120,16 @@ class ToolTable(QtWidgets.QWidget):
     def _number(self, tool, name):
         kind, value = tool.getTypeIdOfProperty(name), getattr(tool, name)
         factor = 60 if kind == "App::PropertySpeed" else 1
-        box = QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint" else QtWidgets.QDoubleSpinBox()
+        unit = {"App::PropertyLength": "mm", "App::PropertySpeed": "mm/min"}.get(kind)
+        box = MeasureBox(unit=unit) if unit else QtWidgets.QSpinBox() if kind == "App::PropertyIntegerConstraint" else QtWidgets.QDoubleSpinBox()
         box.setRange(1 if name == "Flutes" else 0, 1000000)
         box.setValue(getattr(value, "Value", value) * factor)
         box.setToolTip(tr(tool.getDocumentationOfProperty(name), PROPERTY))
-        suffix = {"App::PropertyLength": " mm", "App::PropertySpeed": " mm/min", "App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " " + tr("rpm")}.get(kind)
-        if suffix:
+        if suffix := {"App::PropertyAngle": " \u00b0", "App::PropertyFloatConstraint": " " + tr("rpm")}.get(kind):
             box.setSuffix(suffix)
-            box.setDecimals(3 if suffix == " mm" else 1)
-            if name not in ("Angle", "TipDiameter"):
-                box.setSpecialValueText(tr("not known") if suffix == " mm" else tr("as the operation says"))
+            box.setDecimals(1)
+        if name not in ("Angle", "TipDiameter", "Flutes"):
+            box.setSpecialValueText(tr("not known") if unit == "mm" else tr("as the operation says"))
 
         def write(number):
             setattr(tool, name, number / factor if kind != "App::PropertyIntegerConstraint" else int(number))

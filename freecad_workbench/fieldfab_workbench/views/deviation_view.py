@@ -14,7 +14,7 @@ class DeviationView:
         self._node = surface.node()
         self._parent.addChild(self._node)
         self._switch.whichChild = -1
-        self._legend = ReachLegend(tr("Deviation, mm"), reach)
+        self._legend = ReachLegend(tr("Deviation, {unit}"), reach)
 
     def close(self):
         self._parent.removeChild(self._node)

@@ -2,6 +2,7 @@
 
 import FreeCADGui
 
+from .. import units
 from ..deviations import colours
 from ..shim import QtCore, QtGui, QtWidgets
 from ..words import tr
@@ -45,11 +46,11 @@ class Legend(QtWidgets.QWidget):
 
 
 class ReachLegend(Legend):
-    """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view."""
+    """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view. It shows the user's unit, as the title has it for {unit}."""
 
     def __init__(self, title, reach):
         super().__init__(view_widget(), 150, 210)
-        self.title, self.reach = title, reach
+        self.title, self.reach = title.format(unit=units.shown_unit("mm")), reach
         self.show()
         self.raise_()
 
@@ -64,7 +65,7 @@ class ReachLegend(Legend):
             y = bar.top() + (1 - share) / 2 * bar.height()
             word = {1: tr("outside"), -1: tr("inside")}.get(share, "")
             painter.drawLine(bar.right() + 2, int(y), bar.right() + 6, int(y))
-            painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{share * self.reach:+.3g} {word}" if share else "0")
+            painter.drawText(bar.right() + 10, int(y) - LINE // 2, 110, LINE, QtCore.Qt.AlignVCenter, f"{units.shown(share * self.reach):+.3g} {word}" if share else "0")
 
 
 class ColourLegend(Legend):
@@ -100,8 +101,8 @@ class ScaleLegend(Legend):
 
     def paint(self, painter):
         painter.drawImage(STRIP, self.strip)
-        full = self.scale["full"]
-        for y, words in ((8, (tr("gouge"), tr("deviation, mm"), tr("left over"))), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:g}", "0", f"+{full:g}"))):
+        full, title = units.shown(self.scale["full"]), tr("deviation, {unit}").format(unit=units.shown_unit("mm"))
+        for y, words in ((8, (tr("gouge"), title, tr("left over"))), (STRIP.bottom() + 6, (f"\N{MINUS SIGN}{full:.4g}", "0", f"+{full:.4g}"))):
             for side, text in zip((QtCore.Qt.AlignLeft, QtCore.Qt.AlignHCenter, QtCore.Qt.AlignRight), words):
                 painter.drawText(QtCore.QRect(STRIP.left(), y, STRIP.width(), LINE + 2), side, text)
 

@@ -9,6 +9,14 @@ from ..shim import QtWidgets
 STILL = 4  # pixels that the pointer may move in a click
 
 
+def is_there(thing):
+    """False of a document that was closed, and of an object that was deleted."""
+    try:
+        return bool(thing.Name)
+    except (ReferenceError, RuntimeError):  # as FreeCAD says it
+        return False
+
+
 class PartView:
     """Shows a node in the active view of a document, looks at places, tells clicks as rays."""
 

@@ -7,12 +7,13 @@ import time
 import FreeCAD
 import FreeCADGui
 
-from .. import work
+from .. import units, work
 from ..certainty import doubt_of, with_doubt
 from ..objects.solid import key_of
 from ..shim import QtCore
 from ..words import tr
 from . import inventor
+from .part_view import is_there
 from .refinement import ANGLE, Refinement
 
 BUDGET = 0.06  # seconds that the first picture of a change may take
@@ -26,7 +27,7 @@ PIXELS = 3  # that a cell may fill
 
 
 def _said(stage):
-    return {"coarse": tr("Coarse preview: cells of {cell:.3g} mm"), "finer": tr("Preview: cells of {cell:.3g} mm"), "final": tr("As it will be"),
+    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("As it will be"),
             "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 
@@ -68,6 +69,11 @@ class Preview:
         self._seen = key
         self._wanted, self._changed = (source, dict(settings)), time.monotonic()
         self._look()
+
+    def rest(self):
+        """Does no more before the next change; the picture stays."""
+        self._stop()
+        self._wanted = self._ready = None
 
     def close(self, *_):
         if not self._timer.isActive():
@@ -135,7 +141,7 @@ class Preview:
 
     # The window's side: everything here is done within a few ms.
     def _look(self):
-        if not self._is_there():
+        if not is_there(self.obj):
             self.close()
             return
         self._take()
@@ -154,12 +160,6 @@ class Preview:
                 self._stop()
                 self._refined_for = self._eye
                 self._start(self._detail)
-
-    def _is_there(self):
-        try:
-            return bool(self.obj.Name)
-        except ReferenceError:  # deleted, or its document closed
-            return False
 
     def _stop(self):
         if self._task:
@@ -246,7 +246,7 @@ class Preview:
         self._say_stage()
 
     def _say_stage(self):
-        words = _said("final" if self._refinement.exact else self.stage).format(cell=self._refinement.voxel)
+        words = _said("final" if self._refinement.exact else self.stage).format(cell=units.told(self._refinement.voxel, digits=3))
         self.say(*with_doubt(words, self._doubt))
 
     def _watch_camera(self):

@@ -4,6 +4,7 @@ import numpy as np
 from pivy import coin
 
 from .coin_fields import fill
+from .section import STOCK
 
 TOOL_LOOKS = {"cutting": ((0.80, 0.68, 0.30), 0.0), "shank": ((0.52, 0.54, 0.57), 0.0), "holder": ((0.30, 0.32, 0.36), 0.45)}
 MARK_COLOUR = (0.90, 0.10, 0.35)
@@ -34,6 +35,7 @@ class StockScene:
     def __init__(self):
         self.root, self.turn = coin.SoSeparator(), coin.SoMatrixTransform()
         self.root.renderCaching = coin.SoSeparator.OFF
+        self.root.setName(STOCK)
         self.root.addChild(self.turn)
         self.stock, self.pieces, self.whole = coin.SoSwitch(), {}, Surface()
         self.pieces_node = coin.SoGroup()

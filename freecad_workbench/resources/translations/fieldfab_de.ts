@@ -1627,28 +1627,28 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Bohrer</translation>
     </message>
     <message>
-        <source>{diameter} mm end mill</source>
-        <translation>Schaftfräser {diameter} mm</translation>
+        <source>{diameter} end mill</source>
+        <translation>Schaftfräser {diameter}</translation>
     </message>
     <message>
-        <source>{diameter} mm ball end mill</source>
-        <translation>Kugelfräser {diameter} mm</translation>
+        <source>{diameter} ball end mill</source>
+        <translation>Kugelfräser {diameter}</translation>
     </message>
     <message>
-        <source>{diameter} mm bull-nose end mill</source>
-        <translation>Torusfräser {diameter} mm</translation>
+        <source>{diameter} bull-nose end mill</source>
+        <translation>Torusfräser {diameter}</translation>
     </message>
     <message>
-        <source>{diameter} mm V-bit</source>
-        <translation>V-Fräser {diameter} mm</translation>
+        <source>{diameter} V-bit</source>
+        <translation>V-Fräser {diameter}</translation>
     </message>
     <message>
-        <source>{diameter} mm tapered ball end mill</source>
-        <translation>Konischer Kugelfräser {diameter} mm</translation>
+        <source>{diameter} tapered ball end mill</source>
+        <translation>Konischer Kugelfräser {diameter}</translation>
     </message>
     <message>
-        <source>{diameter} mm drill</source>
-        <translation>Bohrer {diameter} mm</translation>
+        <source>{diameter} drill</source>
+        <translation>Bohrer {diameter}</translation>
     </message>
     <message>
         <source>{label}: Diameter must be above 0</source>
@@ -2039,8 +2039,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>angehalten; das Programm ist noch, was es war</translation>
     </message>
     <message>
-        <source>travel {travel} mm</source>
-        <translation>Verfahrweg {travel} mm</translation>
+        <source>travel {travel}</source>
+        <translation>Verfahrweg {travel}</translation>
     </message>
     <message>
         <source>turns about {axes}</source>
@@ -2103,12 +2103,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label} wird gegen OpenVDB und CGAL geprüft …</translation>
     </message>
     <message>
-        <source>{measured:.4g} of {bound:.4g}</source>
-        <translation>{measured:.4g} von {bound:.4g}</translation>
+        <source>{measured} of {bound}</source>
+        <translation>{measured} von {bound}</translation>
     </message>
     <message>
-        <source>Mesh to solid: {mean:.3g} mm on average, {most:.3g} mm at most.</source>
-        <translation>Netz zum Körper: {mean:.3g} mm im Mittel, {most:.3g} mm höchstens.</translation>
+        <source>Mesh to solid: {mean} on average, {most} at most.</source>
+        <translation>Netz zum Körper: {mean} im Mittel, {most} höchstens.</translation>
+    </message>
+    <message>
+        <source>Computing</source>
+        <translation>Wird berechnet</translation>
     </message>
     <message>
         <source>Edit {label}</source>
@@ -2117,6 +2121,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Valid</source>
         <translation>Gültig</translation>
+    </message>
+    <message>
+        <source>Computing: {message}</source>
+        <translation>Wird berechnet: {message}</translation>
     </message>
     <message>
         <source>Event</source>
@@ -2171,10 +2179,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Größter Fehler</translation>
     </message>
     <message>
-        <source>automatic</source>
-        <translation>automatisch</translation>
-    </message>
-    <message>
         <source>{name} is driven by an expression</source>
         <translation>{name} wird von einem Ausdruck bestimmt</translation>
     </message>
@@ -2189,6 +2193,14 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>1/{cells} of the longest side</source>
         <translation>1/{cells} der längsten Seite</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Numbers of the text are in mm</source>
+        <translation>Zahlen im Text sind in mm</translation>
     </message>
     <message>
         <source>0 is automatic: {zero}</source>
@@ -2331,12 +2343,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Zum Ende</translation>
     </message>
     <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
         <source>nothing has cut this place</source>
         <translation>diese Stelle hat nichts geschnitten</translation>
     </message>
     <message>
         <source>line {line}: {message}</source>
         <translation>Zeile {line}: {message}</translation>
+    </message>
+    <message>
+        <source>Where axis {letter} stands, {unit}</source>
+        <translation>Stand der Achse {letter}, {unit}</translation>
     </message>
     <message>
         <source>line {line} cut this place, with tool {tool}</source>
@@ -2353,14 +2373,6 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>rapids</source>
         <translation>Eilgang</translation>
-    </message>
-    <message>
-        <source>Where axis {letter} stands, mm</source>
-        <translation>Stand der Achse {letter}, mm</translation>
-    </message>
-    <message>
-        <source>Where axis {letter} stands, degrees</source>
-        <translation>Stand der Achse {letter}, Grad</translation>
     </message>
     <message>
         <source>cuts of tool {tool}</source>
@@ -2439,16 +2451,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Was weniger dicht ist als die Schwelle, ist Körper</translation>
     </message>
     <message>
-        <source>Other spacing (mm)</source>
-        <translation>Anderer Abstand (mm)</translation>
+        <source>Other spacing</source>
+        <translation>Anderer Abstand</translation>
     </message>
     <message>
         <source>Crop (first, last sample)</source>
         <translation>Ausschnitt (erster, letzter Messpunkt)</translation>
-    </message>
-    <message>
-        <source>as the samples</source>
-        <translation>wie die Messpunkte</translation>
     </message>
     <message>
         <source>Clean-up</source>
@@ -2495,6 +2503,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Darunter</translation>
     </message>
     <message>
+        <source>as the samples</source>
+        <translation>wie die Messpunkte</translation>
+    </message>
+    <message>
         <source>all</source>
         <translation>alle</translation>
     </message>
@@ -2527,8 +2539,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>CT-Volumen</translation>
     </message>
     <message>
-        <source>{count} samples of {spacing} mm, {kind}</source>
-        <translation>{count} Messpunkte im Abstand {spacing} mm, {kind}</translation>
+        <source>{count} samples of {spacing}, {kind}</source>
+        <translation>{count} Messpunkte im Abstand {spacing}, {kind}</translation>
     </message>
     <message>
         <source>About {count} triangles, {memory} MB</source>
@@ -2547,16 +2559,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Der Scan {path} fehlt: wählen, wo er jetzt ist. Der Körper behält sein Netz.</translation>
     </message>
     <message>
-        <source>must be a number</source>
-        <translation>muss eine Zahl sein</translation>
-    </message>
-    <message>
         <source>default</source>
         <translation>Vorgabe</translation>
-    </message>
-    <message>
-        <source>must be a number in {unit}</source>
-        <translation>muss eine Zahl in {unit} sein</translation>
     </message>
     <message>
         <source>{default} (default)</source>
@@ -2775,8 +2779,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{count} Einzelbilder liegen in {folder}</translation>
     </message>
     <message>
-        <source>⌀ mm</source>
-        <translation>⌀ mm</translation>
+        <source>⌀ {unit}</source>
+        <translation>⌀ {unit}</translation>
     </message>
     <message>
         <source>a diameter must be above 0</source>
@@ -2807,20 +2811,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>es gibt schon ein Werkzeug {number}</translation>
     </message>
     <message>
-        <source>{text!r} is no number</source>
-        <translation>{text!r} ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>rpm</source>
-        <translation>U/min</translation>
-    </message>
-    <message>
         <source>not known</source>
         <translation>unbekannt</translation>
     </message>
     <message>
         <source>as the operation says</source>
         <translation>wie die Operation sagt</translation>
+    </message>
+    <message>
+        <source>{text!r} is no number</source>
+        <translation>{text!r} ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>U/min</translation>
     </message>
     <message>
         <source>{label}: no machine of ours is known to turn {letters}: say which it is</source>
@@ -2891,12 +2895,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{name}: Neben der Bibliothek gibt es keine solche Datei</translation>
     </message>
     <message>
-        <source>Deviation, mm</source>
-        <translation>Abweichung, mm</translation>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
     </message>
     <message>
-        <source>deviation, mm</source>
-        <translation>Abweichung, mm</translation>
+        <source>must be a number in {unit}</source>
+        <translation>muss eine Zahl in {unit} sein</translation>
+    </message>
+    <message>
+        <source>Deviation, {unit}</source>
+        <translation>Abweichung, {unit}</translation>
+    </message>
+    <message>
+        <source>deviation, {unit}</source>
+        <translation>Abweichung, {unit}</translation>
     </message>
     <message>
         <source>left over</source>
@@ -2911,12 +2923,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>innen</translation>
     </message>
     <message>
-        <source>Coarse preview: cells of {cell:.3g} mm</source>
-        <translation>Grobe Vorschau: Zellen von {cell:.3g} mm</translation>
+        <source>Coarse preview: cells of {cell}</source>
+        <translation>Grobe Vorschau: Zellen von {cell}</translation>
     </message>
     <message>
-        <source>Preview: cells of {cell:.3g} mm</source>
-        <translation>Vorschau: Zellen von {cell:.3g} mm</translation>
+        <source>Preview: cells of {cell}</source>
+        <translation>Vorschau: Zellen von {cell}</translation>
     </message>
     <message>
         <source>As it will be</source>
@@ -2929,6 +2941,10 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Refined where you look</source>
         <translation>Verfeinert, wo Sie hinsehen</translation>
+    </message>
+    <message>
+        <source>No solid is seen that could be cut</source>
+        <translation>Kein Körper ist zu sehen, der geschnitten werden könnte</translation>
     </message>
     <message>
         <source>Show {label}</source>
@@ -3323,6 +3339,21 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
     <message>
         <source>Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each part that it makes, not the script.</source>
         <translation>Fragt nach einem Python-Skript oder einem von kokopelli und ob es laufen darf, denn es kann alles, was Sie können. Das Dokument behält die Formel jedes Teils, den es macht, nicht das Skript.</translation>
+    </message>
+</context>
+<context>
+    <name>Fieldfab_Section</name>
+    <message>
+        <source>Section plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>Cut what the view shows, to see what is inside, or show it whole again</source>
+        <translation>Schneiden, was die Ansicht zeigt, um ins Innere zu sehen, oder es wieder ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Cuts all solids of the view, across the axis that points most to you. Drag the handle on the plane to move it. Cut faces are orange. It also cuts what panels show: solids that are being edited, scans, the stock of a simulation. Choose it again to see all. Nothing of the document is changed.</source>
+        <translation>Schneidet alle Körper der Ansicht quer zu der Achse, die am meisten auf den Betrachter zeigt. Ziehen am Griff verschiebt die Ebene. Schnittflächen sind orange. Auch was Aufgabenfenster zeigen, wird geschnitten: Körper in Bearbeitung, Scans, das Rohteil einer Simulation. Noch einmal wählen zeigt wieder alles. Am Dokument ändert sich nichts.</translation>
     </message>
 </context>
 <context>

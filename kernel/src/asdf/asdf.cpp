@@ -14,7 +14,7 @@ Asdf::Asdf(Box region, std::array<int, 3> lattice, double max_error, std::shared
   for (std::size_t axis = 0; axis < 3; ++axis) count_[axis] = std::max(lattice[axis], 1);
 }
 
-/// A cell, and what of the lattice it covers.
+/// A cell, and the range of the lattice that it covers.
 struct Asdf::Place {
   CellWord word;
   LatticeRange range;
@@ -22,7 +22,7 @@ struct Asdf::Place {
 
 namespace {
 
-/// A point in lattice cells from the region's lower corner.
+/// Returns the coordinates of a point in lattice cells from the region's lower corner.
 std::array<double, 3> lattice_point(const Box& region, const std::array<int, 3>& lattice, const Vec3& p) {
   std::array<double, 3> at{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -32,7 +32,7 @@ std::array<double, 3> lattice_point(const Box& region, const std::array<int, 3>&
   return at;
 }
 
-/// Where a point lies in a leaf, 0 to 1 along each axis.
+/// Returns the position of a point in a leaf, 0 to 1 along each axis.
 std::array<float, 3> within(const std::array<double, 3>& at, const LatticeRange& range) {
   std::array<float, 3> t{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -42,7 +42,8 @@ std::array<float, 3> within(const std::array<double, 3>& at, const LatticeRange&
 
 float mix(float a, float b, float t) { return a + (b - a) * t; }
 
-/// Trilinear interpolation; never beyond the corners' values, whatever rounding does.
+/// Trilinear interpolation; in spite of rounding the result is never beyond the values of the
+/// corners.
 float interpolate(const LeafSamples& s, const std::array<float, 3>& t) {
   float low = s.corner(0), high = low;
   std::array<float, 8> v;
@@ -73,7 +74,7 @@ Asdf::Place Asdf::find(const std::array<double, 3>& at) const noexcept {
   while (place.word.kind() == CellKind::branch) {
     unsigned number = 0, bit = 0;
     const unsigned axes = place.word.axes();
-    for (std::size_t axis = 0; axis < 3; ++axis) {  // LatticeRange::child(), on the way
+    for (std::size_t axis = 0; axis < 3; ++axis) {  // inlined LatticeRange::child()
       if ((axes >> axis & 1U) == 0) continue;
       int &first = place.range.first[axis], &count = place.range.count[axis];
       const int lower = count / 2;
@@ -89,7 +90,7 @@ Asdf::Place Asdf::find(const std::array<double, 3>& at) const noexcept {
 
 namespace {
 
-/// Whether a point lies in a range, of which the upper planes belong to the next.
+/// Whether a range contains a point; points on its upper planes belong to the next range.
 bool holds(const LatticeRange& range, const std::array<double, 3>& at) {
   bool inside = true;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -101,7 +102,7 @@ bool holds(const LatticeRange& range, const std::array<double, 3>& at) {
 
 void Asdf::values(const Points& points, float* out) const noexcept {
   const auto far = static_cast<float>(voxel() * 1.7320508);
-  Place place{{}, {{}, {0, 0, 0}}};  // where the point before this one was: neighbours most often share a cell
+  Place place{{}, {{}, {0, 0, 0}}};  // cell of the previous point: neighbours usually share a cell
   for (std::size_t i = 0; i < points.count; ++i) {
     const Vec3 p(points.x[i], points.y[i], points.z[i]);
     if (!(p.allFinite())) {
@@ -151,7 +152,7 @@ Interval Asdf::interval(const Box& box) const noexcept {
   const auto far = static_cast<float>(voxel() * 1.7320508);
   const Interval anything{-std::max(tree_->greatest, far), std::numeric_limits<float>::infinity(), true};
   if (!box.lower.allFinite() || !box.upper.allFinite()) return anything;
-  // Points are rounded to floats before they are looked up: look a little beyond the box.
+  // Points are rounded to floats before the lookup, so the box gets a margin.
   constexpr double slack = 1e-3;
   std::array<double, 3> low = lattice_point(region_, lattice_, box.lower), high = lattice_point(region_, lattice_, box.upper);
   Interval range = Interval::of(0);
@@ -259,7 +260,7 @@ AsdfStatistics Asdf::statistics() const {
 
 namespace {
 
-/// The cells of a tree that meet the plane at lattice height z, as cells of a flat one.
+/// Returns the cells of a tree that meet the plane at lattice height z, as cells of a flat tree.
 BuildCell cut(const Asdf::Tree& tree, CellWord word, const LatticeRange& range, double z) {
   BuildCell cell;
   cell.kind = word.kind();
@@ -320,7 +321,8 @@ std::optional<double> Asdf::ray(const Vec3& origin, const Vec3& direction) const
     near = std::max(near, std::min(a, b));
     far = std::min(far, std::max(a, b));
   }
-  // From cell to cell; within a leaf in steps of a quarter of the smallest cell, the crossing then halved down.
+  // The ray passes from cell to cell; in a leaf in steps of a quarter of the smallest cell,
+  // followed by bisection of the crossing.
   const double step = voxel() / 4, nudge = voxel() * 1e-4;
   for (double t = near; t <= far;) {
     const Vec3 p = origin + t * d;

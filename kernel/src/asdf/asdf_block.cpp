@@ -1,5 +1,6 @@
-// A block: a byte for each cell, depth first (kind, split axes), then the distances of the corners in the order in which leafs
-// need them, each as its difference from what the leaf's earlier corners foretell (docs/asdf-format.md).
+// A block: one byte per cell, depth first (kind, split axes), followed by the distances of the
+// corners in the order in which leafs need them. Each distance is the difference from a prediction
+// by earlier corners of the leaf (docs/asdf-format.md).
 #include "asdf_block.h"
 
 #include <zstd.h>
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::int32_t most_steps = 1 << 28;
 
-/// The steps at the lattice points of a block, as far as they are known.
+/// Distances in steps at the lattice points of a block, as far as they are known.
 class Corners {
  public:
   explicit Corners(const LatticeRange& range) : range_(range) {
@@ -40,7 +41,7 @@ class Corners {
   std::vector<std::int32_t> steps_;
 };
 
-/// What a function that is linear between them makes expect of a corner, from those before it; `last` for the first.
+/// Predicts a corner as a multilinear extrapolation of those before it; `last` for the first one.
 std::int32_t expected(const std::array<std::int32_t, 8>& known, unsigned corner, std::int32_t last) {
   switch (std::popcount(corner)) {
     case 0: return last;
@@ -53,7 +54,7 @@ std::int32_t expected(const std::array<std::int32_t, 8>& known, unsigned corner,
   }
 }
 
-/// Small numbers of either sign as few bytes: 7 bits each, the lowest first.
+/// Writes small signed numbers as few bytes: 7 bits each, the lowest first.
 void append_number(std::string& bytes, std::int64_t number) {
   auto bits = static_cast<std::uint64_t>(number << 1 ^ number >> 63);
   for (; bits >= 128; bits >>= 7U) bytes += static_cast<char>(bits | 128U);
@@ -132,7 +133,7 @@ class Decoder {
       if (kind == CellKind::leaf) tree.leafs.push_back(leaf(range));
       return;
     }
-    // Each split halves an axis that has two cells or more, so that the depth is bounded.
+    // Each split halves an axis with two cells or more, so the depth is bounded.
     if (axes == 0 || (axes & ~range.divisible()) != 0) damaged();
     const std::size_t first = tree.cells.size(), count = std::size_t{1} << std::popcount(axes);
     if (first + count > kinds_.size()) damaged();

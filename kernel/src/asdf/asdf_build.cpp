@@ -1,4 +1,5 @@
-// Building an Asdf: from the top down by intervals, from the bottom up within blocks that are sampled densely (Keeter 2.4, 3.7).
+// Construction of an Asdf: top-down by intervals, and bottom-up in blocks that are sampled densely
+// (Keeter 2.4, 3.7).
 #include <fmt/format.h>
 
 #include <atomic>
@@ -14,7 +15,7 @@
 namespace fieldfab {
 namespace {
 
-constexpr int task_side = 32;  // cells an axis below which a cell is one thread's work
+constexpr int task_side = 32;  // cells per axis below which a cell is one thread's work
 
 class Builder {
  public:
@@ -24,7 +25,7 @@ class Builder {
   BuildCell run(const Field& field) { return cell(field.restricted(maker_.box(maker_.whole())), maker_.whole()); }
 
  private:
-  /// The cell of a range, to which the Field is restricted already.
+  /// Builds the cell of a range, to which the Field is already restricted.
   BuildCell cell(const Restriction& here, const LatticeRange& range) {
     progress_.check();
     if (here.range.decided()) {
@@ -56,8 +57,8 @@ class Builder {
     return maker_.joined(std::move(children), axes, range);
   }
 
-  /// A range where the Field is affine needs no more than its corners; those of its parts are looked at too, because where
-  /// numbers are large, rounding may be all that is left of the function.
+  /// Where the Field is affine, the corners of a range suffice. The corners of its parts are tested
+  /// too, because rounding may dominate the function where numbers are large.
   bool one_plane(const Field& field, const LatticeRange& range, BuildCell& cell) const {
     const Box whole = maker_.box(range);
     std::array<std::array<float, 3>, 3> at;  // by axis: first, middle, last
@@ -81,7 +82,7 @@ class Builder {
     return maker_.one_leaf({value.data(), nullptr, 0, {1, 3, 9}}, {2, 2, 2}, maker_.size_of(range), cell);
   }
 
-  /// A block whose lattice points are evaluated in one batch.
+  /// Builds a block whose lattice points are evaluated in one batch.
   BuildCell sampled(const Field& field, const LatticeRange& range) {
     std::array<std::size_t, 3> points;
     for (std::size_t axis = 0; axis < 3; ++axis) points[axis] = static_cast<std::size_t>(range.count[axis]) + 1;
@@ -111,7 +112,7 @@ class Builder {
   std::atomic<double> done_{0};
 };
 
-/// Cells along each axis; 0 where the region is flat in z.
+/// Returns the number of cells along each axis; 0 in z for a flat region.
 std::array<int, 3> lattice_of(const Box& region, double voxel) {
   const Vec3 size = region.size();
   if (!region.valid() || size.x() <= 0 || size.y() <= 0)

@@ -58,7 +58,7 @@ Box CellMaker::box(const LatticeRange& range) const {
 }
 
 BuildCell CellMaker::joined(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range) {
-  if (!merge_leafs_) {  // alike cells join, leafs do not
+  if (!merge_leafs_) {  // equal cells are merged, leafs are not
     bool alike = children[0].kind == CellKind::empty || children[0].kind == CellKind::filled;
     for (const BuildCell& child : children) alike = alike && child.kind == children[0].kind;
     if (alike) return std::move(children[0]);
@@ -117,7 +117,8 @@ bool CellMaker::one_leaf(const LatticeSamples& samples, const std::array<int, 3>
   double worst = 0;
   for (int k = 0; k <= count[2]; ++k)
     for (int j = 0; j <= count[1]; ++j) {
-      // Along x interpolation is a straight line between two values interpolated on the range's faces.
+      // Along x the interpolation is linear between two values interpolated on the faces of the
+      // range.
       const double v = static_cast<double>(j) / count[1], w = static_cast<double>(k) / count[2];
       const auto face = [&](std::size_t i) {
         return (1 - w) * ((1 - v) * c[i] + v * c[i + 2]) + w * ((1 - v) * c[i + 4] + v * c[i + 6]);

@@ -1,5 +1,5 @@
-// .asdf files, version 2 (docs/asdf-format.md): a header, blocks, and at the end a directory that tells for each level the cells
-// above the blocks and where the blocks are.
+// .asdf files, version 2 (docs/asdf-format.md): a header, blocks, and a directory at the end, with
+// the cells above the blocks and the positions of the blocks for each level.
 #include "asdf_file.h"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ struct Header {
   std::uint32_t directory_checksum;
 };
 
-/// One level as the directory tells it.
+/// Entry of a level in the directory.
 struct Level {
   Box region;
   std::array<int, 3> lattice;
@@ -115,7 +115,7 @@ std::vector<Level> read_directory(std::string_view file, const Header& header, c
   return levels;
 }
 
-/// Puts together the tree of a level from its trunk and its blocks.
+/// Assembles the tree of a level from its trunk and its blocks.
 class Assembly {
  public:
   Assembly(std::string_view file, const Header& header, const Level& level, const std::optional<Box>& region,
@@ -200,9 +200,9 @@ class Assembly {
     tree_.leafs.push_back(LeafSamples::of(distances));
   }
 
-  /// Puts a block's tree in the place of a cell.
+  /// Inserts a block's tree at a cell.
   void splice(std::size_t cell, const Asdf::Tree& part) {
-    const std::size_t shift = tree_.cells.size() - 1, leafs = tree_.leafs.size();  // the root goes elsewhere
+    const std::size_t shift = tree_.cells.size() - 1, leafs = tree_.leafs.size();  // the root replaces the cell
     const auto moved = [&](const CellWord& word) {
       if (word.kind() == CellKind::branch) return CellWord::branch(word.first_child() + shift, word.axes());
       return word.kind() == CellKind::leaf ? CellWord::leaf(word.samples() + leafs) : word;
@@ -222,7 +222,7 @@ class Assembly {
   std::size_t next_kind_ = 0, next_block_ = 0, next_corner_ = 0;
 };
 
-/// A cell of a packed tree, and all below it.
+/// Returns a cell of a packed tree with its descendants.
 BuildCell unpacked(const Asdf::Tree& tree, CellWord word) {
   BuildCell cell;
   cell.kind = word.kind();
@@ -255,7 +255,7 @@ BuildCell trunk_of(const Asdf::Tree& tree, CellWord word, const LatticeRange& ra
 BuildCell block_mark() {
   BuildCell mark;
   mark.kind = CellKind::branch;
-  mark.axes = 7;  // as a branch that splits all axes it is never joined with another
+  mark.axes = 7;  // a branch that splits all axes is never merged with another
   return mark;
 }
 

@@ -1,4 +1,4 @@
-/// Writing and reading .asdf files (docs/asdf-format.md); private to the asdf folder.
+/// Writer and reader of .asdf files (docs/asdf-format.md); private to the asdf folder.
 #pragma once
 
 #include <map>
@@ -17,13 +17,14 @@ class AsdfWriter {
   };
   AsdfWriter(const std::filesystem::path& path, const Header& header);
 
-  /// Levels come one after another, the finest first.
+  /// Begins a level; the finest comes first.
   void begin_level(const Box& region, const std::array<int, 3>& lattice);
-  /// The block of the cell over a range. Blocks are kept in the file in the order in which they come.
+  /// Writes the block of the cell over a range. Blocks are stored in the order of the calls.
   void add(const LatticeRange& range, const EncodedBlock& block);
-  /// The cells above the blocks: a branch without children stands for the block over its range.
+  /// Sets the cells above the blocks: a branch without children stands for the block over its
+  /// range.
   void end_level(const BuildCell& trunk);
-  /// Puts the file in its place; throws io.
+  /// Moves the file into place; throws io.
   void commit();
 
  private:
@@ -43,11 +44,11 @@ class AsdfWriter {
   Box region_;
 };
 
-/// A cell in a trunk that stands for a block.
+/// Returns the cell in a trunk that stands for a block.
 BuildCell block_mark();
 inline bool is_block_mark(const BuildCell& cell) { return cell.kind == CellKind::branch && cell.children.empty(); }
 
-/// Makes Asdfs of what files hold.
+/// Creates Asdfs from the content of files.
 class AsdfFile {
  public:
   struct Contents {
@@ -57,7 +58,7 @@ class AsdfFile {
     Eigen::Affine3d placement;
     Asdf::Tree tree;
   };
-  /// Checks what was read; throws bad_input.
+  /// Checks the content and creates an Asdf; throws bad_input.
   static std::shared_ptr<const Asdf> make(Contents contents, const std::filesystem::path& path);
   static Contents from_kokopelli(std::string_view bytes, const std::filesystem::path& path);
   static void write(const Asdf& asdf, AsdfWriter& writer, double quantum);

@@ -18,7 +18,7 @@
 namespace fieldfab {
 namespace {
 
-/// Some rows of some slices: those that the blocks of one layer, or of a part of it, need.
+/// Rows of slices that the blocks of a layer, or of a part of it, need.
 struct Slab {
   std::vector<float> values;
   std::array<int, 3> first{};  ///< lattice point of the first value
@@ -31,13 +31,14 @@ struct Slab {
   }
 };
 
-/// What a brick, the cells below one that becomes a block of the file, came to.
+/// Result for a brick, a cell that becomes a block of the file.
 struct Brick {
-  BuildCell root;  ///< a mark, where there is a block
+  BuildCell root;  ///< a mark if there is a block
   EncodedBlock block;
 };
 
-/// The bricks of a lattice in the order in which they are read, and written: layers from the bottom up, each row by row.
+/// Returns the bricks of a lattice in the order of reading and writing: layers from the bottom up,
+/// each row by row.
 std::vector<LatticeRange> bricks_of(const LatticeRange& whole) {
   std::vector<LatticeRange> bricks, open{whole};
   while (!open.empty()) {
@@ -60,7 +61,7 @@ std::array<int, 3> lattice_of(const LatticeSource& source) {
   return {source.points[0] - 1, source.points[1] - 1, source.points[2] - 1};
 }
 
-/// Makes bricks of a lattice's values.
+/// Makes bricks from the values of a lattice.
 class BrickMaker {
  public:
   BrickMaker(const LatticeSource& source, double max_error, double quantum, std::size_t memory, Progress& progress)
@@ -99,7 +100,8 @@ class BrickMaker {
  private:
   using Place = std::vector<LatticeRange>::const_iterator;
 
-  /// The bricks of one layer whose rows fit into memory together, a row of bricks at least.
+  /// Returns the end of the bricks of one layer whose rows fit into memory together, at least one
+  /// row of bricks.
   [[nodiscard]] Place end_of_batch(Place from, Place last) const {
     const std::size_t row = sizeof(float) * static_cast<std::size_t>(source_.points[0]);
     const std::size_t slices = static_cast<std::size_t>(from->count[2]) + 1;
@@ -111,7 +113,7 @@ class BrickMaker {
     return to;
   }
 
-  /// The values from one brick to another of the same layer, whole rows.
+  /// Reads the values from one brick to another of the same layer, in whole rows.
   [[nodiscard]] Slab read(const LatticeRange& from, const LatticeRange& to) const {
     Slab slab;
     slab.first = {0, from.first[1], from.first[2]};
@@ -157,7 +159,7 @@ class BrickMaker {
   double done_ = 0;
 };
 
-/// A level of a file in the making: takes its bricks, in order, and then makes the cells above them.
+/// Writes a level of a file: takes its bricks in order, then makes the cells above them.
 class LevelWriter {
  public:
   LevelWriter(const LatticeSource& source, double max_error, AsdfWriter& writer, ImportCounts& counts)
@@ -197,7 +199,7 @@ double smallest_side(const LatticeSource& source) {
   return side;
 }
 
-/// What settings come to for these levels.
+/// Error and quantum that the settings give for these levels.
 struct Precision {
   double max_error, quantum;
   Precision(const std::vector<LatticeSource>& levels, const ImportSettings& settings, const std::filesystem::path& path) {
@@ -211,11 +213,11 @@ struct Precision {
   }
 };
 
-// A part's file, for this machine only: for each level, for each of its bricks that belong to the part: the root's kind, slack
-// and corners, then the block's numbers and its bytes.
+// File of a part, for this machine only. For each level and each of its bricks in the part: kind,
+// slack and corners of the root, then the block's numbers and its bytes.
 constexpr std::string_view part_magic = "FFPART1\n";
 
-/// The bricks of a level that a part does: whole layers.
+/// Returns the bricks of a level that a part processes: whole layers.
 std::vector<LatticeRange> share_of(std::vector<LatticeRange> bricks, const ImportShare& share) {
   std::vector<int> layers;
   for (const LatticeRange& brick : bricks)

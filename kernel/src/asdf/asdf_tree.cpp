@@ -50,7 +50,8 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
   double sum = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (size[axis] <= 0) continue;
-    // Along an axis the slope of a trilinear function is a mean of those of the four edges.
+    // Along an axis the slope of a trilinear function is a weighted mean of the slopes of the four
+    // edges.
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t corner = 0; corner < 8; ++corner) {
       if ((corner >> axis & 1U) != 0) continue;
@@ -65,9 +66,10 @@ double steepness(const std::array<float, 8>& corners, const std::array<double, 3
 
 namespace {
 
-/// Tries to join two leafs along `axis`. Interpolation over both differs from each one's own by a function that is linear along
-/// every axis, so that it is farthest off at a corner, and of those only the four in the middle can differ. With what either was
-/// off before, that bounds the distance to every sample that was ever merged: the sum must not exceed max_error.
+/// Tries to merge two leafs along `axis`. The interpolation over both differs from that of each by
+/// a function that is linear along each axis; so the difference is greatest at a corner, and only
+/// the four corners in the middle can differ. Its sum with the earlier slack of both bounds the
+/// distance to each sample that was merged; it must not exceed max_error.
 bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double share, const std::array<double, 3>& size_a,
                 const std::array<double, 3>& size_b, double max_error, BuildCell& joined) {
   double off = 0;
@@ -88,7 +90,7 @@ bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double
   return true;
 }
 
-/// Tries to join two cells of one kind along `axis`.
+/// Tries to merge two cells of one kind along `axis`.
 bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a, const LatticeRange& range_b,
           const std::array<double, 3>& cell_size, double max_error, BuildCell& joined) {
   if (a.kind == CellKind::empty || a.kind == CellKind::filled) {
@@ -104,7 +106,8 @@ bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a
   return a.axes == b.axes && (a.axes >> axis & 1U) == 0;
 }
 
-/// The number of a child among 2^n, when `axes` are split, given its place (bit 0: upper along x, ...).
+/// Returns the number of a child of a branch that splits `axes`, given its place (bit 0: upper
+/// along x, ...).
 unsigned child_number(unsigned axes, unsigned place) {
   unsigned number = 0, bit = 0;
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -112,7 +115,7 @@ unsigned child_number(unsigned axes, unsigned place) {
   return number;
 }
 
-/// The place of a child given its number.
+/// Returns the place of a child, given its number.
 unsigned child_place(unsigned axes, unsigned number) {
   unsigned place = 0, bit = 0;
   for (unsigned axis = 0; axis < 3; ++axis)
@@ -120,7 +123,8 @@ unsigned child_place(unsigned axes, unsigned number) {
   return place;
 }
 
-/// Two branches that split the same axes, but not `axis`, as one that splits `axis` as well.
+/// Merges two branches that split the same axes, without `axis`, into one that splits `axis` as
+/// well.
 BuildCell join_branches(BuildCell& a, BuildCell& b, unsigned axis) {
   BuildCell joined;
   joined.kind = CellKind::branch;
@@ -160,7 +164,7 @@ BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const Latti
         fewer[i] = std::move(joined[i]);
         continue;
       }
-      // What were cousins are now siblings, and may join in their turn.
+      // Former cousins are siblings now, and may be merged in turn.
       BuildCell both = join_branches(children[a], children[b], axis);
       fewer[i] = simplified(std::move(both.children), both.axes, range.child(rest, i), cell_size, max_error);
     }

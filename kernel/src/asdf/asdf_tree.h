@@ -1,4 +1,4 @@
-/// How an Asdf is kept in memory, and the cells it is made of while it is built.
+/// Representation of an Asdf in memory, and cells during construction.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace fieldfab {
 
 enum class CellKind : std::uint8_t { empty, filled, leaf, branch };
 
-/// A cell in 32 bits: its kind, and where its children or samples are. Children of a branch lie together; it splits the axes of
-/// `axes` (bit 0 is x), and bit i of a child's number, counted over the split axes in order, says that it is the upper part along
-/// that axis.
+/// A cell in 32 bits: its kind, and the index of its children or samples. The children of a branch
+/// are consecutive. The branch splits the axes in `axes` (bit 0 is x). Bit i of a child's number,
+/// counted over the split axes in order, is set if the child is the upper part along that axis.
 struct CellWord {
   std::uint32_t bits = 0;
 
@@ -33,7 +33,8 @@ struct CellWord {
   static constexpr std::size_t most_cells = std::size_t{1} << 27;
 };
 
-/// Distances at a leaf's corners (bits of the index: x 1, y 2, z 4) in steps of `step`. A negative distance is never stored as 0.
+/// Distances at the corners of a leaf (bits of the index: x 1, y 2, z 4) in steps of `step`. A
+/// negative distance is never stored as 0.
 struct LeafSamples {
   float step;
   std::array<std::int16_t, 8> distance;
@@ -45,36 +46,39 @@ struct LeafSamples {
 struct Asdf::Tree {
   std::vector<CellWord> cells;
   std::vector<LeafSamples> leafs;
-  float greatest = 0;  ///< no value of a leaf is farther from 0
+  float greatest = 0;  ///< greatest magnitude of a value in a leaf
 };
 
 /// The lattice cells that a cell of the tree covers.
 struct LatticeRange {
   std::array<int, 3> first, count;
 
-  /// How many of them the lower part along `axis` gets (the rule of kokopelli's format: the half, rounded down).
+  /// Number of cells in the lower part along `axis`: the half, rounded down, as in kokopelli's
+  /// format.
   [[nodiscard]] int lower_count(int axis) const { return count[static_cast<std::size_t>(axis)] / 2; }
   [[nodiscard]] LatticeRange child(unsigned axes, unsigned number) const;
-  /// The axes that have more than one cell.
+  /// Axes with more than one cell.
   [[nodiscard]] unsigned divisible() const;
-  /// Cells along its longest axis.
+  /// Number of cells along the longest axis.
   [[nodiscard]] int longest() const { return std::max({count[0], count[1], count[2]}); }
 };
 
-/// A cell while a tree is being built or changed.
+/// A cell during construction or change of a tree.
 struct BuildCell {
   CellKind kind = CellKind::empty;
   unsigned axes = 0;
-  float slack = 0;  ///< how far interpolation may already be from the samples that were merged, mm
+  float slack = 0;  ///< upper bound of the distance of the interpolation from merged samples, mm
   std::array<float, 8> corners{};
   std::vector<BuildCell> children;
 };
 
-/// No more than the length of the gradient anywhere in a leaf with sides `size` mm, so that differences of values can be told in
-/// mm: where two functions differ by d, their surfaces are at most d / steepness apart.
+/// Lower bound of the length of the gradient in a leaf with sides of `size` mm. It converts
+/// differences of values to mm: the surfaces of two functions that differ by d are at most d /
+/// steepness apart.
 double steepness(const std::array<float, 8>& corners, const std::array<double, 3>& size);
 
-/// Joins children that are alike, an axis at a time (Alg. 2.1). `children` are those of a branch over `range` that splits `axes`.
+/// Merges equal children, one axis at a time (Alg. 2.1). `children` are those of a branch over
+/// `range` that splits `axes`.
 BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const LatticeRange& range,
                      const std::array<double, 3>& cell_size, double max_error);
 

@@ -1,4 +1,4 @@
-/// Bytes taken apart; private to the asdf folder.
+/// Reader of binary data; private to the asdf folder.
 #pragma once
 
 #include <cstring>
@@ -14,7 +14,7 @@ namespace fieldfab {
   throw Error(ErrorKind::bad_input, path.string(), "is damaged or no .asdf file: " + how);
 }
 
-/// Bytes read front to back, never past the end.
+/// Reads bytes from front to back, never past the end.
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, const std::filesystem::path& path) : bytes_(bytes), path_(path) {}

@@ -1,4 +1,4 @@
-// kokopelli's .asdf files, version 2.0 (their layout: shared/data/SOURCES.txt, docs/asdf-format.md).
+// kokopelli's .asdf files, version 2.0 (layout: shared/data/SOURCES.txt, docs/asdf-format.md).
 #include <bit>
 #include <map>
 
@@ -8,8 +8,8 @@
 namespace fieldfab {
 namespace {
 
-/// kokopelli's tree, depth first. A corner's distance stands where the first cell that has it comes, and is looked up by place
-/// after that.
+/// Reads kokopelli's tree, depth first. The distance of a corner is stored with the first cell that
+/// has the corner; later cells look it up by position.
 class KokopelliReader {
  public:
   KokopelliReader(ByteReader& reader, float scale, const std::filesystem::path& path)
@@ -21,7 +21,7 @@ class KokopelliReader {
     if (kind == 'F' || kind == 'E' || kind == 'L') {
       made.kind = kind == 'F' ? CellKind::filled : kind == 'E' ? CellKind::empty : CellKind::leaf;
       for (unsigned corner = 0; corner < 8; ++corner) {
-        // Theirs counts x as 4, y as 2, z as 1; ours x as 1, y as 2, z as 4.
+        // kokopelli numbers corners with x as 4, y as 2, z as 1; here x is 1, y is 2, z is 4.
         const unsigned ours = (corner >> 2 & 1U) | (corner & 2U) | (corner & 1U) << 2;
         made.corners[ours] = distance({range.first[0] + static_cast<int>(corner >> 2 & 1U) * range.count[0],
                                        range.first[1] + static_cast<int>(corner >> 1 & 1U) * range.count[1],

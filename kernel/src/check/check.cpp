@@ -1,4 +1,4 @@
-// check(): each figure and its bound; docs/checks.md says why each bound is what it is.
+// check(): each figure and its bound; docs/checks.md gives the reasons for the bounds.
 #include "fieldfab/check/check.h"
 
 #include <Eigen/Geometry>
@@ -10,16 +10,17 @@
 #include <random>
 
 #include "fieldfab/asdf/asdf.h"
+#include "fieldfab/contour/contour.h"
 #include "fieldfab/core/parallel.h"
 #include "fieldfab/field/operations.h"
-#include "fieldfab/contour/contour.h"
 #include "level_set.h"
 #include "mesh_oracle.h"
 
 namespace fieldfab {
 namespace {
 
-/// What the Field says of a point: inside or outside for sure, with no surface within `reach`, or nothing.
+/// Side of a point, proved by the Field's interval around it: inside, outside, or undecided within
+/// `reach` of the point.
 enum class Side { inside, outside, near_surface };
 
 Side side_of(const Field& solid, const Vec3& p, double reach) {
@@ -27,7 +28,8 @@ Side side_of(const Field& solid, const Vec3& p, double reach) {
   return range.inside() ? Side::inside : range.outside() ? Side::outside : Side::near_surface;
 }
 
-/// Half of the points anywhere in the region, half within a few voxels of the surface, where mistakes would be.
+/// Returns half of the points anywhere in the region, and half within a few voxels of the surface,
+/// where errors are likely.
 std::vector<Vec3> random_points(const Box& bounds, const TriangleMesh& mesh, const CheckSettings& settings) {
   std::mt19937 random(settings.seed);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -50,9 +52,10 @@ struct ProvedBox {
   bool inside;
 };
 
-/// Searches for the surface from the whole region down, at random: of each box a random one of those halves that the interval
-/// leaves open. Thin parts are found by their area, not by their volume, and no lattice is in it. Gives the last proved boxes of
-/// each search: those next to the surface.
+/// Searches for the surface top-down, at random: divides a box, and continues with a random half
+/// among those that the interval leaves undecided. So thin parts are found in proportion to their
+/// area, not to their volume, and independently of any lattice. Returns the last proved boxes of
+/// each search, next to the surface.
 std::vector<ProvedBox> proved_boxes(const FieldPtr& solid, const Box& bounds, const CheckSettings& settings, Progress& progress) {
   constexpr std::size_t kept = 3;
   const double smallest = settings.voxel / 64;
@@ -83,7 +86,7 @@ std::vector<ProvedBox> proved_boxes(const FieldPtr& solid, const Box& bounds, co
   return all;
 }
 
-/// Points spread evenly over the mesh's area.
+/// Returns points distributed evenly over the mesh's area.
 std::vector<Vec3> surface_points(const TriangleMesh& mesh, const CheckSettings& settings) {
   std::vector<double> area_up_to;
   double total = 0;
@@ -108,7 +111,7 @@ std::vector<Vec3> surface_points(const TriangleMesh& mesh, const CheckSettings& 
   return points;
 }
 
-/// Total length of the edges where two triangles meet at more than 30 degrees, mm.
+/// Total length of the edges whose two triangles meet at more than 30 degrees, mm.
 double sharp_length(const TriangleMesh& mesh) {
   struct Half {
     std::uint64_t edge;
@@ -165,9 +168,10 @@ class Checker {
     report_.rows.push_back({std::move(name), measured, bound, std::move(unit)});
   }
 
-  /// Whether the solid, and the space outside of it, are about two voxels thick at a point of the surface: along the normal, and
-  /// across it to one side at least of any direction, so that edges and corners count as thick and the ends of wires do not.
-  /// Where they are thinner two lattices may each see or miss them, and neither is wrong.
+  /// Whether the solid and the space outside are about two voxels thick at a point of the surface:
+  /// along the normal, and to at least one side along each direction across it. So edges and
+  /// corners count as thick, ends of wires do not. Of thinner parts two lattices may each see or
+  /// miss some, and both are right.
   [[nodiscard]] bool resolved(const Vec3& p) const {
     const Vec3 slope = solid_->gradient(p);
     const double length = slope.norm();
@@ -218,7 +222,7 @@ class Checker {
     progress_.report(0, "checking the distance field");
     const AsdfStatistics counts = asdf->statistics();
     row("asdf: bytes a cell", static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), 24);
-    // Within a voxel of a point lie all the samples that decide it.
+    // All samples that decide a point are within a voxel of it.
     const double reach = asdf->voxel() + 2 * settings_.max_error;
     std::atomic<int> wrong{0}, astray{0};
     parallel_for(points_.size(), [&](std::size_t i) {
@@ -228,7 +232,8 @@ class Checker {
       if (side != Side::near_surface && (asdf->value(points_[i]) < 0) != (side == Side::inside)) ++wrong;
     });
     row("asdf: points on the wrong side, of those sure", wrong, 0);
-    // The other way round: where the mesh says there is surface, the distance field must have some within two voxels.
+    // The converse: near each point of the mesh's surface the distance field must have a surface
+    // within two voxels.
     const Box inner = bounds_.grown(-2.5 * asdf->voxel());
     std::atomic<int> looked{0};
     parallel_for(surface_.size(), [&](std::size_t i) {
@@ -252,7 +257,8 @@ class Checker {
     row("mesh: points on the wrong side, of those sure (CGAL)", wrong, 0);
   }
 
-  /// What is proved to be solid, or empty, farther than a cell from the mesh's surface has to be so in the mesh.
+  /// Space that is proved to be solid or empty, and more than a cell from the mesh's surface, must
+  /// be so in the mesh.
   void check_completeness() {
     progress_.report(0, "searching for lost parts");
     std::optional<MeshOracle> oracle;
@@ -277,13 +283,13 @@ class Checker {
     }
     const double thin =
         surface_.empty() ? 0 : area * (1 - static_cast<double>(mine.size()) / static_cast<double>(surface_.size()));
-    // Both stand for the same surface to a part of a voxel: so volumes differ by that part of area x voxel, by more where the
-    // solid is thin.
+    // Both represent the same surface within a fraction of a voxel. So volumes differ by that
+    // fraction of area x voxel, and by more where the solid is thin.
     const Enclosed& proved = report_.measures.volume;
     row("volume beyond what its Field proves", std::max({0.0, proved.lower - volume, volume - proved.upper}),
         0.25 * area * voxel + thin * voxel, "mm3");
     row("volume against OpenVDB's level set", std::abs(level_set->volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
-    // A level set rounds every sharp edge by about a voxel, and thin parts may be missing from it altogether.
+    // A level set rounds each sharp edge by about a voxel, and may miss thin parts.
     row("area against OpenVDB's level set", std::abs(level_set->area() - area),
         0.1 * area + 2 * voxel * sharp_length(mesh_) + thin, "mm2");
     if (mine.empty() || level_set->empty() || !valid_) return;
@@ -322,7 +328,7 @@ class Checker {
   TriangleMesh mesh_;
   bool valid_ = false;
   std::vector<Vec3> points_;   ///< anywhere
-  std::vector<Vec3> surface_;  ///< on the mesh, evenly spread
+  std::vector<Vec3> surface_;  ///< on the mesh, evenly distributed
   CheckReport report_;
 };
 

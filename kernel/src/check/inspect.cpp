@@ -24,7 +24,7 @@ MeshVerdict inspect(const TriangleMesh& mesh) {
   faces.reserve(mesh.triangles.size());
   for (const auto& p : mesh.vertices) points.emplace_back(p[0], p[1], p[2]);
   for (const auto& t : mesh.triangles) faces.push_back({t[0], t[1], t[2]});
-  // Points at the same place are one point to whoever reads the file.
+  // Readers of the file merge vertices at equal positions.
   processing::merge_duplicate_points_in_polygon_soup(points, faces);
   processing::remove_isolated_points_in_polygon_soup(points, faces);
   verdict.manifold = processing::is_polygon_soup_a_polygon_mesh(faces);
@@ -42,7 +42,7 @@ MeshVerdict inspect(const TriangleMesh& mesh) {
   verdict.area = processing::area(surface);
   if (!verdict.closed) return verdict;
   verdict.volume = processing::volume(surface);
-  // A mesh turned inside out bounds a volume too, in CGAL's eyes: that of all the rest.
+  // For CGAL, an inverted mesh bounds a volume, too: the complement.
   verdict.outward =
       surface.is_empty() || (verdict.volume > 0 && (verdict.self_intersections > 0 || processing::does_bound_a_volume(surface)));
   return verdict;

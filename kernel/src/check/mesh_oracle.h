@@ -1,4 +1,4 @@
-/// A mesh as CGAL sees it.
+/// Queries of a mesh, by CGAL.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace fieldfab {
 
-/// Answers about a valid, closed mesh. Building it takes time linear in the triangles, each question logarithmic.
+/// Queries of a valid, closed mesh. Construction takes time linear in the triangles, each query
+/// logarithmic time.
 class MeshOracle {
  public:
   explicit MeshOracle(const TriangleMesh& mesh);

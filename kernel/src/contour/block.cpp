@@ -23,7 +23,7 @@ struct Edge {
   SurfacePoint point = {};
 };
 
-/// The samples of a block and what is found in them; lives on the stack of sample_block().
+/// Samples of a block and what follows from them; lives on the stack of sample_block().
 class BlockSampler {
  public:
   BlockSampler(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings)
@@ -174,7 +174,8 @@ class BlockSampler {
     return static_cast<std::uint8_t>(bits);
   }
 
-  /// The crossings in the closed cube; false where one of them has no normal, so that nothing may be concluded from planes.
+  /// Collects the crossings in the closed cube. Returns false if one of them has no normal, since
+  /// planes then prove nothing.
   bool gather(int x, int y, int z, int side, std::vector<SurfacePoint>& points) const {
     points.clear();
     for (int axis = 0; axis < 3; ++axis) {
@@ -201,8 +202,9 @@ class BlockSampler {
     return std::none_of(points.begin(), points.end(), [](const SurfacePoint& point) { return point.normal.isZero(0); });
   }
 
-  /// The common case of a block that a plane passes through: the samples are those of a linear function. A plane cuts every cube
-  /// simply, so all cells merge at once, and only the edges on the block's faces will ever be asked for.
+  /// Handles the common case of a block whose samples are those of a linear function. A plane cuts
+  /// each cube simply, so all cells merge at once, and only the edges on the block's faces are
+  /// needed later.
   bool take_plane(Block& block, Patch& patch) const {
     const std::uint8_t bits = corners(0, 0, 0, block_side);
     if (settings_.max_error <= 0 || !is_simple(bits)) return false;
@@ -256,7 +258,8 @@ class BlockSampler {
     return true;
   }
 
-  /// Finds the largest cubes of cells that are one patch each and lists them as leafs; or gives the block's one patch.
+  /// Finds the largest cubes of cells that are one patch each and lists them as leafs; or returns
+  /// the one patch of the block.
   std::optional<Patch> merge(Block& block) {
     divided_ = block.division_of;
     merge_divisions(block);
@@ -275,7 +278,7 @@ class BlockSampler {
     return {};
   }
 
-  /// Which divided cells are one patch after all, those that were divided last first.
+  /// Finds divided cells that are one patch in spite of the division, the latest divisions first.
   void merge_divisions(const Block& block) {
     patches_.resize(block.divisions.size());
     for (std::size_t i = block.divisions.size(); i-- > 0;) patches_[i] = merged(block.divisions[i]);
@@ -333,7 +336,7 @@ class BlockSampler {
     return static_cast<std::size_t>((x >> level) + (block_side >> level) * ((y >> level) + (block_side >> level) * (z >> level)));
   }
 
-  /// By level, bottom-up: which cubes hold one patch, or none, as far as their signs tell.
+  /// Finds the cubes that contain one patch or none by their signs, bottom-up by level.
   void find_simple_cubes() {
     for (int z = 0; z < block_side; ++z)
       for (int y = 0; y < block_side; ++y)
@@ -366,8 +369,8 @@ class BlockSampler {
     }
   }
 
-  /// Makes the cube one leaf where one patch reproduces what is in it, leafs of its parts otherwise. A patch that is the whole
-  /// block is returned: whether it is a leaf is not known here.
+  /// Makes the cube one leaf if one patch reproduces its content, or else leafs of its parts. A
+  /// patch of the whole block is returned instead, since it may merge with those of other blocks.
   std::optional<Patch> descend(Block& block, int x, int y, int z, int level) {
     const Cube& cube = cubes_[static_cast<std::size_t>(level)][cube_index(x, y, z, level)];
     if (cube.simple && (cube.corners == 0 || cube.corners == 255)) return {};
@@ -415,16 +418,16 @@ class BlockSampler {
   const ContourSettings& settings_;
   std::array<std::array<float, points_a_side>, 3> plane_;
   std::array<float, point_count> value_;
-  std::array<std::uint16_t, points_a_side * points_a_side> inside_;  // by row along x: a bit a point
+  std::array<std::uint16_t, points_a_side * points_a_side> inside_;  // by row along x: one bit per point
   std::array<std::array<std::uint16_t, points_a_side * points_a_side>, 3>
-      changes_;                                        // by axis and row: a bit an edge whose sign changes
-  std::array<std::int16_t, 3 * point_count> edge_at_;  // index into edges_, where the sign changes
+      changes_;                                        // by axis and row: one bit per edge with a sign change
+  std::array<std::int16_t, 3 * point_count> edge_at_;  // index into edges_, valid where the sign changes
   std::vector<Edge> edges_;
   std::array<std::array<Cube, 512>, block_level + 1> cubes_;  // by level; see cube_index()
   std::vector<SurfacePoint> points_;
   std::span<const std::uint32_t> divided_;     // Block::division_of
-  std::vector<std::optional<Patch>> patches_;  // by division: the one patch that it is, where it is
-  std::vector<std::uint32_t> apart_;           // divisions of whole cells that are leafs in parts
+  std::vector<std::optional<Patch>> patches_;  // by division: its one patch, if it is one
+  std::vector<std::uint32_t> apart_;           // divisions of whole cells whose parts are leafs
 };
 
 }  // namespace
@@ -472,15 +475,16 @@ void thin(std::vector<SurfacePoint>& points, const Box& cell) {
   if (!kept.empty()) points = std::move(kept);
 }
 
-/// How far points of a curve across a face of `cell` (flat along `axis`) are from the straight line between its ends, which are
-/// on the face's rim, mm.
+/// Greatest distance of points of a curve across a face of `cell` (flat along `axis`) from the
+/// straight line between its ends, which lie on the rim of the face, mm.
 static double off_straight(const std::vector<SurfacePoint>& points, int axis, const Box& cell) {
   std::vector<Vec3> ends;
   for (const SurfacePoint& point : points) {
     const Vec3 p = point.position.cast<double>();
     for (const int along : {(axis + 1) % 3, (axis + 2) % 3})
       if (p[along] == cell.lower[along] || p[along] == cell.upper[along]) {
-        if (std::find(ends.begin(), ends.end(), p) == ends.end()) ends.push_back(p);  // thin() has some points twice
+        // thin() keeps some points twice.
+        if (std::find(ends.begin(), ends.end(), p) == ends.end()) ends.push_back(p);
         break;
       }
   }
@@ -501,8 +505,8 @@ bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const 
   const PlacedVertex placed = place_vertex(points, cell);
   if (placed.error > max_error) return false;
   vertex = placed.position;
-  // The surface leaves through the faces along curves with at most one bend each, or none where there are to be no features: the
-  // points on a face must agree to that too.
+  // The surface leaves through the faces along curves with at most one bend each, or with none if
+  // there are to be no features. The points on a face must agree with that too.
   std::vector<SurfacePoint> on_face;
   for (int axis = 0; axis < 3; ++axis)
     for (const double plane : {cell.lower[axis], cell.upper[axis]}) {

@@ -1,4 +1,4 @@
-/// One block: sampled, its sign changes located, its cells merged.
+/// Sampling of one block, location of its sign changes, and merging of its cells.
 #pragma once
 
 #include <optional>
@@ -8,41 +8,43 @@
 
 namespace fieldfab::contouring {
 
-/// What the surface in a cube comes to, for merging it with its seven siblings.
+/// Surface in a cube, as far as its merging with the seven sibling cubes needs it.
 struct Patch {
-  std::uint8_t corners = 0;          ///< as in Leaf; 0 or 255 where there is no surface in the cube
+  std::uint8_t corners = 0;          ///< as in Leaf; 0 or 255 if no surface passes the cube
   std::vector<SurfacePoint> points;  ///< all crossings in the closed cube
   Vec3 vertex = Vec3::Zero();
   [[nodiscard]] bool uniform() const { return is_uniform(corners); }
 };
 
-/// What the cells of a block are, before any is divided.
+/// Cells of a block before any is divided.
 struct BlockView {
-  std::optional<Patch> patch;        ///< where all of the block is one
-  std::vector<UnclearCell> unclear;  ///< cells that may hide something
-  bool complete = false;             ///< nothing of that is to be looked into, and so the cells are merged
-  bool known = false;                ///< whether the Field told its slopes anywhere
-  std::size_t crossed = 0;           ///< how many cells the surface is seen to pass
+  std::optional<Patch> patch;        ///< the patch, if all of the block is one patch
+  std::vector<UnclearCell> unclear;  ///< cells that may hide some of the surface
+  bool complete = false;             ///< true if no unclear cell is to be examined; the cells are merged then
+  bool known = false;                ///< whether the Field returned slopes anywhere
+  std::size_t crossed = 0;           ///< number of cells that the surface is seen to pass
 };
 
-/// Samples `field` (the solid, good in the block and about it) at the block's 9x9x9 lattice points, looks whether its cells are
-/// clear, and merges them. Where all of the block is one patch `block` gets its crossings only, until it is known how far it
-/// merges.
+/// Samples `field` at the 9x9x9 lattice points of the block, finds the cells that are not clear,
+/// and merges the cells. `field` must equal the solid in the block and around it. If the whole
+/// block is one patch, `block` gets its crossings only, since the largest cube that it merges into
+/// is not known yet.
 BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
                      Block& block);
 
-/// The same with the cells that are divided in `block`, taking all others to be clear.
+/// Samples a block whose divided cells are in `block`, and treats all other cells as clear.
 std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
                                   const ContourSettings& settings, Block& block);
 
-/// Whether all points lie in one plane, to a thousandth of `max_error`; sets `vertex` to their middle.
+/// Returns whether all points lie in one plane, within `max_error` / 1000, and sets `vertex` to
+/// their mean.
 bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex);
 
-/// Leaves of points in one plane only those that say where it leaves `cell`: two on each face.
+/// Removes points in one plane except those at which the plane leaves `cell`: two on each face.
 void thin(std::vector<SurfacePoint>& points, const Box& cell);
 
-/// Whether one vertex in `cell`, and with `features` one on each of its faces, reproduces all `points` to `max_error`; sets
-/// `vertex`.
+/// Returns whether one vertex in `cell`, and with `features` one more on each face, reproduces all
+/// `points` within `max_error`. Sets `vertex`.
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings, Vec3& vertex);
 
 }  // namespace fieldfab::contouring

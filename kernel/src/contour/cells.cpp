@@ -12,12 +12,13 @@ namespace {
 using Position = std::array<float, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// A curve as one of its two leafs sees it: the inside of the solid is to its left, seen from outside of the leaf.
+/// A curve seen from outside one of its two leafs: the inside of the solid is to its left.
 struct CellCurve {
   std::uint32_t from, to, bend;
 };
 
-/// Vertices and triangles made by a run of leafs; their own vertices are numbered from `first_new` on and renumbered when joined.
+/// Vertices and triangles of a run of leafs. Their own vertices are numbered from `first_new` on,
+/// and renumbered when runs are joined.
 struct Piece {
   std::vector<Position> vertices;
   std::vector<Triangle> triangles;
@@ -44,7 +45,7 @@ class CellFiller {
       fill_several(leaf, around);
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
-    // Cells that were divided are small enough for their edges to be near where they should be.
+    // The edges in divided cells are close enough to the surface already.
     if (features_ && leaf.level >= lattice_.voxel_level() && is_creased(leaf, around) && !is_smooth(leaf))
       for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
   }
@@ -63,7 +64,8 @@ class CellFiller {
   }
 
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
-  /// Edge of the cells that a leaf was merged from, or a voxel: what the surface is seen by there.
+  /// Edge of the cells that were merged into a leaf, or a voxel: the resolution of the surface
+  /// there.
   [[nodiscard]] double cell_side(const Leaf& leaf) const { return lattice_.side(std::min(leaf.level, lattice_.voxel_level())); }
   [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const {
     return static_cast<std::uint32_t>(curves_.positions.size()) + bend;
@@ -78,8 +80,8 @@ class CellFiller {
     return first_new + static_cast<std::uint32_t>(piece_.vertices.size() - 1);
   }
 
-  /// Whether the surface turns by more than 25 degrees in a leaf, and the planes that touch it meet near by: where they do not,
-  /// the cells are too coarse to say anything of an edge.
+  /// Returns whether the surface turns by more than 25 degrees in a leaf and its tangent planes
+  /// meet near by. If they do not, the cells are too coarse to detect an edge.
   [[nodiscard]] bool is_creased(const Leaf& leaf, std::span<const CellCurve> around) {
     constexpr float least_cosine = 0.9F;
     scratch_.clear();
@@ -90,12 +92,13 @@ class CellFiller {
            place_vertex(scratch_, box(leaf).grown(2 * cell_side(leaf))).error < 0.1 * cell_side(leaf);
   }
 
-  /// Whether edges there are those of noise, though the solid as a whole may have edges (a scan on a pedestal).
+  /// Whether edges there come from noise, although the solid as a whole may have edges (a scan on a
+  /// pedestal).
   [[nodiscard]] bool is_smooth(const Leaf& leaf) const {
     return solid_.restricted(box(leaf).grown(cell_side(leaf)), Purpose::occupancy).field->smooth();
   }
 
-  /// A straight loop of three or four points that lie in a plane needs no vertex inside the cell.
+  /// A straight loop of three or four points in one plane needs no vertex inside the cell.
   bool fill_flat(const Leaf& leaf, std::span<const CellCurve> loop) {
     if (loop.size() > 4) return false;
     for (const CellCurve& curve : loop)
@@ -110,7 +113,8 @@ class CellFiller {
       piece_.triangles.push_back({loop[2].from, loop[1].from, loop[0].from});
       return true;
     }
-    // A diagonal must run through the inside of the cell, not along a face where a neighbour's triangles may be.
+    // A diagonal must run through the inside of the cell, not along a face that may contain a
+    // neighbour's triangles.
     const Box cell = box(leaf);
     const auto length = [&](std::size_t i) -> double {
       const Position& p = curves_.positions[loop[i].from];
@@ -133,8 +137,9 @@ class CellFiller {
     return true;
   }
 
-  /// Triangles from a vertex strictly inside the cell to the loop on its faces: they cannot meet but along their common edges,
-  /// since every ray from that vertex leaves the convex cell through one point.
+  /// Connects a vertex strictly inside the cell with the loop on its faces. The triangles meet in
+  /// their common edges only, since each ray from that vertex leaves the convex cell through one
+  /// point.
   void fill_fan(const Leaf& leaf, std::span<const CellCurve> loop) {
     const Box cell = box(leaf);
     Vec3 vertex = leaf.vertex;
@@ -156,9 +161,9 @@ class CellFiller {
     }
   }
 
-  /// Several patches in one smallest cell. The cell's centre is taken to be inside or outside; the regions of its boundary that
-  /// are of the other kind are drawn in halfway to the centre, keeping their rims. Seen from the centre that is one layer, so
-  /// nothing meets.
+  /// Fills a smallest cell with several patches. The cell's centre counts as inside or outside.
+  /// Each region of the boundary with the other sign is drawn in halfway to the centre and keeps
+  /// its rim. Seen from the centre that is one layer, so no triangles intersect.
   void fill_several(const Leaf& leaf, std::span<const CellCurve> around) {
     if (leaf.merged) throw Error(ErrorKind::internal, "contour", "a merged cell has several patches");
     const Box cell = box(leaf);
@@ -186,11 +191,12 @@ class CellFiller {
       return static_cast<double>(curves_.positions[vertex][static_cast<std::size_t>(i)]);
     };
 
-    // The rim of the face, counter-clockwise seen from outside: four corners, and a vertex between two where the sign changes.
+    // The rim of the face, counter-clockwise seen from outside: four corners, and a vertex between
+    // two corners of different sign.
     std::array<unsigned, 4> corner{0U, 1U << u, 1U << u | 1U << v, 1U << v};
     if (side == 0) std::swap(corner[1], corner[3]);
     std::map<std::uint32_t, std::uint32_t> partner;  // joined by a curve in this face
-    std::array<std::uint32_t, 4> crossing;           // on the rim between corner i and i+1
+    std::array<std::uint32_t, 4> crossing;           // on the rim between corners i and i+1
     crossing.fill(no_vertex);
     for (const CellCurve& curve : around) {
       if (at(curve.from, a) != plane || at(curve.to, a) != plane) continue;
@@ -204,7 +210,8 @@ class CellFiller {
         }
     }
 
-    // Each region of the other kind is a polygon of corners, drawn in, and rim vertices; walk round each once.
+    // Each region of the other sign is a polygon of drawn-in corners and rim vertices; each is
+    // walked once.
     std::array<bool, 4> walked{};
     for (std::size_t start = 0; start < 4; ++start) {
       if (walked[start] || !is_other(corner[start] | side << axis)) continue;
@@ -233,7 +240,7 @@ class CellFiller {
   const Field& solid_;
   const Lattice& lattice_;
   const Curves& curves_;
-  const double flat_;  ///< how far a loop may be from a plane to be filled without a vertex inside, mm
+  const double flat_;  ///< greatest distance of a loop from a plane that permits filling without a vertex inside, mm
   const bool features_;
   Piece& piece_;
   std::vector<SurfacePoint> scratch_;
@@ -243,7 +250,7 @@ class CellFiller {
 
 FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
                        const ContourSettings& settings, Progress& progress) {
-  // The curves of each leaf, brought together by counting.
+  // Sorts the curves by leaf (counting sort).
   const std::vector<Leaf>& leafs = octree.leafs();
   std::vector<std::uint32_t> start(leafs.size() + 1, 0);
   for (const FaceCurve& curve : curves.curves) ++start[curve.lower + 1], ++start[curve.upper + 1];

@@ -1,4 +1,4 @@
-/// The triangles inside each leaf cell.
+/// Triangulation inside each leaf cell.
 #pragma once
 
 #include "curves.h"
@@ -6,13 +6,15 @@
 
 namespace fieldfab::contouring {
 
-/// A closed mesh, and which of its triangles are in cells of a voxel or more that a sharp edge may pass through.
+/// A closed mesh, and the indices of its triangles in cells of at least a voxel that a sharp edge
+/// may pass through.
 struct FilledCells {
   TriangleMesh mesh;
   std::vector<std::uint32_t> creased;
 };
 
-/// Spans the closed loops of curves around each leaf with triangles that meet its faces in those curves only.
+/// Fills the closed loops of curves around each leaf with triangles. The triangles meet the faces
+/// of the leaf in those curves only.
 FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree& octree, const Curves& curves,
                        const ContourSettings& settings, Progress& progress);
 

@@ -10,7 +10,7 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// Looks at a block, then at its parts where that is not enough.
+/// Examines a block, then its parts if the block is not clear as a whole.
 class BlockInspector {
  public:
   BlockInspector(const Lattice& lattice, const LatticePoint& block, const BlockSamples& samples)
@@ -29,8 +29,10 @@ class BlockInspector {
   [[nodiscard]] bool known() const { return known_; }
 
  private:
-  using Corner = std::array<int, 3>;  // in cells from the block's
-  static constexpr int rough = 256;   // as many folded cells, half of the block, are no sheet: smaller ones would be folded, too
+  using Corner = std::array<int, 3>;  // in cells from the block's lower corner
+  // With this many folded cells, half of the block, the surface is no sheet, and smaller cells
+  // would be folded too.
+  static constexpr int rough = 256;
 
   [[nodiscard]] LatticePoint point(const Corner& at) const {
     const int step = lattice_.voxel_level();
@@ -46,14 +48,14 @@ class BlockInspector {
     unclear_.push_back({point(at), lattice_.voxel_level(), std::move(field), folded});
   }
 
-  /// Edges of triangles that the corners show are left as they are: scans consist of them.
+  /// Leaves edges of triangles that the corners show as they are: scanned meshes consist of them.
   void add_faceted(const Corner& at, const Field& field, bool folded) {
     const bool hidden = folded || is_uniform(samples_.corners[Block::cell(at[0], at[1], at[2])]) || is_ambiguous(at);
     failures_ += hidden;
     add(at, hidden ? field.shared_from_this() : nullptr, hidden);
   }
 
-  /// Whether a cell's corners show several patches, or a face that could be joined in two ways.
+  /// Whether the corners of a cell show several patches, or an ambiguous face.
   [[nodiscard]] bool is_ambiguous(const Corner& at) const {
     const std::uint8_t corners = samples_.corners[Block::cell(at[0], at[1], at[2])];
     return !is_uniform(corners) && !is_simple(corners);
@@ -84,7 +86,7 @@ class BlockInspector {
     if (side == 1) {
       if (!open_[Block::cell(at[0], at[1], at[2])]) return;
       if (field.faceted()) return add_faceted(at, field, proof.folded);
-      // Where it has been to no avail often, it is not worth much more.
+      // After many failures a closer examination gets less effort.
       constexpr int patience = 24;
       const SurfaceProof closer = prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
       ++(closer.one_sheet ? successes_ : failures_);
@@ -119,8 +121,8 @@ class BlockInspector {
     }
   }
 
-  /// Between samples a cell shows all of the surface unless its corners can be read in two ways: a trilinear function is
-  /// nowhere less or greater than at the corners, and has one sheet where their signs make one patch.
+  /// Between samples a cell shows all of the surface unless its corners are ambiguous. A trilinear
+  /// function takes its extremes at the corners, and has one sheet if their signs make one patch.
   void inspect_samples(const Corner& at, int side, const Field& field) {
     for (int z = at[2]; z < at[2] + side; ++z)
       for (int y = at[1]; y < at[1] + side; ++y)
@@ -137,8 +139,8 @@ class BlockInspector {
         }
   }
 
-  /// A Field that is the same in the parts of a cube (a mesh, a scan) is dear to ask, and tells little more of each: what is
-  /// still open there is not looked into.
+  /// Leaves open cells as they are. A Field that is the same in all parts of a cube (a mesh, a
+  /// scan) is expensive to evaluate and returns little more for each part.
   void leave_open_cells(const Corner& at, int side) {
     for (int z = at[2]; z < at[2] + side; ++z)
       for (int y = at[1]; y < at[1] + side; ++y)
@@ -146,7 +148,8 @@ class BlockInspector {
           if (open_[Block::cell(x, y, z)]) add({x, y, z}, nullptr, false);
   }
 
-  /// Cells whose corners are all on one side, farther from zero than the value can change on the way to any point of the cell.
+  /// Closes cells whose corners have one sign and lie farther from zero than the value can change
+  /// on the way to any point of the cell.
   void close_far_cells(const Corner& at, int side, double change) {
     constexpr int row = block_side + 1;
     for (int z = at[2]; z < at[2] + side; ++z)
@@ -168,7 +171,7 @@ class BlockInspector {
   std::array<bool, block_side * block_side * block_side> open_;
   std::vector<UnclearCell> unclear_;
   std::vector<Eigen::Vector3f> normals_;
-  int failures_ = 0, successes_ = 0;  ///< of looking closer
+  int failures_ = 0, successes_ = 0;  ///< of closer examinations
   bool known_ = false;
 };
 

@@ -1,4 +1,4 @@
-/// Which cells of a block may hide some of the surface (docs/contouring.md, Complete).
+/// Search for cells of a block that may hide some of the surface (docs/contouring.md, Complete).
 #pragma once
 
 #include <cstdint>
@@ -11,28 +11,29 @@
 
 namespace fieldfab::contouring {
 
-/// Adds the direction that the surface faces at a point, where that is known.
+/// Appends the direction that the surface faces at a point, if it is known.
 inline void add_normal(const SurfacePoint& point, std::vector<Eigen::Vector3f>& normals) {
   if (!point.normal.isZero(0)) normals.push_back(point.normal);
 }
 
-/// A cell that nothing could be proved of.
+/// A cell for which no proof was found.
 struct UnclearCell {
   LatticePoint lower;
   int level;
-  FieldPtr field;       ///< good in the cell and `overlap` about it; null where it is not to be looked into
-  bool folded = false;  ///< it is seen that one sheet is not all; else only a proof is missing
+  /// Equals the solid in the cell and `overlap` around it; null if the cell is not to be examined.
+  FieldPtr field;
+  bool folded = false;  ///< samples show more than one sheet; if false, only a proof is missing
 };
 
-/// What a block's samples tell.
+/// Samples of a block.
 struct BlockSamples {
   const float* values;                    ///< at 9x9x9 points, x fastest
   std::span<const std::uint8_t> corners;  ///< by cell (x fastest), as Leaf::corners
-  std::span<const SurfacePoint> points;   ///< where the surface crosses edges
+  std::span<const SurfacePoint> points;   ///< crossings of the surface with edges
 };
 
-/// The block's cells, of a voxel, that are not clear: that may hide some of the surface. `known` is set where the Field tells any
-/// slopes.
+/// Returns the cells, a voxel wide, of the block that may hide some of the surface. Sets `known` if
+/// the Field returns any slopes.
 std::vector<UnclearCell> unclear_cells(const Field& field, const Lattice& lattice, const LatticePoint& block,
                                        const BlockSamples& samples, bool& known);
 

@@ -1,5 +1,6 @@
-// Contouring in three steps: an octree of leaf cells, the curves in which the surface crosses the faces between them, and a fan
-// of triangles from a vertex inside each cell to the closed loops of curves around it. docs/contouring.md has the proof.
+// Contouring in three steps: an octree of leaf cells; the curves in which the surface crosses the
+// faces between them; and a fan of triangles from a vertex inside each cell to the closed loops of
+// curves around it. docs/contouring.md has the proof.
 #include "fieldfab/contour/contour.h"
 
 #include <algorithm>
@@ -16,9 +17,10 @@
 namespace fieldfab {
 namespace {
 
-/// The cells between the samples of a scan, or what they are evenly divided into, as cells of `voxel` ask for it: no cell then
-/// sees less than the samples tell. Nothing where the voxel is larger than their distances. Cells of a scan alone are as long as
-/// its samples are apart along each axis, where the voxel is their shortest distance: there is nothing else in between.
+/// Returns the cells between the samples of a scan, or even divisions of them, for cells of
+/// `voxel`; no cell is coarser than the samples. Returns nullopt if the voxel exceeds the spacing
+/// of the samples. If the Field is a scan only and the voxel is the shortest spacing, cells are as
+/// long as the spacing along each axis, since no more detail lies between samples.
 std::optional<Sampling> cells_between_samples(const Field& field, double voxel) {
   constexpr double alike = 0.01;
   std::optional<Sampling> samples = field.sampling();
@@ -38,13 +40,13 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   if (settings.max_error < 0) settings.max_error = 0.1 * settings.voxel;
   settings.features = wanted.features && !field.sampled();
   std::optional<Sampling> samples = cells_between_samples(field, settings.voxel);
-  // Nothing is known of a scan but its samples: noise that falls between larger cells is not to be looked into.
+  // A scan is known at its samples only, so noise between larger cells is not examined.
   if (field.sampled() && !samples) settings.depth = 0;
-  // Made steep, the bounds matter only close to them: elsewhere the Field alone is left to be asked.
+  // With a steep slope the bounds matter only close to them; elsewhere only the Field is evaluated.
   constexpr double steep = 8;
   FieldPtr solid = field.shared_from_this();
   const Box known = field.known_bounds();
-  constexpr double at_the_end = 0.01;  // of a sample's distance: a scan ends a little behind its outermost samples
+  constexpr double at_the_end = 0.01;  // in spacings of samples: a scan ends slightly beyond its outermost samples
   const Box region = samples ? bounds.grown(at_the_end * samples->spacing.minCoeff()) : bounds;
   if (!samples || !region.contains(known.lower) || !region.contains(known.upper))
     solid = intersect(solid, scaled_values(box_field(bounds), steep));

@@ -10,17 +10,19 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// A vertex on the rim of a face. Going round the rim counter-clockwise as seen from above the face, sides are numbered from 0.
+/// A vertex on the rim of a face. Sides are numbered from 0, counter-clockwise around the rim seen
+/// from above the face.
 struct RimPoint {
   std::uint32_t lower, upper;
   std::uint32_t vertex;
   std::uint8_t axis;
   std::uint8_t side;
-  bool leaving;  ///< going round, the rim passes from inside the solid to outside here
+  bool leaving;  ///< counter-clockwise, the rim passes from inside the solid to outside here
 };
 
-/// The faces that meet in an edge along axis a, as pairs of the four cells around it: cell 0 below on both other axes u, v;
-/// 1 above on u; 2 above on both; 3 above on v. With the side of the face that the edge is on, and whether the rim runs along +a.
+/// Faces that meet in an edge along axis a, as pairs of the four cells around it: cell 0 is below
+/// on both other axes u, v; 1 above on u; 2 above on both; 3 above on v. `side` is the side of the
+/// face that the edge is on; `forward`, whether the rim runs along +a.
 struct EdgeFace {
   int lower, upper, normal_offset, side;
   bool forward;
@@ -45,7 +47,7 @@ class CurveTracer {
   struct BlockPoints {
     std::vector<SurfacePoint> points;
     std::vector<std::array<float, 3>> positions;
-    std::vector<RimPoint> rim;  // vertex counted from the block's first
+    std::vector<RimPoint> rim;  // vertices counted from the block's first
   };
 
   void collect_rim_points() {
@@ -87,8 +89,9 @@ class CurveTracer {
     return found;
   }
 
-  /// The cell in one quadrant about an edge, in cells from where its crossing is counted: quadrant 0 is below on both other axes
-  /// u, v; 1 above on u; 2 above on both; 3 above on v.
+  /// Returns the cell in one quadrant around an edge, in the unit and from the origin of the
+  /// crossing. Quadrant 0 is below on both other axes u, v; 1 above on u; 2 above on both; 3 above
+  /// on v.
   static std::array<int, 3> cell_beside(const Crossing& crossing, std::size_t quadrant) {
     const auto a = static_cast<std::size_t>(crossing.axis), u = (a + 1) % 3, v = (a + 2) % 3;
     std::array<int, 3> cell{crossing.lower[0], crossing.lower[1], crossing.lower[2]};
@@ -97,8 +100,8 @@ class CurveTracer {
     return cell;
   }
 
-  /// An edge of a divided cell is one of the cells' edges where none of the cells about it is smaller. It may be sampled by
-  /// several divisions: the one with the first of the cells that are as small takes it.
+  /// An edge of a divided cell is an edge of the leafs if no cell around it is smaller. Several
+  /// divisions may sample it; the division of the first cell of that size adds it.
   void add_point_of_division(const Division& division, const Crossing& crossing, BlockPoints& found) const {
     std::array<std::uint32_t, 4> cells{};
     bool taken = false;
@@ -118,9 +121,9 @@ class CurveTracer {
     add_point(crossing, cells, lattice_.plane_range(division.lower, division.level, crossing.lower), found);
   }
 
-  /// Adds the point on an edge, and that it is on the rim of the faces between the four leafs about it.
+  /// Adds the point on an edge, also to the rims of the faces between the four leafs around it.
   void add_point(const Crossing& crossing, const std::array<std::uint32_t, 4>& cells, const Box& edge, BlockPoints& found) const {
-    // An edge inside a leaf, or inside the face between two, is not an edge of the cells.
+    // An edge inside a leaf, or inside the face between two leafs, is not an edge of the leafs.
     int distinct = 1;
     for (std::size_t i = 1; i < 4; ++i)
       distinct += std::find(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(i), cells[i]) ==
@@ -138,7 +141,8 @@ class CurveTracer {
     }
   }
 
-  /// The leaf of a cell of a voxel, in cells from the lower corner of the first of `neighbours`; sets `halved` where the cell is.
+  /// Returns the leaf of a cell, a voxel wide, counted from the lower corner of the first of
+  /// `neighbours`; sets `halved` if the cell is divided.
   static std::uint32_t leaf_at(const std::array<const Block*, 8>& neighbours, std::array<int, 3> cell, bool& halved) {
     unsigned which = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -163,7 +167,8 @@ class CurveTracer {
     return leaf;
   }
 
-  /// The crossing's place, kept off the ends of its edge: from `edge.lower` along its axis to `edge.upper`.
+  /// Position of the crossing, moved away from the ends of its edge, which runs from `edge.lower`
+  /// along its axis to `edge.upper`.
   [[nodiscard]] std::array<float, 3> on_edge(const Crossing& crossing, const Box& edge) const {
     std::array<float, 3> position{};
     const double margin = lattice_.margin(edge_level(edge, crossing.axis));
@@ -175,12 +180,13 @@ class CurveTracer {
     }
     return position;
   }
-  /// How often a finest cell was doubled for an edge.
+  /// Level of the edge: log2 of its length in finest cells.
   [[nodiscard]] int edge_level(const Box& edge, int axis) const {
     return static_cast<int>(std::lround(std::log2((edge.upper[axis] - edge.lower[axis]) / lattice_.side(0, axis))));
   }
 
-  /// Brings the points of each face together: a counting sort by the lower leaf, then the few of one leaf among themselves.
+  /// Sorts the points by face: a counting sort by the lower leaf, then the few points of one leaf
+  /// among themselves.
   void sort_by_face() {
     std::vector<std::uint32_t> start(octree_.leafs().size() + 1, 0);
     for (const RimPoint& point : rim_) ++start[point.lower + 1];
@@ -214,7 +220,8 @@ class CurveTracer {
     out_.curves.push_back({one.lower, one.upper, leaving.vertex, entering.vertex, no_vertex, one.axis});
   }
 
-  /// Two curves across one face: what the centre belongs to is joined, the two corners of the other kind are cut off.
+  /// Adds two curves across one ambiguous face: corners with the sign of its centre are joined, the
+  /// two other corners are cut off.
   void join_ambiguous(std::size_t first) {
     const FaceCurve face{rim_[first].lower, rim_[first].upper, 0, 0, no_vertex, rim_[first].axis};
     const bool centre_inside = solid_.value(rectangle(face).centre()) < 0;
@@ -224,7 +231,7 @@ class CurveTracer {
     }
   }
 
-  /// The face that a curve crosses: flat along the curve's axis.
+  /// Level of the face that a curve crosses.
   [[nodiscard]] int level_of(const FaceCurve& curve) const {
     return std::min(octree_.leafs()[curve.lower].level, octree_.leafs()[curve.upper].level);
   }
@@ -234,9 +241,10 @@ class CurveTracer {
     return intersection(lattice_.cube(below.lower, below.level), lattice_.cube(above.lower, above.level));
   }
 
-  /// Gives a curve a bend where the tangent lines at its ends meet, if the surface passes closer there than on the straight line:
-  /// so sharp edges cross faces where they do. Where that is beyond the rim of the face, the bend is halfway, for sharpen() to
-  /// move.
+  /// Adds a bend to a curve, at the intersection of the tangent lines at its ends, if the surface
+  /// passes closer there than to the straight line. So sharp edges cross faces at the right points.
+  /// If the intersection is beyond the rim of the face, the bend is halfway, and sharpen() moves
+  /// it.
   void bend_curves() {
     struct Bend {
       std::size_t curve;
@@ -279,8 +287,8 @@ class CurveTracer {
     return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
   }
 
-  /// Halfway along the straight line between a curve's ends; strictly inside the face, since the ends lie on different sides of
-  /// it.
+  /// Midpoint of the straight line between a curve's ends; strictly inside the face, since the ends
+  /// lie on different sides of it.
   [[nodiscard]] Vec3 middle_of(const FaceCurve& curve) const {
     const auto& p = out_.positions[curve.from];
     const auto& q = out_.positions[curve.to];
@@ -302,7 +310,8 @@ class CurveTracer {
     const Eigen::Vector2d bend((a * m.y() - b * n.y()) / cross, (n.x() * b - m.x() * a) / cross);
     const Eigen::Vector2d along = q - p, off = bend - p;
     const double length = along.norm();
-    if (std::abs(along.x() * off.y() - along.y() * off.x()) < 1e-3 * length * length) return std::nullopt;  // as good as straight
+    // The curve is nearly straight.
+    if (std::abs(along.x() * off.y() - along.y() * off.x()) < 1e-3 * length * length) return std::nullopt;
     const Box face = rectangle(curve);
     Vec3 place = face.lower;
     place[u] = bend.x();

@@ -27,14 +27,15 @@ namespace {
 
 constexpr std::size_t parts_at_a_time = 8;
 
-/// For each triangle, whether it is part of what closes a mesh at the sides of its region, a cell beyond the part's box: all of
-/// it is in one of those sides, or a corner out there is not on the solid's surface.
+/// Returns for each triangle whether it closes the mesh at the sides of its region, a cell beyond
+/// the part's box: it lies in one of those sides as a whole, or has a corner out there that is not
+/// on the solid's surface.
 std::vector<bool> find_caps(const TriangleMesh& mesh, const Field& solid, const Box& part, const Box& bounds, double cell) {
   const std::size_t count = mesh.vertices.size();
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count);
   for (std::size_t i = 0; i < count; ++i) x[i] = mesh.vertices[i][0], y[i] = mesh.vertices[i][1], z[i] = mesh.vertices[i][2];
   solid.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
-  std::vector<unsigned> sides(count);  // a bit for each side of the region that a vertex is at
+  std::vector<unsigned> sides(count);  // one bit per side of the region, set if the vertex lies on it
   std::vector<bool> stray(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 p(x[i], y[i], z[i]);
@@ -85,7 +86,7 @@ DetailMesh::DetailMesh(FieldPtr solid, const Box& bounds, const DetailSettings& 
 
 DetailMesh::~DetailMesh() = default;
 
-/// How many times too large a node's cells appear.
+/// Factor by which a node's cells appear too large.
 double DetailMesh::coarseness(const Node& node, const Vec3& eye) const {
   const Vec3 nearest = eye.cwiseMax(node.box.lower).cwiseMin(node.box.upper);
   const double cell = node.box.size().maxCoeff() / settings_.cells;
@@ -129,7 +130,7 @@ bool DetailMesh::refine(const Vec3& eye, Progress& progress) {
     return true;
   }
   if (triangles_ > settings_.most_triangles) forget(*root_, eye);
-  std::vector<std::pair<double, Node*>> missing;  // with the coarseness of what stands in for them
+  std::vector<std::pair<double, Node*>> missing;  // with the coarseness of the ancestor shown instead
   std::vector<Node*> open{root_.get()};
   while (!open.empty()) {
     Node& node = *open.back();
@@ -151,7 +152,7 @@ bool DetailMesh::refine(const Vec3& eye, Progress& progress) {
   return true;
 }
 
-/// Drops what lies below nodes that are fine enough.
+/// Drops the descendants of nodes that are fine enough.
 void DetailMesh::forget(Node& node, const Vec3& eye) {
   if (coarseness(node, eye) > 1) {
     for (Node& child : node.children) forget(child, eye);

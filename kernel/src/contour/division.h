@@ -1,4 +1,4 @@
-/// Cells of a block that are halved, as often as it takes to see what is in them.
+/// Repeated halving of a block's cells, until their content is resolved.
 #pragma once
 
 #include "clear.h"
@@ -6,51 +6,54 @@
 
 namespace fieldfab::contouring {
 
-/// A cell that has to be divided, since a neighbour's points show more on their common boundary than its corners do; or since a
-/// neighbour is divided and the cell has several patches, which only cells without smaller neighbours can have.
+/// A cell to divide. Either the points of a neighbour show more on the common boundary than the
+/// corners of the cell do; or a neighbour is divided and the cell has several patches, which only a
+/// cell without smaller neighbours may have.
 struct DivisionRequest {
-  LatticePoint block;  ///< lower corner of the block it is in
+  LatticePoint block;  ///< lower corner of the block that contains the cell
   LatticePoint lower;
   int level;
-  bool only_ambiguous;  ///< only where the cell, or the one that it is part of, has several patches or a face with two readings
+  /// Divide only if the cell, or the cell that contains it, has several patches or an ambiguous
+  /// face.
+  bool only_ambiguous;
   auto operator<=>(const DivisionRequest&) const = default;
 };
 
-/// The divisions of one block, as they are made: round by round, in each of which all cells of one level that are not clear are
-/// halved.
+/// Divisions of one block, made in rounds. Each round halves all unclear cells of one level.
 class BlockRefiner {
  public:
-  /// `field` must be good in the block and about it.
+  /// `field` must equal the solid in the block and around it.
   BlockRefiner(const Lattice& lattice, const LatticePoint& block, FieldPtr field)
       : lattice_(lattice), block_(block), field_(std::move(field)) {}
 
   [[nodiscard]] const LatticePoint& block() const { return block_; }
   void add_unclear(std::vector<UnclearCell> cells);
-  /// Cells that are not clear and not divided either: those of the next round.
+  /// Cells that are neither clear nor divided: those of the next round.
   [[nodiscard]] const std::vector<UnclearCell>& unclear() const { return unclear_; }
 
-  /// Leaves the cells as they are that are not seen to be folded.
+  /// Gives up the cells that are not seen to be folded; they stay as they are.
   void give_up_unproved() {
     give_up([](const UnclearCell& cell) { return !cell.folded; });
   }
   [[nodiscard]] const std::vector<UnclearCell>& given_up() const { return given_up_; }
 
-  /// Halves the cells that are not clear; then unclear() has those of their parts that are not.
+  /// Halves the unclear cells; unclear() then returns their parts that are not clear.
   void advance();
-  /// Halves the cells that hold the one asked for, and that one itself, where the request holds for them; those of their parts
-  /// that have no simple surface, too, as far as the level `finest`.
+  /// Halves the requested cell and the cells that contain it, if the condition of the request holds
+  /// for them. Also halves parts that have no simple surface, down to the level `finest`.
   void divide(const DivisionRequest& request, int finest);
 
-  /// What divisions made since the last call ask of the cells around: of their own size, divided as well.
+  /// Appends the requests of the divisions made since the last call: neighbours of the same size
+  /// must be divided as well.
   void collect_requests(std::vector<DivisionRequest>& requests);
 
   [[nodiscard]] bool empty() const { return divisions_.empty(); }
-  /// Hands the divisions over to the block.
+  /// Moves the divisions into the block.
   void move_to(Block& block);
 
  private:
   struct Place {
-    std::uint32_t* division;  ///< where the index of the cell's division is kept
+    std::uint32_t* division;  ///< location of the index of the cell's division
     LatticePoint lower;
     int level;
   };
@@ -68,8 +71,8 @@ class BlockRefiner {
   std::vector<UnclearCell> unclear_, given_up_;
   std::vector<Division> divisions_;
   std::vector<std::uint32_t> division_of_;
-  std::array<float, 27> values_{};  ///< of the division that was made last
-  std::size_t requested_ = 0;       ///< how many divisions have had their requests collected
+  std::array<float, 27> values_{};  ///< of the latest division
+  std::size_t requested_ = 0;       ///< number of divisions whose requests have been collected
 };
 
 }  // namespace fieldfab::contouring

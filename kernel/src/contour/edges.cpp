@@ -7,7 +7,7 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// The points of a batch, as a Field wants them.
+/// Points of a batch in the layout of Field.
 struct Batch {
   explicit Batch(std::size_t count) : x(count), y(count), z(count), value(count) {}
   [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
@@ -16,19 +16,20 @@ struct Batch {
   std::vector<float> x, y, z, value;
 };
 
-/// A part of an edge that holds its zero.
+/// A part of an edge that contains its zero.
 struct Bracket {
   double low, high;              // positions along the edge's axis, mm
   double low_value, high_value;  // of opposite sign
-  int stuck = 0;                 // +1/-1: which end was kept the last time
+  int stuck = 0;                 // +1 or -1: the end that was kept the last time
 
   [[nodiscard]] double guess() const {
     const double t = low_value / (low_value - high_value);
-    return t >= 0 && t <= 1 ? low + t * (high - low) : 0.5 * (low + high);  // also where a value is infinite or NaN
+    return t >= 0 && t <= 1 ? low + t * (high - low) : 0.5 * (low + high);  // bisection if a value is infinite or NaN
   }
 };
 
-/// Finds each zero between its two lattice points: the Illinois form of false position, all edges in step, one batch a round.
+/// Finds each zero between its two lattice points by regula falsi in the Illinois form. All edges
+/// advance in step, one batch per round.
 void find_zeros(const Field& field, const std::vector<CrossedEdge>& edges, double close_enough, Batch& batch) {
   const std::size_t count = edges.size();
   std::vector<Bracket> brackets(count);
@@ -39,7 +40,8 @@ void find_zeros(const Field& field, const std::vector<CrossedEdge>& edges, doubl
   }
   constexpr int rounds = 30;
   for (int round = 0; round < rounds; ++round) {
-    // Where the two sides differ much in steepness false position creeps: so now and then the bracket is halved.
+    // Regula falsi converges slowly if the slopes on both sides differ much; so every third round
+    // bisects.
     const bool halve = round % 3 == 2;
     for (std::size_t i = 0; i < count; ++i)
       batch.along(edges[i].axis)[i] =

@@ -1,4 +1,4 @@
-/// Where the surface crosses edges of a lattice.
+/// Intersections of the surface with edges of a lattice.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@ namespace fieldfab::contouring {
 struct CrossedEdge {
   int axis;
   Eigen::Vector3f lower;  ///< its lower end, mm
-  float upper;            ///< coordinate of its upper end along `axis`
+  float upper;            ///< coordinate of its upper end along `axis`, mm
   float lower_value, upper_value;
 };
 
-/// The place and the normal of the surface on each edge: to a millionth of `side`, the edges' length, or to four steps between
-/// neighbouring floats (`float_step`).
+/// Computes position and normal of the surface on each edge. The error is at most `side` (the
+/// length of the edges) / 1e6, or four steps between neighbouring floats (`float_step`).
 void locate_crossings(const Field& field, const std::vector<CrossedEdge>& edges, double side, double float_step,
                       std::vector<SurfacePoint>& points);
 

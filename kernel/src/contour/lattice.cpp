@@ -10,7 +10,8 @@
 namespace fieldfab::contouring {
 namespace {
 
-// Shapes are drawn on round numbers; planes that are not keep the surface from running along a lattice plane.
+// Shapes are drawn on round numbers. Planes at other numbers keep the surface from running along a
+// lattice plane.
 const Vec3 shift{0.4142135, 0.3660254, 0.2886751};
 
 constexpr int greatest_level = 20;     // of the root, in voxels
@@ -39,7 +40,7 @@ Lattice::Lattice(const Box& bounds, const Sampling& samples, int depth) : voxel_
 
 void Lattice::set_levels(const Box& bounds, int depth) {
   const double shortest = voxel_.minCoeff(), cells = (bounds.size().array() / voxel_.array()).maxCoeff() + 4;
-  int root = block_level;  // of voxels
+  int root = block_level;  // in voxels
   while (root <= greatest_level && cells > std::ldexp(1.0, root)) ++root;
   if (root > greatest_level)
     throw Error(ErrorKind::too_large, "voxel",

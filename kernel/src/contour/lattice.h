@@ -1,4 +1,5 @@
-/// The lattice a Field is contoured on: planes at exactly representable floats, cubes of 2^level cells.
+/// Lattice on which a Field is contoured: planes at exactly representable floats, cubes of 2^level
+/// cells.
 #pragma once
 
 #include <algorithm>
@@ -11,50 +12,58 @@
 
 namespace fieldfab::contouring {
 
-/// A lattice point or the lower corner of a cube, in finest cells from the lattice's origin.
+/// A lattice point, or the lower corner of a cube, counted in finest cells from the origin of the
+/// lattice.
 using LatticePoint = std::array<std::int32_t, 3>;
 
-/// A cube has a level: it is 1 << level finest cells wide. A block is block_side cells of a voxel wide.
+/// A cube of a level is 1 << level finest cells wide. A block is block_side voxels wide.
 inline constexpr int block_level = 3;
 inline constexpr int block_side = 1 << block_level;
 
 inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) { return {point[0] + x, point[1] + y, point[2] + z}; }
 
-/// Equally spaced planes along three axes, each rounded to a float, with the whole `bounds` strictly inside. Cells are a voxel
-/// wide; where that is not enough they are halved, up to the finest. Voxels are cubes, or parts of the cells between samples.
+/// Equally spaced planes along three axes, each rounded to a float, with `bounds` strictly inside.
+/// Cells are a voxel wide; they are halved down to the finest level if that is not enough. Voxels
+/// are cubes, or parts of the cells between samples.
 ///
-/// Because planes are floats, a vertex that is rounded to floats stays on its edge, in its face or in its cell: the guarantees
-/// of contour() hold for the coordinates that are written, not only for those that were computed.
+/// Because planes are floats, a vertex that is rounded to floats stays on its edge, in its face or
+/// in its cell. So the guarantees of contour() hold for the coordinates that are written, not only
+/// for those that were computed.
 class Lattice {
  public:
-  /// A voxel may be halved `depth` times, fewer where coordinates have too few floats for that. Throws bad_input where bounds or
-  /// voxel are not finite and positive, or a voxel would have too few floats across it.
+  /// A voxel may be halved `depth` times, or less often if coordinates have too few floats for
+  /// that. Throws bad_input if the bounds or the voxel are not finite and positive, or if too few
+  /// floats lie across a voxel.
   Lattice(const Box& bounds, double voxel, int depth);
-  /// Cells of that size, and planes through all those of `samples` that are multiples of it away from its origin.
+  /// Cells have the size of those of `samples`. Planes pass through all planes of `samples` that
+  /// are a multiple of that size away from its origin.
   Lattice(const Box& bounds, const Sampling& samples, int depth);
 
-  /// The plane of that index across `axis`, mm.
+  /// Returns the plane with that index across `axis`, mm.
   [[nodiscard]] double plane(int axis, std::int32_t index) const {
     return static_cast<float>(origin_[axis] + finest_[axis] * index);
   }
   [[nodiscard]] Box cube(const LatticePoint& lower, int level) const;
-  /// The cube of that level, counted in such cubes from `first`.
+  /// Returns the cube of that level at `cells`, which counts cubes of that level from `first`.
   [[nodiscard]] Box plane_range(const LatticePoint& first, int level, const std::array<std::uint8_t, 3>& cells) const {
     return cube(moved(first, cells[0] << level, cells[1] << level, cells[2] << level), level);
   }
-  /// Level of the cube that holds everything.
+  /// Level of the cube that contains the whole lattice.
   [[nodiscard]] int root_level() const { return root_level_; }
   /// Shortest edge of a voxel, mm.
   [[nodiscard]] double voxel() const { return voxel_.minCoeff(); }
   /// Level of a cell that is a voxel wide; level 0 is the finest.
   [[nodiscard]] int voxel_level() const { return voxel_level_; }
-  /// Shortest and longest edge of a cube of that level, and the one along an axis, mm, but for rounding.
+  /// Shortest edge of a cube of that level, longest edge, and edge along an axis, mm, without
+  /// rounding of the planes.
   [[nodiscard]] double side(int level) const { return std::ldexp(finest_.minCoeff(), level); }
   [[nodiscard]] double longest_side(int level) const { return std::ldexp(finest_.maxCoeff(), level); }
   [[nodiscard]] double side(int level, int axis) const { return std::ldexp(finest_[axis], level); }
-  /// How far a vertex keeps from the ends of its edge, the rim of its face, the faces of its cell, of that level, mm.
+  /// Minimum distance of a vertex from the ends of its edge, the rim of its face and the faces of
+  /// its cell, mm, at that level.
   [[nodiscard]] double margin(int level) const { return std::max(std::ldexp(side(level), -11), 8 * float_step_); }
-  /// The step between neighbouring floats at the lattice's farthest coordinate, mm: nothing can be located more finely.
+  /// Step between neighbouring floats at the farthest coordinate of the lattice, mm: the limit of
+  /// any location.
   [[nodiscard]] double float_step() const { return float_step_; }
 
  private:

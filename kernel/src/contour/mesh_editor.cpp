@@ -40,7 +40,8 @@ FloatBox box_of(const TriangleMesh& mesh, const Triangle& triangle) {
   return box;
 }
 
-/// Calls visit(key) for each cell of that size that the box meets, until one call returns false; returns whether none did.
+/// Calls visit(key) for each cell of that size that the box meets, until one call returns false.
+/// Returns whether none did.
 template <class Visit>
 bool for_cells(const FloatBox& box, double size, const Visit& visit) {
   std::array<std::int64_t, 3> low, high;
@@ -62,7 +63,8 @@ Point point_of(const TriangleMesh& mesh, std::uint32_t vertex) {
   return {p[0], p[1], p[2]};
 }
 
-/// Whether two triangles of the mesh have more in common than their common vertices and the edge between those.
+/// Returns whether two triangles of the mesh have more in common than their common vertices and the
+/// edge between them.
 bool overlap(const TriangleMesh& mesh, const Triangle& one, const Triangle& other) {
   const auto point = [&](std::uint32_t vertex) { return point_of(mesh, vertex); };
   std::array<std::size_t, 3> common{};  // positions in `one` of the vertices that are also in `other`
@@ -184,8 +186,8 @@ bool MeshEditor::fits(const Triangle& triangle, std::span<const std::uint32_t> o
   if (!all_open) return false;
   std::sort(near_.begin(), near_.end());
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
-  // An edge shared with a triangle that stays must be on the patch's rim: it has that triangle on one side and the patch on the
-  // other.
+  // An edge shared with a triangle that stays must be on the patch's rim: that triangle on one
+  // side, the patch on the other.
   const auto shares_inner_edge = [&](const Triangle& other) {
     std::array<std::uint32_t, 3> common{};
     std::size_t count = 0;

@@ -9,7 +9,7 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// From `p` along `direction` to where the side changes, at most `reach` mm away.
+/// Distance along `direction` from `p` to the nearest change of side, at most `reach` mm.
 std::optional<double> way_out(const Field& solid, const Vec3& p, const Vec3& direction, double reach) {
   const bool inside = solid.value(p) < 0;
   double near = 0;
@@ -27,11 +27,11 @@ std::optional<double> way_out(const Field& solid, const Vec3& p, const Vec3& dir
   return std::nullopt;
 }
 
-/// How thick what is nearest to the middle of a cell is: the solid or the gap, whichever is thinner.
+/// Thickness of the solid or of the gap, whichever is thinner, near the middle of a cell, mm.
 std::optional<double> thickness_in(const Field& solid, const UncertainCell& cell) {
   const double reach = 2 * cell.side;
   Vec3 p = cell.box.centre();
-  for (int step = 0; step < 8; ++step) {  // to the surface
+  for (int step = 0; step < 8; ++step) {  // towards the surface
     const double value = solid.value(p);
     const Vec3 slope = solid.gradient(p);
     if (!std::isfinite(value) || !slope.allFinite() || !(slope.norm() > 0)) return std::nullopt;
@@ -53,11 +53,12 @@ void estimate_needs(const Field& solid, std::span<const UncertainCell> cells, Ce
   for (std::size_t i = 0; i < cells.size(); i += stride)
     if (const std::optional<double> thickness = thickness_in(solid, cells[i])) found.push_back(*thickness);
   if (found.empty()) return;
-  // Where most is at least so thick; a few thinner places are halved one by one.
+  // Most places are at least that thick; the few thinner ones are halved one by one.
   const auto thin = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 10);
   std::nth_element(found.begin(), thin, found.end());
   certainty.wanted_voxel = *thin / 2;
-  // Two sheets, which meet some 1.5 cells for each that they cover, and two triangles for a smaller cell that is covered.
+  // Two sheets. Each meets about 1.5 cells for each cell's area that it covers, and has two
+  // triangles for each smaller cell's area.
   constexpr double per_area = 2 * 2 / 1.5;
   for (const UncertainCell& cell : cells)
     certainty.wanted_triangles += per_area * std::pow(cell.side / certainty.wanted_voxel, 2);

@@ -1,4 +1,4 @@
-/// What it would take to show the thin parts that cells are too large for.
+/// Estimate of the voxel that would resolve the thin parts of a solid.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace fieldfab::contouring {
 
-/// Estimates Certainty::wanted_voxel and wanted_triangles from how thick the solid, or the gap, is in some of the cells that are
-/// not certain: measured along the gradient. Leaves them where nothing is found.
+/// Estimates Certainty::wanted_voxel and wanted_triangles from the thickness of the solid, or of
+/// the gap, in some of the uncertain cells, measured along the gradient. Leaves them unchanged if
+/// no thickness is found.
 void estimate_needs(const Field& solid, std::span<const UncertainCell> cells, Certainty& certainty);
 
 }  // namespace fieldfab::contouring

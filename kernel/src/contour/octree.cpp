@@ -31,10 +31,10 @@ LatticePoint child_of(const LatticePoint& lower, unsigned child, int child_level
 struct Octree::Node {
   LatticePoint lower;
   int level;
-  FieldPtr field;                   ///< the solid in this cube, while it is still to be subdivided or sampled
+  FieldPtr field;                   ///< the solid in this cube, until the cube is subdivided or sampled
   std::int32_t children = -1;       ///< index of the first of eight
-  std::int32_t block = -1;          ///< index among blocks_
-  std::optional<Patch> patch = {};  ///< known where the cube is uniform or one patch
+  std::int32_t block = -1;          ///< index into blocks_
+  std::optional<Patch> patch = {};  ///< known if the cube is uniform or one patch
 };
 
 Octree::Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress)
@@ -62,7 +62,8 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
 
     const auto open = static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
                                                              [](const Node& node) { return !node.patch; }));
-    // A surface quarters its cells with each level; so this is what is to come, and no guess that a thin shape could exceed.
+    // A surface has four times as many cells on each finer level, so this is the number of blocks
+    // to expect.
     const double blocks = static_cast<double>(open) * std::pow(4.0, level - block_root());
     if (open > 4096) require_memory(static_cast<std::uintmax_t>(blocks / 4) * bytes_a_block, "a mesh this fine");
     if (level == block_root()) return;
@@ -77,8 +78,8 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
   }
 }
 
-/// Restricts siblings, whose Field still is their parent's, to their own cubes and a little about them; those that the surface
-/// misses are done with.
+/// Restricts siblings, whose Field is still that of their parent, to their own cubes and a margin.
+/// Completes those that the surface does not enter.
 void Octree::settle(std::span<Node> siblings) const {
   std::array<Box, 8> cube;
   std::array<Restriction, 8> here;
@@ -118,7 +119,7 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
     if (const std::size_t count = ++done; count % 256 == 0)
       progress.report(0.6 * static_cast<double>(count) / static_cast<double>(open.size()), "sampling");
   };
-  // Of a thin sheet a few blocks tell that the voxel is too large.
+  // A few blocks of a thin sheet suffice to show that the voxel is too large.
   constexpr std::size_t step = 8, enough = 32;
   const std::size_t first_ones = (open.size() + step - 1) / step;
   parallel_for(first_ones, [&](std::size_t i) { look(step * i); });
@@ -151,20 +152,27 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
 }
 
 bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks, const ContourSettings& settings) const {
-  constexpr std::size_t few = 4000;  // as many are halved one by one in less time than it takes to begin anew
+  constexpr std::size_t few = 4000;  // halving so many one by one takes less time than a new start
   constexpr std::size_t sheet =
-      200;  // more of a block's 512 cells are no sheet, but rough: that does not end with half the voxel
+      200;  // a block with more of its 512 cells is rough and contains no sheet; half the voxel does not help
   return lattice_.voxel_level() > 0 && folded > few && folded < sheet * blocks && 4 * folded > crossed &&
          folded <= settings.most_divided && 4 * blocks * bytes_a_block < available_memory() / 2;
 }
 
-/// Halves cells that are not clear, level by level, and then those that their neighbours need halved. Cells that only
-/// lack a proof are divided where they are few beside those that are seen to be folded, or beside the whole surface.
+/// Halves unclear cells, level by level, and then the cells that their neighbours need halved.
 void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
                     std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < refiners.size(); ++i)
     if (refiners[i]) active.push_back(i);
+  const int finest = halve_unclear_cells(active, settings, crossed, progress, refiners);
+  if (finest < lattice_.voxel_level()) halve_neighbours(open, std::move(active), finest, settings, progress, refiners);
+}
+
+/// Returns the finest level made. Cells that only lack a proof are divided if they are few compared with the folded cells or with
+/// the whole surface.
+int Octree::halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
+                                Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   int finest = lattice_.voxel_level();
   std::size_t budget = settings.most_divided, folded_before = 0;
   while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
@@ -206,8 +214,13 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
   certainty_.finest = lattice_.longest_side(finest);
   if (certainty_.doubt == Doubt::finest_size && finest > 0) certainty_.doubt = Doubt::not_proved;
   if (settings.depth == 0) certainty_.doubt = Doubt::not_looked;
-  if (finest == lattice_.voxel_level()) return;
+  return finest;
+}
 
+/// `active`: the blocks in which cells were halved since the last round.
+void Octree::halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest,
+                              const ContourSettings& settings, Progress& progress,
+                              std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::map<LatticePoint, std::size_t> number;
   for (std::size_t i = 0; i < open.size(); ++i) number.emplace(open[i]->lower, i);
   std::size_t asked = 0;
@@ -247,7 +260,7 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
 }
 
 void Octree::merge_blocks(const ContourSettings& settings) {
-  // Children come after their parents, so that going backwards meets them first.
+  // Children come after their parents, so a backward loop visits them first.
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
     if (node.children < 0) continue;
@@ -286,7 +299,7 @@ void Octree::merge_blocks(const ContourSettings& settings) {
     node.patch = std::move(merged);
   }
 
-  // What is one patch, and not part of a larger one, is a leaf; the blocks below it learn of it.
+  // A patch that is not part of a larger one is a leaf; the blocks below it get its index.
   constexpr std::int32_t none = -1;
   std::vector<std::int32_t> leaf_of_node(nodes_.size(), none);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {

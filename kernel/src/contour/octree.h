@@ -1,5 +1,6 @@
-/// The octree of a contour: blocks of 8x8x8 cells near the surface, sampled densely; cells that are not clear are halved; cells
-/// whose surface one vertex reproduces are merged bottom-up into larger leaf cells.
+/// Octree of a contour. Blocks of 8x8x8 cells near the surface are sampled densely. Cells that are
+/// not clear are halved. Cells whose surface one vertex reproduces are merged bottom-up into larger
+/// leaf cells.
 #pragma once
 
 #include <array>
@@ -17,49 +18,54 @@
 
 namespace fieldfab::contouring {
 
-/// A cube crossed by the surface: a cell, or one merged from cells whose surface it reproduces.
+/// A cube that the surface crosses: one cell, or several merged cells whose surface it reproduces.
 struct Leaf {
   LatticePoint lower;
   std::int32_t level = 0;
   std::uint8_t corners = 0;  ///< bit i: corner i is inside; bits of i are x (1), y (2), z (4)
   bool merged = false;
-  Vec3 vertex;  ///< the best place for the cell's vertex; only where merged
+  Vec3 vertex;  ///< best position of the cell's vertex; set only if merged
 };
 
 /// A sign change between neighbouring lattice points.
 struct Crossing {
   std::uint8_t axis;
-  std::array<std::uint8_t, 3> lower;  ///< the edge's lower end, in cells from the lower corner of its block or division
+  /// Lower end of the edge, in cells from the lower corner of its block or division.
+  std::array<std::uint8_t, 3> lower;
   bool lower_inside;
   SurfacePoint point;
 };
 
-/// A cell that was halved along x, y and z: its 3x3x3 lattice points and eight cells.
+/// A cell halved along x, y and z: its 3x3x3 lattice points and eight cells.
 struct Division {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   LatticePoint lower;
   std::int32_t level = 0;                ///< of the eight cells
-  std::uint32_t inside = 0;              ///< a bit for each lattice point, x fastest
+  std::uint32_t inside = 0;              ///< one bit per lattice point, x fastest
   std::vector<Crossing> crossings = {};  ///< on all edges
-  std::array<std::uint32_t, 8> parts{none, none, none, none,
-                                     none, none, none, none};  ///< where a cell was halved again: which division
-  std::array<std::uint32_t, 8> leafs{none, none, none, none,
-                                     none, none, none, none};  ///< where a cell is a leaf: which of the block's
+  /// By cell: index of the division of a cell that was halved
+  /// again, or none.
+  std::array<std::uint32_t, 8> parts{none, none, none, none, none, none, none, none};
+  /// By cell: index of a cell that is a leaf, among the leafs of
+  /// the block, or none.
+  std::array<std::uint32_t, 8> leafs{none, none, none, none, none, none, none, none};
 
   [[nodiscard]] std::uint8_t corners(unsigned child) const;
 };
 
-/// 8x8x8 cells of a voxel with some of the surface in them.
+/// 8x8x8 cells, a voxel wide, that contain some of the surface.
 struct Block {
   static constexpr std::uint16_t no_leaf = std::numeric_limits<std::uint16_t>::max();
 
   LatticePoint lower;
-  std::vector<Crossing> crossings;     ///< on edges whose lower end is below 8 on every axis, so that each edge has one block
-  std::vector<Leaf> leafs;             ///< those of whole cells and more first
-  std::vector<std::uint16_t> leaf_of;  ///< by cell (x fastest): index into leafs, or no_leaf; empty where all is leaf 0
+  /// On edges whose lower end is below 8 on every axis, so that each edge has one block.
+  std::vector<Crossing> crossings;
+  std::vector<Leaf> leafs;  ///< leafs of whole cells and larger ones come first
+  /// By cell (x fastest): index into leafs, or no_leaf; empty if all cells are leaf 0.
+  std::vector<std::uint16_t> leaf_of;
   std::vector<Division> divisions;
-  std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty where no cell is halved
+  std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty if no cell is halved
   std::uint32_t first_leaf = 0;            ///< index of leafs[0] among all leafs
 
   [[nodiscard]] std::uint16_t leaf_at(std::size_t cell) const { return leaf_of.empty() ? std::uint16_t{0} : leaf_of[cell]; }
@@ -69,10 +75,11 @@ struct Block {
   static std::size_t cell(int x, int y, int z) { return static_cast<std::size_t>(x + block_side * (y + block_side * z)); }
 };
 
-/// What lies at a cell of some level: the smallest cell that holds it, or it itself where that is divided, too.
+/// Result of the search for a cell of some level: the cell itself if it is divided, or else the
+/// smallest cell that contains it.
 struct CellFound {
-  const Block* block = nullptr;         ///< null where there is no surface
-  std::uint32_t leaf = Division::none;  ///< among all leafs
+  const Block* block = nullptr;         ///< null if no surface is there
+  std::uint32_t leaf = Division::none;  ///< index among all leafs
   int level = 0;
   bool divided = false;
 };
@@ -80,27 +87,28 @@ struct CellFound {
 struct Patch;
 class BlockRefiner;
 
-/// The leaf cells of a contour, and where each cell lies among them.
+/// Leaf cells of a contour, with a search for the leaf at a cell.
 class Octree {
  public:
   /// Samples the solid. Throws cancelled, too_large.
   Octree(const Field& solid, const Lattice& lattice, const ContourSettings& settings, Progress& progress);
   ~Octree();
-  /// Whether most cells are not clear, so that a lattice of half the voxel costs less than looking into them one by one. Nothing
-  /// else is known of such an octree.
+  /// Whether most cells are not clear, so that a lattice of half the voxel costs less than an
+  /// examination of each cell. No other member is valid then.
   [[nodiscard]] bool wants_half_voxel() const { return wants_half_voxel_; }
-  /// Whether cells were halved so often that too many of their neighbours had to be, too: in what is rough at any size that has
-  /// no end. Nothing else is known of such an octree.
+  /// Whether cells were halved so often that too many of their neighbours had to be halved too, as
+  /// with a surface that is rough at every scale. No other member is valid then.
   [[nodiscard]] bool too_deep() const { return too_deep_; }
 
   [[nodiscard]] const std::vector<Block>& blocks() const { return blocks_; }
   [[nodiscard]] const std::vector<Leaf>& leafs() const { return leafs_; }
   [[nodiscard]] const Certainty& certainty() const { return certainty_; }
-  /// The cells that are not certain.
+  /// Cells that are not certain.
   [[nodiscard]] std::span<const UncertainCell> uncertain() const { return uncertain_; }
-  /// The eight blocks at and below `block` (bit set in the index: one block down that axis); null where no surface is.
+  /// Returns the eight blocks at and below `block`; each bit of the index is one block down its
+  /// axis. A block without surface is null.
   [[nodiscard]] std::array<const Block*, 8> lower_neighbours(const Block& block) const;
-  /// Looks up the cell of that level (a voxel's at most) with that lower corner.
+  /// Finds the cell of that level (at most a voxel's) with that lower corner.
   [[nodiscard]] CellFound find(const LatticePoint& lower, int level) const;
 
  private:
@@ -112,6 +120,10 @@ class Octree {
                                      const ContourSettings& settings) const;
   void refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
               std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  int halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
+                          Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest, const ContourSettings& settings,
+                        Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
   void merge_blocks(const ContourSettings& settings);
   void number_leafs();
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;
@@ -129,16 +141,17 @@ class Octree {
   bool wants_half_voxel_ = false, too_deep_ = false;
 };
 
-/// Where an 8-cell neighbourhood's signs make one surface patch: the corners of the eight merged, or nothing where merging would
-/// lose or join a part of the surface (Ju et al. 2002, section 5: conditions on edge, face and cell midpoints).
+/// Sets `merged` to the corner signs of the cube that eight cells form, and returns true if their
+/// signs make one surface patch. Returns false if merging would lose or join parts of the surface
+/// (Ju et al. 2002, section 5: conditions on edge, face and cell midpoints).
 bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& merged);
 
-/// Whether a cell with these corner signs holds exactly one patch with no ambiguous face.
+/// Returns whether a cell with these corner signs contains exactly one patch and no ambiguous face.
 bool is_simple(std::uint8_t corners);
 inline bool is_uniform(std::uint8_t corners) { return corners == 0 || corners == 255; }
 
-/// Whether the signs at the 3x3 points of a halved face (bit u + 3 v) show what its corners alone would: a neighbour of the
-/// face's size then agrees with them.
+/// Returns whether the signs at the 3x3 points of a halved face (bit u + 3 v) show the same curves
+/// as its corners alone. A neighbour of the face's size agrees with them then.
 bool is_plain_face(unsigned inside);
 
 }  // namespace fieldfab::contouring

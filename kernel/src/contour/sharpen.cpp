@@ -12,32 +12,36 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// A place where the mesh is off the surface: a vertex, the middle of an edge, or the middle of a triangle.
+/// A point of the mesh that is off the surface: a vertex, the middle of an edge, or the middle of a
+/// triangle.
 struct Flaw {
   std::array<std::uint32_t, 3> vertices;
-  int count;  ///< of vertices: 1, 2 or 3
+  int count;  ///< number of vertices: 1, 2 or 3
   float error;
-  std::array<std::int32_t, 3> area;  ///< the cube of space it is in: flaws of one are mended together
+  /// Cube of space that contains the flaw; the flaws of one cube are mended together.
+  std::array<std::int32_t, 3> area;
 };
 
-/// How far triangles are from the surface.
+/// Distance of triangles from the surface.
 struct Misfit {
   float farthest = 0;  ///< mm
   float squares = 0;   ///< squared distance, summed over area
   [[nodiscard]] bool closer_than(const Misfit& other) const { return squares <= 0.8F * other.squares; }
 };
 
-/// A patch that is to become a fan around one vertex.
+/// A patch to be replaced by a fan around one vertex.
 struct Star {
   std::uint32_t vertex;
-  std::vector<std::uint32_t> old;                 ///< the patch's triangles
-  std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges around it, each as the triangle within has it
+  std::vector<std::uint32_t> old;  ///< triangles of the patch
+  /// Edges around the patch, each in the direction of the triangle inside.
+  std::vector<std::array<std::uint32_t, 2>> rim;
 };
 
-// How far features are looked for, in voxels. A wedge of 30 degrees that is thinner than a voxel goes on for two.
+// Search radii for features, in voxels. A wedge of 30 degrees that is thinner than a voxel
+// continues for two.
 constexpr std::array near_reaches{0.25F, 0.5F, 1.0F};
 constexpr std::array far_reaches{2.0F};
-constexpr float area_side = 16;  // in voxels; for a large expression, restricting is what takes the time
+constexpr float area_side = 16;  // in voxels; for a large expression, restriction takes most of the time
 
 class Sharpener {
  public:
@@ -77,8 +81,8 @@ class Sharpener {
     return sum / static_cast<float>(flaw.count);
   }
 
-  /// The vertices, edges and triangles of the open triangles that are off by more than the tolerance: vertices first, then edges;
-  /// in each area the worst first.
+  /// Returns the vertices, edges and triangles of the open triangles that are off by more than the
+  /// tolerance: vertices first, then edges, then triangles; in each area the largest error first.
   std::vector<Flaw> find_flaws() {
     std::vector<Flaw> places;
     std::sort(open_.begin(), open_.end());
@@ -100,7 +104,7 @@ class Sharpener {
                              [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
                  places.end());
 
-    constexpr std::size_t chunk = 256;  // near each other, as their numbers are
+    constexpr std::size_t chunk = 256;  // close to each other, since their numbers are
     parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
       progress_.check();
       Samples samples;
@@ -125,7 +129,7 @@ class Sharpener {
     return places;
   }
 
-  /// Restricts the solid to an area and what is near it.
+  /// Restricts the solid to an area and its surroundings.
   void enter(const std::array<std::int32_t, 3>& area) {
     if (area_field_ && area == area_) return;
     area_ = area;
@@ -139,7 +143,8 @@ class Sharpener {
     return {box.lower.cwiseMin(point.cast<double>()), box.upper.cwiseMax(point.cast<double>())};
   }
 
-  /// Restricts the solid to all that mending a flaw may touch: the triangles around it, and `reach` voxels about those.
+  /// Restricts the solid to everything that mending a flaw may touch: the triangles around it, and
+  /// `reach` voxels around those.
   void confine(const Flaw& flaw, float reach) {
     const Vec3 centre = middle(flaw).cast<double>();
     local_box_ = {centre, centre};
@@ -186,7 +191,8 @@ class Sharpener {
     place(star, flaw);
   }
 
-  /// Makes the star's triangles with its vertex on the sharpest feature near the flaw that this is possible for.
+  /// Builds the star's triangles with its vertex on the sharpest feature near the flaw for which
+  /// they are valid.
   bool place(const Star& star, const Flaw& flaw) {
     const Eigen::Vector3f centre = middle(flaw);
     const Position start = mesh_.vertices[star.vertex];
@@ -209,7 +215,9 @@ class Sharpener {
       PlacedVertex target = features[r];
       const bool sharp = target.directions > 1;
       if (features_only_ && !sharp) continue;
-      if (sharp) {  // found from planes that touch the surface up to `reach` away: closer by, a curved crease is where they say
+      // Found from tangent planes up to `reach` away; a curved crease is located better from nearer
+      // planes.
+      if (sharp) {
         const std::array closer_by{0.25F * reaches[r]};
         const PlacedVertex closer =
             features_near(*local_, local_box_, target.position.cast<float>(), closer_by, scratch_).front();
@@ -224,8 +232,8 @@ class Sharpener {
     return false;
   }
 
-  /// Replaces the star's old triangles by those between its rim and its vertex. Where one would be folded over, the rim is moved
-  /// out past the triangle beyond, which is as good as flipping that edge first.
+  /// Replaces the star's old triangles by those between its rim and its vertex. If one would be
+  /// folded over, the rim is moved past the triangle beyond; this equals flipping that edge first.
   bool span(Star star, Misfit before) {
     const bool on_surface = error_at(at(star.vertex)) < 0.5F * tolerance_;
     constexpr int greatest_growth = 3;
@@ -245,7 +253,7 @@ class Sharpener {
     return false;
   }
 
-  /// Takes the triangle beyond one edge of the rim into the star.
+  /// Adds the triangle beyond one edge of the rim to the star.
   bool grow(Star& star, std::size_t edge, Misfit& before) {
     const auto [a, b] = star.rim[edge];
     std::array<std::uint32_t, 2> sides{};
@@ -300,8 +308,8 @@ class Sharpener {
   /// The two triangles at an edge.
   struct Diamond {
     std::array<std::uint32_t, 2> sides;
-    std::uint32_t from, to;    ///< the edge, as the first triangle has it
-    std::uint32_t one, other;  ///< the vertices opposite
+    std::uint32_t from, to;    ///< the edge, in the direction of the first triangle
+    std::uint32_t one, other;  ///< the opposite vertices
   };
   bool find_diamond(const Flaw& edge, Diamond& diamond) const {
     const auto [a, b, unused] = edge.vertices;
@@ -362,7 +370,8 @@ class Sharpener {
     return std::abs(scratch_.distance(0));
   }
 
-  /// Whether a triangle, the `i`th of those that misfit() was last asked for, is neither folded over nor shrunk to nothing.
+  /// Whether a triangle, number `i` of the last call of misfit(), is neither folded over nor
+  /// degenerate.
   [[nodiscard]] bool faces_out(std::size_t i, const Triangle& v) const {
     const Eigen::Vector3f normal = (at(v[1]) - at(v[0])).cross(at(v[2]) - at(v[0]));
     const float area = normal.norm();
@@ -387,14 +396,14 @@ class Sharpener {
   TriangleMesh& mesh_;
   Progress& progress_;
   MeshEditor editor_;
-  std::vector<std::uint32_t> open_;  ///< triangles still to be looked at
-  FieldPtr local_;                   ///< the solid, as it is in `local_box_`, the neighbourhood() of the flaw at hand
+  std::vector<std::uint32_t> open_;  ///< triangles still to be examined
+  FieldPtr local_;                   ///< the solid inside `local_box_`, the neighbourhood() of the current flaw
   Box local_box_;
   std::array<std::int32_t, 3> area_{};  ///< the area that was entered last
   Box area_box_;
   FieldPtr area_field_;
-  std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: what failed twice will not be tried for ever
-  bool features_only_ = true;  ///< vertices on smooth surfaces near a crease wait until the crease is in place
+  std::unordered_map<std::uint64_t, int> attempts_;  ///< by flaw: number of failures, so that it is not tried forever
+  bool features_only_ = true;                        ///< smooth surfaces near a crease wait until it is done
   Samples scratch_;
 };
 

@@ -1,4 +1,4 @@
-// Which patterns of corner signs hold a single patch of surface.
+// Patterns of corner signs that contain a single patch of surface.
 #include <bit>
 
 #include "octree.h"
@@ -6,7 +6,7 @@
 namespace fieldfab::contouring {
 namespace {
 
-/// The corners reachable from the lowest set corner along cube edges between set corners.
+/// Returns the corners reachable from the lowest set corner along cube edges between set corners.
 unsigned component(unsigned corners) {
   unsigned reached = corners & (~corners + 1);
   for (unsigned before = 0; before != reached;) {
@@ -42,8 +42,9 @@ std::array<bool, 256> find_simple() {
 
 unsigned point_of_corner(unsigned corner) { return 2 * (corner & 1U) + 6 * (corner >> 1 & 1U) + 18 * (corner >> 2); }
 
-/// For each of 3x3x3 lattice points the corners, as points, of the edge, face or cube that it is the middle of. It must agree
-/// with one of them: otherwise something is hidden there.
+/// For each of 3x3x3 lattice points: the corners, as points, of the edge, face or cube whose middle
+/// it is. The point must have the sign of one of them; otherwise it shows something that the
+/// corners hide.
 std::array<unsigned, 27> find_corners_around() {
   std::array<unsigned, 27> around{};
   for (unsigned point = 0; point < 27; ++point)
@@ -95,7 +96,7 @@ bool is_simple(std::uint8_t corners) {
 }
 
 bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& merged) {
-  unsigned inside = 0;  // a bit for each of the 3x3x3 lattice points of the eight cells, x fastest
+  unsigned inside = 0;  // one bit per lattice point of the 3x3x3 points of the eight cells, x fastest
   for (unsigned child = 0; child < 8; ++child) {
     const unsigned c = children[child], low = (c & 3U) | (c & 12U) << 1, high = (c >> 4 & 3U) | (c >> 4 & 12U) << 1;
     inside |= (low | high << 9) << ((child & 1U) + 3 * (child >> 1 & 1U) + 9 * (child >> 2));

@@ -1,4 +1,4 @@
-/// Finding the edges and corners of a solid near a point, by asking its Field alone.
+/// Search for edges and corners of a solid near a point, by evaluation of its Field only.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace fieldfab::contouring {
 
-/// Points in a structure of arrays, and what the Field says there.
+/// Points as a structure of arrays, with the value and gradient of the Field at each.
 class Samples {
  public:
   void clear() { x_.clear(), y_.clear(), z_.clear(); }
@@ -19,7 +19,8 @@ class Samples {
   [[nodiscard]] std::size_t size() const { return x_.size(); }
   [[nodiscard]] Eigen::Vector3f point(std::size_t i) const { return {x_[i], y_[i], z_[i]}; }
   [[nodiscard]] Eigen::Vector3f slope(std::size_t i) const { return {dx_[i], dy_[i], dz_[i]}; }
-  /// Distance from the surface to first order, mm; 0 where the Field has no usable gradient, so that nothing is tried there.
+  /// Returns the distance from the surface to first order, mm; 0 if the Field has no usable
+  /// gradient, so that no step is tried there.
   [[nodiscard]] float distance(std::size_t i) const;
   void step(std::size_t i, const Eigen::Vector3f& by) { x_[i] += by.x(), y_[i] += by.y(), z_[i] += by.z(); }
 
@@ -27,9 +28,10 @@ class Samples {
   std::vector<float> x_, y_, z_, value_, dx_, dy_, dz_;
 };
 
-/// The solid's sharpest feature within each of `reaches` mm of `centre`: the surface is looked for in all directions around, and
-/// the planes that touch it there say whether they meet in a corner, an edge, or are one surface. Only what is found in `known`,
-/// where the Field may be asked, counts. `scratch` is for the asking.
+/// Returns the sharpest feature of the solid within each of `reaches` mm of `centre`. Searches the
+/// surface in all directions around the centre; the tangent planes found decide between a corner,
+/// an edge and one smooth surface. Only points in `known`, in which the Field may be evaluated,
+/// count. `scratch` is working memory.
 std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, const Eigen::Vector3f& centre,
                                         std::span<const float> reaches, Samples& scratch);
 

@@ -30,7 +30,8 @@ PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell)
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(normals);
 
-  // Directions are taken in one by one, the best determined first; each must earn its place.
+  // Directions are added one by one, the best determined first; a direction is kept only if it
+  // lowers the error enough.
   PlacedVertex best{mean, farthest_plane(points, mean), 0};
   const double worthwhile = 1e-4 * cell.size().x();
   Vec3 vertex = mean;

@@ -43,10 +43,10 @@ Child::Child(const ChildSettings& settings, const std::string& advice) {
   const pid_t parent = getpid();
   process_ = fork();
   int why = errno;
-  if (process_ == 0) {  // only what is safe after a fork, from here on
+  if (process_ == 0) {  // only functions that are safe after a fork, from here on
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) _exit(127);  // killed before it could be asked for
+    if (getppid() != parent) _exit(127);  // the parent ended before prctl()
     if (settings.memory > 0) setrlimit(RLIMIT_AS, &limit);
     dup2(ends[1], STDOUT_FILENO);
     if (settings.errors_too) {

@@ -14,24 +14,25 @@
 namespace fieldfab {
 namespace {
 
-/// The copy: silent, without handlers of its own, without a core file, and gone with the process that it is a copy of.
+/// Runs the copy: silent, without signal handlers or core file, and ended together with the
+/// original process.
 [[noreturn]] void run_as_copy(const std::function<void()>& work, pid_t original, int told) noexcept {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != original) _exit(1);
   for (const int signal : {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTERM}) std::signal(signal, SIG_DFL);
-  std::signal(SIGINT, SIG_IGN);  // of a terminal it goes to both; the original answers it
+  std::signal(SIGINT, SIG_IGN);  // a terminal sends it to both; the original handles it
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
   if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) dup2(nothing, STDOUT_FILENO), dup2(nothing, STDERR_FILENO);
   try {
     work();
-  } catch (...) {  // the original will meet it, too
+  } catch (...) {  // the original will throw it, too
   }
   [[maybe_unused]] const ssize_t written = write(told, "+", 1);
   _exit(0);
 }
 
-/// Kills the copy where it is not through, and waits for its end.
+/// Kills the copy if it is still running, and waits for its end.
 struct Copy {
   ~Copy() {
     kill(process, SIGKILL);
@@ -40,7 +41,7 @@ struct Copy {
     close(told);
   }
   pid_t process;
-  int told;  ///< reads what it writes when it is through
+  int told;  ///< read end of the pipe to which it writes when it is done
 };
 
 }  // namespace

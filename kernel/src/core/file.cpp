@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
-constexpr std::size_t longest_stem = 128;  // in the name of a temporary file, whose end is six characters longer
+constexpr std::size_t longest_stem = 128;  // in the name of a temporary file, which is six characters longer
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* action) {
   throw Error(ErrorKind::io, path.string(), fmt::format("cannot {}: {}", action, std::strerror(errno)));
@@ -41,7 +41,7 @@ class Descriptor {
   int number_;
 };
 
-/// Null for a regular file.
+/// Returns a description of a file that is not a regular one; null for a regular file.
 const char* other_kind(mode_t mode) {
   switch (mode & S_IFMT) {
     case S_IFDIR: return "is a folder, not a file";
@@ -53,20 +53,20 @@ const char* other_kind(mode_t mode) {
   }
 }
 
-/// A pipe without a name of its own, which this process was given by whoever started it.
+/// Whether the file is an anonymous pipe, inherited from the parent process.
 bool is_inherited_pipe(int descriptor, const struct stat& status) {
   constexpr decltype(std::declval<struct statfs>().f_type) pipe_system = 0x50495045;  // PIPEFS_MAGIC
   struct statfs system {};
   return S_ISFIFO(status.st_mode) && ::fstatfs(descriptor, &system) == 0 && system.f_type == pipe_system;
 }
 
-/// The end of a file's name that libraries tell its format by: ".nii.gz" is one.
+/// Returns the end of a file name by which libraries recognise its format, such as ".nii.gz".
 std::string suffix_of(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
   return extension == ".gz" ? path.stem().extension().string() + extension : extension;
 }
 
-/// Whether a failed fsync() only means that the file system has none.
+/// Whether a failed fsync() means only that the file system does not support it.
 bool has_no_sync() { return errno == EINVAL || errno == ENOTSUP || errno == EROFS; }
 
 }  // namespace
@@ -93,7 +93,8 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
   const auto expected = static_cast<std::uintmax_t>(std::max<off_t>(status.st_size, 0));
   if (expected > limit) throw Error(ErrorKind::too_large, path.string(), fmt::format("is larger than {} bytes", limit));
   bytes.reserve(static_cast<std::size_t>(expected));
-  // Read to the end rather than to the size told, so that pipes and files in /proc work as well.
+  // Reads up to the end, not up to the size reported, so that pipes and files in /proc work as
+  // well.
   for (std::string chunk(std::size_t{1} << 16, '\0');;) {
     const ssize_t got = ::read(file.number(), chunk.data(), chunk.size());
     if (got < 0 && errno == EINTR) continue;
@@ -108,11 +109,12 @@ PendingFile::PendingFile(std::filesystem::path target) : name_(std::move(target)
   struct stat old {};
   const bool exists = ::stat(target_.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) throw Error(ErrorKind::io, name_.string(), "cannot write: is a folder");
-  // A target that is a link keeps being one: what it points to is replaced.
+  // A target that is a link stays one: the file it points to is replaced.
   std::error_code ignored;
   if (std::filesystem::is_symlink(target_, ignored)) target_ = std::filesystem::weakly_canonical(target_, ignored);
-  // Only a regular file can be replaced. The bytes for a device or a pipe wait elsewhere until they are complete:
-  // libraries that open it by name would not tell that it is full, and go back in what they write.
+  // Only a regular file can be replaced. The bytes for a device or a pipe are collected in a
+  // temporary file, since libraries that open it by name would not report that it is full, and seek
+  // back during writing.
   device_ = exists && !S_ISREG(old.st_mode);
   const std::string suffix = suffix_of(name_);
   std::string stem = name_.filename().string();
@@ -171,7 +173,7 @@ void PendingFile::require_room(std::uintmax_t size) const {
   if (size == 0 || ::fstat(descriptor_, &status) != 0) return;
   if (::fallocate(descriptor_, 0, 0, static_cast<off_t>(size)) != 0) {
     if (errno != EOPNOTSUPP && errno != EINTR) fail();
-  } else if (::ftruncate(descriptor_, status.st_size) != 0) {  // gives it back
+  } else if (::ftruncate(descriptor_, status.st_size) != 0) {  // releases the space again
     fail();
   }
 }
@@ -186,7 +188,7 @@ void PendingFile::commit() {
   struct stat ours {
   }, named{};
   if (::fstat(descriptor_, &ours) != 0 || ::stat(temporary().c_str(), &named) != 0) fail();
-  if (ours.st_ino != named.st_ino || ours.st_dev != named.st_dev) {  // a library has put a file of its own there
+  if (ours.st_ino != named.st_ino || ours.st_dev != named.st_dev) {  // a library has put its own file there
     Descriptor other(::open(temporary().c_str(), O_RDWR | O_CLOEXEC));
     if (other.number() < 0) fail();
     ::close(std::exchange(descriptor_, other.release()));
@@ -225,7 +227,7 @@ void PendingFile::replace_target() {
 void PendingFile::sync_folder() const {
   const std::filesystem::path folder = target_.parent_path();
   const Descriptor opened(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (opened.number() < 0 && errno == EACCES) return;  // a folder may be open for writing only
+  if (opened.number() < 0 && errno == EACCES) return;  // a folder may be writable but not readable
   if (opened.number() < 0 || (::fsync(opened.number()) != 0 && !has_no_sync())) fail();
 }
 

@@ -19,12 +19,13 @@ std::filesystem::path folder_of_parts() {
   return std::filesystem::canonical(library.dli_fname).parent_path() / ("fieldfab-" FIELDFAB_VERSION);
 }
 
-/// Starts and ends as many threads as a library may start while it is loaded. log4cplus, which OpenVDB links to, waits forever
-/// where one of its threads cannot start; after this it is likely that all can.
-/// @throws std::system_error  if the system refuses one
+/// Starts and ends as many threads as a library may start during loading. log4cplus, to which
+/// OpenVDB links, waits forever if one of its threads cannot start; after this test all probably
+/// can.
+/// @throws std::system_error  if the system refuses a thread
 void try_threads() {
   std::vector<std::jthread> threads;
-  std::promise<void> over;  // destroyed before the threads, which it ends
+  std::promise<void> over;  // destroyed before the threads, which ends them
   const std::shared_future<void> end = over.get_future();
   for (unsigned i = 0; i < std::max(2U, std::thread::hardware_concurrency()); ++i) threads.emplace_back([end] { end.wait(); });
 }

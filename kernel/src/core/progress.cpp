@@ -6,7 +6,7 @@ namespace fieldfab {
 
 namespace {
 
-constexpr std::chrono::steady_clock::duration patience = std::chrono::milliseconds(50);  // between two tellings
+constexpr std::chrono::steady_clock::duration patience = std::chrono::milliseconds(50);  // between two reports
 
 }  // namespace
 

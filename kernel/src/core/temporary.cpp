@@ -9,7 +9,7 @@
 namespace fieldfab {
 namespace {
 
-constinit std::mutex list_mutex;  // needs no memory, and is there until the very end
+constinit std::mutex list_mutex;  // needs no memory, and exists until the end of the process
 constinit Temporary* first = nullptr;
 
 }  // namespace
@@ -37,12 +37,12 @@ void Temporary::remove() const noexcept {
   try {
     std::error_code ignored;
     std::filesystem::remove_all(path_, ignored);
-  } catch (...) {  // no memory for the names in a folder
+  } catch (...) {  // out of memory while the folder is listed
   }
 }
 
 void remove_temporaries() noexcept {
-  // A thread that was stopped while it had the lock must not hold up the end.
+  // A thread that was stopped while it held the lock must not block the end.
   bool locked = list_mutex.try_lock();
   for (int wait = 0; !locked && wait < 50; ++wait) {
     ::usleep(1000);

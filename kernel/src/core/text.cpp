@@ -8,7 +8,8 @@
 namespace fieldfab {
 namespace {
 
-/// The bytes of the character that begins there; 0 where none does. No overlong forms, no surrogates, nothing above U+10FFFF.
+/// Returns the length in bytes of the UTF-8 character at the start, or 0 if there is none. Overlong
+/// forms, surrogates and characters above U+10FFFF are invalid.
 std::size_t length_of_character(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U; };
   const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
@@ -24,7 +25,7 @@ std::size_t length_of_character(std::string_view bytes) {
   return 0;
 }
 
-/// How many letters two names differ by.
+/// Edit distance (Levenshtein) of two names.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;

@@ -6,26 +6,28 @@
 namespace fieldfab {
 namespace {
 
-constexpr double far_away = 1e6;               // mm; what reaches this far counts as unbounded
-constexpr std::size_t most_work = 40'000'000;  // operations a face; what is undecided after so many stays inside
+constexpr double far_away = 1e6;  // mm; a solid that reaches this far counts as unbounded
+// Operations per face; boxes undecided after so many stay inside the bounds.
+constexpr std::size_t most_work = 40'000'000;
 
-/// A part of space that may hold some of the solid.
+/// A box that may contain some of the solid.
 struct Suspect {
   Box box;
   FieldPtr field;
-  double reach;  // how far the box goes in the direction searched
-  int depth;     // of those that reach as far, the smallest comes first: one that holds some of the solid ends the search
+  double reach;  // coordinate of the box's end in the direction searched
+  int depth;     // among equal reaches the smallest box comes first, since a box inside the solid ends the search
   bool operator<(const Suspect& other) const { return reach != other.reach ? reach < other.reach : depth < other.depth; }
 };
 
 /// NaN is outside, as 0 is.
 bool holds_nothing(const Interval& range) { return range.lower >= 0; }
 
-/// Which axes a search never divides.
+/// Axes that a search never divides.
 using Whole = Eigen::Array<bool, 3, 1>;
 
-/// How far the solid reaches within `within` along sign * axis, to 1/512 of its size: the suspect that reaches farthest is looked
-/// at next, cleared or halved along the axis that was halved least. Returns false where there is nothing.
+/// Finds how far the solid reaches in `within` along sign * axis, to 1/512 of its size. The suspect
+/// that reaches farthest is examined next: it is discarded, or halved along the axis that was
+/// halved least. Returns false if the solid is empty in `within`.
 bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign, const Whole& whole, Progress& progress,
                 double& reach) {
   const auto reach_of = [&](const Box& box) { return sign > 0 ? box.upper[axis] : -box.lower[axis]; };
@@ -54,7 +56,7 @@ bool find_reach(const FieldPtr& field, const Box& within, int axis, double sign,
   return false;
 }
 
-/// The search of solid_bounds(), a round at a time.
+/// The search of solid_bounds(), in rounds.
 class BoundsSearch {
  public:
   BoundsSearch(const Field& field, const Box& known, Progress& progress) : field_(field), progress_(progress) {
@@ -70,8 +72,8 @@ class BoundsSearch {
   }
 
  private:
-  /// Shaves the box along the axes that are bounded, as far as is known, until that does not shrink it much any more. Axes that
-  /// turn out to be unbounded stay whole: most often the Field does not depend on them.
+  /// Cuts empty slabs off the box along the axes that count as bounded, until the box shrinks
+  /// little. Axes that prove to be unbounded stay whole: usually the Field does not depend on them.
   void shave() {
     for (double before = std::numeric_limits<double>::infinity();;) {
       double size = 0;
@@ -86,8 +88,9 @@ class BoundsSearch {
     }
   }
 
-  /// Looks again at the axes that seemed unbounded: along the others there is less to look at now, and these may be divided.
-  /// A twisted bar shows its bounds across only where its length is known. False where that changes nothing.
+  /// Searches again along the axes that seemed unbounded. The other axes are shorter now, and these
+  /// may be divided: the bounds of a twisted bar across its length follow only if the length is
+  /// known. Returns false if nothing changes.
   bool reconsider() {
     bool changed = false;
     if (std::count(found_.bounded, found_.bounded + 3, true) > 0)
@@ -99,7 +102,7 @@ class BoundsSearch {
     return changed && !found_.empty;
   }
 
-  /// Whether the Field is known not to change along an axis.
+  /// Whether slopes prove that the Field does not change along an axis.
   [[nodiscard]] bool is_constant_along(int axis) const {
     const Vec3 direction = Vec3::Unit(axis);
     Interval slope;

@@ -1,4 +1,5 @@
-/// Batches cut into pieces that fit on the stack, so that Fields over Fields need no memory of their own.
+/// Division of batches into parts that fit on the stack, so that Fields over Fields allocate no
+/// memory.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ void for_chunks(const Points& points, const Visit& visit) {
     visit(points.part(first, std::min(chunk_size, points.count - first)), first);
 }
 
-/// Directions that Fields over Fields ask for at a time (Field::slopes()).
+/// Number of directions that Fields over Fields evaluate together (Field::slopes()).
 inline constexpr std::size_t slope_lanes = 8;
 
 /// Calls visit(some, first) for consecutive parts of at most slope_lanes directions.

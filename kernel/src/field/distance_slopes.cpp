@@ -25,7 +25,8 @@ NormalCone::NormalCone(std::span<const Vec3> normals) : normals_(normals) {
   for (const Vec3& normal : normals) middle += normal;
   if (!(middle.norm() > 1e-6)) return;
   middle.normalize();
-  // The mean lies where most normals are; some turns towards the farthest bring it to the middle (Badoiu and Clarkson 2003).
+  // The mean direction lies where most normals are; steps towards the farthest normal move it to
+  // the centre of the cone (Badoiu and Clarkson 2003).
   constexpr int turns = 16;
   for (int turn = 1; turn <= turns && cosine_ < 0.999; ++turn) {
     const auto farther = [&](const Vec3& a, const Vec3& b) { return a.dot(middle) < b.dot(middle); };
@@ -44,7 +45,8 @@ Interval NormalCone::along(const Vec3& direction) const {
     const double slope = normal.dot(direction);
     lower = std::min(lower, slope), upper = std::max(upper, slope);
   }
-  // A mean of unit vectors is no longer than 1, and no shorter than the cosine: made one it can only be farther from 0.
+  // A mean of unit vectors has a length from the cosine to 1, so normalisation can only increase
+  // magnitudes.
   const double longest = cosine_ > 0 ? 1 / cosine_ : std::numeric_limits<double>::infinity();
   if (lower < 0) lower = std::max(lower * longest, -steepest);
   if (upper > 0) upper = std::min(upper * longest, steepest);

@@ -15,7 +15,8 @@ void Field::slopes(const Box& /*box*/, std::span<const Vec3> directions, std::sp
 }
 
 bool Field::facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept {
-  // Differences are weighted sums of those along the axes: no corner of the box of slopes is passed by.
+  // A difference is a weighted sum of differences along the axes, so no corner of the box of slopes
+  // is left out.
   const std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
   std::array<Interval, 3> slope;
   slopes(box, axes, slope);

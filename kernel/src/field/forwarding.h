@@ -1,4 +1,4 @@
-/// A Field that answers as another does: the base of those that know more of it.
+/// A Field that forwards to another one: base of Fields with additional knowledge.
 #pragma once
 
 #include "fieldfab/field/field.h"

@@ -1,4 +1,5 @@
-/// Sums, products and hulls of intervals, for Fields over Fields; unknown where a result is not finite.
+/// Sums, products and hulls of intervals, for Fields over Fields; unknown if a result is not
+/// finite.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ inline Interval plus(const Interval& a, const Interval& b) {
   if (lower != lower || upper != upper || std::isinf(lower) || std::isinf(upper)) return Interval::unknown();
   return {lower, upper, a.maybe_nan || b.maybe_nan};
 }
-/// The smallest interval that holds both.
+/// The smallest interval that contains both.
 inline Interval hull(const Interval& a, const Interval& b) {
   return {std::min(a.lower, b.lower), std::max(a.upper, b.upper), a.maybe_nan || b.maybe_nan};
 }

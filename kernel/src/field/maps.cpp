@@ -12,7 +12,7 @@
 namespace fieldfab {
 namespace {
 
-/// A Field asked at other points: `Map` tells which, for points, for boxes and for slopes.
+/// A Field evaluated at moved points. `Map` moves points, boxes and directions.
 template <class Map>
 class Moved : public Field {
  public:
@@ -51,7 +51,7 @@ class Moved : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 18; }
 
  protected:
-  /// The same, of another Field.
+  /// Returns the same map of another Field.
   [[nodiscard]] virtual FieldPtr over(FieldPtr other) const = 0;
 
   FieldPtr a_;
@@ -70,7 +70,8 @@ struct AffineMap {
             ((rows(row, 0) * part.x[i] + rows(row, 1) * part.y[i]) + rows(row, 2) * part.z[i]) + rows(row, 3);
     return {x.data(), y.data(), z.data(), part.count};
   }
-  /// The box of the moved points of a box: the same sums in the same order, so that rounding goes the same way.
+  /// Returns the box of the moved points of a box. The sums have the same order as in points(), so
+  /// that rounding is the same.
   [[nodiscard]] Box box(const Box& box) const {
     Box inner;
     for (int row = 0; row < 3; ++row) {
@@ -104,7 +105,7 @@ struct AffineMap {
   Eigen::Matrix<float, 3, 4> rows;
 };
 
-/// The Field placed by the inverse of an affine map.
+/// A Field placed by the inverse of an affine map.
 class Affine final : public Moved<AffineMap> {
  public:
   using Moved::Moved;
@@ -122,7 +123,7 @@ class Affine final : public Moved<AffineMap> {
     return {std::move(inner.field), to_outer.linear() * inner.axes, to_outer * inner.origin};
   }
   [[nodiscard]] bool affine() const noexcept override { return a_->affine(); }
-  /// Moves, mirrors and scales along the axes keep a lattice; turns do not.
+  /// Translations, mirrors and scalings along the axes keep a lattice; rotations do not.
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
     std::optional<Sampling> samples = a_->sampling();
     if (!samples || !keeps_axes()) return std::nullopt;
@@ -148,13 +149,13 @@ class Affine final : public Moved<AffineMap> {
   [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<Affine>(std::move(other), map_); }
 };
 
-/// Towards the axis through a centre along z, the more so the higher: x and y as seen from an eye above are shrunk to what they
-/// are.
+/// Perspective: scales x and y towards an axis along z through a centre, more at greater height,
+/// and so converts apparent to true positions for an eye above.
 struct EyeMap {
   Eigen::Vector3f centre;
   float inverse_distance;
 
-  /// How much of its apparent distance from the axis a point at height z has.
+  /// Ratio of true to apparent distance from the axis at height z.
   [[nodiscard]] float nearness(float z) const { return 1 - (z - centre.z()) * inverse_distance; }
 
   Points points(const Points& part, Chunk& x, Chunk& y, Chunk& /*z*/) const noexcept {
@@ -165,7 +166,7 @@ struct EyeMap {
     }
     return {x.data(), y.data(), part.z, part.count};
   }
-  /// Each step of points() is monotone in each of its arguments, rounding included.
+  /// Each step of points() is monotone in each of its arguments, with rounding.
   [[nodiscard]] Box box(const Box& box) const {
     const float far = nearness(static_cast<float>(box.lower.z())), near = nearness(static_cast<float>(box.upper.z()));
     Box inner = box;
@@ -182,7 +183,7 @@ struct EyeMap {
     const float near = nearness(at.z());
     return {inner.x() * near, inner.y() * near, inner.z() - sideways.dot(inner.head<2>())};
   }
-  /// Unknown: pictures need none.
+  /// Unknown: rendering does not need them.
   static void slopes(const Field& /*inner*/, const Box& /*outer*/, std::span<const Vec3> directions,
                      std::span<Interval> out) noexcept {
     std::fill_n(out.begin(), directions.size(), Interval::unknown());
@@ -230,7 +231,8 @@ class Mapped final : public Field {
     for (std::size_t i = 0; i < 3; ++i) range[i] = coordinate_[i]->interval(box);
     return inner_interval(range, a_->interval(inner_box(range)));
   }
-  /// By the chain rule, in the mean: a step from p to q moves the inner point by some amount along each of its three axes.
+  /// Mean-value form of the chain rule: a step from p to q moves the inner point along each of its
+  /// three axes.
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
     std::array<Interval, 3> range;
     for (std::size_t i = 0; i < 3; ++i) range[i] = coordinate_[i]->interval(box);
@@ -262,7 +264,8 @@ class Mapped final : public Field {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       Restriction& here = out[i];
       const Interval known = inner_interval(ranges(i), here.range);
-      if (known.maybe_nan && !here.range.maybe_nan) here.field = a_;  // a coordinate may be NaN, which no box holds
+      // A coordinate may be NaN, and no box contains NaN.
+      if (known.maybe_nan && !here.range.maybe_nan) here.field = a_;
       bool same = here.field == a_;
       for (std::size_t axis = 0; axis < 3; ++axis) same = same && coordinate[axis][i].field == coordinate_[axis];
       here.range = known;

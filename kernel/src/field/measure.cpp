@@ -21,8 +21,8 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The part of the cube [-1, 1]^3 in which weights . u < limit, weights being at least 0. In the order of the weights there is
-/// one formula each for a corner, two corners less, and so on (Scardovelli and Zaleski 2000).
+/// Fraction of the cube [-1, 1]^3 with weights . u < limit, for weights of at least 0. With sorted
+/// weights it is a sum over the corners below the plane (Scardovelli and Zaleski 2000).
 double part_below(std::array<double, 3> weights, double limit) {
   const double all = weights[0] + weights[1] + weights[2];
   if (limit <= -all) return 0;
@@ -41,7 +41,8 @@ double part_below(std::array<double, 3> weights, double limit) {
   return share <= 0.5 ? part : 1 - part;
 }
 
-/// Weights so small beside the largest that the formula would lose its digits count as an error instead.
+/// Weights that are tiny compared with the largest would cancel in the formula; they count as an
+/// error instead.
 std::array<double, 3> weights_of(const PlaneBounds& plane, double& error) {
   constexpr double least = 1e-4;
   std::array<double, 3> weights;
@@ -61,8 +62,8 @@ Enclosed volume_in(const PlaneBounds& plane, double box_volume) {
   return {box_volume * part_below(weights, -plane.value - error), box_volume * part_below(weights, -plane.value + error)};
 }
 
-/// Area of the surface as a graph over the plane across `axis`, along which the value only grows or only falls; infinite where
-/// the slopes do not tell that.
+/// Area of the surface as a graph over the plane across `axis`, if the value is monotone along it;
+/// infinite if the slopes do not prove that.
 Enclosed area_over(const PlaneBounds& plane, int axis) {
   const auto extent = [&](int i) {
     const Interval& slope = plane.slopes[static_cast<std::size_t>(i)];
@@ -70,7 +71,7 @@ Enclosed area_over(const PlaneBounds& plane, int axis) {
     const bool through_zero = slope.lower <= 0 && slope.upper >= 0;
     return Enclosed{through_zero ? 0 : std::min(low, high), std::max(low, high)};
   };
-  // Where the surface may be far steeper than the plane, this tells little.
+  // Surfaces that may be much steeper than the plane give useless bounds.
   constexpr double least_share = 0.02;
   const Enclosed along = extent(axis);
   if (!(along.lower > least_share * along.upper)) return {0, infinite};
@@ -85,7 +86,8 @@ Enclosed area_over(const PlaneBounds& plane, int axis) {
     const Interval& slope = plane.slopes[static_cast<std::size_t>(other)];
     error += 0.5 * (static_cast<double>(slope.upper) - static_cast<double>(slope.lower)) * plane.half[other];
   }
-  // The surface passes between top and bottom where the value in the middle is no larger than what it changes by on the way.
+  // The surface passes between top and bottom if the magnitude of the value in the middle is at
+  // most its change on the way.
   constexpr double rounding = 1e-6;
   error += rounding * (std::abs(plane.value) + along.upper * (std::abs(plane.centre[axis]) + plane.half[axis]));
   const auto weights = weights_of(across, error);
@@ -104,7 +106,8 @@ Enclosed area_in(const Field& field, const Box& box, const PlaneBounds& plane) {
     area = {std::max(area.lower, found.lower), std::min(area.upper, found.upper)};
   }
   if (std::isfinite(area.upper)) return area;
-  // A graph over a tilted plane has at most the box's shadow there, times how steep it may be.
+  // The area of a graph over a tilted plane is at most the area of the box's projection times the
+  // secant of its greatest inclination.
   std::vector<Eigen::Vector3f> normals;
   for (const int halvings : {0, 3}) {
     if (!prove_sheet(field, box, normals, box.size().maxCoeff(), halvings).one_sheet) continue;
@@ -116,12 +119,12 @@ Enclosed area_in(const Field& field, const Box& box, const PlaneBounds& plane) {
   return area;
 }
 
-/// A box, and what is known of the solid in it.
+/// A box, and bounds for the solid in it.
 struct Part {
   Box box;
-  FieldPtr field;  ///< null where nothing is open
+  FieldPtr field;  ///< null if nothing remains to be refined
   Enclosed volume, area;
-  Vec3 spread;  ///< along each axis, what it adds to how far the Field's values are unknown, as far as that is known
+  Vec3 spread;  ///< contribution of each axis to the uncertainty of the Field's values, as far as it is known
 };
 
 Part part_of(const Box& box, const Restriction& here) {
@@ -147,8 +150,9 @@ Part part_of(const Box& box, const Restriction& here) {
   return part;
 }
 
-/// Halves, nearly, along the axes that spread values most: of a thin plate across it only. Not quite halves: faces of solids
-/// often lie in the middle of something, and whether they are on this side of a plane that they lie in cannot be told.
+/// Divides a box near its middle, along the axes that spread values most; a thin plate only across.
+/// Not exactly in the middle: faces of solids are often there, and the side of a face that lies in
+/// a plane of division cannot be decided.
 std::vector<Part> children_of(const Part& part) {
   const Vec3 size = part.box.size();
   std::vector<Box> boxes{part.box};
@@ -173,14 +177,14 @@ void add(Measures& sum, const Part& part) {
   sum.area.lower += part.area.lower, sum.area.upper += part.area.upper;
 }
 
-/// How far an error is from the one that is wanted: 1 where it is just that.
+/// Ratio of an error to the wanted one.
 double excess(double error, const Enclosed& all, double accuracy) {
   const double size = std::max(all.lower, 1e-3 * (std::isfinite(all.upper) ? all.upper : all.lower));
   return error > 0 ? error / (accuracy * size) : 0;
 }
 
-/// How much of the errors of the whole is due to one part: of the volume's first, of the area's when that is accurate. What is
-/// accurate enough asks for nothing.
+/// Contribution of one part to the errors of the whole: to that of the volume first, and to that of
+/// the area once the volume is accurate. A quantity that is accurate enough contributes 0.
 double open_in(const Part& part, const Measures& whole, const MeasureSettings& settings) {
   double found = 0;
   if (excess(whole.volume.error(), whole.volume, settings.volume_accuracy) > 1) {
@@ -193,8 +197,8 @@ double open_in(const Part& part, const Measures& whole, const MeasureSettings& s
   return std::isfinite(found) ? found : 1;
 }
 
-/// Those parts are divided that leave as much open as this or more: half of the average, or what keeps to the boxes that are
-/// left.
+/// Threshold of the contribution above which parts are divided: half of the average, or more if few
+/// boxes are left.
 double least_divided(std::vector<double> left, std::size_t boxes_left) {
   const double average = std::accumulate(left.begin(), left.end(), 0.0) / static_cast<double>(left.size());
   const std::size_t most = boxes_left / 4 + 1;
@@ -206,7 +210,7 @@ double least_divided(std::vector<double> left, std::size_t boxes_left) {
 
 std::string text_of(const Enclosed& number, const char* unit) {
   if (!std::isfinite(number.upper)) return fmt::format("at least {:.4g} {}", number.lower, unit);
-  // As many digits as the error leaves.
+  // As many digits as the error permits.
   const double error = number.error(), size = std::max(std::abs(number.middle()), 1e-300);
   const int digits = error > 0 ? std::clamp(2 + static_cast<int>(std::floor(std::log10(size / error))), 2, 9) : 9;
   return fmt::format("{:.{}g} +- {:.2g} {}", number.middle(), digits, error, unit);
@@ -245,10 +249,10 @@ Measures measure(const Field& field, const Box& bounds, const MeasureSettings& s
         else
           add(closed, part);
     }
-    if (boxes == whole.boxes) break;  // nothing is left that could be divided
+    if (boxes == whole.boxes) break;  // no part can be divided
     open = std::move(next);
   }
-  // Sums of many numbers are rounded.
+  // Margin for the rounding of long sums.
   constexpr double rounding = 1e-11;
   for (Enclosed* const number : {&whole.volume, &whole.area}) number->lower *= 1 - rounding, number->upper *= 1 + rounding;
   return whole;

@@ -1,4 +1,5 @@
-// Operations that work on values: set operations, offset, shell, blend, morph. Those that move points are in maps.cpp.
+// Operations on values: set operations, offset, shell, blend, morph. Operations that move points
+// are in maps.cpp.
 #include "fieldfab/field/operations.h"
 
 #include <algorithm>
@@ -34,7 +35,7 @@ Interval root_of_magnitude(const Interval& a) {
   return {a.lower <= 0 && a.upper >= 0 ? 0 : std::min(l, u), std::max(l, u), a.maybe_nan};
 }
 
-/// The slopes of sqrt|a|, for values of a in `range` that change at `slope`.
+/// Slopes of sqrt|a| for values of a in `range` with slopes in `slope`.
 Interval slope_of_root(const Interval& range, const Interval& slope) {
   if (range.maybe_nan || (range.lower <= 0 && range.upper >= 0)) return Interval::unknown();
   const float l = 0.5F / std::sqrt(std::abs(range.lower)), u = 0.5F / std::sqrt(std::abs(range.upper));
@@ -42,23 +43,25 @@ Interval slope_of_root(const Interval& range, const Interval& slope) {
   return times(slope, Interval{std::min(sign * l, sign * u), std::max(sign * l, sign * u), false});
 }
 
-/// How much each argument's slope counts in the result's.
+/// Weights of the arguments' slopes in that of the result.
 struct Weights {
   float a, b;
 };
 
-/// Which argument alone decides the value everywhere in a box.
+/// The argument that decides the value everywhere in a box.
 enum class Only { both, first, second };
 
 struct Union {
   float value(float a, float b) const { return least(a, b); }
   Weights weights(float a, float b) const { return a <= b ? Weights{1, 0} : Weights{0, 1}; }
   Interval range(const Interval& a, const Interval& b) const { return least(a, b); }
-  // The first argument wins ties, value and gradient: it may decide by touching, the second only strictly.
+  // The first argument wins ties, for value and gradient. So it decides if the intervals touch, the
+  // second only if they do not.
   Only decides(const Interval& a, const Interval& b) const {
     return a.upper <= b.lower ? Only::first : b.upper < a.lower ? Only::second : Only::both;
   }
-  /// Of two that each change by so much for a step, the least and the greatest change no less and no more.
+  /// The slope of a minimum or maximum lies between the least and the greatest slope of its
+  /// arguments.
   static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
@@ -73,7 +76,8 @@ struct Intersection {
   Only decides(const Interval& a, const Interval& b) const {
     return a.lower >= b.upper ? Only::first : b.lower > a.upper ? Only::second : Only::both;
   }
-  /// Of two that each change by so much for a step, the least and the greatest change no less and no more.
+  /// The slope of a minimum or maximum lies between the least and the greatest slope of its
+  /// arguments.
   static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
@@ -96,7 +100,7 @@ struct Blend {
     return hull(plain, plus(slope_of_root(a, da), slope_of_root(b, db)));
   }
   static constexpr bool signs_are_enough = false, joins_smoothly = true;
-  // Away from the fillet it is a union.
+  // Away from the fillet a blend is a union.
   Only decides(const Interval& a, const Interval& b) const {
     return fillet(a, b).lower >= least(a, b).upper ? Union{}.decides(a, b) : Only::both;
   }
@@ -121,7 +125,7 @@ struct Morph {
   Only decides_sign(const Interval&, const Interval&) const { return Only::both; }
 };
 
-/// A Field whose value is a rule over the values of two others.
+/// A Field whose value is a function of the values of two others.
 template <class Rule>
 class Combined final : public Field {
  public:
@@ -171,7 +175,7 @@ class Combined final : public Field {
     });
   }
 
-  // The surface of a union or an intersection is that of its arguments.
+  // The surface of a union or an intersection consists of those of its arguments.
   [[nodiscard]] bool faceted() const noexcept override { return Rule::signs_are_enough && (a_->faceted() || b_->faceted()); }
   bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
     if (!Rule::signs_are_enough) return Field::facing(box, directions);
@@ -182,7 +186,8 @@ class Combined final : public Field {
   }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
-    // The arguments' signs alone do not give the sign of a blend or a morph: there values are asked for.
+    // The signs of the arguments do not determine the sign of a blend or a morph, so values are
+    // needed.
     const Purpose inner = Rule::signs_are_enough ? purpose : Purpose::value;
     std::vector<Restriction> other(boxes.size());
     a_->restrict_all(boxes, inner, out);
@@ -191,7 +196,8 @@ class Combined final : public Field {
       out[i] = joined(std::move(out[i]), std::move(other[i]), inner == Purpose::occupancy);
   }
 
-  /// Of a scan among other solids: near its surface alone it is what is left.
+  /// The lattice of a scan among other solids; a restriction near its surface contains the scan
+  /// alone.
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
     const std::optional<Sampling> a = a_->sampling(), b = b_->sampling();
     return !b ? a : !a ? b : std::nullopt;
@@ -271,7 +277,7 @@ class Linear final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
  private:
-  // factor is not 0 and shift is finite, so infinite ends stay infinite and make no NaN.
+  // factor is not 0 and shift is finite, so infinite ends stay infinite without NaN.
   [[nodiscard]] Interval moved(const Interval& a) const {
     const float l = factor_ * a.lower + shift_, u = factor_ * a.upper + shift_;
     return {std::min(l, u), std::max(l, u), a.maybe_nan};
@@ -292,7 +298,7 @@ float finite(double value, const char* what) {
   return number;
 }
 
-/// Signed position within a box: the greatest of the six face distances.
+/// Signed position in a box: the maximum of the six face distances.
 class BoxField final : public Field {
  public:
   explicit BoxField(const Box& box) : box_(box), lower_(box.lower.cast<float>()), upper_(box.upper.cast<float>()) {}
@@ -333,7 +339,7 @@ class BoxField final : public Field {
     return range;
   }
   void slopes(const Box& box, std::span<const Vec3> directions, std::span<Interval> out) const noexcept override {
-    // Those of the faces that can be the farthest somewhere in the box.
+    // Hull of the slopes of the faces that can have the maximum somewhere in the box.
     const Interval all = interval(box);
     for (std::size_t i = 0; i < directions.size(); ++i) {
       out[i] = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};

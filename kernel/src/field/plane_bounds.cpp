@@ -12,7 +12,7 @@ PlaneBounds plane_bounds(const Field& field, const Box& box) noexcept {
   bounds.half = 0.5 * box.size();
   field.slopes(box, axes, bounds.slopes);
   bounds.value = field.value(bounds.centre);
-  // Values are computed in single precision at places that are rounded to it.
+  // Values are computed in single precision at points rounded to it.
   constexpr double rounding = 1e-6;
   double reach = std::abs(bounds.value);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -10,14 +10,14 @@ namespace fieldfab {
 namespace {
 
 constexpr float far = far_from_surface;
-/// Of a walk: how many steps, the longest one, and what is left when it has arrived, mm.
+/// Limits of a walk: number of steps, longest step, and remaining distance on arrival, mm.
 constexpr int steps = 8;
 constexpr double longest_step = 2, arrived = 1e-5;
-/// From this distance on places inside are looked at twice, mm, those outside where they seemed to be nearer; and the rings in
-/// which that is done.
+/// Points inside at this distance or more, mm, are verified; points outside, if their first
+/// estimate was smaller. The radii of the search rings, mm.
 constexpr float doubted = 0.02F, narrowest = 0.005F, widest = 1;
 
-/// Walks from places down a Field's slope to its surface.
+/// Walks from points along the Field's gradient to its surface.
 class Walks {
  public:
   Walks(const std::array<float, 3>* places, std::size_t count, float* distances)
@@ -26,7 +26,8 @@ class Walks {
   }
 
   void run(const Field& solid) {
-    // Most is near: there, little of the solid matters. What walks farther starts again.
+    // Most points are near the surface, in a restriction that contains little of the solid. Points
+    // farther away start again without it.
     std::vector<std::size_t> far_ones;
     go(solid, all_, 0.25, &far_ones);
     if (!far_ones.empty()) go(solid, far_ones, steps * longest_step, nullptr);
@@ -44,7 +45,8 @@ class Walks {
     return (at_.col(static_cast<Eigen::Index>(i)).cast<double>() - place(i)).norm();
   }
 
-  /// The points that leave their neighbourhood go to `leavers`, where there are such.
+  /// Walks from points. Points that leave the restriction are appended to `leavers`, if it is not
+  /// null.
   void go(const Field& solid, std::vector<std::size_t> points, double reach, std::vector<std::size_t>* leavers) {
     Box box{place(points[0]), place(points[0])};
     for (const std::size_t i : points) box = hull(box, {place(i), place(i)});
@@ -59,7 +61,8 @@ class Walks {
       for (std::size_t k = 0; k < n; ++k) {
         const std::size_t i = points[k];
         if (step == 0) first[i] = value_[k];
-        // Where a walk goes to and fro over the surface (noise between samples), the surface is no farther than that.
+        // If a walk crosses the surface repeatedly (noise between samples), the distance is at most
+        // that of a crossing.
         if ((value_[k] < 0) != (first[i] < 0)) across[i] = std::min(across[i], static_cast<float>(walked(i)));
         const Vec3 slope(dx_[k], dy_[k], dz_[k]);
         const double steepness = slope.norm();
@@ -81,8 +84,8 @@ class Walks {
     }
   }
 
-  /// Walks may arrive farther off than they had to, or get lost, where values are no distances: in which of ever wider rings is
-  /// there a place of the other side?
+  /// If values are not distances, a walk may end too far away or fail. Finds the smallest of ever
+  /// wider rings that contains a point of the other side.
   void look_around(const Field& solid, std::vector<std::size_t> points) {
     for (float radius = narrowest; radius < widest && !points.empty(); radius *= 1.5F) {
       std::size_t left = 0;
@@ -97,7 +100,7 @@ class Walks {
     }
   }
 
-  /// Whether any of 26 places around a point is on the other side of the surface.
+  /// Whether any of 26 points around a point is on the other side of the surface.
   bool passes_surface(const Field& solid, std::size_t i, float radius) {
     constexpr std::size_t around = 27;
     std::array<float, around> x, y, z, value;
@@ -114,7 +117,7 @@ class Walks {
   std::size_t count_;
   float* distances_;
   std::vector<std::size_t> all_;
-  std::vector<double> estimate_ = std::vector<double>(count_);  ///< of each distance, at least
+  std::vector<double> estimate_ = std::vector<double>(count_);  ///< lower estimate of each distance
   Eigen::Matrix3Xf at_{3, static_cast<Eigen::Index>(count_)};
   std::vector<float> x_ = std::vector<float>(count_), y_ = x_, z_ = x_, value_ = x_, dx_ = x_, dy_ = x_, dz_ = x_;
 };

@@ -1,5 +1,6 @@
-// Debian's libasmjit.a is made for programs: its messages reach for stderr in a way that a shared library cannot. These take
-// their place, so that the linker leaves that part of it out.
+// Debian's libasmjit.a is built for executables: its messages refer to stderr in a way that a
+// shared library cannot link. These definitions replace them, so that the linker leaves that object
+// out.
 #include <asmjit/core.h>
 
 #include <cstdio>

@@ -1,4 +1,5 @@
-/// Running a tape over a batch of points, or of boxes. One implementation, compiled for several instruction sets.
+/// Evaluation of a tape over a batch of points, or of boxes. One implementation, compiled for
+/// several instruction sets.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +9,8 @@
 
 namespace fieldfab::frep {
 
-/// A tape and the memory to run it in, as plain pointers: the files compiled for AVX must not instantiate anything that the
-/// linker could share with code meant for other processors.
+/// A tape and its working memory, as plain pointers. The files compiled for AVX must not
+/// instantiate anything that the linker could share with code for other processors.
 struct BatchRun {
   const Clause* code;
   std::size_t clauses;
@@ -18,22 +19,22 @@ struct BatchRun {
   const float* x;
   const float* y;
   const float* z;
-  std::size_t count;   ///< points, at most `stride`
+  std::size_t count;   ///< number of points, at most `stride`
   float* scratch;      ///< slots * stride floats; for gradients 4 * slots * stride
   std::size_t stride;  ///< floats between slots
 };
 
-/// Boxes whose intervals are evaluated together: each is a lane.
+/// Number of boxes whose intervals are evaluated together, one per lane.
 inline constexpr std::size_t box_lanes = 16;
 
-/// An interval in each lane.
+/// One interval per lane.
 struct LaneRanges {
   float lower[box_lanes];
   float upper[box_lanes];
 };
 
-/// In which lanes a min or max is known to be its first argument or its second; an absolute value its argument or its negative.
-/// Where both are set, the first is meant.
+/// Lanes in which a min or max is proved to be its first argument or its second; for an absolute
+/// value, its argument or its negative. If both bits of a lane are set, the first counts.
 struct Choice {
   std::uint16_t first, second;
 };
@@ -43,26 +44,26 @@ struct IntervalRun {
   std::size_t clauses;
   const float* constants;
   Operand root;
-  LaneRanges box[3];    ///< x, y and z; every lane has some box
-  std::size_t lanes;    ///< how many lanes are asked for
-  bool occupancy;       ///< where only a sign matters, choose by sign (Boolean pruning)
-  LaneRanges* scratch;  ///< one for each slot
-  Choice* choices;      ///< one for each clause
+  LaneRanges box[3];    ///< x, y and z; each lane contains some box
+  std::size_t lanes;    ///< number of lanes with a valid box
+  bool occupancy;       ///< choose by sign if only the sign matters (Boolean pruning)
+  LaneRanges* scratch;  ///< one per slot
+  Choice* choices;      ///< one per clause
 };
 
-/// apply() for intervals of numbers; false where the result is not finite or may be NaN.
+/// apply() for intervals of numbers; false if the result is not finite or may be NaN.
 bool finite_interval(Opcode op, float a_lower, float a_upper, float b_lower, float b_upper, float* out);
 
 using RunValues = void (*)(const BatchRun&, float* out);
 using RunGradients = void (*)(const BatchRun&, float* out, float* dx, float* dy, float* dz);
-/// Writes the root's intervals. Returns the lanes, a bit each, in which something was not a finite number: their intervals and
-/// choices mean nothing, and are to be had from evaluate_ranges().
+/// Writes the intervals of the root. Returns the lanes, one bit each, in which a number was not
+/// finite. Their intervals and choices are invalid; use evaluate_ranges() for them.
 using RunIntervals = std::uint32_t (*)(const IntervalRun&, LaneRanges& root);
 
-/// One operation on n points: `in` holds n first and n second arguments. For partials, n values follow them, and `out` gets n
-/// derivatives by the first and n by the second. For intervals, `in` holds n lower and n upper ends of the first and of the
-/// second arguments, and `out` gets n lower and n upper ends and n marks, all of whose bits are set where something is not
-/// finite.
+/// One operation on n points. `in` holds n first and n second arguments. For partial derivatives, n
+/// values follow them, and `out` gets n derivatives by the first and n by the second argument. For
+/// intervals, `in` holds n lower and n upper ends of the first and of the second arguments, and
+/// `out` gets n lower and n upper ends and n marks, with all bits set if a number is not finite.
 using RunOperation = void (*)(Opcode op, const float* in, float* out, std::size_t n);
 
 /// The evaluators for one instruction set.

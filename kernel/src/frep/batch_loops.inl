@@ -1,5 +1,6 @@
-// The loops of the batch evaluators. Included by batch_portable.cpp, batch_avx2.cpp and batch_avx512.cpp, each compiled for its
-// own instruction set. Plain loops that the compiler vectorises; nothing here but internal linkage and out-of-line calls.
+// Loops of the batch evaluators. batch_portable.cpp, batch_avx2.cpp and batch_avx512.cpp include
+// this file, each compiled for its own instruction set. The compiler vectorises plain loops;
+// everything has internal linkage or is called out of line.
 #include "batch.h"
 #include "derivative.h"
 #include "functions.h"
@@ -9,7 +10,8 @@ namespace {
 
 constexpr float quiet_nan = __builtin_nanf("");
 
-// Where arrays overlap they are the same array: no element depends on another's, and loops need not be made twice.
+// Overlapping arrays are identical, so no element depends on another one, and the compiler needs no
+// second version of a loop.
 #ifdef __clang__
 #define FIELDFAB_EACH _Pragma("clang loop vectorize(assume_safety)")
 #else
@@ -30,7 +32,7 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
   return {run.scratch + run.code[operand - first_value].slot * stride, 0};
 }
 
-// One loop for each way the arguments may come; `a` and `b` name the numbers in `expression`.
+// One loop for each combination of arrays and numbers; `a` and `b` are the numbers in `expression`.
 #define FIELDFAB_UNARY(expression)                       \
   {                                                      \
     const float* pa = first.array;                       \
@@ -81,7 +83,8 @@ inline Argument argument(const BatchRun& run, Operand operand, std::size_t strid
     break;                                               \
   }
 
-/// A function of functions.h: vector code where its kernel is good for all arguments, else one by one for those it is not.
+/// Evaluates a function of functions.h: vector code if its kernel holds for all arguments,
+/// otherwise single calls for those outside its domain.
 template <class Kernel, class Good>
 void run_function(Opcode op, Argument first, float* out, std::size_t n, const Kernel& kernel, const Good& good) {
   constexpr std::size_t block = 64;
@@ -98,7 +101,8 @@ void run_function(Opcode op, Argument first, float* out, std::size_t n, const Ke
   }
 }
 
-/// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it is written.
+/// out[i] = op(first[i], second[i]). An array may be `out` itself: each element is read before it
+/// is written.
 void run_clause(Opcode op, Argument first, Argument second, float* out, std::size_t n) {
   switch (op) {
     case Opcode::absolute: FIELDFAB_UNARY(__builtin_fabsf(a))
@@ -147,7 +151,7 @@ void run_values(const BatchRun& run, float* out) {
 
 constexpr std::size_t gradient_points = 64;
 
-/// Numbers and arrays alike as an array.
+/// Returns an argument as an array; fills `space` with a number.
 const float* as_array(const Argument& argument, float* space, std::size_t n) {
   if (argument.array != nullptr) return argument.array;
   FIELDFAB_EACH
@@ -155,7 +159,7 @@ const float* as_array(const Argument& argument, float* space, std::size_t n) {
   return space;
 }
 
-/// The partial derivatives of one operation at n points; a loop for each operation, so that it can be vectorised.
+/// Partial derivatives of one operation at n points; one loop per operation, for vectorisation.
 template <Opcode op>
 void partial_loop(const float* a, const float* b, const float* value, float* da, float* db, std::size_t n) {
   FIELDFAB_EACH
@@ -202,8 +206,8 @@ struct Dual {
   const float* slope[3];
 };
 
-/// The slopes of op(a, b) along one axis. The commonest operations have loops of their own; they give the bits that chain()
-/// would.
+/// Slopes of op(a, b) along one axis. The most frequent operations have their own loops, with the
+/// same bits as chain().
 void run_slopes(Opcode op, const Dual& a, const Dual& b, const float* da, const float* db, int axis, float* out, std::size_t n) {
   const float* ga = a.slope[axis];
   const float* gb = b.slope[axis];

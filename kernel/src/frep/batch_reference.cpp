@@ -1,4 +1,5 @@
-// One point after the other, in the reference evaluator's own words; boxes are left to evaluate_ranges().
+// Reference implementation: one point after the other, by the reference evaluator's functions.
+// evaluate_ranges() handles boxes.
 #include <array>
 
 #include "batch.h"
@@ -7,7 +8,7 @@
 namespace fieldfab::frep {
 namespace {
 
-/// The value in a slot, at point i: a clause's, a coordinate or a constant.
+/// Value of an operand at point i: of a clause, a coordinate or a constant.
 float value_of(const BatchRun& run, Operand operand, std::size_t i, std::size_t numbers_a_slot) {
   if (is_constant(operand)) return run.constants[operand & ~constant_bit];
   if (is_made(operand)) return run.scratch[run.code[operand - first_value].slot * numbers_a_slot];

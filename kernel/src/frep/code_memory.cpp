@@ -13,7 +13,7 @@ namespace {
 void say_once(const char* refused) {
   static std::once_flag said;
   std::call_once(said, [&] {
-    // Not fmt::print(), which throws where stderr is closed or full.
+    // Not fmt::print(), which throws if stderr is closed or full.
     std::fprintf(stderr, "fieldfab: no executable memory (%s: %s); formulas are interpreted instead\n", refused,
                  std::strerror(errno));
   });

@@ -1,4 +1,4 @@
-/// Memory that holds machine code.
+/// Memory for machine code.
 #pragma once
 
 #include <cstddef>
@@ -6,17 +6,17 @@
 
 namespace fieldfab::frep {
 
-/// Pages of machine code: written first, then made executable and never writable again.
+/// Pages of machine code: writable first, then executable and never writable again.
 class CodeMemory {
  public:
-  /// Null where the system gives no executable memory; that is said once, on stderr.
+  /// Returns null if the system refuses executable memory; reports that once, on stderr.
   static std::unique_ptr<CodeMemory> reserve(std::size_t size);
   ~CodeMemory();
   CodeMemory(const CodeMemory&) = delete;
   CodeMemory& operator=(const CodeMemory&) = delete;
 
   [[nodiscard]] std::byte* data() const { return data_; }
-  /// Ends writing. False where the system refuses, which is said once as well.
+  /// Ends writing. Returns false if the system refuses; reports that once, too.
   bool seal();
 
  private:

@@ -17,7 +17,7 @@ namespace x86 = asmjit::x86;
 namespace Inst = x86::Inst;
 using Vec = VectorAssembler::Vec;
 
-/// The instruction of an operation that has one of the form to = a op b.
+/// Returns the instruction of an operation that has one of the form to = a op b.
 std::optional<Inst::Id> instruction(Opcode op) {
   switch (op) {
     case Opcode::add: return Inst::kIdVaddps;
@@ -29,7 +29,8 @@ std::optional<Inst::Id> instruction(Opcode op) {
   }
 }
 
-/// to = op(a, b); `to` may be a or b, the temporary s may not, the mask m may be a. False where there are no instructions for it.
+/// Emits to = op(a, b). `to` may be a or b; the temporary s must not; the mask m may be a. Returns
+/// false if there are no instructions for the operation.
 bool emit_value(VectorAssembler& out, Opcode op, const Vec& to, const Vec& a, const Vec& b, const Vec& s,
                 const VectorAssembler::Mask& m) {
   if (const auto simple = instruction(op)) return out.binary(*simple, to, a, op == Opcode::square ? a : b), true;
@@ -51,7 +52,7 @@ bool emit_value(VectorAssembler& out, Opcode op, const Vec& to, const Vec& a, co
   }
 }
 
-/// Values: the first slots live in registers, the others in the frame.
+/// Code for values: the first slots are in registers, the others in the frame.
 class ValuesCode {
  public:
   ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers) : out_(out), tape_(tape), helpers_(helpers) {}
@@ -94,7 +95,7 @@ class ValuesCode {
     if (result.isMem()) out_.store(result.as<x86::Mem>(), to);
   }
 
-  /// Calls lose all registers, so they are kept in the frame meanwhile.
+  /// A call overwrites all registers, so they are saved in the frame.
   void call(const Clause& clause, const Vec& a, const Vec& b, const Vec& to) {
     constexpr int in = VectorAssembler::frame_call, made = in + 2;
     const std::uint32_t used = std::min(tape_.slots, slot_registers_);
@@ -110,13 +111,14 @@ class ValuesCode {
   VectorAssembler& out_;
   const Tape& tape_;
   const Runners& helpers_;
-  // The last three registers are for what is not in one.
+  // The last three registers hold operands that are not in a register.
   const std::uint32_t slot_registers_ = static_cast<std::uint32_t>(out_.registers() - 3);
   const Vec a_ = out_.vector(out_.registers() - 3), b_ = out_.vector(out_.registers() - 2),
             made_ = out_.vector(out_.registers() - 1);
 };
 
-/// Values and slopes: four vectors a slot, all in the frame; slopes that are zero everywhere are known and left out.
+/// Code for values and slopes: four vectors per slot, all in the frame. Slopes that are zero
+/// everywhere are left out.
 class GradientsCode {
  public:
   GradientsCode(VectorAssembler& out, const Tape& tape, const Runners& helpers)
@@ -170,7 +172,7 @@ class GradientsCode {
     }
     const std::uint8_t wanted = axes;
     if (wanted != 0) prepare(clause);
-    // All slopes are made before any is stored: the slot may be an argument's.
+    // All slopes are computed before any is stored, since the slot may be that of an argument.
     for (int axis = 0; axis < 3; ++axis)
       if ((wanted >> axis & 1) != 0) emit_slope(clause, axis, made_[static_cast<std::size_t>(axis)]);
     out_.store(slot(clause.slot, 0), value_);
@@ -178,7 +180,8 @@ class GradientsCode {
       if ((wanted >> axis & 1) != 0) out_.store(slot(clause.slot, 1 + axis), made_[static_cast<std::size_t>(axis)]);
   }
 
-  /// The partial derivatives, in a_ and b_ (see derivative.h); which of them are not 0, in masks.
+  /// Emits the partial derivatives in a_ and b_ (see derivative.h), and masks of those that are not
+  /// 0.
   void prepare(const Clause& clause) {
     switch (clause.op) {
       case Opcode::add:
@@ -222,7 +225,7 @@ class GradientsCode {
     if (arity(clause.op) == 2) out_.compare(b_counts_, b_, out_.constant(0), VectorAssembler::not_equal);
   }
 
-  /// The slope along one axis, in `to`.
+  /// Emits the slope along one axis in `to`.
   void emit_slope(const Clause& clause, int axis, const Vec& to) {
     const bool of_a = varies(clause.a, axis), of_b = arity(clause.op) == 2 && varies(clause.b, axis);
     switch (clause.op) {
@@ -243,7 +246,7 @@ class GradientsCode {
     }
   }
 
-  /// to = partial * slope, 0 where either is 0 (see chain() in derivative.h).
+  /// to = partial * slope, or 0 if either is 0 (see chain() in derivative.h).
   void product(const Vec& to, const Vec& partial, const VectorAssembler::Mask& counts, const asmjit::Operand& slope) {
     out_.load(to, slope);
     out_.compare(slope_counts_, to, out_.constant(0), VectorAssembler::not_equal);
@@ -255,14 +258,15 @@ class GradientsCode {
   VectorAssembler& out_;
   const Tape& tape_;
   const Runners& helpers_;
-  std::vector<std::uint8_t> axes_;  ///< along which a clause's value may change, a bit each
+  std::vector<std::uint8_t> axes_;  ///< axes along which a clause's value may change, one bit each
   const Vec a_ = out_.vector(0), b_ = out_.vector(1), value_ = out_.vector(2), t_ = out_.vector(3);
   const std::array<Vec, 3> made_{out_.vector(4), out_.vector(5), out_.vector(6)};
   const VectorAssembler::Mask choice_ = out_.mask(8), a_counts_ = out_.mask(9), b_counts_ = out_.mask(10),
                               slope_counts_ = out_.mask(11);
 };
 
-/// Intervals: two vectors a slot, in the frame; what interval_loops.inl does, operation for operation.
+/// Code for intervals: two vectors per slot, in the frame, with the same operations as
+/// interval_loops.inl.
 class IntervalsCode {
  public:
   IntervalsCode(VectorAssembler& out, const Tape& tape, const Runners& helpers, bool by_sign)
@@ -300,7 +304,8 @@ class IntervalsCode {
   }
   static int home(std::uint32_t slot) { return VectorAssembler::frame_slots + 2 * static_cast<int>(slot); }
 
-  /// Remembers lanes that are not finite: there the distance of the ends is infinite or NaN, the largest bit patterns.
+  /// Records lanes that are not finite: the difference of the ends is infinite or NaN there, which
+  /// are the largest bit patterns.
   void watch(const Pair& pair) {
     out_.binary(Inst::kIdVsubps, t_, pair.upper, pair.lower);
     out_.binary(Inst::kIdVpmaxud, wild_, wild_, t_);
@@ -378,7 +383,8 @@ class IntervalsCode {
     out_.store(out_.frame(home(clause.slot) + 1), made_.upper);
   }
 
-  /// Lanes where `first` is so compared with `second`, or by sign `alone` with 0.
+  /// Records the lanes in which the comparison of `first` with `second` holds, or by sign that of
+  /// `alone` with 0.
   void choose(std::size_t clause, bool which, const Vec& first, const Vec& second, VectorAssembler::Predicate predicate,
               bool by_sign, const Vec& alone, VectorAssembler::Predicate sign) {
     out_.compare(mask_, first, second, predicate);
@@ -394,7 +400,7 @@ class IntervalsCode {
     out_.binary(Inst::kIdVmulps, b_.upper, a_.upper, a_.upper);
     fold();
   }
-  /// From the ends' images in b_: the least is 0 where a_ holds 0.
+  /// Folds the images of the ends in b_: the least is 0 if a_ contains 0.
   void fold() {
     out_.binary(Inst::kIdVmaxps, made_.upper, b_.lower, b_.upper);
     out_.binary(Inst::kIdVminps, made_.lower, b_.lower, b_.upper);
@@ -404,7 +410,7 @@ class IntervalsCode {
     out_.load(t_, out_.constant(0));
     out_.select(made_.lower, mask_, t_, made_.lower);
   }
-  /// The least and greatest of the ends' products or quotients.
+  /// Emits the least and the greatest of the products or quotients of the ends.
   void all_four(Inst::Id instruction) {
     const Vec lu = t_, ul = made_.lower, uu = made_.upper, ll = spare_;
     out_.binary(instruction, ll, a_.lower, b_.lower);
@@ -444,7 +450,7 @@ class IntervalsCode {
 std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Makes what, std::size_t lanes,
                                                           const Runners& helpers) {
   VectorAssembler assembler(lanes);
-  std::size_t vectors = 1;  // a slot
+  std::size_t vectors = 1;  // per slot
   switch (what) {
     case Makes::values: ValuesCode(assembler, tape, helpers).emit(); break;
     case Makes::gradients:
@@ -486,7 +492,7 @@ void CompiledTape::run(const Points& points, const std::array<float*, 4>& out) c
   function(&arguments);
   if (rest == 0) return;
 
-  // The points that do not fill a vector, filled up with the last of them.
+  // The last points, which do not fill a vector, padded with copies of the last one.
   constexpr std::size_t most_lanes = 16;
   std::array<std::array<float, most_lanes>, 3> in;
   std::array<std::array<float, most_lanes>, 4> results;

@@ -12,20 +12,23 @@
 
 namespace fieldfab::frep {
 
-/// Machine code for one tape, made by asmjit. It gives the numbers that the batch evaluators give, bit for bit.
+/// Machine code for one tape, made by asmjit. Results equal those of the batch evaluators, bit for
+/// bit.
 class CompiledTape {
  public:
-  /// Intervals choose by value; sign intervals by sign where only that matters (see IntervalRun::occupancy).
+  /// `intervals` choose by value, `sign_intervals` by sign if only the sign matters (see
+  /// IntervalRun::occupancy).
   enum class Makes { values, gradients, intervals, sign_intervals };
 
-  /// `lanes`: 8 for AVX2, 16 for AVX-512, which the processor must have; `helpers` do what there is no instruction for. Null
-  /// where there is no executable memory, or for intervals with a constant that is not finite. Linear in the tape.
+  /// `lanes` is 8 for AVX2 and 16 for AVX-512; the processor must support it. `helpers` compute
+  /// operations without an instruction. Returns null if there is no executable memory, or for
+  /// intervals with a constant that is not finite. Linear in the size of the tape.
   static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers);
 
-  /// Writes values or, in the order value, d/dx, d/dy, d/dz, gradients.
+  /// Writes values, or gradients in the order value, d/dx, d/dy, d/dz.
   void run(const Points& points, const std::array<float*, 4>& out) const noexcept;
 
-  /// What RunIntervals does.
+  /// Evaluates intervals like RunIntervals.
   std::uint32_t run(const IntervalRun& run, LaneRanges& root) const noexcept;
 
  private:

@@ -1,5 +1,6 @@
-// Partial derivatives of each operation: shared, as text, by the reference evaluator and by the batch evaluators of every
-// instruction set, so that all give the same bits. Internal linkage on purpose: each instruction set compiles a copy of its own.
+// Partial derivatives of each operation. The reference evaluator and the batch evaluators of all
+// instruction sets share this text, so that their results have the same bits. Internal linkage on
+// purpose: each instruction set compiles its own copy.
 #pragma once
 
 #include "fieldfab/frep/opcode.h"
@@ -11,7 +12,8 @@ struct Partials {
   float a, b;
 };
 
-/// d op / d a and d op / d b, where `value` is op(a, b). One-sided at creases; 0 where no slope is to be had (abs, sqrt at 0).
+/// d op / d a and d op / d b, for `value` = op(a, b). One-sided at creases; 0 if there is no slope
+/// (abs, sqrt at 0).
 inline Partials partials(Opcode op, float a, float b, float value) {
   switch (op) {
     case Opcode::sine: return {apply(Opcode::cosine, a), 0};
@@ -46,8 +48,8 @@ inline Partials partials(Opcode op, float a, float b, float value) {
   }
 }
 
-/// The chain rule for one coordinate. An argument that does not matter, or does not change, is left out, so that 0 * infinity
-/// cannot spoil the sum.
+/// Chain rule for one coordinate. An argument that does not matter or does not change is left out,
+/// so that 0 * infinity does not produce NaN.
 inline float chain(float da, float ga, float db, float gb) {
   const float left = da == 0 || ga == 0 ? 0.0F : da * ga, right = db == 0 || gb == 0 ? 0.0F : db * gb;
   return left + right;

@@ -15,7 +15,7 @@
 
 namespace fieldfab::frep {
 
-/// What an `opened` node has beyond two arguments.
+/// Members of an `opened` node beyond two arguments.
 struct Opened {
   const Node* c;
   SourcePtr source;
@@ -76,8 +76,8 @@ struct EqualNode {
   }
 };
 
-/// All living nodes, in shards so that threads seldom wait for each other. A count goes from 1 to 0 only under its shard's lock,
-/// hence a node that is found here is alive.
+/// All living nodes, in shards to reduce waiting of threads for each other. A count goes from 1 to
+/// 0 only under the lock of its shard, so a node found here is alive.
 class UniqueNodes {
  public:
   const Node* find_or_make(const Key& key) {
@@ -96,7 +96,8 @@ class UniqueNodes {
     return node;
   }
 
-  /// Drops one reference; frees what nobody holds any more, with a list of its own in place of recursion.
+  /// Drops one reference. Frees nodes without references, with an explicit list instead of
+  /// recursion.
   void release(const Node* node) {
     std::vector<const Node*> falling{node};
     while (!falling.empty()) {
@@ -116,7 +117,7 @@ class UniqueNodes {
     std::unordered_set<const Node*, HashNode, EqualNode> nodes;
   };
 
-  /// True when the last reference went and the node is out of the table.
+  /// Returns true if the last reference is gone and the node is out of the table.
   bool drop(const Node* node) {
     std::uint32_t count = node->references.load(std::memory_order_relaxed);
     while (count > 1)
@@ -134,7 +135,7 @@ class UniqueNodes {
 };
 
 UniqueNodes& unique_nodes() {
-  // Never destroyed: expressions held by static objects may outlive any order of destruction.
+  // Never destroyed, since expressions in static objects may be destroyed later.
   static auto* nodes = new UniqueNodes;
   return *nodes;
 }
@@ -207,7 +208,7 @@ Flat flatten(const Expression& root) {
     const bool wait_c = node->c() != nullptr && !place.contains(node->c());
     if (wait_c) stack.push_back(node->c());
     if (wait_b) stack.push_back(node->b);
-    if (wait_a) stack.push_back(node->a);  // pushed last, so arguments come in the order they are written
+    if (wait_a) stack.push_back(node->a);  // pushed last, so that arguments keep their written order
     if (wait_a || wait_b || wait_c) continue;
     stack.pop_back();
     const auto at = [&](const Node* argument) { return argument == nullptr ? 0U : place.at(argument); };
@@ -230,8 +231,7 @@ Expression made_again(const Flat::Entry& entry, std::span<const Expression> made
     case Opcode::x: return Expression::x();
     case Opcode::y: return Expression::y();
     case Opcode::z: return Expression::z();
-    case Opcode::opened:
-      return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
+    case Opcode::opened: return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
     default: break;
   }
   return info(entry.op).arity == 1 ? Expression::make(entry.op, made[entry.a])
@@ -243,10 +243,7 @@ Expression remap(const Expression& root, const Expression& x, const Expression& 
   std::vector<Expression> made;
   made.reserve(flat.order.size());
   for (const Flat::Entry& entry : flat.order)
-    made.push_back(entry.op == Opcode::x   ? x
-                   : entry.op == Opcode::y ? y
-                   : entry.op == Opcode::z ? z
-                                           : made_again(entry, made));
+    made.push_back(entry.op == Opcode::x ? x : entry.op == Opcode::y ? y : entry.op == Opcode::z ? z : made_again(entry, made));
   return made.back();
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Gradient = Eigen::RowVector3d;
 
-/// slope * p + shift; only meaningful where `holds`.
+/// slope * p + shift; valid only if `holds`.
 struct Form {
   Gradient slope = Gradient::Zero();
   double shift = 0;
@@ -44,13 +44,14 @@ Form form_of(const Flat::Entry& entry, const std::vector<Form>& forms) {
 
 constexpr double parallel = 1 - 1e-9;  // a cosine
 
-/// A direction that linear forms have, and how many of them have it.
+/// A direction of linear forms, and the number of forms with it.
 struct Direction {
   Gradient along;
   int forms;
 };
 
-/// Three independent directions as rows, those of most forms first; the axes stand in where there are fewer.
+/// Returns three independent directions as rows, those of most forms first; axes fill the missing
+/// ones.
 Eigen::Matrix3d choose_rows(std::vector<Direction> directions) {
   std::stable_sort(directions.begin(), directions.end(), [](const auto& a, const auto& b) { return a.forms > b.forms; });
   for (int axis = 0; axis < 3; ++axis) directions.push_back({Gradient::Unit(axis), 0});
@@ -59,7 +60,7 @@ Eigen::Matrix3d choose_rows(std::vector<Direction> directions) {
   for (const Direction& direction : directions) {
     Gradient rest = direction.along;
     for (int i = 0; i < chosen; ++i) rest -= rest.dot(orthonormal.row(i)) * orthonormal.row(i);
-    constexpr double least = 0.1;  // radians from what is chosen
+    constexpr double least = 0.1;  // radians from the directions chosen
     if (chosen == 3 || rest.norm() < least) continue;
     rows.row(chosen) = direction.along;
     orthonormal.row(chosen++) = rest.normalized();
@@ -72,7 +73,7 @@ bool is_finite(const Form& form) { return form.slope.allFinite() && std::isfinit
 Expression written(const Form& form) {
   const std::array<Expression, 3> axis{Expression::x(), Expression::y(), Expression::z()};
   Expression sum(form.shift);
-  const double negligible = 1e-12 * form.slope.norm();  // what inverting the frame leaves
+  const double negligible = 1e-12 * form.slope.norm();  // rounding errors of the inverse of the frame
   for (int i = 0; i < 3; ++i)
     if (std::abs(form.slope[i]) > negligible) sum = sum + form.slope[i] * axis[static_cast<std::size_t>(i)];
   return sum;
@@ -86,7 +87,7 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
   std::vector<Form> forms(count);
   for (std::size_t i = 0; i < count; ++i) forms[i] = form_of(flat.order[i], forms);
 
-  // The largest linear forms: those that something not linear is made from.
+  // The largest linear forms: arguments of operations that are not linear.
   std::vector<char> is_largest(count, 0);
   for (std::size_t i = 0; i < count; ++i) {
     if (forms[i].holds) continue;
@@ -100,7 +101,7 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
     const Gradient along = forms[i].slope.normalized();
     const auto same = std::find_if(directions.begin(), directions.end(),
                                    [&](const Direction& other) { return std::abs(other.along.dot(along)) > parallel; });
-    constexpr std::size_t most = 64;  // more are not worth the search
+    constexpr std::size_t most = 64;  // more directions are not worth the search
     if (same != directions.end())
       ++same->forms;
     else if (directions.size() < most)

@@ -17,11 +17,11 @@ namespace fieldfab::frep {
 
 namespace {
 
-/// What evaluates a tape.
+/// Evaluators of a tape.
 struct Engine {
   const Runners* interpreter;
   std::size_t jit_lanes = 0;  ///< 0: no machine code
-  bool always_jit = false;    ///< whether a tape is compiled before its first use, not when it turns out to be used much
+  bool always_jit = false;    ///< whether a tape is compiled before its first use, instead of after frequent use
 };
 
 Engine engine(Evaluator evaluator) {
@@ -39,7 +39,8 @@ Engine engine(Evaluator evaluator) {
   return {&portable_runners};
 }
 
-/// Machine code that is made once a tape has been run for so many points that making it pays.
+/// Machine code that is compiled once a tape has been evaluated at so many points that compilation
+/// pays.
 class LazyCode {
  public:
   ~LazyCode() { delete code_.load(); }
@@ -47,11 +48,13 @@ class LazyCode {
   LazyCode(const LazyCode&) = delete;
   LazyCode& operator=(const LazyCode&) = delete;
 
-  /// The code, or null while interpreting is as good. One thread compiles; others go on meanwhile.
+  /// Returns the code, or null while interpretation is as good. One thread compiles; the others
+  /// continue without waiting.
   const CompiledTape* after(std::size_t points, const Tape& tape, CompiledTape::Makes what, const Engine& engine) const {
     if (const CompiledTape* code = code_.load(std::memory_order_acquire)) return code;
     if (engine.jit_lanes == 0) return nullptr;
-    // Making code takes as long as interpreting some thousand points, and entering it into memory a while for any tape.
+    // Compilation takes as long as interpretation of some thousand points, plus a constant time to
+    // make memory executable.
     const std::size_t pays = 2000 + 500000 / (tape.code.size() + 1);
     const std::size_t seen = points_.fetch_add(points, std::memory_order_relaxed) + points;
     if (!engine.always_jit && seen < pays) return nullptr;
@@ -66,7 +69,7 @@ class LazyCode {
   mutable std::atomic<const CompiledTape*> code_{nullptr};
 };
 
-/// The interval of the floats that coordinates from `box` round to.
+/// Interval of the floats that coordinates in `box` round to.
 Interval range(const Box& box, int axis) {
   return {static_cast<float>(box.lower[axis]), static_cast<float>(box.upper[axis]), false};
 }
@@ -79,7 +82,7 @@ class FrepField final : public Field {
   void values(const Points& points, float* out) const noexcept override {
     if (const CompiledTape* code = values_code_.after(points.count, tape_, CompiledTape::Makes::values, engine_))
       return code->run(points, {out});
-    // Slots of a batch should stay in the first-level cache, but loops want some length.
+    // The slots of a batch should stay in the first-level cache, but loops need some length.
     constexpr std::size_t cache_floats = 6144;
     const std::size_t stride = std::clamp(cache_floats / (tape_.slots + 1) / 16 * 16, std::size_t{64}, std::size_t{512});
     auto* const space = scratch<float>(tape_.slots * stride);
@@ -88,7 +91,7 @@ class FrepField final : public Field {
   }
 
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
-    // A gradient is worth several values.
+    // A gradient costs as much as several values.
     if (const CompiledTape* code = gradients_code_.after(8 * points.count, tape_, CompiledTape::Makes::gradients, engine_))
       return code->run(points, {out, slopes.dx, slopes.dy, slopes.dz});
     constexpr std::size_t stride = 64;
@@ -172,7 +175,7 @@ class FrepField final : public Field {
         out[lane].field = std::make_shared<FrepField>(std::move(pruned), engine_);
   }
 
-  /// The intervals of all values over a box are left in kept_ranges().
+  /// Computes the intervals of all values over a box, in kept_ranges().
   [[nodiscard]] Interval ranges_over(const Box& box) const noexcept {
     return evaluate_ranges(tape_, range(box, 0), range(box, 1), range(box, 2), kept_ranges());
   }
@@ -197,7 +200,7 @@ class FrepField final : public Field {
 
   Tape tape_;
   Engine engine_;
-  std::optional<Expression> expression_;  ///< what the tape was made from; restrictions have none
+  std::optional<Expression> expression_;  ///< source of the tape; restrictions have none
   LazyCode values_code_, gradients_code_, intervals_code_, sign_intervals_code_;
 };
 

@@ -1,9 +1,10 @@
-// sin, cos, exp, ln and atan of single-precision numbers, computed in double precision without branches, so that loops over them
-// become vector code. They are the definition: the reference evaluator and the batch evaluators of every instruction set share
-// this text and give the same bits. Each is the nearest float, or in about one case of a million its neighbour: the
-// argument is brought into a small range, and Taylor's series does the rest to 1e-12.
+// sin, cos, exp, ln and atan in single precision, computed in double precision without branches, so
+// that loops over them are vectorised. They are the definition: the reference evaluator and the
+// batch evaluators of all instruction sets share this text, so that results have the same bits.
+// Each result is the nearest float, or in about one case of a million its neighbour: the argument
+// is reduced to a small range, and a Taylor series is accurate to 1e-12 there.
 //
-// Internal linkage on purpose: each instruction set compiles a copy of its own.
+// Internal linkage on purpose: each instruction set compiles its own copy.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +15,11 @@ namespace {
 inline std::uint64_t bits_of(double value) { return __builtin_bit_cast(std::uint64_t, value); }
 inline double from_bits(std::uint64_t bits) { return __builtin_bit_cast(double, bits); }
 
-/// Adding and taking away this rounds to a whole number, which then is in the low bits of the sum.
+/// Addition and subtraction of this number round to a whole number, which is in the low bits of the
+/// sum.
 constexpr double rounder = 6755399441055744.0;  // 1.5 * 2^52
 
-/// Arguments of sine and cosine up to this size; what lies beyond is left to the C library.
+/// Arguments of sine and cosine up to this size; the C library handles larger ones.
 constexpr float wave_limit = 1e6F;
 
 /// sin(x + quarter * pi / 2) for |x| <= wave_limit.
@@ -26,7 +28,8 @@ inline float wave_kernel(float argument, std::uint64_t quarter) {
   const double shifted = x * 0.63661977236758134308 + rounder;  // 2 / pi
   const double turns = shifted - rounder;
   const std::uint64_t quadrant = bits_of(shifted) + quarter;
-  const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;  // pi / 2 in two parts
+  // Cody and Waite's reduction: pi / 2 in two parts.
+  const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;
   const double s = r * r;
   const double sine =
       r * (1 - s * (1 / 6.0) *
@@ -40,7 +43,7 @@ inline float wave_kernel(float argument, std::uint64_t quarter) {
   return static_cast<float>(from_bits(chosen ^ ((quadrant & 2) << 62)));
 }
 
-/// e^x for any number: underflows to 0 and overflows to infinity as it should.
+/// e^x for any number: underflows to 0 and overflows to infinity.
 inline float exponential_kernel(float argument) {
   const double bounded = argument > 89 ? 89.0 : argument < -104 ? -104.0 : static_cast<double>(argument);
   const double shifted = bounded * 1.44269504088896338700 + rounder;  // 1 / ln 2
@@ -55,7 +58,7 @@ inline float exponential_kernel(float argument) {
 /// atan(x) for any number.
 inline float arctangent_kernel(float argument) {
   const double x = argument, size = __builtin_fabs(x);
-  // By tan's addition theorem: atan(size) = base + atan(t) with |t| <= tan(pi / 8).
+  // Addition theorem of tan: atan(size) = base + atan(t) with |t| <= tan(pi / 8).
   constexpr double eighth = 0.41421356237309503, three_eighths = 2.41421356237309492;
   const bool large = size > three_eighths, middle = size > eighth;
   const double base = large ? 1.57079632679489655800 : middle ? 0.78539816339744827900 : 0.0;
@@ -66,10 +69,10 @@ inline float arctangent_kernel(float argument) {
   return static_cast<float>(__builtin_copysign(base + t * series, x));
 }
 
-/// ln(x) for positive normal numbers; others are left to the C library.
+/// ln(x) for positive normal numbers; the C library handles the others.
 inline float logarithm_kernel(float argument) {
   const std::uint64_t bits = bits_of(static_cast<double>(argument));
-  // The mantissa from sqrt(1/2) to sqrt(2), and the exponent that goes with it.
+  // The mantissa from sqrt(1/2) to sqrt(2), and its exponent.
   const std::uint64_t offset = bits - 0x3fe6a09e667f3bcdULL;
   const std::uint64_t exponent_bits = offset & ~0xfffffffffffffULL;
   const double mantissa = from_bits(bits - exponent_bits);
@@ -81,7 +84,7 @@ inline float logarithm_kernel(float argument) {
 }
 constexpr float smallest_normal = 1.17549435e-38F;
 
-/// Whether a kernel is good for this argument.
+/// Whether a kernel holds for this argument.
 inline bool wave_is_near(float a) { return __builtin_fabsf(a) <= wave_limit; }
 inline bool is_positive_normal(float a) { return a >= smallest_normal && a <= 3.402823466e38F; }
 

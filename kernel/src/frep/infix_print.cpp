@@ -7,7 +7,7 @@
 namespace fieldfab::frep {
 namespace {
 
-/// An expression as binding lines, and what the last of them is made from.
+/// An expression as lines of definitions, and its result in terms of them.
 struct Printed {
   std::string bindings, result;
 };
@@ -30,7 +30,7 @@ Printed printed(const Expression& expression, const std::filesystem::path& folde
     if (info(entry.op).arity >= 2) ++uses[entry.b];
     if (info(entry.op).arity == 3) ++uses[entry.c];
   }
-  // What is used more than once, and what would nest too deep to read, gets a name of its own.
+  // Subexpressions that are used more than once, or that would nest too deep to read, get a name.
   constexpr std::uint32_t deepest = 12;
   std::string bindings;
   std::vector<std::string> text(count);
@@ -84,7 +84,7 @@ Printed printed(const Expression& expression, const std::filesystem::path& folde
   return {std::move(bindings), std::move(text.back())};
 }
 
-/// "part 3", or with a prime where another part has that name.
+/// "part 3", with primes appended while another part has that name.
 std::string free_name(std::ptrdiff_t number, std::span<const TextPart> parts) {
   std::string name = fmt::format("part {}", number);
   while (std::ranges::any_of(parts, [&](const TextPart& other) { return other.name == name; })) name += '\'';

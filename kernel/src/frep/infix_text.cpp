@@ -1,11 +1,12 @@
-// Infix .frep text: docs/frep-language.md is its manual. Precedence is resolved with stacks, so nesting costs memory only.
+// Infix .frep text; its manual is docs/frep-language.md. Precedence is resolved with explicit
+// stacks, so nesting costs memory only.
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/text.h"
 #include "fieldfab/frep/library.h"
 #include "fieldfab/frep/shapes.h"
@@ -15,21 +16,23 @@
 namespace fieldfab::frep {
 namespace {
 
-/// A token with what is next to it, as the parser needs it. Comments are left out, line ends outside parentheses are in.
+/// A token with the context that the parser needs. Comments are left out; line ends outside
+/// parentheses are tokens.
 struct InfixToken {
   enum Kind : std::uint8_t { number, name, words, unclosed_words, sign, unknown, end_of_statement, end } kind;
-  bool unindented;  ///< begins its line
+  bool unindented;  ///< the first token of its line
   std::size_t at;
-  std::string_view text;  ///< of words, what is between the quotes
+  std::string_view text;  ///< of words: the text between the quotes
   [[nodiscard]] bool is(char c) const { return kind == sign && text[0] == c; }
   [[nodiscard]] bool ends() const { return kind == end_of_statement || kind == end; }
   [[nodiscard]] std::size_t length() const { return text.size() + (kind == words ? 2 : 0); }
 };
 
-/// What a name stands for.
+/// Value of a name.
 struct Named : Value {
-  bool part = false;     ///< what part(...) gives
-  bool unknown = false;  ///< of a definition that is wrong, or of a parameter while its function is tried: fits everywhere
+  bool part = false;  ///< whether part(...) made it
+  /// Result of an invalid definition, or parameter during the trial of a function: fits everywhere.
+  bool unknown = false;
 };
 
 using Names = std::unordered_map<std::string_view, Named>;
@@ -38,7 +41,7 @@ Named unknown_value() { return {{Expression::x()}, false, true}; }
 
 class InfixParser {
  public:
-  /// Mistakes are added to `found`, where it is given, and thrown otherwise.
+  /// Appends errors to `found` if it is not null, and throws them otherwise.
   InfixParser(std::string_view text, std::string_view name, const Opener& opener, std::vector<Diagnostic>* found = nullptr)
       : source_(text, name), opener_(opener), found_(found) {
     read_tokens(0);
@@ -46,7 +49,7 @@ class InfixParser {
 
   std::vector<TextPart> parse() {
     std::optional<Named> result;
-    std::optional<std::size_t> loose;  // where the last statement that gives its value no name begins
+    std::optional<std::size_t> loose;  // start of the last statement without a name for its value
     for (std::size_t at = 0; tokens_[at].kind != InfixToken::end && !full();) {
       if (tokens_[at].kind == InfixToken::end_of_statement) {
         ++at;
@@ -81,16 +84,16 @@ class InfixParser {
  private:
   struct UserFunction {
     std::vector<std::string_view> parameters;
-    std::size_t first;     // token where the body begins
-    std::size_t order;     // functions may call those defined before them only
-    bool unknown = false;  // the body is wrong
+    std::size_t first;     // first token of the body
+    std::size_t order;     // functions may call only those defined before them
+    bool unknown = false;  // the body is invalid
   };
 
   /// Reads the tokens from byte `from` on, outside parentheses.
   void read_tokens(std::size_t from) {
     const std::string_view text = source_.text();
     Lexer lexer(text, from);
-    int open = 0;  // parentheses: a statement goes on over line ends within them
+    int open = 0;  // depth of parentheses, inside which a statement continues over line ends
     std::size_t line = 1, end = from;
     while (const std::optional<Token> token = lexer.next()) {
       if (token->kind == TokenKind::comment) continue;
@@ -122,7 +125,7 @@ class InfixParser {
     tokens_.push_back({InfixToken::end, false, end, {}});
   }
 
-  // Going on after mistakes.
+  // Recovery after errors.
 
   void report(const TextError& error) {
     if (found_ == nullptr) throw TextError(error);
@@ -140,14 +143,15 @@ class InfixParser {
     report(TextError(ErrorKind::bad_input, source_.place(at), message, at));
   }
 
-  /// Whether further mistakes are not looked for.
+  /// Whether the search for further errors has ended.
   [[nodiscard]] bool full() const {
     constexpr std::size_t most = 100;
     return found_ != nullptr && (found_->size() >= most || operations_ > most_operations);
   }
 
-  /// Makes unknown what a statement would have defined, and moves past it. A statement that leaves a parenthesis open ends where
-  /// a line that is not indented looks like the next.
+  /// Makes the name that a statement defines unknown, and moves past the statement. A statement
+  /// with an open parenthesis ends before a line that is not indented and looks like the next
+  /// statement.
   void go_on_after(std::size_t first, std::size_t& at) {
     trial_ = false;
     callable_ = ~std::size_t{0};
@@ -192,7 +196,7 @@ class InfixParser {
     return source_.number(at);
   }
 
-  /// `name(a, b) = ...`; moves past it.
+  /// Reads `name(a, b) = ...`; moves past it.
   bool define_function(std::size_t& at) {
     if (tokens_[at].kind != InfixToken::name || !tokens_[at + 1].is('(')) return false;
     std::size_t after = at + 2;
@@ -209,7 +213,8 @@ class InfixParser {
     const UserFunction made{parameters, after + 1, functions_.size()};
     if (!functions_.emplace(tokens_[at].text, made).second)
       source_.fail(tokens_[at].at, fmt::format("'{}' is defined twice", tokens_[at].text));
-    // Try the body once, so that mistakes are told where they stand even in functions that nobody calls.
+    // Evaluate the body once, so that errors are reported at their place even in functions that are
+    // never called.
     Names trial;
     for (const std::string_view parameter : parameters) trial.emplace(parameter, unknown_value());
     at = after + 1;
@@ -233,7 +238,8 @@ class InfixParser {
     return value;
   }
 
-  /// What waits for operands: an operator, a parenthesis, or a call with the arguments it has so far.
+  /// An element that waits for operands: an operator, a parenthesis, or a call with its arguments
+  /// so far.
   struct Waiting {
     enum Kind : std::uint8_t { binary, unary, parenthesis, call } kind;
     std::uint8_t precedence;
@@ -241,7 +247,7 @@ class InfixParser {
     std::size_t token;
   };
   struct Argument {
-    std::string_view name;  // empty where positional
+    std::string_view name;  // empty if positional
     std::size_t token;
     Named value;
     std::optional<std::string> words;
@@ -267,127 +273,155 @@ class InfixParser {
   }
   static constexpr std::uint8_t unary_precedence = 5;
 
-  /// The expression that begins at token `at`; moves past it. `locals` are a function's parameters.
-  Named expression(std::size_t& at, const Names* locals) {
-    std::vector<Named> values;
-    std::vector<Waiting> waiting;
-    std::vector<Call> calls;
-    const auto reduce = [&] {
-      const Waiting top = waiting.back();
-      waiting.pop_back();
-      if (top.kind == Waiting::unary) {
-        values.back().expression = Expression::make(Opcode::negate, values.back().expression);
-        values.back().part = false;
-      } else {
-        const Named b = std::move(values.back());
-        values.pop_back();
-        values.back() = joined(values.back(), b, top);
-      }
-      if (++operations_ > most_operations) source_.fail(tokens_[at].at, fmt::format("more than {} operations", most_operations));
-    };
-    const auto reduce_to_bracket = [&] {
-      while (!waiting.empty() && waiting.back().kind <= Waiting::unary) reduce();
-    };
-    const auto begin_argument = [&] {
-      Call& call = calls.back();
-      call.next_name = {};
-      call.next_token = at;
-      if (tokens_[at].kind == InfixToken::name && tokens_[at + 1].is('=')) {
-        call.next_name = tokens_[at].text;
-        at += 2;
-      }
-    };
-    const auto end_argument = [&] {
-      Call& call = calls.back();
-      const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
-      call.arguments.push_back({call.next_name, call.next_token, std::move(values.back()), {}});
-      if (first.kind == InfixToken::words) call.arguments.back().words = unquoted(first.text);
-      values.pop_back();
-    };
-    const auto end_call = [&] {
-      waiting.pop_back();
-      values.push_back(apply_call(calls.back(), locals));
-      calls.pop_back();
-      ++at;
-    };
+  /// Reads the expression at token `at`; moves past it. `locals` are a function's parameters.
+  Named expression(std::size_t& at, const Names* locals) { return ExpressionReader(*this, at, locals).read(); }
 
-    for (bool operand = true;;) {
-      const InfixToken& token = tokens_[at];
-      if (operand) {
-        if (token.kind == InfixToken::number) {
-          values.push_back({{number(at)}});
-          ++at;
-          operand = false;
-        } else if (token.kind == InfixToken::words && !waiting.empty() && waiting.back().kind == Waiting::call &&
-                   (tokens_[at + 1].is(',') || tokens_[at + 1].is(')'))) {
-          values.push_back({{0.0}});  // in place of the words
-          ++at;
-          operand = false;
-        } else if (token.kind == InfixToken::name && tokens_[at + 1].is('(')) {
-          waiting.push_back({Waiting::call, 0, '(', at});
-          calls.push_back({at, {}, {}, 0});
-          at += 2;
-          if (tokens_[at].is(')')) {
-            end_call();
-            operand = false;
-          } else {
-            begin_argument();
-          }
-        } else if (token.kind == InfixToken::name) {
-          values.push_back(variable(at, locals));
-          ++at;
-          operand = false;
-        } else if (token.is('(')) {
-          waiting.push_back({Waiting::parenthesis, 0, '(', at++});
-        } else if (token.is('-') && tokens_[at + 1].kind == InfixToken::number && !tokens_[at + 2].is('^')) {
-          values.push_back({{-number(at + 1)}});
-          at += 2;
-          operand = false;
-        } else if (token.is('-') || token.is('!')) {
-          waiting.push_back({Waiting::unary, unary_precedence, '-', at++});
-        } else if (token.is('+')) {
-          ++at;
-        } else {
-          unexpected(at, "a value");
-        }
-        continue;
-      }
+  /// Reads an expression by the shunting-yard algorithm, without recursion: expressions may be as deep as they are long.
+  class ExpressionReader {
+   public:
+    /// Moves `at` to the token after the expression.
+    ExpressionReader(InfixParser& parser, std::size_t& at, const Names* locals)
+        : parser_(parser), tokens_(parser.tokens_), at_(at), locals_(locals) {}
+
+    Named read() {
+      Next next = Next::operand;
+      while (next != Next::end) next = next == Next::operand ? operand() : operation();
+      return std::move(values_.back());
+    }
+
+   private:
+    enum class Next : std::uint8_t { operand, operation, end };
+
+    Next operand() {
+      const InfixToken& token = tokens_[at_];
+      if (token.kind == InfixToken::number) return push({{parser_.number(at_)}}, 1);
+      if (token.kind == InfixToken::words && is_argument()) return push({{0.0}}, 1);  // in place of the words
+      if (token.kind == InfixToken::name && tokens_[at_ + 1].is('(')) return begin_call();
+      if (token.kind == InfixToken::name) return push(parser_.variable(at_, locals_), 1);
+      if (token.is('-') && tokens_[at_ + 1].kind == InfixToken::number && !tokens_[at_ + 2].is('^'))
+        return push({{-parser_.number(at_ + 1)}}, 2);
+      if (token.is('('))
+        waiting_.push_back({Waiting::parenthesis, 0, '(', at_++});
+      else if (token.is('-') || token.is('!'))
+        waiting_.push_back({Waiting::unary, unary_precedence, '-', at_++});
+      else if (token.is('+'))
+        ++at_;
+      else
+        parser_.unexpected(at_, "a value");
+      return Next::operand;
+    }
+
+    Next push(Named value, std::size_t tokens) {
+      values_.push_back(std::move(value));
+      at_ += tokens;
+      return Next::operation;
+    }
+
+    /// Whether a token is all of an argument of a call.
+    [[nodiscard]] bool is_argument() const {
+      return !waiting_.empty() && waiting_.back().kind == Waiting::call && (tokens_[at_ + 1].is(',') || tokens_[at_ + 1].is(')'));
+    }
+
+    Next operation() {
+      const InfixToken& token = tokens_[at_];
       const std::uint8_t rank = token.kind == InfixToken::sign ? precedence(token.text[0]) : std::uint8_t{0};
       if (rank > 0) {
         const bool to_the_right = token.is('^');
-        while (!waiting.empty() && waiting.back().kind <= Waiting::unary &&
-               (waiting.back().precedence > rank || (waiting.back().precedence == rank && !to_the_right)))
+        while (!waiting_.empty() && waiting_.back().kind <= Waiting::unary &&
+               (waiting_.back().precedence > rank || (waiting_.back().precedence == rank && !to_the_right)))
           reduce();
-        waiting.push_back({Waiting::binary, rank, token.text[0], at++});
-        operand = true;
-      } else if (token.is(')')) {
-        reduce_to_bracket();
-        if (waiting.empty()) unexpected(at, "an operator");
-        if (waiting.back().kind == Waiting::call) {
-          end_argument();
-          end_call();
-        } else {
-          waiting.pop_back();
-          ++at;
-        }
-      } else if (token.is(',')) {
-        reduce_to_bracket();
-        if (waiting.empty() || waiting.back().kind != Waiting::call) unexpected(at, "an operator");
-        end_argument();
-        ++at;
-        begin_argument();
-        operand = true;
+        waiting_.push_back({Waiting::binary, rank, token.text[0], at_++});
+        return Next::operand;
+      }
+      while (!waiting_.empty() && waiting_.back().kind <= Waiting::unary) reduce();
+      if (token.is(')')) return close_bracket();
+      if (token.is(',')) return next_argument();
+      parser_.refuse_alone(at_);
+      if (!waiting_.empty())
+        parser_.source_.fail(tokens_[at_].at, fmt::format("the parenthesis opened at column {} is not closed",
+                                                          parser_.column(waiting_.back().token)));
+      if (!token.ends()) parser_.unexpected(at_, "an operator");
+      return Next::end;
+    }
+
+    /// Applies the last operator that waits.
+    void reduce() {
+      const Waiting top = waiting_.back();
+      waiting_.pop_back();
+      if (top.kind == Waiting::unary) {
+        values_.back().expression = Expression::make(Opcode::negate, values_.back().expression);
+        values_.back().part = false;
       } else {
-        reduce_to_bracket();
-        refuse_alone(at);
-        if (!waiting.empty())
-          source_.fail(tokens_[at].at,
-                       fmt::format("the parenthesis opened at column {} is not closed", column(waiting.back().token)));
-        if (!token.ends()) unexpected(at, "an operator");
-        return std::move(values.back());
+        const Named b = std::move(values_.back());
+        values_.pop_back();
+        values_.back() = parser_.joined(values_.back(), b, top);
+      }
+      if (++parser_.operations_ > most_operations)
+        parser_.source_.fail(tokens_[at_].at, fmt::format("more than {} operations", most_operations));
+    }
+
+    Next close_bracket() {
+      if (waiting_.empty()) parser_.unexpected(at_, "an operator");
+      if (waiting_.back().kind == Waiting::call) {
+        end_argument();
+        return end_call();
+      }
+      waiting_.pop_back();
+      ++at_;
+      return Next::operation;
+    }
+
+    Next begin_call() {
+      waiting_.push_back({Waiting::call, 0, '(', at_});
+      calls_.push_back({at_, {}, {}, 0});
+      at_ += 2;
+      if (tokens_[at_].is(')')) return end_call();
+      begin_argument();
+      return Next::operand;
+    }
+
+    void begin_argument() {
+      Call& call = calls_.back();
+      call.next_name = {};
+      call.next_token = at_;
+      if (tokens_[at_].kind == InfixToken::name && tokens_[at_ + 1].is('=')) {
+        call.next_name = tokens_[at_].text;
+        at_ += 2;
       }
     }
-  }
+
+    Next next_argument() {
+      if (waiting_.empty() || waiting_.back().kind != Waiting::call) parser_.unexpected(at_, "an operator");
+      end_argument();
+      ++at_;
+      begin_argument();
+      return Next::operand;
+    }
+
+    void end_argument() {
+      Call& call = calls_.back();
+      const InfixToken& first = tokens_[call.next_token + (call.next_name.empty() ? 0 : 2)];
+      call.arguments.push_back({call.next_name, call.next_token, std::move(values_.back()), {}});
+      if (first.kind == InfixToken::words) call.arguments.back().words = unquoted(first.text);
+      values_.pop_back();
+    }
+
+    Next end_call() {
+      waiting_.pop_back();
+      values_.push_back(parser_.apply_call(calls_.back()));
+      calls_.pop_back();
+      ++at_;
+      return Next::operation;
+    }
+
+    InfixParser& parser_;
+    const std::vector<InfixToken>& tokens_;
+    std::size_t& at_;
+    const Names* locals_;
+    std::vector<Named> values_;
+    std::vector<Waiting> waiting_;
+    std::vector<Call> calls_;
+  };
 
   [[nodiscard]] std::size_t column(std::size_t token) const {
     const std::size_t at = tokens_[token].at, line = source_.text().substr(0, at).rfind('\n');
@@ -416,7 +450,7 @@ class InfixParser {
     source_.fail(tokens_[at].at, fmt::format("unknown name '{:.40}'{}", name, suggestion(name, known)));
   }
 
-  Named apply_call(const Call& call, const Names* /*locals*/) {
+  Named apply_call(const Call& call) {
     const std::string_view name = tokens_[call.token].text;
     if (const auto user = functions_.find(name); user != functions_.end() && user->second.order < callable_) {
       const std::vector<std::string_view>& parameters = user->second.parameters;
@@ -458,7 +492,7 @@ class InfixParser {
       const Parameter& parameter = function->parameters[std::min(i, function->parameters.size() - 1)];
       if (!given.values[i]) continue;
       values[i] = *given.values[i];
-      if (parameter.quantity == Quantity::angle) values[i]->expression = values[i]->expression * (std::numbers::pi / 180);
+      if (parameter.quantity == Quantity::angle) values[i]->expression = values[i]->expression * radians_per_degree;
       if ((parameter.quantity == Quantity::text) != (given.words == i))
         source_.fail(tokens_[call.token].at,
                      fmt::format("'{}' of '{}' {}", parameter.name, name,
@@ -473,7 +507,7 @@ class InfixParser {
     }
   }
 
-  /// open("scan.nrrd", threshold = 300): a file's solid.
+  /// open("scan.nrrd", threshold = 300): the solid of a file.
   Named opened(const Call& call) const {
     const std::size_t at = tokens_[call.token].at;
     std::string path;
@@ -539,10 +573,10 @@ class InfixParser {
     return value;
   }
 
-  /// Arguments in the order of the parameters; those that were left out are empty.
+  /// Arguments in the order of the parameters; omitted ones are empty.
   struct Given {
     std::vector<std::optional<Named>> values;
-    std::size_t words = ~std::size_t{0};  ///< which of them are words
+    std::size_t words = ~std::size_t{0};  ///< index of the argument that is words
     std::string text;
   };
   Given arranged(const Call& call, const std::vector<std::string_view>& parameters, bool any_number) const {
@@ -577,7 +611,7 @@ class InfixParser {
     return given;
   }
 
-  /// \n is a new line, \" quotes, \\ a backslash; any other backslash is one.
+  /// Replaces \n by a new line, \" by quotes and \\ by a backslash; keeps any other backslash.
   static std::string unquoted(std::string_view words) {
     std::string text;
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -595,7 +629,7 @@ class InfixParser {
   std::vector<Diagnostic>* found_;
   Names names_;
   std::vector<TextPart> parts_;
-  bool trial_ = false;  ///< nothing is opened, and no part is made
+  bool trial_ = false;  ///< trial of a function: opens no file and makes no part
   std::unordered_map<std::string_view, UserFunction> functions_;
   std::size_t callable_ = ~std::size_t{0};  ///< user functions of lower order may be called
   std::size_t operations_ = 0;

@@ -1,4 +1,5 @@
-// Interval arithmetic: one operation on intervals. Why no widening is needed for the IEEE operations: core/interval.h.
+// Interval arithmetic: one operation on intervals. core/interval.h explains why IEEE operations
+// need no widening.
 #include <cmath>
 
 #include "batch.h"
@@ -8,7 +9,8 @@
 namespace fieldfab::frep {
 namespace {
 
-/// The functions are within an ulp or so of the truth and nearly, but not provably, monotone: four ulps are more than that.
+/// The functions are accurate to about one ulp and nearly, but not provably, monotone; four ulps
+/// are a safe margin.
 constexpr float margin = 6e-7F, smallest = 1e-44F;
 
 constexpr float largest = std::numeric_limits<float>::max();
@@ -38,7 +40,8 @@ Interval divide(const Interval& a, const Interval& b, bool nan) {
   return {lower, upper, nan};
 }
 
-/// sin over [lower, upper] for quarter 0, cos for 1. Past a few thousand radians the position of the crests is not trusted.
+/// sin over [lower, upper] for quarter 0, cos for 1. Beyond a few thousand radians the positions of
+/// the crests are too inaccurate.
 Interval wave(Opcode op, const Interval& a) {
   const bool nan = a.maybe_nan || has_infinity(a);
   const Interval full{-1, 1, nan};
@@ -48,7 +51,7 @@ Interval wave(Opcode op, const Interval& a) {
   if (high - low >= 2 * pi) return full;
   const float one = apply(op, a.lower), other = apply(op, a.upper);
   float lower = std::min(one, other), upper = std::max(one, other);
-  constexpr double slack = 1e-9, turn = 1 / (2 * pi);  // a crest just beyond an end counts as within
+  constexpr double slack = 1e-9, turn = 1 / (2 * pi);  // a crest just beyond an end counts as inside
   if (std::floor((high - pi / 2 + slack) * turn) > std::floor((low - pi / 2 - slack) * turn)) upper = 1;
   if (std::floor((high + pi / 2 + slack) * turn) > std::floor((low + pi / 2 - slack) * turn)) lower = -1;
   return {std::max(-1.0F, down(lower)), std::min(1.0F, up(upper)), nan};
@@ -64,7 +67,7 @@ Interval tangent(const Interval& a) {
   return widened(std::tan(a.lower), std::tan(a.upper), nan);
 }
 
-/// A function that grows over its domain [low, high] and is NaN outside of it.
+/// Applies a function that is increasing over its domain [low, high] and NaN outside.
 template <class Function>
 Interval growing(const Interval& a, float low, float high, const Function& function) {
   const bool nan = a.maybe_nan || a.lower < low || a.upper > high;
@@ -73,7 +76,7 @@ Interval growing(const Interval& a, float low, float high, const Function& funct
 }
 
 Interval power(const Interval& a, const Interval& b, bool nan) {
-  // A constant whole exponent is the common case: monotone on each side of zero.
+  // A constant whole exponent is the most frequent case: monotone on each side of zero.
   if (b.lower == b.upper && std::floor(b.lower) == b.lower && std::abs(b.lower) < 1e6F) {
     const float n = b.lower;
     if (n == 0) return {1, 1, nan};
@@ -94,7 +97,7 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
         lower = std::min(lower, value);
         upper = std::max(upper, value);
       }
-    // x^y has no extremum inside the rectangle but where ln x or y is 0, where it is 1.
+    // x^y has extrema inside the rectangle only where ln x or y is 0; its value is 1 there.
     if (a.lower <= 1 && a.upper >= 1) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
     if (b.lower <= 0 && b.upper >= 0) lower = std::min(lower, 1.0F), upper = std::max(upper, 1.0F);
     const Interval wide = widened(lower, upper, nan);
@@ -104,7 +107,7 @@ Interval power(const Interval& a, const Interval& b, bool nan) {
 }
 
 Interval arctangent2(const Interval& y, const Interval& x, bool nan) {
-  constexpr float pi = 3.1415927410125732F;  // float(pi), which is above pi
+  constexpr float pi = 3.1415927410125732F;  // float(pi), which exceeds pi
   if (x.lower > 0 || y.lower > 0 || y.upper < 0) {
     float lower = infinity, upper = -infinity;
     for (const float a : {y.lower, y.upper})
@@ -120,7 +123,7 @@ Interval arctangent2(const Interval& y, const Interval& x, bool nan) {
 
 Interval modulo(const Interval& a, const Interval& b, bool nan) {
   nan = nan || has_zero(b) || has_infinity(a) || has_infinity(b);
-  // a - b * floor(a / b), each step as the evaluator takes it.
+  // a - b * floor(a / b), with the same steps as the evaluator.
   const Interval quotient = divide(a, b, nan);
   const Interval whole{std::floor(quotient.lower), std::floor(quotient.upper), quotient.maybe_nan};
   const Interval product = multiply(b, whole, nan || whole.maybe_nan);

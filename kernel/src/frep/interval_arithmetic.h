@@ -1,4 +1,5 @@
-/// The interval operations that are cheap enough to be worth inlining where a tape is run. `nan`: whether an argument may be NaN.
+/// Interval operations that are cheap enough to be inlined into the evaluation of a tape. `nan`
+/// states whether an argument may be NaN.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +22,7 @@ inline Interval add(const Interval& a, const Interval& b, bool nan) {
 
 inline Interval multiply(const Interval& a, const Interval& b, bool nan) {
   nan = nan || (has_zero(a) && has_infinity(b)) || (has_infinity(a) && has_zero(b));
-  // 0 * infinity: the infinity may be as small as any large number
+  // 0 * infinity is 0 here: the infinity stands for some large finite number.
   const auto product = [](float x, float y) { return x == 0 || y == 0 ? 0 : x * y; };
   const float ll = product(a.lower, b.lower), lu = product(a.lower, b.upper), ul = product(a.upper, b.lower),
               uu = product(a.upper, b.upper);

@@ -1,5 +1,5 @@
-// Intervals over several boxes at once: a box a lane. Included after batch_loops.inl by the files compiled for each instruction
-// set. Why nothing is widened: core/interval.h.
+// Intervals over several boxes at once, one box per lane. Included after batch_loops.inl by the
+// files compiled for each instruction set. core/interval.h explains why nothing is widened.
 #if defined(__AVX2__)
 #include <immintrin.h>
 #elif defined(__SSE2__)
@@ -20,7 +20,7 @@ using Vector = float __attribute__((vector_size(width * 4)));
 using Bits = std::uint32_t __attribute__((vector_size(width * 4)));
 using Mask = decltype(Vector{} < Vector{});
 
-/// One bit for each lane of a comparison.
+/// Returns one bit for each lane of a comparison.
 inline std::uint32_t lanes_of(Mask mask) {
 #if defined(__AVX512DQ__)
   return static_cast<std::uint32_t>(_mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)));
@@ -42,7 +42,8 @@ struct Span {
   Vector lower, upper;
 };
 
-/// Remembers lanes whose intervals were not finite: the distance of their ends then is infinite or NaN, the largest bit patterns.
+/// Records lanes whose intervals were not finite: the difference of the ends is infinite or NaN
+/// there, which are the largest bit patterns.
 class Wildness {
  public:
   void watch(const Span& span) {
@@ -66,7 +67,7 @@ inline Span quotient(const Span& a, const Span& b) {
   return {least(least(ll, lu), least(ul, uu)), greatest(greatest(ll, lu), greatest(ul, uu))};
 }
 
-/// The interval of |a| from that of a; the same for its square, given the ends' squares.
+/// Interval of |a|, or of its square, given the images of a's ends.
 inline Span folded(const Span& a, Vector at_lower, Vector at_upper) {
   const Vector small = least(at_lower, at_upper);
   return {((a.lower <= 0) & (a.upper >= 0)) ? Vector{} : small, greatest(at_lower, at_upper)};
@@ -87,7 +88,7 @@ inline Vector root_of(Vector a) {
 #endif
 }
 
-/// What some operations share in the lanes of one vector.
+/// State that operations share in the lanes of one vector.
 struct Lanes {
   Wildness& wild;
   std::uint32_t first, second;  ///< lanes in which an argument was chosen
@@ -111,7 +112,7 @@ inline Span run_span(const Clause& clause, const Span& a, const Span& b, bool by
     case Opcode::add: out = {a.lower + b.lower, a.upper + b.upper}; break;
     case Opcode::subtract: out = {a.lower - b.upper, a.upper - b.lower}; break;
     case Opcode::multiply:
-      // A value times itself is its square, and their products are the same floats.
+      // The product of a value with itself is its square, with the same floats.
       out = clause.a == clause.b ? folded(a, a.lower * a.lower, a.upper * a.upper) : product(a, b);
       break;
     case Opcode::square: out = folded(a, a.lower * a.lower, a.upper * a.upper); break;
@@ -140,7 +141,7 @@ constexpr bool in_vectors(Opcode op) {
   }
 }
 
-/// Operations that are done lane by lane.
+/// Applies an operation lane by lane.
 std::uint32_t run_single(Opcode op, const LaneRanges& a, const LaneRanges& b, LaneRanges& out, std::size_t lanes) {
   std::uint32_t wild = 0;
   for (std::size_t i = 0; i < lanes; ++i) {

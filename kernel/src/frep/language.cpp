@@ -32,15 +32,16 @@ bool begins(std::string_view name, std::string_view start) {
   return name.size() >= start.size() && std::ranges::equal(name.substr(0, start.size()), start, {}, lower, lower);
 }
 
-/// What a statement of a text defines. Tokens are numbered without comments.
+/// A definition in a text. Token numbers do not count comments.
 struct Definition {
   std::string_view name;
   std::optional<Names> parameters;  ///< of a function
-  std::size_t first, body, end;     ///< tokens: the name, the first of the value, the one behind the value
+  std::size_t first, body, end;     ///< tokens: the name, the first of the value, the one after the value
 };
 
-/// A text's tokens, with its statements. A statement that leaves a parenthesis open ends where a line begins with `name =`, not
-/// indented and not behind a comma, so that a text keeps its definitions while it is written.
+/// Tokens and statements of a text. A statement with an open parenthesis ends before a line that
+/// begins with `name =`, is not indented and does not follow a comma; so a text keeps its
+/// definitions while it is edited.
 class Statements {
  public:
   explicit Statements(std::string_view text) : text_(text) {
@@ -68,10 +69,10 @@ class Statements {
   [[nodiscard]] bool is_name(std::size_t i) const { return i < size() && tokens_[i].kind == TokenKind::name; }
   [[nodiscard]] const std::vector<Definition>& definitions() const { return definitions_; }
 
-  /// The token where the statement of token i begins; of the end of the text, too.
+  /// First token of the statement with token i; also for the end of the text.
   [[nodiscard]] std::size_t statement_of(std::size_t i) const { return *std::prev(std::ranges::upper_bound(statements_, i)); }
 
-  /// The number of tokens before an offset.
+  /// Number of tokens before an offset.
   [[nodiscard]] std::size_t before(std::size_t offset) const {
     return static_cast<std::size_t>(std::ranges::lower_bound(tokens_, offset, {}, &Token::offset) - tokens_.begin());
   }
@@ -115,16 +116,16 @@ class Statements {
   std::vector<Definition> definitions_;
 };
 
-/// The call that encloses a token, and what it has been given before that.
+/// The call that encloses a token, and the number of arguments before the token.
 struct Enclosing {
-  std::string_view name;  ///< of the function; empty for plain parentheses
+  std::string_view name;  ///< name of the function; empty for plain parentheses
   std::size_t token;      ///< its name
-  std::size_t argument;   ///< how many arguments end before
+  std::size_t argument;   ///< number of arguments that end before
   std::size_t positional;
   Names named;
 };
 
-/// The innermost call around token i.
+/// Returns the innermost call around token i.
 std::optional<Enclosing> enclosing(const Statements& source, std::size_t i) {
   std::vector<Enclosing> calls;
   for (std::size_t k = source.statement_of(i); k < i; ++k) {
@@ -148,7 +149,7 @@ std::optional<Enclosing> enclosing(const Statements& source, std::size_t i) {
   return calls.back();
 }
 
-/// The parameters that a call may name there.
+/// Returns the parameters that may be named in a call.
 std::vector<Word> parameters_of(const Statements& source, const Enclosing& call, std::span<const Word> options) {
   std::vector<Word> words;
   const auto add = [&](std::string_view name, const std::string& signature, std::string meaning) {
@@ -174,7 +175,7 @@ std::vector<Word> parameters_of(const Statements& source, const Enclosing& call,
   return words;
 }
 
-/// "5 to 40, outer width" as a range and the rest; a comment without a range as it is.
+/// Splits "5 to 40, outer width" into a range and the rest; a comment without a range stays whole.
 void read_comment(std::string_view comment, TextParameter& into) {
   comment.remove_prefix(comment.starts_with("//") ? 2 : 1);
   const auto skip = [&] { comment.remove_prefix(std::min(comment.find_first_not_of(" \t\r"), comment.size())); };
@@ -271,7 +272,7 @@ Completions completions(std::string_view text, std::size_t offset, std::span<con
   const Statements source(text);
   if (std::ranges::any_of(source.comments(), holds)) return fitting;
 
-  std::size_t place = source.before(offset);  // the token that is written there
+  std::size_t place = source.before(offset);  // the token at the offset
   if (place > 0 && holds(source[place - 1])) {
     const Token& token = source[place - 1];
     const std::string_view shown = source.shown(token);
@@ -352,7 +353,7 @@ std::optional<WordAt> word_at(std::string_view text, std::size_t offset, std::sp
       return WordAt{{std::string(name), WordKind::variable, std::string(name), source.word_of(made).meaning, ""},
                     token.offset,
                     token.length};
-  // Of several definitions the last that is not below.
+  // Of several definitions, the last one up to this statement.
   std::size_t end = statement;
   while (end < source.size() && source.statement_of(end) == statement) ++end;
   auto found = found_in(words(text.substr(0, end < source.size() ? source[end].offset : text.size())));

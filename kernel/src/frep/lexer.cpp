@@ -36,7 +36,7 @@ std::optional<Token> Lexer::next() noexcept {
   return token(TokenKind::unknown, is_ascii(c) ? first + 1 : end_of([](char d) { return !is_ascii(d); }));
 }
 
-/// As far as std::from_chars reads.
+/// Matches the extent that std::from_chars reads.
 std::size_t Lexer::number_end() const noexcept {
   const auto digits_from = [&](std::size_t i) {
     while (i < text_.size() && is_digit(text_[i])) ++i;
@@ -52,7 +52,8 @@ std::size_t Lexer::number_end() const noexcept {
   return end;
 }
 
-/// After the closing quotes, or where the line ends before them. Quotes after a backslash do not close.
+/// Returns the end of the closing quotes, or of the line if they are missing. Quotes after a
+/// backslash do not close.
 std::size_t Lexer::string_end() const noexcept {
   std::size_t end = at_ + 1;
   while (end < text_.size() && text_[end] != '"' && text_[end] != '\n')

@@ -1,4 +1,4 @@
-/// Divides .frep text into tokens, for the parser and for editors.
+/// Division of .frep text into tokens, for the parser and for editors.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,10 @@ namespace fieldfab::frep {
 
 class Lexer {
  public:
-  /// Reads from byte `at` on, which begins a line. Lines are counted from there.
+  /// Reads from byte `at`, the start of a line. Lines are counted from there.
   explicit Lexer(std::string_view text, std::size_t at = 0) : text_(text), at_(at), line_start_(at) {}
 
-  /// The next token; none at the end of the text.
+  /// Returns the next token, or nullopt at the end of the text.
   std::optional<Token> next() noexcept;
 
  private:

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/frep/shapes.h"
 
@@ -21,7 +22,7 @@ constexpr Quantity any = Quantity::expression;
 Parameter given(std::string_view name) { return {name}; }
 Parameter with(std::string_view name, double fallback) { return {name, any, fallback}; }
 
-/// The operations themselves, taken as they are written.
+/// Operations of expressions, in their written form.
 void add_operations(Functions& all) {
   for (int i = static_cast<int>(Opcode::sine); i < opcode_count; ++i) {
     const auto op = static_cast<Opcode>(i);
@@ -37,7 +38,7 @@ void add_operations(Functions& all) {
       {"pow", "numbers", {given("a"), given("b")}, "", "", "", [](A a) { return Expression::make(Opcode::power, a[0], a[1]); }});
 }
 
-/// Solids as numbers, and numbers as solids: which of them `-` and `+` mean.
+/// Conversions between solids and numbers, which decide the meaning of `-` and `+`.
 void add_kinds(Functions& all) {
   all.push_back(
       {"value", "numbers", {given("shape")}, "", "the value of a solid at each point, as a number to reckon with", "", [](A a) {
@@ -494,7 +495,8 @@ Functions make_library() {
   return all;
 }
 
-/// A plain number in place of an expression that comes to one.
+/// Returns an argument, simplified. Throws bad_input if the parameter requires a number and the
+/// argument is not one.
 Expression plain(const Expression& argument, const LibraryFunction& function, const Parameter& parameter) {
   Expression value = simplify(argument);
   const auto refuse = [&](const char* what) {
@@ -570,7 +572,7 @@ Expression call(const LibraryFunction& function, const std::vector<std::optional
     const bool missing = i >= given.size() || !given[i];
     if (missing && !parameter.fallback)
       throw Error(ErrorKind::bad_input, "", fmt::format("'{}' lacks its argument '{}'", function.name, parameter.name));
-    const double unit = parameter.quantity == Quantity::angle ? std::numbers::pi / 180 : 1;
+    const double unit = parameter.quantity == Quantity::angle ? radians_per_degree : 1;
     const Expression value = missing ? Expression(*parameter.fallback * unit) : *given[i];
     const bool is_plain = parameter.quantity == Quantity::number || parameter.quantity == Quantity::whole;
     arguments.values.push_back(is_plain ? plain(value, function, parameter) : value);

@@ -8,7 +8,7 @@
 namespace fieldfab::frep {
 namespace {
 
-/// The operation of each letter; `constant` for letters that mean none.
+/// Returns the operation of each letter; `constant` for letters without one.
 std::array<Opcode, 128> find_letters() {
   std::array<Opcode, 128> letters;
   letters.fill(Opcode::constant);
@@ -17,7 +17,7 @@ std::array<Opcode, 128> find_letters() {
   return letters;
 }
 
-/// Reads a math string with stacks of its own, so that depth costs memory only.
+/// Parses a math string with explicit stacks, so that depth costs memory only.
 class MathParser {
  public:
   MathParser(std::string_view text, std::string_view name) : source_(text, name) {}
@@ -71,7 +71,8 @@ class MathParser {
       waiting_.push_back({op, Expects::first});
   }
 
-  /// Hands a finished value to the operation that waits for it, and what that finishes to the one before.
+  /// Passes a finished value to the operation that waits for it, and then the result of that
+  /// operation to the next one.
   void deliver(Expression value) {
     while (!waiting_.empty()) {
       Waiting& top = waiting_.back();
@@ -135,7 +136,7 @@ class MathParser {
 Expression parse_math(std::string_view text, std::string_view name) { return MathParser(text, name).parse(); }
 
 std::string print_math(const Expression& expression) {
-  // A shared part is written wherever it is used; so first find out whether that stays bearable.
+  // A shared part is written at each use; so the length is computed first.
   require_no_opened(expression);
   const Flat flat = flatten(expression);
   constexpr double most_bytes = 64e6;

@@ -31,7 +31,8 @@ class MixedFieldMaker {
   }
 
   FieldPtr make() {
-    // Arguments first, so that nothing recurses however deep the expression is; fields_ of what serves no other stay empty.
+    // Arguments first, without recursion, so that depth is not limited. Entries of fields_ stay
+    // empty for nodes that are not needed.
     std::vector<std::size_t> stack{flat_.order.size() - 1};
     while (!stack.empty()) {
       const std::size_t node = stack.back();
@@ -51,7 +52,7 @@ class MixedFieldMaker {
   }
 
  private:
-  /// How a node's Field is made, from which other nodes' Fields.
+  /// Construction of a node's Field from the Fields of other nodes.
   struct Plan {
     enum class Kind { pure, source, moved, mapped, unite, intersect, complement, offset, scaled, formula } kind;
     std::vector<std::size_t> parts = {};
@@ -105,8 +106,8 @@ class MixedFieldMaker {
     return {Kind::formula, cut_below(node)};
   }
 
-  /// Whether no mixed node serves both: as operations over Fields such a node would be evaluated twice, and what it is made of
-  /// four times.
+  /// Whether no mixed node is below both. As operations over Fields such a node would be evaluated
+  /// twice, and its arguments four times.
   [[nodiscard]] bool shares_nothing(std::size_t a, std::size_t b) const {
     const auto below = [&](std::size_t node) {
       Places all, front{node};
@@ -124,8 +125,9 @@ class MixedFieldMaker {
     return true;
   }
 
-  /// At most three nodes that a node is a formula of: what a tape has places for. As far down as possible, so that what serves
-  /// twice is evaluated once. Formulas without opened Fields are one of them, or lie above the cut where they are constants.
+  /// Returns at most three nodes, the inputs of a tape, such that the node is a formula of them.
+  /// The cut is as low as possible, so that shared nodes are evaluated once. A formula without
+  /// opened Fields is one of the inputs, or is above the cut if it is a constant.
   [[nodiscard]] std::vector<std::size_t> cut_below(std::size_t node) const {
     Places front;
     const auto open = [&](std::size_t opened) {
@@ -135,7 +137,7 @@ class MixedFieldMaker {
     open(node);
     Places best = front;
     for (;;) {
-      // The latest in topological order: all that it serves has been opened.
+      // The latest in topological order: all nodes that use it have been opened.
       const auto next = std::find_if(front.rbegin(), front.rend(),
                                      [&](std::size_t i) { return mixed_[i] && flat_.order[i].op != Opcode::opened; });
       constexpr std::size_t widest = 24;
@@ -164,7 +166,7 @@ class MixedFieldMaker {
       case Kind::scaled: return scaled_values(part(0), plan.number);
       case Kind::formula: break;
     }
-    // The node as a formula of its parts, which stand as x, y and z in it.
+    // The node as a formula of its parts, which are x, y and z in it.
     const std::array<Expression, 3> axis{Expression::x(), Expression::y(), Expression::z()};
     std::map<std::size_t, Expression> rewritten;
     for (std::size_t i = 0; i < plan.parts.size(); ++i) rewritten.emplace(plan.parts[i], axis[i]);

@@ -1,4 +1,4 @@
-/// Formulas in which opened Fields occur, as Fields.
+/// Fields of formulas with opened Fields.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,9 @@
 
 namespace fieldfab::frep {
 
-/// The Field of an expression that has_opened(): sets, moves and offsets become operations over Fields, so that intervals, slopes
-/// and frames stay as tight as those of the parts; formulas without an opened Field are made by `make_pure`, as tapes.
+/// Returns the Field of an expression that has_opened(). Set operations, moves and offsets become
+/// operations over Fields, so that intervals, slopes and frames stay as tight as those of the
+/// parts. `make_pure` makes the Fields of formulas without opened Fields, as tapes.
 FieldPtr make_mixed_field(const Expression& expression, const std::function<FieldPtr(const Expression&)>& make_pure);
 
 }  // namespace fieldfab::frep

@@ -3,19 +3,20 @@
 namespace fieldfab::frep {
 namespace {
 
-// What a box chooses is as good as random to a processor, and a branch it foresees wrongly costs more than a clause: so there are
-// none here on choices and on kinds of operands, and what is not wanted is written to a place that nobody reads.
+// Choices of a box are unpredictable for a processor, and a mispredicted branch costs more than a
+// clause. So this code does not branch on choices or on kinds of operands; it writes unwanted
+// results to a place that is never read.
 
-/// All ones for a constant, else zero.
+/// All ones for a constant, otherwise zero.
 Operand if_constant(Operand operand) { return static_cast<Operand>(static_cast<std::int32_t>(operand) >> 31); }
 
-/// Where something is kept for an operand; constants share the place of x, where nothing of interest is.
+/// Index of an operand's data; constants share the entry of x, which is unused.
 Operand place_of(Operand operand) { return operand & ~if_constant(operand); }
 
-/// Memory that each thread keeps.
+/// Memory kept per thread.
 struct Workspace {
-  std::vector<std::uint32_t> kept;      ///< clauses of the old tape
-  std::vector<Operand> renamed;         ///< by old operand: what it is called in the pruned tape
+  std::vector<std::uint32_t> kept;      ///< indices of clauses of the old tape
+  std::vector<Operand> renamed;         ///< by old operand: its number in the pruned tape
   std::vector<Clause> code;             ///< of the pruned tape
   std::vector<std::uint32_t> last_use;  ///< by new operand
 };
@@ -65,7 +66,7 @@ bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint1
     const Clause& clause = tape.code[i];
     const Operand a = new_name(clause.a), b = new_name(clause.b);
     const unsigned first = choices[i].first >> lane & 1U, second = choices[i].second >> lane & ~first & 1U;
-    const unsigned negative = second & static_cast<unsigned>(clause.op == Opcode::absolute);  // |a| where a < 0
+    const unsigned negative = second & static_cast<unsigned>(clause.op == Opcode::absolute);  // |a| for a < 0
     const unsigned emitted = negative | ((first | second) ^ 1U);
     work.code[made] = {negative != 0 ? Opcode::negate : clause.op, clause.only_sign_matters, 0, a, b};
     last_use[first_value + made] = ~0U;

@@ -1,4 +1,4 @@
-/// The part of a tape that matters in a box.
+/// Pruning: reduction of a tape to the part that matters in a box.
 #pragma once
 
 #include "batch.h"
@@ -6,11 +6,12 @@
 
 namespace fieldfab::frep {
 
-/// Which values are needed where they choose as `choices` tell: `needed` gets a place for each operand, with a bit for each lane.
-/// Linear, for all lanes at once.
+/// Finds the values that are needed, given `choices`: `needed` gets an entry for each operand, with
+/// one bit per lane. Linear, for all lanes at once.
 void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint16_t>& needed);
 
-/// The code that still matters in the box of one lane (Algs 3.3 and 3.4). False, and `pruned` untouched, where that is all of it.
+/// Writes the code that matters in the box of one lane (Algs 3.3 and 3.4). Returns false, and
+/// leaves `pruned` unchanged, if no clause can be removed.
 bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane, Tape& pruned);
 
 }  // namespace fieldfab::frep

@@ -12,7 +12,8 @@ Interval operand_range(const Tape& tape, const Ranges& ranges, Operand operand) 
 
 enum class Chosen : std::uint8_t { both, first, second };
 
-/// On a tie the first argument gives value and gradient; so it may win by touching, the second only strictly.
+/// On a tie the first argument determines value and gradient. So it is chosen if the intervals
+/// touch, the second only if they do not.
 Chosen choose(const Clause& clause, const Interval& a, const Interval& b, bool sign) {
   const bool numbers = !a.maybe_nan && !b.maybe_nan;
   switch (clause.op) {
@@ -31,7 +32,7 @@ Chosen choose(const Clause& clause, const Interval& a, const Interval& b, bool s
 
 namespace {
 
-/// apply() for what most tapes are made of, without a call.
+/// apply() for the most frequent operations, inlined.
 inline Interval apply_inline(const Clause& clause, const Interval& a, const Interval& b) {
   const bool nan = a.maybe_nan || b.maybe_nan;
   switch (clause.op) {
@@ -40,7 +41,7 @@ inline Interval apply_inline(const Clause& clause, const Interval& a, const Inte
     case Opcode::negate: return negate(a);
     case Opcode::add: return add(a, b, nan);
     case Opcode::subtract: return add(a, negate(b), nan);
-    // A value times itself is its square, and their products are the same floats.
+    // The product of a value with itself is its square, with the same floats.
     case Opcode::multiply: return clause.a == clause.b ? square(a) : multiply(a, b, nan);
     case Opcode::minimum: return minimum(a, b, nan);
     case Opcode::maximum: return maximum(a, b, nan);
@@ -55,7 +56,8 @@ Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y,
   ranges.set(0, x);
   ranges.set(1, y);
   ranges.set(2, z);
-  // A byte may be part of anything: through these pointers it is clear that the arrays themselves do not change.
+  // Bytes may alias anything. With these pointers the compiler knows that the arrays themselves do
+  // not change.
   float *const lower = ranges.lower.data(), *const upper = ranges.upper.data();
   std::uint8_t* const maybe_nan = ranges.maybe_nan.data();
   const float* const constants = tape.constants->data();

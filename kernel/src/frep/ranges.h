@@ -1,4 +1,4 @@
-/// The intervals of a tape over one box, precisely: with infinities, and with what may be NaN.
+/// Exact intervals of a tape over one box, with infinities and NaN.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace fieldfab::frep {
 
-/// The intervals of all values of a tape over a box, by operand. Kept as three arrays: a processor waits long for a structure
-/// that was written in parts and is read as one.
+/// Intervals of all values of a tape over a box, by operand. Three arrays, since a processor stalls
+/// if a structure is written in parts and read as a whole.
 struct Ranges {
   std::vector<float> lower, upper;
   std::vector<std::uint8_t> maybe_nan;
@@ -24,10 +24,11 @@ struct Ranges {
   [[nodiscard]] Interval operator[](std::size_t i) const { return {lower[i], upper[i], maybe_nan[i] != 0}; }
 };
 
-/// The intervals of all values over a box: `ranges` gets first_value + code.size() entries. Returns the root's.
+/// Computes the intervals of all values over a box: `ranges` gets first_value + code.size()
+/// entries. Returns that of the root.
 Interval evaluate_ranges(const Tape& tape, const Interval& x, const Interval& y, const Interval& z, Ranges& ranges);
 
-/// Sets bit `lane` of the choices that these ranges allow (see Choice) and clears it where they allow none.
+/// Sets bit `lane` of the choices that these ranges allow (see Choice), and clears it otherwise.
 void record_choices(const Tape& tape, const Ranges& ranges, Purpose purpose, unsigned lane, Choice* choices);
 
 }  // namespace fieldfab::frep

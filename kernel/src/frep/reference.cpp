@@ -5,7 +5,7 @@
 namespace fieldfab::frep {
 namespace {
 
-/// Calls visit(entry, index) for every node after its arguments.
+/// Calls visit(entry, index) for each node after its arguments.
 template <class Visit>
 void for_each_node(const Flat& flat, const Visit& visit) {
   for (std::size_t i = 0; i < flat.order.size(); ++i) visit(flat.order[i], i);

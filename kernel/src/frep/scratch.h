@@ -1,4 +1,4 @@
-/// Memory to evaluate in.
+/// Working memory of evaluations.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,8 @@
 
 namespace fieldfab::frep {
 
-/// Memory that each thread keeps for its batches; a deep expression may have taken much, which is given back here.
+/// Returns memory kept per thread for its batches. Frees large memory that a deep expression needed
+/// before.
 template <class T>
 T* scratch(std::size_t count) {
   static thread_local std::vector<T> kept;

@@ -1,4 +1,4 @@
-/// What the shapes have in common.
+/// Functions common to all shapes.
 #pragma once
 
 #include "fieldfab/frep/shapes.h"
@@ -14,10 +14,10 @@ inline E length(const E& a, const E& b, const E& c) { return sqrt(square(a) + sq
 inline E positive(const E& a) { return max(a, 0.0); }
 inline E clamp(const E& a, const E& low, const E& high) { return max(low, min(high, a)); }
 
-/// The distance from (px, py) to the segment from (ax, ay) to (bx, by).
+/// Distance from (px, py) to the segment from (ax, ay) to (bx, by).
 E segment_distance(const E& px, const E& py, const E& ax, const E& ay, const E& bx, const E& by);
 
-/// The exact distance of what is where `inside` < 0, given the distance to its surface.
+/// Signed distance of the solid `inside` < 0, given the distance to its surface.
 inline E with_sign_of(const E& inside, const E& distance) { return distance * compare(inside, 0.0); }
 
 }  // namespace fieldfab::frep::shapes

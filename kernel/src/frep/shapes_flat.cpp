@@ -1,4 +1,4 @@
-// Flat shapes: what can be cut, engraved, extruded or turned.
+// Flat shapes: to be cut, engraved, extruded or rotated.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,10 +16,10 @@ struct Point {
   double x, y;
 };
 
-/// Twice the area of a triangle, positive where it is counterclockwise.
+/// Twice the signed area of a triangle, positive if it is counterclockwise.
 double turn(const Point& a, const Point& b, const Point& c) { return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y); }
 
-/// What is to the left of the line from a to b.
+/// Half plane to the left of the line from a to b.
 E left_of(const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, long_ = std::hypot(dx, dy);
   return (x() - a.x) * (dy / long_) - (y() - a.y) * (dx / long_);
@@ -46,7 +46,7 @@ std::vector<std::size_t> hull_of(const std::vector<Point>& points) {
   return hull;
 }
 
-/// A counterclockwise polygon: its convex hull less its pockets, which are polygons in turn.
+/// A counterclockwise polygon: its convex hull minus its pockets, which are polygons in turn.
 E simple_polygon(const std::vector<Point>& points, int depth) {
   if (depth > 100) throw Error(ErrorKind::bad_input, "outline", "the polygon is too ragged, or crosses itself");
   const std::vector<std::size_t> hull = hull_of(points);
@@ -91,7 +91,7 @@ E triangle(const E& x0, const E& y0, const E& x1, const E& y1, const E& x2, cons
     return ((y() - ay) * (bx - ax) - (x() - ax) * (by - ay)) / length(bx - ax, by - ay);
   };
   const E a = right_of(x0, y0, x1, y1), b = right_of(x1, y1, x2, y2), c = right_of(x2, y2, x0, y0);
-  return min(max(max(a, b), c), max(max(-a, -b), -c));  // one of the two ways round is the triangle, the other is empty
+  return min(max(max(a, b), c), max(max(-a, -b), -c));  // one orientation gives the triangle, the other is empty
 }
 
 E polygon(int sides, double radius) {
@@ -140,9 +140,9 @@ E gear(int teeth, double module, double pressure_angle, double backlash) {
   const double half_tooth = (pi * module / 2 - backlash) / (2 * pitch) + involute;  // at the base circle, as an angle
   const E r = length(x(), y());
   const E angle = mod(atan2(y(), x()) + pi / teeth, 2 * pi / teeth) - pi / teeth;
-  // The string that draws the involute: its length over the base radius less the angle it was wound about. Distances between
-  // involutes of one circle are angles times its radius; within that circle flanks are straight. The last factor makes that a
-  // bound on both sides.
+  // The string of the involute: its length over the base radius minus the angle of its winding.
+  // Distances between involutes of one circle are angles times its radius; inside the circle flanks
+  // are straight. The last factor makes the value a bound on both sides.
   const E wound = sqrt(positive(square(r / base) - 1.0));
   const E flank = (abs(angle) - half_tooth + wound - atan(wound)) * min(r, base) / std::hypot(1, pi / teeth);
   return min(max(flank, r - (pitch + module)), r - (pitch - 1.25 * module));

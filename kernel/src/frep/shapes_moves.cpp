@@ -1,4 +1,4 @@
-// Sets of shapes, and shapes moved, bent and repeated.
+// Set operations, and shapes that are moved, bent and repeated.
 #include <cmath>
 #include <numbers>
 
@@ -10,7 +10,7 @@ namespace {
 
 const double root_half = std::sqrt(0.5);
 
-/// What is near a point is scaled by `factor` as seen from there.
+/// Scales the surroundings of a point by `factor` around it.
 E about_point(const E& a, const E& px, const E& py, const E& pz, const E& factor) {
   return remap(a, px + (x() - px) * factor, py + (y() - py) * factor, pz + (z() - pz) * factor);
 }
@@ -21,7 +21,7 @@ void require_count(int count, const char* where) {
   if (count < 1 || count > 10000) throw Error(ErrorKind::bad_input, where, "the number of copies must be from 1 to 10000");
 }
 
-/// The union of copies first ... first + count - 1, as a balanced tree: what is pruned is pruned in halves.
+/// Union of copies first ... first + count - 1, as a balanced tree, so that pruning removes halves.
 template <class Copy>
 E united(int first, int count, const Copy& copy) {
   if (count == 1) return copy(first);

@@ -1,4 +1,4 @@
-// Solids, and what flat shapes become.
+// Solids, and solids made of flat shapes.
 #include <cmath>
 #include <numbers>
 
@@ -78,7 +78,8 @@ E diamond(const E& period) {
 }
 
 E thread(const E& radius, const E& pitch, const E& height) {
-  // ISO 68-1: flanks at 30 degrees, crests an eighth of the pitch wide, roots a quarter, so 5/8 of the full triangle deep.
+  // ISO 68-1: flanks at 30 degrees, crests an eighth of the pitch wide, roots a quarter; so the
+  // depth is 5/8 of the full triangle.
   const double tan30 = std::tan(pi / 6), cos30 = std::cos(pi / 6);
   const E r = length(x(), y());
   const E along = mod(z() - pitch * atan2(y(), x()) / (2 * pi), pitch) - pitch / 2.0;  // from the middle of the crest

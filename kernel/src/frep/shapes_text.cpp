@@ -1,4 +1,5 @@
-// Text in a stroke font: each glyph a few lines with round ends, so that its distance is exact and any weight looks right.
+// Text in a stroke font. Each glyph consists of a few lines with round ends, so that its distance
+// is exact and any weight looks right.
 #include <algorithm>
 #include <string>
 #include <unordered_map>
@@ -10,8 +11,8 @@
 namespace fieldfab::frep::shapes {
 namespace {
 
-/// Lines through points "xy", one digit each: x from 0 to 4, y from 0 (descenders) over 2 (the base line) and 6 (the height of an
-/// x) to 8 (capitals). A line of one point is a dot.
+/// Lines through points "xy", one digit each: x from 0 to 4; y is 0 for descenders, 2 for the base
+/// line, 6 for the x-height and 8 for capitals. A line of one point is a dot.
 const std::unordered_map<char, const char*>& glyphs() {
   static const std::unordered_map<char, const char*> table{
       {'A', "02 06 18 38 46 42, 05 45"},
@@ -113,9 +114,9 @@ const std::unordered_map<char, const char*>& glyphs() {
 }
 
 constexpr const char* box_glyph = "02 42 48 08 02";
-constexpr double advance = 6, line_height = 11;  // units of the grid, of which a capital is six high
+constexpr double advance = 6, line_height = 11;  // units of the grid; a capital is six high
 
-/// Adds the lines of a glyph, its lower left corner at (left, base).
+/// Adds the lines of a glyph with its lower left corner at (left, base).
 void add_strokes(const char* glyph, double left, double base, double unit, double weight, std::vector<E>& strokes) {
   double before[2] = {0, 0};
   bool first = true;

@@ -1,4 +1,4 @@
-// Simplification: what the operators do as expressions are written, and simplify() does to a whole graph.
+// Simplification: by operators when an expression is built, and by simplify() for a whole graph.
 #include <cmath>
 #include <limits>
 
@@ -9,7 +9,7 @@ namespace {
 
 bool is_constant(const Expression& e, double value) { return e.opcode() == Opcode::constant && e.constant() == value; }
 
-/// A folded constant must also be a number in the single precision in which it will be used.
+/// A folded constant must be finite in single precision, in which it will be used.
 bool usable(double value) { return std::isfinite(static_cast<float>(value)); }
 
 Expression simple(Opcode op, const Expression& a) {

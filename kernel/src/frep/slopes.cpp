@@ -1,5 +1,6 @@
-// Difference quotients over a box, a direction a lane: forward differentiation in interval arithmetic. Each rule holds for
-// differences between any two points of the box, not only for derivatives, so that min, max and abs need no special care.
+// Difference quotients over a box, one direction per lane: forward differentiation in interval
+// arithmetic. Each rule holds for differences between any two points of the box, not only for
+// derivatives, so that min, max and abs need no special treatment.
 #include "slopes.h"
 
 #include <array>
@@ -12,14 +13,14 @@
 namespace fieldfab::frep {
 namespace {
 
-/// Four lanes: what every processor has registers for.
+/// Four lanes: each processor has registers of that size.
 using Four = float __attribute__((vector_size(16)));
 constexpr std::size_t fours = slope_lanes / 4;
 
 Four least(Four a, Four b) { return a < b ? a : b; }
 Four greatest(Four a, Four b) { return a > b ? a : b; }
 
-/// The slopes of one value, a direction a lane; where nothing is known about them `known` is false, and the numbers mean nothing.
+/// Slopes of one value, one direction per lane. If `known` is false, the numbers are invalid.
 struct Lanes {
   Four lower[fours], upper[fours];
   bool known;
@@ -69,7 +70,8 @@ Lanes scaled(const Interval& by, const Lanes& a) {
   return out;
 }
 
-/// Whether all ends are finite: a number less itself is 0 but for infinities and NaN.
+/// Whether all ends are finite: the difference of a number with itself is 0 except for infinities
+/// and NaN.
 bool is_finite(const Lanes& a) {
   Four off{};
   for (std::size_t i = 0; i < fours; ++i) off += (a.lower[i] - a.lower[i]) + (a.upper[i] - a.upper[i]);
@@ -125,7 +127,7 @@ class SlopeRun {
         set_unknown(made);
       else
         step(tape_.code[i], first_value + i, made);
-      // An end that is not finite would spoil what is made of it.
+      // An infinite end would invalidate later results.
       if (made.known && !is_finite(made)) set_unknown(made);
     }
     return slopes_of(tape_.root);
@@ -218,8 +220,9 @@ class SlopeRun {
     }
   }
 
-  /// The square root of a sum of squares is a length: its slope is that of each part times the part's share of it, which is at
-  /// most 1 also where the length is 0. Other roots are known where they are off 0.
+  /// The square root of a sum of squares is a length. Its slope is the sum over the parts of the
+  /// part's slope times the part's share of the length, which is at most 1 even if the length is 0.
+  /// Other roots have known slopes away from 0.
   void root(Operand argument, const Interval& value, const Lanes& slopes, Lanes& out) const {
     std::array<Operand, 4> parts;
     std::size_t count = 0;
@@ -246,14 +249,15 @@ class SlopeRun {
         squares[k] += most * most;
       }
     }
-    for (std::size_t k = 0; k < fours; ++k) {  // a length changes by no more than its end moves
+    for (std::size_t k = 0; k < fours; ++k) {  // a length changes by at most the movement of its end
       Four most;
       for (int lane = 0; lane < 4; ++lane) most[lane] = std::sqrt(squares[k][lane]) * (1 + 1e-6F);
       out.lower[k] = greatest(out.lower[k], -most), out.upper[k] = least(out.upper[k], most);
     }
   }
 
-  /// Whether a value is a square or a sum of two to four squares; `parts` gets what is squared.
+  /// Whether a value is a square or a sum of two to four squares; `parts` gets the operands of the
+  /// squares.
   bool squares_in(Operand operand, std::array<Operand, 4>& parts, std::size_t& count) const {
     if (!is_made(operand)) return false;
     const Clause& clause = tape_.code[operand - first_value];

@@ -7,7 +7,8 @@
 namespace fieldfab::frep {
 namespace {
 
-/// Marks what only serves the sign of the root: seen from the root down through min, max and negation.
+/// Marks clauses that affect only the sign of the root: those reached from the root through min,
+/// max and negation.
 void mark_signs(Tape& tape) {
   for (Clause& clause : tape.code) clause.only_sign_matters = true;
   for (std::size_t i = tape.code.size(); i-- > 0;) {
@@ -24,7 +25,7 @@ void mark_signs(Tape& tape) {
 std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use) {
   static thread_local std::vector<std::uint32_t> kept;
   kept.resize(std::size_t{2} * count + 2);
-  std::uint32_t* const free = kept.data();  // a stack; without branches, which would be foreseen wrongly
+  std::uint32_t* const free = kept.data();  // a stack, without branches, which would be mispredicted
   std::uint32_t top = 0, slots = 0;
   for (std::uint32_t i = 0; i < count; ++i) {
     Clause& clause = code[i];
@@ -48,7 +49,7 @@ Tape make_tape(const Expression& expression) {
   Tape tape;
   std::vector<float> constants;
   std::vector<Operand> operand(flat.order.size());
-  std::unordered_map<std::uint32_t, std::uint32_t> known;  // by bits: 0 and -0 are two
+  std::unordered_map<std::uint32_t, std::uint32_t> known;  // by bits: 0 and -0 differ
   for (std::size_t i = 0; i < flat.order.size(); ++i) {
     const Flat::Entry& entry = flat.order[i];
     switch (entry.op) {

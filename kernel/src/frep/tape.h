@@ -1,4 +1,4 @@
-/// An expression as straight-line code: what is evaluated over intervals, pruned, and run in batches (Keeter 3.6 to 3.8).
+/// An expression as straight-line code, for intervals, pruning and batches (Keeter 3.6 to 3.8).
 #pragma once
 
 #include <memory>
@@ -9,12 +9,13 @@
 
 namespace fieldfab::frep {
 
-/// Straight-line code in which each value is made once, after its arguments, and each serves the root.
+/// Straight-line code. Each value is computed once, after its arguments, and each contributes to
+/// the root.
 struct Tape {
   std::vector<Clause> code;
   std::shared_ptr<const std::vector<float>> constants;  ///< shared with the tapes pruned from this one
   Operand root = 0;
-  std::uint32_t slots = 0;  ///< how many slots there are
+  std::uint32_t slots = 0;  ///< number of slots
 };
 
 Tape make_tape(const Expression& expression);
@@ -22,8 +23,8 @@ Tape make_tape(const Expression& expression);
 /// Whether the tape only adds, subtracts, negates, and multiplies with and divides by constants.
 bool is_affine(const Tape& tape);
 
-/// Gives each clause the slot of an argument that is used for the last time, where there is one; `last_use`, by operand, is the
-/// last clause that uses it. Returns how many slots are used.
+/// Assigns slots. A clause reuses the slot of an argument that is used for the last time, if there
+/// is one. `last_use`, by operand, is the last clause that uses it. Returns the number of slots.
 std::uint32_t assign_slots(Clause* code, std::uint32_t count, const std::uint32_t* last_use);
 
 }  // namespace fieldfab::frep

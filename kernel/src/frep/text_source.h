@@ -1,4 +1,4 @@
-/// What the parsers share: where they are in a text, how they complain, how they read a number.
+/// Common base of the parsers: positions in a text, error messages, numbers.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,10 +15,10 @@
 
 namespace fieldfab::frep {
 
-/// More operations than any design has; a file with more is refused before it fills the memory.
+/// Far more operations than any design has; a larger file is refused before it fills the memory.
 inline constexpr std::size_t most_operations = 16'000'000;
 
-/// A mistake at a byte of a text.
+/// An error at a byte of a text.
 struct TextError : Error {
   TextError(ErrorKind kind, std::string place, const std::string& text, std::size_t byte)
       : Error(kind, std::move(place), text), at(byte), message(text) {}
@@ -26,14 +26,14 @@ struct TextError : Error {
   std::string message;  ///< without the place
 };
 
-/// A text with the name that messages carry.
+/// A text with its name for messages.
 class TextSource {
  public:
   TextSource(std::string_view text, std::string_view name) : text_(text), name_(name) {}
 
   [[nodiscard]] std::string_view text() const { return text_; }
 
-  /// Byte `at` as NAME:LINE:COLUMN.
+  /// Position of byte `at` as NAME:LINE:COLUMN.
   [[nodiscard]] std::string place(std::size_t at) const {
     at = std::min(at, text_.size());
     const std::string_view before = text_.substr(0, at);
@@ -48,7 +48,7 @@ class TextSource {
     throw TextError(kind, place(at), printable(message), at);
   }
 
-  /// The byte at `at` as a message shows it.
+  /// The byte at `at`, as shown in messages.
   [[nodiscard]] std::string shown(std::size_t at) const {
     if (at >= text_.size()) return "the end of the text";
     const char c = text_[at];
@@ -56,7 +56,8 @@ class TextSource {
     return fmt::format("byte 0x{:02x}", static_cast<unsigned char>(c));
   }
 
-  /// Reads a decimal number at `at` and moves past it. Fails where there is none, and for one that single precision cannot hold.
+  /// Reads a decimal number at `at` and moves past it. Fails if there is none, or if it exceeds
+  /// single precision.
   double number(std::size_t& at) const {
     std::size_t start = at;
     if (start < text_.size() && text_[start] == '+') ++start;
@@ -75,7 +76,8 @@ class TextSource {
   }
 
  private:
-  /// from_chars leaves the value alone where it overflows or underflows: only the exponent's sign tells which it was.
+  /// from_chars leaves the value unchanged on overflow and underflow; the sign of the exponent
+  /// distinguishes them.
   double out_of_range(std::string_view digits, std::size_t at) const {
     const std::size_t exponent = digits.find_first_of("eE");
     if (exponent != std::string_view::npos && exponent + 1 < digits.size() && digits[exponent + 1] == '-') return 0;
@@ -88,13 +90,13 @@ class TextSource {
   std::string_view name_;
 };
 
-/// Throws bad_input where a file was opened: only .frep text can name files.
+/// Throws bad_input if the expression opens a file: only .frep text can name files.
 inline void require_no_opened(const Expression& expression) {
   if (has_opened(expression))
     throw Error(ErrorKind::bad_input, "", "a model that opens other files can be written as .frep text only");
 }
 
-/// The shortest text that reads back as the same number.
+/// Shortest text that reads back as the same number.
 inline std::string number_text(double value) { return fmt::format("{}", value); }
 
 }  // namespace fieldfab::frep

@@ -24,7 +24,7 @@ x86::Mem VectorAssembler::constant(float number) {
 
 void VectorAssembler::begin(int inputs) {
   for (const x86::Gp& kept : {x86::rbx, x86::rbp, x86::r12, x86::r15}) code.push(kept);
-  code.sub(x86::rsp, 8);  // so that the stack is aligned for calls
+  code.sub(x86::rsp, 8);  // aligns the stack for calls
   code.mov(x86::rbx, x86::rdi);
   code.mov(x86::r12, x86::ptr(x86::rbx, offsetof(Arguments, choices)));
   code.mov(x86::rbp, x86::ptr(x86::rbx, offsetof(Arguments, frame)));
@@ -75,8 +75,8 @@ void VectorAssembler::round(const Vec& to, const Vec& from, int how) {
 
 void VectorAssembler::extreme(x86::Inst::Id instruction, const Vec& to, const Vec& a, const Vec& b, const Vec& scratch,
                               const Mask& mask) {
-  // The instruction gives its second operand on a tie and where either is NaN: right but where b alone is NaN. (Where b is a
-  // and that is the mask's vector, too, its lanes of ones are NaN.)
+  // The instruction returns its second operand on a tie and if either is NaN. That is wrong only if
+  // b alone is NaN. (If b is a, and also the mask's vector, its lanes of ones are NaN.)
   code.emit(instruction, scratch, b, a);
   compare(mask, b, b, unordered);
   select(to, mask, b, scratch);

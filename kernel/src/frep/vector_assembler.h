@@ -1,4 +1,5 @@
-/// The vector instructions that tapes need, for AVX2 and AVX-512 alike. Includes asmjit: only for the files that make code.
+/// Vector instructions for tapes, common to AVX2 and AVX-512. Includes asmjit: only for the files
+/// that generate code.
 #pragma once
 
 #include <asmjit/x86.h>
@@ -11,16 +12,17 @@
 
 namespace fieldfab::frep {
 
-/// Writes a function `void(const Arguments*)` that goes through its points a vector at a time.
+/// Generates a function `void(const Arguments*)` that processes its points one vector at a time.
 ///
-/// Registers: rbx the arguments, r15 the bytes done, r12 where choices go, rbp a frame of vectors (the inputs of these points,
-/// then room for calls, then slots).
+/// Registers: rbx points to the arguments, r15 is the offset in bytes, r12 points to the choices,
+/// rbp points to a frame of vectors (the inputs of these points, then room for calls, then slots).
 class VectorAssembler {
  public:
   using Vec = asmjit::x86::Vec;
   using Mem = asmjit::x86::Mem;
 
-  /// What the function is called with. Arrays hold whole vectors; as many of `in` and `out` are used as the function asks for.
+  /// Arguments of the function. Arrays hold whole vectors; the function uses as many of `in` and
+  /// `out` as it needs.
   struct Arguments {
     const float* in[6];
     float* out[4];
@@ -31,10 +33,10 @@ class VectorAssembler {
   using Function = void (*)(const Arguments*);
 
   /// Vectors of the frame.
-  static constexpr int frame_call = 6;    ///< eight, for calls
-  static constexpr int frame_slots = 14;  ///< from here on
+  static constexpr int frame_call = 6;    ///< eight vectors for calls
+  static constexpr int frame_slots = 14;  ///< first vector of the slots
 
-  /// A comparison's result: a vector for AVX2, a k register for AVX-512.
+  /// Result of a comparison: a vector for AVX2, a k register for AVX-512.
   struct Mask {
     Vec vector;
     asmjit::x86::KReg bits;
@@ -47,17 +49,18 @@ class VectorAssembler {
     const auto id = static_cast<std::uint32_t>(number);
     return wide_ ? Vec(asmjit::x86::zmm(id)) : Vec(asmjit::x86::ymm(id));
   }
-  /// Vector `number`, or a k register of its own for numbers that are less than seven apart.
+  /// Returns vector `number`, or a k register; numbers that differ by less than seven have
+  /// different k registers.
   [[nodiscard]] Mask mask(int number) const {
     return {vector(number), asmjit::x86::KReg(static_cast<std::uint32_t>(1 + number % 7))};
   }
 
   [[nodiscard]] Mem frame(int place) const { return asmjit::x86::ptr(asmjit::x86::rbp, place * vector_bytes()); }
-  /// A vector whose lanes are all `number`.
+  /// Returns a vector with `number` in all lanes.
   Mem constant(float number);
 
-  void begin(int inputs);                       ///< up to where the inputs are in the frame
-  void store_out(int which, const Vec& value);  ///< the result
+  void begin(int inputs);                       ///< emits the code up to the load of the inputs into the frame
+  void store_out(int which, const Vec& value);  ///< stores a result
   void end();
 
   void load(const Vec& to, const asmjit::Operand& from);
@@ -71,7 +74,8 @@ class VectorAssembler {
   void ceiling(const Vec& to, const Vec& from) { round(to, from, 0x0a); }
   void negate(const Vec& to, const Vec& from) { code.emit(asmjit::x86::Inst::kIdVxorps, to, from, constant(-0.0F)); }
   void magnitude(const Vec& to, const Vec& from);
-  /// min and max as apply() has them: the first on a tie, NaN where either is. `scratch` is neither a nor b; `mask` may be a.
+  /// min and max as in apply(): the first on a tie, NaN if either is. `scratch` is neither a nor b;
+  /// `mask` may be a.
   void least(const Vec& to, const Vec& a, const Vec& b, const Vec& scratch, const Mask& mask) {
     extreme(asmjit::x86::Inst::kIdVminps, to, a, b, scratch, mask);
   }
@@ -83,18 +87,19 @@ class VectorAssembler {
   void compare(const Mask& to, const Vec& a, const asmjit::Operand& b, Predicate predicate);
   void both(const Mask& to, const Mask& a, const Mask& b);
   void select(const Vec& to, const Mask& mask, const Vec& if_so, const Vec& if_not);
-  /// Sets all bits of `to` where the mask is set.
+  /// Sets all bits of `to` in the lanes of the mask.
   void mark(const Vec& to, const Mask& mask);
-  /// Writes the lanes of a mask as bits into the choices of clause `clause`: the first ones, or the second.
+  /// Writes the lanes of a mask as bits into the choices of clause `clause`: Choice::second or
+  /// Choice::first.
   void choose(std::size_t clause, bool second, const Mask& mask);
   void either(const Mask& to, const Mask& a, const Mask& b);
-  /// `value` where the mask is set, else 0.
+  /// `value` in the lanes of the mask, otherwise 0.
   void keep(const Vec& to, const Mask& mask, const Vec& value);
 
-  /// Calls function(op, frame + in, frame + out, lanes); every vector register is lost.
+  /// Calls function(op, frame + in, frame + out, lanes); all vector registers are lost.
   void call(RunOperation function, Opcode op, int in, int out);
 
-  /// The function, in memory of its own; null where there is none.
+  /// Returns the function in executable memory; null if there is none.
   std::unique_ptr<CodeMemory> finish();
 
  private:

@@ -1,4 +1,4 @@
-// .vm programs: one instruction a line, as the Prospero challenge has them.
+// .vm programs: one instruction per line, in the format of the Prospero challenge.
 #include <iterator>
 #include <optional>
 #include <unordered_map>

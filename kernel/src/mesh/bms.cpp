@@ -9,10 +9,11 @@ namespace {
 using Triple = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t none = 0xffffffff;
 
-/// For each triangle and each of its edges (from corner i to the next) the triangle that has that edge the other way round.
+/// Returns for each triangle and each of its edges (from corner i to the next) the triangle with
+/// that edge in the opposite direction.
 std::vector<Triple> neighbours_of(const TriangleMesh& mesh) {
   const auto& triangles = mesh.triangles;
-  // Edges by the vertex they start at.
+  // Edges by their first vertex.
   struct Edge {
     std::uint32_t to, triangle;
   };

@@ -1,4 +1,5 @@
-/// CGAL's surfaces as Polyhedra; private to the mesh folder, for files that include CGAL.
+/// Conversion of CGAL's surfaces to Polyhedra; private to the mesh folder, for files that include
+/// CGAL.
 #pragma once
 
 #include "fieldfab/mesh/polyhedron.h"

@@ -1,4 +1,4 @@
-// What two exact solids make, by CGAL's corefinement.
+// Booleans of two exact solids, by CGAL's corefinement.
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -15,7 +15,7 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
 
-/// A face as far as it matters for what it meets.
+/// A face, as far as it matters for the faces that it meets.
 struct Face {
   Vec3 point, normal;
   double size;
@@ -45,7 +45,8 @@ std::vector<FaceBox> face_boxes(const Mesh& mesh) {
   return boxes;
 }
 
-/// Each pair of faces that cross costs exact constructions, and one in the same plane many.
+/// Throws too_large if there is too much work: each pair of faces that intersect costs exact
+/// constructions, and a coplanar pair many.
 void require_little_work(const Mesh& a, const Mesh& b) {
   constexpr std::size_t most_meeting = 2'000'000, most_in_one_plane = 20'000;
   std::size_t meeting = 0, in_one_plane = 0;
@@ -57,8 +58,8 @@ void require_little_work(const Mesh& a, const Mesh& b) {
   });
 }
 
-/// Whether a surface touches itself in a corner, as what corefinement makes can: a corner of two rounds of faces, or two corners
-/// at the same place.
+/// Whether a surface touches itself at a vertex, as results of corefinement can: a vertex with two
+/// rings of faces, or two vertices at the same position.
 bool touches_itself(const Mesh& mesh) {
   std::vector<Mesh::Halfedge_index> rounds;
   pmp::non_manifold_vertices(mesh, std::back_inserter(rounds));
@@ -68,7 +69,8 @@ bool touches_itself(const Mesh& mesh) {
     Vec3 place;
     double along;
   };
-  const Vec3 way(0.61803, 0.54931, 0.56226);  // along which different corners are at different places as a rule
+  // Direction along which different corners usually have different coordinates.
+  const Vec3 way(0.61803, 0.54931, 0.56226);
   std::vector<Corner> corners;
   corners.reserve(mesh.number_of_vertices());
   double farthest = 0;
@@ -100,13 +102,13 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     CGAL::copy_face_graph(b.surface_->mesh, both);
     return ExactSolid(std::make_shared<Surface>(std::move(both), simple));
   }
-  // CGAL can look for crossings as it joins, which takes as long as all else and misses touches, by which it can crash.
+  // CGAL can search for self-intersections during corefinement. That takes as long as everything
+  // else, and misses contacts, at which it can crash.
   if (!simple) throw Error(ErrorKind::bad_input, "polyhedron", "its surface crosses or touches itself");
   require_little_work(a.surface_->mesh, b.surface_->mesh);
   try {
     Mesh one = a.surface_->mesh, two = b.surface_->mesh, result;
-    std::array<boost::optional<Mesh*>, 4>
-        wanted;  // in CGAL's order; asked for by one call, which compiles in a third of the time
+    std::array<boost::optional<Mesh*>, 4> wanted;  // in CGAL's order; one call compiles in a third of the time
     const auto place = operation == Operation::unite       ? pmp::Corefinement::UNION
                        : operation == Operation::intersect ? pmp::Corefinement::INTERSECTION
                                                            : pmp::Corefinement::TM1_MINUS_TM2;
@@ -114,10 +116,11 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
     const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted)[place];
     if (!valid) throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
     if (result.number_of_faces() == 0) return {};
-    // Of simple surfaces exact constructions make what does not cross itself, and touches itself in corners only.
+    // Exact constructions from simple surfaces give no self-intersections; contacts are at vertices
+    // only.
     const bool touches = touches_itself(result);
     return ExactSolid(std::make_shared<Surface>(std::move(result), !touches));
-  } catch (const std::logic_error&) {  // CGAL's own failures are such
+  } catch (const std::logic_error&) {  // base of CGAL's own exceptions
     throw Error(ErrorKind::bad_input, "polyhedron", "its faces could not be joined");
   }
 }

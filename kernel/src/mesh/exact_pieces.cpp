@@ -1,4 +1,4 @@
-// The exact solid of a mesh, from its pieces.
+// Exact solid of a mesh, from its connected pieces.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,7 +10,8 @@
 namespace fieldfab {
 namespace {
 
-/// The pieces that hang together by edges. Nothing where an edge has not two triangles, one on each side.
+/// Returns the pieces connected by edges; nullopt if an edge does not have exactly two triangles,
+/// one on each side.
 std::optional<std::vector<TriangleMesh>> pieces_of(const TriangleMesh& mesh) {
   struct Side {
     std::uint64_t edge;  // the smaller vertex, the larger one
@@ -57,7 +58,7 @@ double volume_of(const ExactSolid& solid) { return to_mesh(solid.polyhedron()).v
 std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& progress) {
   const auto pieces = pieces_of(mesh);
   if (!pieces || pieces->empty()) return std::nullopt;
-  double volume = 0;  // of all pieces, however they face
+  double volume = 0;  // signed sum over all pieces
   std::vector<ExactSolid> outward, inward;
   try {
     for (TriangleMesh piece : *pieces) {
@@ -74,7 +75,8 @@ std::optional<ExactSolid> exact_solid_of(const TriangleMesh& mesh, Progress& pro
     const ExactSolid whole = all_of(std::move(outward), Operation::unite, progress),
                      rest = all_of(std::move(inward), Operation::unite, progress);
     if (!has_hollows) return whole.empty() ? rest : whole;
-    // Where pieces overlap that face out, a hollow between them is wound around still; one that sticks out is solid there.
+    // If outward pieces overlap, a hollow may still have a positive winding number; a hollow that
+    // sticks out is solid there.
     constexpr double nearly = 1e-6;
     const ExactSolid with_hollows = combined(whole, rest, Operation::subtract);
     const double outer = volume_of(whole), hollow = volume_of(rest);

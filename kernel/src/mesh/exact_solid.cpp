@@ -47,7 +47,7 @@ bool ExactSolid::touches_itself() const { return !empty() && !surface_->simple; 
 
 namespace {
 
-/// Joins two of several solids, whichever can be; or throws what was wrong with the last two.
+/// Joins any two of several solids; if no pair can be joined, throws the last error.
 void join_any_two(std::vector<ExactSolid>& solids, Operation operation, Progress& progress) {
   constexpr std::size_t most = 12;
   std::exception_ptr refusal;
@@ -72,8 +72,8 @@ void join_any_two(std::vector<ExactSolid>& solids, Operation operation, Progress
 }  // namespace
 
 ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress& progress) {
-  // Solids that only touch cannot be joined, or what they make cannot be joined with more: they wait for others, which may fill
-  // the gap between them.
+  // Solids that only touch cannot be joined, or their result cannot be joined with others. They
+  // wait for solids that may fill the gap between them.
   while (solids.size() > 2) {
     std::vector<std::optional<ExactSolid>> joined(solids.size() / 2);
     parallel_for(joined.size(), [&](std::size_t i) {
@@ -97,7 +97,7 @@ ExactSolid all_of(std::vector<ExactSolid> solids, Operation operation, Progress&
     }
     if (solids.size() % 2 == 1) next.push_back(std::move(solids.back()));
     if (next.size() == solids.size()) join_any_two(next, operation, progress);
-    std::rotate(next.begin(), next.begin() + 1, next.end());  // so that those that wait meet others
+    std::rotate(next.begin(), next.begin() + 1, next.end());  // so that waiting solids meet others
     solids = std::move(next);
   }
   if (solids.empty()) return {};

@@ -1,4 +1,5 @@
-// glTF 2.0, binary. Our own, since tinygltf holds all the numbers in memory, and copies them once more to write them.
+// glTF 2.0, binary. Our own writer, since tinygltf keeps all numbers in memory, and copies them
+// once more to write them.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -11,12 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Numbers of the specification.
+// Constants of the specification.
 constexpr std::uint32_t magic = 0x46546c67, version = 2, json_chunk = 0x4e4f534a, binary_chunk = 0x004e4942;
 constexpr int float_component = 5126, unsigned_int_component = 5125, vertex_buffer = 34962, index_buffer = 34963,
               triangles_mode = 4;
 
-/// A channel of sRGB (0 to 255) as linear light (0 to 1): IEC 61966-2-1.
+/// Converts a channel of sRGB (0 to 255) to linear light (0 to 1): IEC 61966-2-1.
 double linear(std::uint8_t channel) {
   const double c = channel / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -36,13 +37,14 @@ Json material_of(const PartView& part) {
 
 Json numbers_of(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// The JSON chunk: what the binary one holds. That has each part's vertices, and then its triangles.
+/// The JSON chunk, which describes the binary one: the vertices of each part, then its triangles.
 class Description {
  public:
   explicit Description(std::span<const PartView> parts) {
     Json children = Json::array();
     for (std::size_t i = 1; i <= parts.size(); ++i) children.push_back(i);
-    // glTF has metres and y up. Vertices stay in mm with z up, to the last bit; the root turns and shrinks them.
+    // glTF uses metres and y up. Vertices stay in mm with z up, to the last bit; the root node
+    // rotates and scales them.
     nodes_.push_back({{"name", "Fieldfab"},
                       {"children", children},
                       {"matrix", {0.001, 0, 0, 0, 0, 0, -0.001, 0, 0, 0.001, 0, 0, 0, 0, 0, 1}}});
@@ -69,7 +71,7 @@ class Description {
   void add(const PartView& part) {
     Json node = Json::object();
     if (!part.name.empty()) node["name"] = printable(part.name);
-    if (!part.mesh.triangles.empty()) {  // glTF has no empty meshes
+    if (!part.mesh.triangles.empty()) {  // glTF does not permit empty meshes
       node["mesh"] = meshes_.size();
       const Box bounds = part.mesh.bounds();
       const std::size_t places = add_accessor(12 * part.mesh.vertices.size(), vertex_buffer,
@@ -93,7 +95,7 @@ class Description {
     nodes_.push_back(std::move(node));
   }
 
-  /// The number of an accessor of the next bytes.
+  /// Adds an accessor for the next bytes; returns its number.
   std::size_t add_accessor(std::uint64_t bytes, int target, const Json& described) {
     Json accessor{{"bufferView", views_.size()}};
     accessor.update(described);

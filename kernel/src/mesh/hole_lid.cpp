@@ -9,9 +9,9 @@ namespace fieldfab {
 
 std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  constexpr std::size_t most = 1000;  // places
+  constexpr std::size_t most = 1000;  // vertices
   if (rim.size() < 3 || rim.size() > most) return {};
-  if (rim.size() == 3) return {{0, 1, 2}};  // soups have very many of these
+  if (rim.size() == 3) return {{0, 1, 2}};  // frequent in triangle soups
   std::vector<Kernel::Point_3> points;
   for (const Vec3& p : rim) points.emplace_back(p.x(), p.y(), p.z());
   std::vector<CGAL::Triple<int, int, int>> found;
@@ -22,7 +22,7 @@ std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim) {
   for (const auto& t : found)
     triangles.push_back(
         {static_cast<std::uint32_t>(t.first), static_cast<std::uint32_t>(t.second), static_cast<std::uint32_t>(t.third)});
-  const auto passes_backwards = [&](const Polyhedron::Triangle& t) {  // the edge from the first place to the second
+  const auto passes_backwards = [&](const Polyhedron::Triangle& t) {  // the edge from the first vertex to the second
     for (std::size_t i = 0; i < 3; ++i)
       if (t[i] == 1 && t[(i + 1) % 3] == 0) return true;
     return false;

@@ -1,4 +1,4 @@
-/// Triangles over a hole; private to the mesh folder.
+/// Triangulation of a hole; private to the mesh folder.
 #pragma once
 
 #include <span>
@@ -7,8 +7,9 @@
 
 namespace fieldfab {
 
-/// Divides what a rim goes around: triangles of the numbers of its places, which they pass in the rim's own direction. Of all
-/// ways to do so that with the least bends, then area (Liepa 2003, by CGAL). Nothing where none is found, or it would take long.
+/// Triangulates a rim: returns triangles of indices of its vertices, in the direction of the rim.
+/// Minimises the bends, then the area (Liepa 2003, by CGAL). Returns an empty vector if no
+/// triangulation is found or if it would take long.
 std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim);
 
 }  // namespace fieldfab

@@ -19,11 +19,11 @@
 namespace fieldfab {
 namespace {
 
-constexpr int slab = 8;  // slices that one task works on
+constexpr int slab = 8;  // slices per task
 
 Vec3 place(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
 
-/// An edge that triangles pass more often from `from` to `to` than back, and how much more often.
+/// An edge that triangles pass more often from `from` to `to` than back, and the difference.
 struct Rim {
   std::uint32_t from, to;
   int times;
@@ -54,7 +54,7 @@ std::vector<Rim> rims_of(const TriangleMesh& mesh) {
   return rims;
 }
 
-/// The vertices of a rim in the order in which a lid passes them; nothing where it is not one loop.
+/// Returns the vertices of a rim in the order of a lid; empty if the rim is not one loop.
 std::vector<std::uint32_t> loop_of(const std::vector<Rim>& edges) {
   std::unordered_map<std::uint32_t, std::uint32_t> next;
   for (const Rim& edge : edges)
@@ -69,7 +69,7 @@ std::vector<std::uint32_t> loop_of(const std::vector<Rim>& edges) {
   return loop.size() == edges.size() ? loop : std::vector<std::uint32_t>();
 }
 
-/// Closes a rim that is one loop by triangles between its own vertices; false where there are none.
+/// Closes a rim that is one loop by triangles of its own vertices. Returns false if there are none.
 bool add_plain_lid(const std::vector<Rim>& edges, const TriangleMesh& mesh, Lids& lids) {
   const std::vector<std::uint32_t> loop = loop_of(edges);
   std::vector<Vec3> places;
@@ -82,7 +82,8 @@ bool add_plain_lid(const std::vector<Rim>& edges, const TriangleMesh& mesh, Lids
   return !triangles.empty();
 }
 
-/// Closes any rim by triangles to its middle. Slits have no more than that area, in mm2.
+/// Closes any rim by triangles to its middle. A lid with at most the area `slit`, mm2, counts as a
+/// slit.
 void add_cone(const std::vector<Rim>& edges, const TriangleMesh& mesh, double slit, Lids& lids) {
   Vec3 middle = Vec3::Zero(), areas = Vec3::Zero();
   for (const Rim& edge : edges) middle += place(mesh.vertices[edge.from]) / static_cast<double>(edges.size());
@@ -154,8 +155,8 @@ class Lattice {
     }
   }
 
-  /// Offers a triangle to all points within reach between two slices. Rows run along the axis that its normal is nearest to, so
-  /// that few of their points are near its plane.
+  /// Updates all samples within reach between two slices with the distance to a triangle. Rows run
+  /// along the axis closest to its normal, so that few of their samples are near its plane.
   void measure(const std::array<std::uint32_t, 3>& triangle, int first_slice, int last_slice) {
     const Vec3 a = place(mesh_.vertices[triangle[0]]), b = place(mesh_.vertices[triangle[1]]),
                c = place(mesh_.vertices[triangle[2]]);
@@ -192,7 +193,8 @@ class Lattice {
       }
   }
 
-  /// How often each line in z through the lattice's points passes triangles on its way to each point: the winding number.
+  /// Computes the winding number at each sample: how often the line along z through it crosses
+  /// triangles on the way there.
   void give_signs(Progress& progress) {
     const auto rows = static_cast<std::size_t>(lattice_.size[1]);
     std::vector<std::vector<std::uint32_t>> triangles_of_row(rows);
@@ -236,7 +238,7 @@ class Lattice {
   const TriangleMesh& mesh_;
   DistanceLattice lattice_;
   double reach_;
-  std::vector<float> square_;  ///< of the distance, and at the end the signed distance
+  std::vector<float> square_;  ///< squares of distances; at the end signed distances
   std::vector<std::vector<std::uint32_t>> triangles_of_;
 };
 

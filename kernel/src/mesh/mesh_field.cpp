@@ -26,8 +26,9 @@ bool has_area(const TriangleMesh& mesh) {
   });
 }
 
-/// What a mesh winds around, by more than half where it is open. The number is that of the mesh with lids, which is whole and
-/// found along a line, less that of the lids, which are few; of a soup of pieces it is summed.
+/// Decides whether a point is inside: whether the magnitude of the winding number exceeds 1/2. The
+/// number is that of the mesh with lids, an integer found by ray casting, minus that of the lids,
+/// which are few. For a soup of pieces it is a sum over all triangles.
 class Inside {
  public:
   Inside(const TriangleMesh& mesh, const TriangleTree& tree) : tree_(tree), middle_(mesh.bounds().centre().z()) {
@@ -42,9 +43,9 @@ class Inside {
 
   [[nodiscard]] bool closed() const { return !number_; }
   [[nodiscard]] bool at(const Vec3& p) const { return std::abs(number(p)) > 0.5; }
-  /// Whether all places within `reach`, where no triangle is, are on the same side.
+  /// Whether all points within `reach`, which contains no triangle, are on the same side.
   [[nodiscard]] bool same_within(const Vec3& p, double reach) const {
-    constexpr double rounding = 0.03;  // of numbers, where groups of triangles count as one
+    constexpr double rounding = 0.03;  // error of winding numbers, in which groups of triangles count as one
     return closed() || std::abs(std::abs(number(p)) - 0.5) > rounding + reach * number_->steepest(p, reach);
   }
 
@@ -66,7 +67,7 @@ class Inside {
   std::optional<Lid> lids_;
 };
 
-/// What was found at a point.
+/// Result of a search at a point.
 struct Look {
   Vec3 point = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   TriangleTree::Place nearest;
@@ -100,8 +101,9 @@ class MeshField final : public Field {
     }
   }
 
-  /// No value differs from that in the middle by more than the way there; but at a hole's virtual lid it changes its sign.
-  /// Beyond the bounds of a closed mesh each value is at least the way to them, however long the box is.
+  /// Values change by at most the distance from the middle, except at the virtual lid of a hole,
+  /// where the sign changes. Beyond the bounds of a closed mesh each value is at least the distance
+  /// to them, however long the box is.
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     const Vec3 apart = (box.lower - bounds_.upper).cwiseMax(bounds_.lower - box.upper).cwiseMax(0);
     const float beyond = inside_.closed() ? static_cast<float>(apart.norm() * (1 - 1e-6)) : 0;
@@ -121,8 +123,8 @@ class MeshField final : public Field {
     if (!inside_.same_within(centre, reach)) return {-most, most, false};
     return inside_.at(centre) ? Interval{-most, -least, false} : Interval{least, most, false};
   }
-  /// Where triangles neither cross nor touch each other a way leaves the solid at each that faces along it, and enters it at no
-  /// other.
+  /// If triangles neither intersect nor touch each other, a line leaves the solid at each triangle
+  /// that faces along it, and enters it at all others.
   [[nodiscard]] bool faceted() const noexcept override {
     std::call_once(looked_, [&] { simple_ = inside_.closed() && bounds_a_solid(to_polyhedron(mesh_)); });
     return simple_;
@@ -135,7 +137,7 @@ class MeshField final : public Field {
     tree_.visit_in(box.grown(slack(box)), [&](std::uint32_t triangle) {
       const auto& [a, b, c] = tree_.corners(triangle);
       const Vec3 across = (b - a).cross(c - a);
-      if (!(across.squaredNorm() > 0)) return true;  // its edges are others', too
+      if (!(across.squaredNorm() > 0)) return true;  // its edges belong to other triangles, too
       const Eigen::Vector3f normal = across.normalized().cast<float>();
       for (std::size_t i = directions.size(); i-- > first;) {
         if (directions[i] == normal) return true;
@@ -151,7 +153,7 @@ class MeshField final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return 1000; }
 
  private:
-  /// How far beside a box triangles are taken to be in it, for rounding, mm.
+  /// Tolerance for triangles beside a box that count as inside, mm, for rounding.
   [[nodiscard]] double slack(const Box& box) const {
     return 1e-6 * (bounds_.diagonal() + box.lower.cwiseAbs().maxCoeff() + box.upper.cwiseAbs().maxCoeff());
   }
@@ -164,17 +166,20 @@ class MeshField final : public Field {
     return any;
   }
 
-  /// Looks at a point, from what was found at another, near it as a rule.
+  /// Finds the nearest triangle and the distance, starting from the result for another point that
+  /// is usually near.
   [[nodiscard]] Look look(const Vec3& p, const Look& last = {}) const {
     if (!p.allFinite()) return {last.point, last.nearest, std::numeric_limits<double>::quiet_NaN()};
     const TriangleTree::Place nearest = tree_.nearest(p, last.nearest.triangle);
-    // On the way no triangle of a closed mesh was met if there is none as near: the side is the same.
-    const bool same_side = inside_.closed() && (p - last.point).norm() < 0.999999 * std::abs(last.distance);  // not after NaN
+    // No triangle of a closed mesh lies between the points if none is as near: the side is the
+    // same. NaN in the last result gives false.
+    const bool same_side = inside_.closed() && (p - last.point).norm() < 0.999999 * std::abs(last.distance);
     const bool inside = same_side ? last.distance < 0 : inside_.at(p);
     return {p, nearest, (inside ? -1 : 1) * (p - nearest.at).norm()};
   }
 
-  /// The normal of the nearest triangle, towards the outside: what way a point lies from where it is itself cannot be told.
+  /// Outward normal of the nearest triangle. For a point on the surface the direction from the
+  /// nearest point is undefined.
   [[nodiscard]] Vec3 outward_at(const Look& look) const {
     const auto& [a, b, c] = tree_.corners(look.nearest.triangle);
     const Vec3 outward = (b - a).cross(c - a).normalized();
@@ -185,9 +190,9 @@ class MeshField final : public Field {
   TriangleTree tree_;
   Inside inside_;
   Box bounds_;
-  double touching_;  ///< mm; what is as near to a triangle is on it
+  double touching_;  ///< mm; points that are as near to a triangle are on it
   mutable std::once_flag looked_;
-  mutable bool simple_ = false;  ///< once looked_: closed, outward, and no triangles cross or touch but at common edges
+  mutable bool simple_ = false;  ///< once looked_: closed, outward, and triangles meet only in common edges
 };
 
 }  // namespace

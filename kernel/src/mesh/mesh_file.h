@@ -1,4 +1,4 @@
-/// The sides of mesh files that have a source file of their own, and what readers and writers share.
+/// Mesh formats with a source file of their own, and functions that readers and writers share.
 #pragma once
 
 #include <unordered_map>
@@ -10,14 +10,14 @@
 
 namespace fieldfab {
 
-/// A MeshPart of someone else's mesh.
+/// A MeshPart that refers to a mesh owned elsewhere.
 struct PartView {
   const TriangleMesh& mesh;
   std::string_view name = {};
   std::optional<Colour> colour = std::nullopt;
 };
 
-/// Tells the progress of writing so many items, and looks whether to stop, once in thousands of them.
+/// Reports the progress of writing items, and checks for cancellation, once in thousands of items.
 class WritingProgress {
  public:
   WritingProgress(Progress& progress, std::uint64_t items) : progress_(progress), items_(items) {}
@@ -36,26 +36,28 @@ void write_3mf(std::span<const PartView> parts, PendingFile& file, Progress& pro
 /// Throws too_large for more than 4 GiB; `path` is for messages.
 void write_glb(std::span<const PartView> parts, PendingFile& file, const std::filesystem::path& path, Progress& progress);
 
-/// Triangles as they are in the file, all that its build places together, in mm. `bytes` are the file's.
+/// Returns all triangles that the build of the file places, together, in mm, unmerged. `bytes` is
+/// the content of the file.
 MeshFromFile read_3mf(std::string_view bytes, const std::filesystem::path& path, Progress& progress);
-/// The same, a part for each item of the build that has triangles, with the names and colours that the file gives them.
+/// Returns one part for each item of the build that has triangles, with its name and colour in the
+/// file.
 std::vector<MeshPart> read_3mf_parts(std::string_view bytes, const std::filesystem::path& path, Progress& progress,
                                      std::vector<std::string>& notes);
 
-/// The extension in lower case, with the dot.
+/// Returns the extension in lower case, with the dot.
 std::string lower_extension(const std::filesystem::path& path);
 
-/// Names that no two parts share: one that was given before has the separator and 2, 3 and so on appended.
+/// Unique names: a name that was used before gets the separator and 2, 3 and so on appended.
 class PartNames {
  public:
   explicit PartNames(char separator) : separator_(separator) {}
-  /// `name` as it is, or with a number.
+  /// Returns `name`, or `name` with a number.
   std::string unique(std::string name);
 
  private:
   char separator_;
   std::unordered_set<std::string> given_;
-  std::unordered_map<std::string, std::uint32_t> last_;  ///< numbers appended, by the name without
+  std::unordered_map<std::string, std::uint32_t> last_;  ///< last number appended, by the original name
 };
 
 }  // namespace fieldfab

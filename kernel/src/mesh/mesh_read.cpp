@@ -1,4 +1,5 @@
-// Reading STL, PLY, OFF and OBJ. Our own, since OpenMesh's PLY reader never returns from a header that is cut off.
+// Readers of STL, PLY, OFF and OBJ. Our own, since OpenMesh's PLY reader never returns if a header
+// is truncated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 using Position = std::array<float, 3>;
 
-constexpr std::size_t often = 16384;  // items between two looks whether to stop
+constexpr std::size_t often = 16384;  // items between two checks for cancellation
 
 struct HashPosition {
   std::size_t operator()(const Position& p) const {
@@ -27,7 +28,7 @@ struct HashPosition {
   }
 };
 
-/// A mesh file's bytes, and the triangles found in them so far.
+/// Bytes of a mesh file, and the triangles found in them so far.
 class MeshReader {
  public:
   MeshReader(std::string bytes, const std::filesystem::path& path, Progress& progress)
@@ -52,7 +53,7 @@ class MeshReader {
     if (const std::string_view magic = next(); magic != "OFF" && magic != "COFF" && magic != "NOFF")
       fail("does not begin with OFF");
     const std::size_t vertices = count(), faces = count();
-    count();  // edges, which nobody uses
+    count();  // number of edges, unused
     for (std::size_t i = 0; i < vertices; ++i) {
       add_vertex();
       skip_line();  // colours or normals
@@ -130,7 +131,7 @@ class MeshReader {
 
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-  /// The next word before byte `end`; empty where there is none. A '#' begins a comment.
+  /// Returns the next word before byte `end`, or an empty one. A '#' begins a comment.
   std::string_view next_before(std::size_t end) {
     while (at_ < end && (is_space(bytes_[at_]) || bytes_[at_] == '#')) {
       if (bytes_[at_] == '#')
@@ -251,7 +252,7 @@ class MeshReader {
   TriangleMesh soup_;
 };
 
-/// Equal vertices become one; triangles that come to nothing by that are left out, which may be all.
+/// Merges equal vertices and removes triangles that become degenerate, which may be all.
 TriangleMesh merged_or_empty(const TriangleMesh& soup, const std::filesystem::path& path, Progress& progress) {
   TriangleMesh mesh;
   std::unordered_map<Position, std::uint32_t, HashPosition> place;
@@ -290,7 +291,7 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path,
   return mesh;
 }
 
-/// The bytes of a mesh file of a form that is read, as `extension` tells.
+/// Reads the bytes of a mesh file of a readable format, given by `extension`.
 std::string read_mesh_file(const std::filesystem::path& path, const std::string& extension) {
   if (extension == ".glb")
     throw Error(ErrorKind::bad_input, path.string(), "is written, not read; meshes are read from .stl .ply .off .obj .3mf");

@@ -34,7 +34,7 @@ bool any_coloured(std::span<const PartView> parts) {
   return std::ranges::any_of(parts, [](const PartView& part) { return part.colour.has_value(); });
 }
 
-/// What a part without a colour gets where others have one, and the form knows no "none".
+/// Colour of a part without one if other parts have colours and the format requires one.
 constexpr Colour colourless{204, 204, 204};
 
 void write_stl(std::span<const PartView> parts, PendingFile& file, Progress& progress) {
@@ -70,7 +70,7 @@ void write_colour(const Colour& colour, PendingFile& file) {
   file.write(channels, sizeof channels);
 }
 
-/// `first`: how many vertices are before the mesh's.
+/// `first` is the number of vertices before those of the mesh.
 void write_ply_faces(const TriangleMesh& mesh, std::uint32_t first, PendingFile& file, WritingProgress& written) {
   for (const auto& [a, b, c] : mesh.triangles) {
     written.step();
@@ -123,14 +123,14 @@ class LineWriter {
  public:
   LineWriter(const Counts& all, PendingFile& file, Progress& progress) : file_(file), written_(progress_of(all, progress)) {}
 
-  /// Text forms are read as doubles as often as floats: the digits given are those of the float as a double, so that
-  /// both are exact. Fewer digits would be the same float, yet another double, and triangles that nearly touch would
-  /// cross each other.
+  /// Readers parse text as doubles or as floats. The digits are those of the float as a double, so
+  /// that both are exact. Fewer digits would give the same float but another double, and triangles
+  /// that nearly touch would intersect.
   void vertices(const TriangleMesh& mesh, std::string_view begins) {
     for (const auto& p : mesh.vertices)
       line([&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, double{p[0]}, double{p[1]}, double{p[2]}); });
   }
-  /// `first`: the number of the mesh's first vertex.
+  /// `first` is the number of the mesh's first vertex.
   void triangles(const TriangleMesh& mesh, std::string_view begins, std::uint32_t first) {
     for (const auto& [a, b, c] : mesh.triangles)
       line([&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, first + a, first + b, first + c); });
@@ -162,7 +162,8 @@ void write_off(std::span<const PartView> parts, PendingFile& file, Progress& pro
   }
 }
 
-/// A name as one word, which readers of .obj files take whole: no white space, no comment, no line that goes on.
+/// Returns a name as one word for readers of .obj files: without white space, comment or line
+/// continuation.
 std::string obj_word(std::string_view name) {
   std::string word = printable(name);
   for (char& c : word)
@@ -174,8 +175,8 @@ std::string material_name(const std::optional<Colour>& colour) {
   return colour ? "colour_" + text_of(*colour).substr(1) : "colourless";
 }
 
-/// The materials of .obj files: one for each colour. Channels are those of the sRGB colour over 255, as most readers take
-/// them.
+/// Writes the materials of .obj files, one per colour. Channels are sRGB / 255, as most readers
+/// expect.
 void write_mtl(std::span<const PartView> parts, PendingFile& file) {
   file.write("# by Fieldfab\n");
   std::unordered_set<std::string> known;
@@ -188,7 +189,7 @@ void write_mtl(std::span<const PartView> parts, PendingFile& file) {
   }
 }
 
-/// `materials`: the name of the .mtl file; empty where there is none.
+/// `materials` is the name of the .mtl file, or empty.
 void write_obj(std::span<const PartView> parts, PendingFile& file, const std::string& materials, Progress& progress) {
   file.write("# by Fieldfab, mm\n");
   if (!materials.empty()) file.write(fmt::format("mtllib {}\n", materials));
@@ -205,7 +206,7 @@ void write_obj(std::span<const PartView> parts, PendingFile& file, const std::st
   }
 }
 
-/// An .obj file and the materials beside it. Both are complete before either is in its place.
+/// Writes an .obj file and its materials. Both are complete before either is moved into place.
 void write_obj_with_materials(std::span<const PartView> parts, const std::filesystem::path& path, Progress& progress) {
   // A name with control characters would end its line.
   const std::string name = printable(path.stem().string() + ".mtl");
@@ -214,7 +215,7 @@ void write_obj_with_materials(std::span<const PartView> parts, const std::filesy
   PendingFile materials(beside), file(path);
   write_mtl(parts, materials);
   write_obj(parts, file, name, progress);
-  // Rewriting writes out what is buffered: a full disk is told before either file is replaced.
+  // rewrite() flushes buffers, so that a full disk is reported before either file is replaced.
   materials.rewrite(0, "#", 1);
   file.rewrite(0, "#", 1);
   materials.commit();

@@ -1,4 +1,5 @@
-// Surfaces in double precision: whether they are one of a solid, and what makes them so in single precision.
+// Surfaces in double precision: whether they bound a solid, and conversion to single precision such
+// that they still do.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -20,7 +21,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-/// False where an edge has more than two faces.
+/// Returns false if an edge has more than two faces.
 bool to_surface(const Polyhedron& surface, Mesh& mesh) {
   std::vector<Kernel::Point_3> points;
   for (const Vec3& p : surface.vertices) points.emplace_back(p.x(), p.y(), p.z());
@@ -31,11 +32,11 @@ bool to_surface(const Polyhedron& surface, Mesh& mesh) {
   return true;
 }
 
-/// How far a triangle's corner is from its longest edge, which begins at the first corner.
+/// Height of a triangle over its longest edge, which begins at the first corner.
 double height(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a).norm() / (b - a).norm(); }
 
-/// Where a corner of a triangle all but lies on the edge opposite: the triangle beyond that edge is divided there instead, if
-/// both halves look where it does and neither is as narrow.
+/// Flips the longest edge of a triangle whose opposite corner nearly lies on it, if both new
+/// triangles face the same way as the old neighbour and neither is as narrow.
 bool turn_longest_edge(Mesh& mesh, Mesh::Face_index face, double narrowest) {
   auto longest = mesh.halfedge(face);
   const auto length = [&](Mesh::Halfedge_index half) {
@@ -59,8 +60,8 @@ bool turn_longest_edge(Mesh& mesh, Mesh::Face_index face, double narrowest) {
   return true;
 }
 
-/// A surface without edges shorter than `narrowest` mm, and without triangles narrower than that: corners are joined and edges
-/// turned as far as the surface stays one.
+/// Returns a surface without edges shorter than `narrowest` mm and without triangles narrower than
+/// that: collapses and flips edges as far as the surface stays valid.
 Polyhedron without_slivers(const Polyhedron& surface, double narrowest) {
   Mesh mesh;
   if (!to_surface(surface, mesh)) return surface;
@@ -101,7 +102,7 @@ std::optional<TriangleMesh> in_single_precision(const Polyhedron& surface) {
     const TriangleMesh mesh = to_mesh(welded(to_polyhedron(to_mesh(candidate))));
     return bounds_a_solid(to_polyhedron(mesh)) ? std::optional(mesh) : std::nullopt;
   };
-  constexpr double narrowest = 1e-6;  // of the size: less may be turned over by rounding
+  constexpr double narrowest = 1e-6;  // relative to the size; rounding could invert narrower triangles
   if (auto mesh = if_valid(surface)) return mesh;
   return if_valid(without_slivers(surface, narrowest * surface.bounds().diagonal()));
 }

@@ -23,7 +23,7 @@ constexpr std::string_view production = "http://schemas.microsoft.com/3dmanufact
 
 [[noreturn]] void fail(const std::string& how) { throw Error(ErrorKind::bad_input, "", how); }
 
-/// The words of an attribute's list, white space between them.
+/// Words of an attribute's list, separated by white space.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
@@ -39,7 +39,7 @@ class Words {
   std::string_view text_;
 };
 
-/// An attribute's value without the white space around it.
+/// Returns an attribute's value without surrounding white space.
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view space = " \t\r\n";
   text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
@@ -215,7 +215,7 @@ class ModelReader final : public XmlHandler {
       model_.has_names = true;
     }
     if (const auto group = attributes.find("pid")) {
-      // What has a colour that cannot be found is still a solid.
+      // An object whose colour is missing is still a solid.
       const auto number = whole_number_or_none(*group);
       const auto index = whole_number_or_none(attributes.find("pindex").value_or("0"));
       if (number && index) object_->property = {*number, *index};
@@ -225,7 +225,7 @@ class ModelReader final : public XmlHandler {
 
   void begin_base_materials(const XmlAttributes& attributes) {
     if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
-    // A group without a number is one that no object has.
+    // A group without a valid number gets one that no object refers to.
     materials_ = &model_.base_materials[whole_number_or_none(attributes.find("id").value_or("")).value_or(0xffffffff)];
     model_.has_colours = true;
   }
@@ -252,7 +252,7 @@ class ModelReader final : public XmlHandler {
     model_.build.push_back({reference, name_of(attributes.find("partnumber").value_or(""))});
   }
 
-  /// Vertices follow triangles in files that nobody should write: indices are looked at when both are there.
+  /// In rare files vertices follow triangles; so indices are checked once both are read.
   void end_object() const {
     for (const auto& triangle : object_->triangles)
       if (std::max({triangle[0], triangle[1], triangle[2]}) >= object_->vertices.size())
@@ -305,7 +305,7 @@ class ModelReader final : public XmlHandler {
 
   ThreeMfModel& model_;
   ThreeMfBudget& budget_;
-  std::string core_;  ///< the namespace of the root element
+  std::string core_;  ///< namespace of the root element
   std::unordered_map<std::string, std::string> prefixes_;
   std::unordered_map<std::string, std::uint32_t> path_numbers_;
   std::vector<Element> open_;
@@ -313,7 +313,7 @@ class ModelReader final : public XmlHandler {
   std::vector<std::optional<Colour>>* materials_ = nullptr;
 };
 
-/// Looks for the relationship of the package to its model.
+/// Finds the relationship of the package to its model.
 class RelationshipReader final : public XmlHandler {
  public:
   void begin(std::string_view, std::string_view name, const XmlAttributes& attributes) override {

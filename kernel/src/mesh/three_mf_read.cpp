@@ -1,5 +1,5 @@
-// What a .3mf file's build places: parts are read, what would be placed is counted, then it is placed. Objects are within each
-// other as deeply as a file likes, so that nothing here calls itself.
+// Placement of the items in the build of a .3mf file: reads the parts, counts the objects to be
+// placed, then places them. Files may nest objects to any depth, so nothing here is recursive.
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
@@ -19,21 +19,21 @@ namespace {
 
 constexpr std::uint64_t most_triangles = 0x7fffffff, most_placed = 100'000'000;
 
-/// The name of a part in the archive: without the leading "/".
+/// Returns the name of a part in the archive, without the leading "/".
 std::string part_name(std::string_view target) {
   while (target.starts_with('/') || target.starts_with("./")) target.remove_prefix(target[0] == '/' ? 1 : 2);
   return std::string(target);
 }
 
-/// Names that differ in upper and lower case are of the same part.
+/// Names are case-insensitive.
 std::string lower(std::string name) {
   for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return name;
 }
 
-/// What placing an object makes; sums end at a number beyond all limits.
+/// Size of an object when placed; sums saturate beyond all limits.
 struct Count {
-  std::uint64_t vertices = 0, triangles = 0, placed = 0;  ///< `placed`: objects and components
+  std::uint64_t vertices = 0, triangles = 0, placed = 0;  ///< `placed` counts objects and components
   void add(const Count& other) {
     constexpr std::uint64_t beyond = std::uint64_t{1} << 50;
     vertices = std::min(vertices + other.vertices, beyond);
@@ -42,11 +42,11 @@ struct Count {
   }
 };
 
-/// An object that the build reaches.
+/// An object reachable from the build.
 struct Node {
   const ThreeMfObject* object = nullptr;
   std::uint32_t part = 0, id = 0;
-  std::vector<std::uint32_t> children;  ///< nodes, in the order of the object's components
+  std::vector<std::uint32_t> children;  ///< indices of nodes, in the order of the object's components
   Count count;
   enum class State : std::uint8_t { fresh, open, counted } state = State::fresh;
 };
@@ -102,13 +102,14 @@ class Assembly {
  private:
   [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, path_.string(), how); }
 
-  /// What is known of an object and all below it.
+  /// Colour and losses of an object and its descendants.
   struct Label {
     std::optional<Colour> colour;
-    bool loses_names = false, loses_colours = false;  ///< what one name and one colour cannot say
+    bool loses_names = false, loses_colours = false;  ///< whether one name or one colour for all is not enough
   };
 
-  /// The nodes of the build's items, all counted. Throws too_large for more than a mesh or memory holds.
+  /// Returns the nodes of the build's items, with counts. Throws too_large for more than a mesh or
+  /// memory can hold.
   std::vector<std::uint32_t> counted() {
     load(part_name(first_model_part(zip_, path_, progress_)));
     std::vector<std::uint32_t> roots;
@@ -134,7 +135,7 @@ class Assembly {
   [[nodiscard]] Label label_of(std::uint32_t root) const {
     std::unordered_set<std::uint32_t> seen{root};
     std::vector<std::uint32_t> open{root};
-    std::vector<std::optional<Colour>> colours;  // different ones, of meshes
+    std::vector<std::optional<Colour>> colours;  // different colours of meshes
     Label label;
     while (!open.empty()) {
       progress_.check();
@@ -163,7 +164,7 @@ class Assembly {
     return at->second;
   }
 
-  /// The node of the object that something in a part refers to.
+  /// Returns the node of the object that a reference in a part points to.
   std::uint32_t node_of(std::uint32_t part, const ThreeMfReference& reference) {
     const std::uint32_t home = reference.part == 0 ? part : load(part_name(models_[part].paths[reference.part - 1]));
     const auto [at, is_new] = numbers_.try_emplace(std::pair(home, reference.object), static_cast<std::uint32_t>(nodes_.size()));
@@ -174,7 +175,8 @@ class Assembly {
     return at->second;
   }
 
-  /// Counts what a node and all below it make. Throws bad_input for an object that is part of itself.
+  /// Counts the content of a node and its descendants. Throws bad_input for an object that contains
+  /// itself.
   void count(std::uint32_t root) {
     std::vector<std::uint32_t> open{root};
     while (!open.empty()) {
@@ -215,7 +217,8 @@ class Assembly {
                   fmt::format("its components and items would make more than {} triangles or vertices", most_triangles));
     if (all.placed > most_placed)
       throw Error(ErrorKind::too_large, path_.string(), fmt::format("places more than {} components", most_placed));
-    // The mesh here, and its merging: a mesh more, the vertices' new numbers, and a table of them.
+    // This mesh and its merging: a second mesh, the vertices' new numbers, and a hash table of
+    // them.
     constexpr std::uint64_t vertex = 12 + 12 + 4 + 48, triangle = 12 + 12;
     require_memory(vertex * all.vertices + triangle * all.triangles, "the mesh of " + path_.string());
   }
@@ -237,7 +240,8 @@ class Assembly {
       std::size_t next_child = 0;
       Eigen::Affine3d transform;
     };
-    std::deque<Level> levels{{root, 0, transform}};  // a vector would copy hundreds of thousands of them as it grows
+    // A vector would copy hundreds of thousands of elements as it grows.
+    std::deque<Level> levels{{root, 0, transform}};
     while (!levels.empty()) {
       Level& level = levels.back();
       const Node& node = nodes_[level.node];
@@ -303,13 +307,13 @@ class Assembly {
   const std::filesystem::path& path_;
   Progress& progress_;
   ThreeMfBudget budget_;
-  std::deque<ThreeMfModel> models_;             ///< places stay as more are read
+  std::deque<ThreeMfModel> models_;             ///< references stay valid when more are added
   std::map<std::string, std::uint32_t> parts_;  ///< by name in lower case
   std::vector<Node> nodes_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers_;  ///< of nodes, by part and id
   std::size_t unprinted_ = 0;
-  Count all_;                 ///< that the build places
-  std::uint64_t placed_ = 0;  ///< triangles, so far
+  Count all_;                 ///< total of the build
+  std::uint64_t placed_ = 0;  ///< number of triangles so far
 };
 
 }  // namespace

@@ -33,7 +33,7 @@ constexpr std::string_view model_begins =
 <resources>
 )";
 
-/// Text as an attribute's value: valid XML 1.0 whatever it was.
+/// Returns text as the value of an attribute, valid in XML 1.0.
 std::string attribute(std::string_view text) {
   std::string value;
   for (const char c : printable(text)) {
@@ -48,14 +48,14 @@ std::string attribute(std::string_view text) {
     else
       value += c;
   }
-  // U+FFFE and U+FFFF are no characters in XML.
+  // U+FFFE and U+FFFF are not characters in XML.
   for (std::size_t at = 0; (at = value.find("\xEF\xBF", at)) != std::string::npos; at += 3)
     if (const auto last = static_cast<unsigned char>(value[at + 2]); last >= 0xBE) value[at + 2] = static_cast<char>(0xBD);
   return value;
 }
 
-/// A .3mf file in the making: the colours, then objects one after the other, then the build, which places each of them
-/// once.
+/// Writes a .3mf file: the colours, then the objects one after the other, then the build, which
+/// places each of them once.
 class ThreeMfWriter {
  public:
   ThreeMfWriter(std::span<const PartView> parts, PendingFile& file, Progress& progress)
@@ -75,14 +75,14 @@ class ThreeMfWriter {
 
  private:
   static std::uint64_t most_text_of(const PartView& part) {
-    // A number has at most 24 digits and signs, an index 10; a letter of a name becomes at most six.
+    // A number has at most 24 characters, an index 10; a character of a name becomes at most six.
     constexpr std::uint64_t vertex = 24 + 3 * 24, triangle = 30 + 3 * 10, object = 1024, letter = 6;
     return vertex * part.mesh.vertices.size() + triangle * part.mesh.triangles.size() + object + letter * part.name.size();
   }
 
   [[nodiscard]] std::size_t colours_id() const { return parts_.size() + 1; }
 
-  /// Each colour once, before the objects that refer to it.
+  /// Writes each colour once, before the objects that refer to it.
   void add_colours() {
     std::string text;
     for (const PartView& part : parts_)
@@ -120,8 +120,9 @@ class ThreeMfWriter {
 
   void add(std::string_view text) { zip_.add(deflated(text)); }
 
-  /// A line for each item. Stretches of lines are made and deflated in parallel, and always at the same places. Progress
-  /// is counted in objects, `from` on; the items take half of one.
+  /// Writes one line per item. Blocks of lines are formatted and deflated in parallel, always with
+  /// the same boundaries. Progress is counted in objects, starting at `from`; the items count as
+  /// half an object.
   template <class Items, class Format>
   void add_lines(const Items& items, double from, const Format& format) {
     constexpr std::size_t lines_a_stretch = 8192, stretches_at_once = 128;

@@ -1,4 +1,5 @@
-/// Triangles sorted into boxes within boxes, to ask which is nearest and which a line passes; private to the mesh folder.
+/// Bounding volume hierarchy of triangles, for nearest points and ray casting; private to the mesh
+/// folder.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,29 +13,31 @@
 
 namespace fieldfab {
 
-/// The corners of each triangle.
+/// Returns the corners of each triangle.
 std::vector<std::array<Vec3, 3>> corners_of_all(const TriangleMesh& mesh);
 
-/// Whether a triangle and a box have a point in common: no plane that a face or edges of them span parts them.
+/// Whether a triangle and a box have a common point (separating axis theorem).
 bool meet(const std::array<Vec3, 3>& triangle, const Box& box);
 
 class TriangleTree {
  public:
-  /// A place of a triangle; the triangle counts in the tree's own order.
+  /// A point of a triangle; triangles are numbered in the order of the tree.
   struct Place {
     Vec3 at = Vec3::Zero();
     std::uint32_t triangle = 0;
   };
 
-  /// Of a mesh with one triangle or more, of finite places.
+  /// Precondition: the mesh has at least one triangle, and all vertices are finite.
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// The place of the triangles that is nearest to a point. The search begins with a triangle that may be near (any will do).
+  /// Returns the point of the triangles that is nearest to `point`. The search starts at triangle
+  /// `perhaps`, which should be near; any will do.
   [[nodiscard]] Place nearest(const Vec3& point, std::uint32_t perhaps = 0) const;
 
-  /// How often the line through a point along z passes triangles on its way there, from above or from below: of a closed mesh it
-  /// is how often that winds around the point, exactly; on its surface, around some place next to it. Sums over parts of a closed
-  /// mesh are as good.
+  /// Returns the signed number of triangles that the line along z through a point crosses on its
+  /// way there, from above or from below. For a closed mesh this is exactly the winding number; for
+  /// a point on the surface, that of a point next to it. Numbers of parts of a closed mesh may be
+  /// added.
   [[nodiscard]] int turns(const Vec3& point, bool from_above) const;
 
   /// Calls visit(triangle) for each triangle that meets a box, until it returns false.
@@ -61,9 +64,10 @@ class TriangleTree {
   [[nodiscard]] const std::array<Vec3, 3>& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
 
  private:
-  static constexpr std::size_t deepest = 64;  // halves of 2^32 triangles
+  static constexpr std::size_t deepest = 64;  // depth of a tree of 2^32 triangles
 
-  /// Its two halves are at `first` and the one after, or its triangles from `first` on, where it has a count of them.
+  /// An inner node has its halves at `first` and the next index; a leaf has `count` triangles from
+  /// `first` on.
   struct Node {
     std::array<float, 3> lower, upper;
     std::uint32_t first = 0, count = 0;
@@ -74,9 +78,11 @@ class TriangleTree {
   std::vector<Node> nodes_;
 };
 
-/// The place of a triangle that is nearest to a point; far away where it has no area, since its edges are others', too.
+/// Returns the point of a triangle nearest to `point`; infinite if the triangle has no area, since
+/// its edges belong to other triangles, too.
 inline Vec3 nearest_place(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // The plane's foot if it lies within the triangle, else the nearest place of the edges that the point lies beyond.
+  // The projection onto the plane if it lies inside the triangle, otherwise the nearest point of
+  // the edges that the point lies beyond.
   const Vec3 ab = b - a, ac = c - a, ap = point - a, normal = ab.cross(ac);
   const double square = normal.squaredNorm(), u = normal.dot(ap.cross(ac)), v = normal.dot(ab.cross(ap));
   if (!(square > 0)) return Vec3::Constant(std::numeric_limits<double>::infinity());
@@ -96,9 +102,10 @@ inline Vec3 nearest_place(const Vec3& point, const Vec3& a, const Vec3& b, const
   return best;
 }
 
-/// Whether the line in z through (x, y) has the edge beyond it along y, 1 or -1 by the edge's direction: summed over a triangle's
-/// edges it tells whether the line passes it, and which way. An edge gives what it takes for the triangle on its other side,
-/// whatever rounding does, so that every line comes out of a closed mesh again.
+/// Returns 1 or -1, by the edge's direction, if the line along z through (x, y) has the edge beyond
+/// it along y, otherwise 0. The sum over a triangle's edges tells whether the line crosses it, and
+/// in which direction. The triangle on the other side of an edge gets the opposite number in spite
+/// of rounding, so that each line leaves a closed mesh again.
 inline int passes(const Vec3& a, const Vec3& b, double x, double y) {
   if ((a.x() <= x) == (b.x() <= x)) return 0;
   const bool forwards = a.x() <= x;
@@ -107,7 +114,8 @@ inline int passes(const Vec3& a, const Vec3& b, double x, double y) {
   return side < 0 ? (forwards ? 1 : -1) : 0;
 }
 
-/// Where that line passes the triangle's plane; within the triangle's heights, also where it stands upright.
+/// Height at which the line crosses the triangle's plane; clamped to the heights of the triangle,
+/// also if the triangle is vertical.
 inline double height_at(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y) {
   const Vec3 cross = (b - a).cross(c - a);
   const double low = std::min({a.z(), b.z(), c.z()}), high = std::max({a.z(), b.z(), c.z()});

@@ -11,12 +11,12 @@ namespace fieldfab {
 namespace {
 
 constexpr std::uint32_t most_in_group = 8;
-constexpr double far_away = 2.3;  // in radii: from there on a group counts as one dipole
+constexpr double far_away = 2.3;  // in radii: beyond this distance a group counts as one dipole
 
 Vec3 centre_of(const std::array<Vec3, 3>& t) { return (t[0] + t[1] + t[2]) / 3; }
 Vec3 area_of(const std::array<Vec3, 3>& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]); }
 
-/// The solid angle of a triangle as seen from a point (Van Oosterom and Strackee 1983), over 4 pi.
+/// Solid angle of a triangle seen from a point, over 4 pi (Van Oosterom and Strackee 1983).
 double share_of_view(const std::array<Vec3, 3>& triangle, const Vec3& point) {
   const Vec3 a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
@@ -95,7 +95,7 @@ double WindingNumber::steepest(const Vec3& point, double reach) const {
       open[count++] = here + 1;
     } else {
       for (std::uint32_t i = group.first; i < group.first + group.count; ++i) {
-        // Its nearest point is no nearer than the nearest of its ball.
+        // The nearest point of a triangle is at least as far as that of its bounding ball.
         const Vec3 centre = centre_of(triangles_[i]);
         double radius = 0;
         for (const Vec3& corner : triangles_[i]) radius = std::max(radius, (corner - centre).norm());

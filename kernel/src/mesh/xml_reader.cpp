@@ -12,11 +12,11 @@
 namespace fieldfab {
 namespace {
 
-constexpr XML_Char separator = ' ';  // no URI has one
+constexpr XML_Char separator = ' ';  // never part of a URI
 constexpr XML_Index longest_tag = 1 << 20;
 constexpr int most_within = 100;
 
-/// A parser, and what its handler has thrown: nothing may be thrown through expat.
+/// A parser that stores exceptions of its handler, since nothing may be thrown through expat.
 class Parser {
  public:
   Parser(std::string place, XmlHandler& handler)

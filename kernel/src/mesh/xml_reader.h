@@ -1,4 +1,4 @@
-/// XML in archives, read as a stream.
+/// Streaming reader of XML in archives.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace fieldfab {
 
-/// The attributes of an element. A name with a namespace is "URI NAME".
+/// Attributes of an element. A name with a namespace is "URI NAME".
 class XmlAttributes {
  public:
   explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
@@ -25,23 +25,24 @@ class XmlAttributes {
   const char** pairs_;
 };
 
-/// Is called for each element. An Error that it throws without a place gets that of the element.
+/// Handler of elements. An Error that it throws without a place gets the place of the element.
 class XmlHandler {
  public:
   XmlHandler() = default;
   virtual ~XmlHandler() = default;
   XmlHandler(const XmlHandler&) = delete;
   XmlHandler& operator=(const XmlHandler&) = delete;
-  /// Called before the element that declares it; prefixes and URIs may be empty.
+  /// Called before the element with the declaration; prefix and URI may be empty.
   virtual void declare(std::string_view /*prefix*/, std::string_view /*uri*/) {}
-  /// An element of a namespace begins; the URI is empty where it has none.
+  /// Called at the start of an element; the URI is empty if it has no namespace.
   virtual void begin(std::string_view uri, std::string_view name, const XmlAttributes& attributes) = 0;
   virtual void end() = 0;
 };
 
-/// Reads a part as XML. Throws what ZipReader::read() and the handler throw, and bad_input with the line for what is not
-/// well-formed, has a document type declaration (so that no entity is ever expanded), a tag or comment longer than 1 MiB, or more
-/// than 100 elements within each other.
+/// Parses a part as XML. Throws the exceptions of ZipReader::read() and of the handler. Throws
+/// bad_input with the line if the part is not well-formed, has a document type declaration (so that
+/// no entity is ever expanded), a tag or comment longer than 1 MiB, or more than 100 nested
+/// elements.
 void read_xml(const ZipReader& zip, const std::string& part, const std::filesystem::path& path, XmlHandler& handler,
               Progress& progress);
 

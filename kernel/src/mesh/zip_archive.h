@@ -1,4 +1,4 @@
-/// Zip archives, which .3mf files are: written as a stream, read from memory.
+/// Zip archives for .3mf files: written as a stream, read from memory.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,33 @@
 
 namespace fieldfab {
 
-/// A stretch of a part, deflated by itself, so that stretches can be made in parallel.
+/// A block of a part, deflated on its own, so that blocks can be made in parallel.
 struct Deflated {
   std::string bytes;
-  std::uint64_t size = 0;  ///< before
-  std::uint32_t crc = 0;   ///< of what was before
+  std::uint64_t size = 0;  ///< before compression
+  std::uint32_t crc = 0;   ///< of the uncompressed bytes
 };
 Deflated deflated(std::string_view text);
 
-/// Writes an archive from front to back: no byte is written twice, so that pipes take it, and memory does not grow with it.
-/// libzip does neither. The same parts make the same bytes: dates are 1 January 1980. Throws io.
+/// Writes an archive from front to back. No byte is written twice, so pipes are possible, and
+/// memory use is constant; libzip has neither property. The same parts give the same bytes: dates
+/// are 1 January 1980. Throws io.
 class ZipWriter {
  public:
   explicit ZipWriter(PendingFile& file) : file_(file) {}
-  /// Begins a part that will have at most `most` bytes; its sizes take 64 bits where they may need them.
+  /// Begins a part of at most `most` bytes; its sizes take 64 bits if they may need them.
   void begin(std::string name, std::uint64_t most);
   void add(const Deflated& stretch);
   void end();
   /// Writes a short part.
   void add_part(std::string name, std::string_view text);
-  /// Writes the directory of parts; nothing may follow.
+  /// Writes the directory of parts; must be the last call.
   void finish();
 
  private:
   struct Part {
     std::string name;
-    bool large = false;  ///< sizes and place have 64 bits
+    bool large = false;  ///< sizes and offset have 64 bits
     std::uint32_t crc = 0;
     std::uint64_t place = 0, size = 0, deflated = 0;
   };
@@ -50,20 +51,23 @@ class ZipWriter {
   std::vector<Part> parts_;
 };
 
-/// An archive in memory. What it says of itself may be wrong or hostile: parts are limited in size, and checked by their sums.
+/// An archive in memory, whose content may be wrong or hostile: parts are limited in size, and
+/// their checksums are verified.
 class ZipReader {
  public:
-  /// `bytes` must outlive it; `path` is for messages. Throws bad_input where they are no archive.
+  /// `bytes` must outlive the object; `path` is for messages. Throws bad_input if it is not an
+  /// archive.
   ZipReader(std::string_view bytes, const std::filesystem::path& path);
   ~ZipReader();
   ZipReader(const ZipReader&) = delete;
   ZipReader& operator=(const ZipReader&) = delete;
 
-  /// Whether there is a part of that name; upper and lower case are the same, as in OPC packages.
+  /// Whether a part of that name exists; names are case-insensitive, as in OPC packages.
   [[nodiscard]] bool has(const std::string& name) const;
-  /// Calls take() with a part's bytes, a stretch of at most 256 KiB after the other. Throws bad_input for a part that is not
-  /// there, damaged, encrypted or compressed in a way that is not known; too_large where what is read of the archive would
-  /// inflate to more than 64 GiB, or to more than 64 MiB and more than 200 times the archive; what take() throws.
+  /// Calls take() with the bytes of a part, in blocks of at most 256 KiB. Throws bad_input if the
+  /// part is missing, damaged, encrypted or compressed by an unknown method; too_large if all reads
+  /// of the archive would inflate to more than 64 GiB, or to more than 64 MiB and more than 200
+  /// times the archive; and the exceptions of take().
   void read(const std::string& name, const std::function<void(std::string_view)>& take) const;
 
  private:

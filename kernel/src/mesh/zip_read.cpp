@@ -10,7 +10,7 @@
 namespace fieldfab {
 namespace {
 
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 36;  // as of other mesh files
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 36;  // as for other mesh files
 constexpr std::uint64_t always_allowed = std::uint64_t{1} << 26, most_times = 200;
 
 }  // namespace
@@ -20,7 +20,7 @@ struct ZipReader::Archive {
   [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, path.string(), how); }
   [[nodiscard]] zip_int64_t find(const std::string& name) const { return zip_name_locate(zip, name.c_str(), ZIP_FL_NOCASE); }
 
-  /// Parts may share their bytes, so that all that is read counts together.
+  /// Parts may share their bytes, so all reads count together.
   void allow(std::uint64_t size) {
     if (size > most - inflated)
       throw Error(ErrorKind::too_large, path.string(),

@@ -10,12 +10,12 @@
 namespace fieldfab {
 namespace {
 
-constexpr std::uint64_t most_in_32_bits = 0xfffffffe;  // the one above says that 64 bits follow
-constexpr std::uint16_t date = 1 << 5 | 1;             // 1 January 1980, the first there is
+constexpr std::uint64_t most_in_32_bits = 0xfffffffe;  // the next number announces 64 bits
+constexpr std::uint16_t date = 1 << 5 | 1;             // 1 January 1980, the first possible date
 constexpr std::uint16_t sizes_follow_the_data = 1 << 3;
 constexpr std::uint16_t deflate_method = 8;
 
-/// Numbers of a header, the least byte first.
+/// Numbers of a header, little-endian.
 class Header {
  public:
   Header& u16(std::uint64_t value) { return little(value, 2); }
@@ -40,20 +40,20 @@ std::uint64_t version_for(bool large) { return large ? 45 : 20; }
 }  // namespace
 
 Deflated deflated(std::string_view text) {
-  // At zlib's usual level, 6, meshes' text takes 1.6 times as long, and becomes a fiftieth smaller.
+  // zlib's default level, 6, takes 1.6 times as long for text of meshes, and saves only 2 %.
   constexpr int level = 4, raw_window = -15, memory = 8;
   z_stream stream{};
   if (deflateInit2(&stream, level, Z_DEFLATED, raw_window, memory, Z_DEFAULT_STRATEGY) != Z_OK)
     throw Error(ErrorKind::internal, "zlib", "cannot begin to deflate");
   const std::unique_ptr<z_stream, int (*)(z_stream*)> ended(&stream, deflateEnd);
   Deflated result;
-  constexpr std::size_t flush = 16;  // what the flush adds to zlib's own bound
+  constexpr std::size_t flush = 16;  // bytes of the flush beyond zlib's own bound
   result.bytes = std::string(deflateBound(&stream, static_cast<uLong>(text.size())) + flush, '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = reinterpret_cast<Bytef*>(result.bytes.data());
   stream.avail_out = static_cast<uInt>(result.bytes.size());
-  // A flush ends on a whole byte and leaves the stream open, so that stretches can be joined.
+  // A flush ends on a whole byte and leaves the stream open, so that blocks can be joined.
   if (deflate(&stream, Z_SYNC_FLUSH) != Z_OK || stream.avail_in != 0 || stream.avail_out == 0)
     throw Error(ErrorKind::internal, "zlib", "cannot deflate");
   result.bytes.erase(result.bytes.size() - stream.avail_out);
@@ -70,7 +70,7 @@ void ZipWriter::write(std::string_view bytes) {
 void ZipWriter::begin(std::string name, std::uint64_t most) {
   Part part;
   part.name = std::move(name);
-  part.large = std::max(most + most / 64 + 64, written_) > most_in_32_bits;  // what does not deflate grows a little
+  part.large = std::max(most + most / 64 + 64, written_) > most_in_32_bits;  // incompressible bytes grow slightly
   part.place = written_;
   const std::uint64_t size = part.large ? 0xffffffff : 0;
   Header header;
@@ -91,7 +91,7 @@ void ZipWriter::add(const Deflated& stretch) {
 
 void ZipWriter::end() {
   Part& part = parts_.back();
-  constexpr std::string_view last_block("\x03\x00", 2);  // empty, and says that it is the last
+  constexpr std::string_view last_block("\x03\x00", 2);  // empty, with the mark of the last block
   part.deflated += last_block.size();
   write(last_block);
   Header header;

@@ -26,7 +26,7 @@ View look(const Field& field, const Box& bounds, const RenderSettings& settings)
   };
   const bool turned = settings.alpha != 0 || settings.beta != 0;
   if (!turned && settings.perspective == 0 && !settings.window) return view;
-  // Alpha about z, then beta about x (Keeter App. C).
+  // Rotation by alpha about z, then by beta about x (Keeter App. C).
   const Eigen::Affine3d turn(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
   view.field = intersect(view.field, box_field(bounds));
   if (turned) view.field = transform(view.field, turn);

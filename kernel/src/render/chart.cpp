@@ -13,7 +13,7 @@ Image bar_chart(std::span<const std::uint64_t> counts, double mark, int width, i
   const auto paint = [&](int x, int y, std::array<std::uint8_t, 3> colour) {
     std::copy(colour.begin(), colour.end(), image.pixels8.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * width + x));
   };
-  // Each column shows the largest of its bins; bins wider than a column go over several.
+  // Each column shows the largest of its bins; bins wider than a column cover several.
   std::vector<double> tall(static_cast<std::size_t>(width));
   double tallest = 1;
   for (std::size_t x = 0; x < tall.size(); ++x) {

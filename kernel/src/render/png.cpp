@@ -12,8 +12,8 @@
 namespace fieldfab {
 namespace {
 
-// libpng reports errors by longjmp unless its handlers throw; ours throw through its C frames, which Debian builds with unwind
-// tables.
+// libpng reports errors by longjmp unless its handlers throw. Ours throw through its C frames,
+// which Debian builds with unwind tables.
 [[noreturn]] void on_error(png_structp png, png_const_charp message) {
   const auto* path = static_cast<const std::filesystem::path*>(png_get_error_ptr(png));
   throw Error(ErrorKind::bad_input, path->string(), fmt::format("PNG: {}", message));
@@ -25,7 +25,7 @@ struct Source {
   std::size_t at = 0;
 };
 
-/// libpng's two structures, freed on every way out.
+/// libpng's two structures, freed on every exit path.
 struct Reader {
   png_structp png;
   png_infop info = nullptr;

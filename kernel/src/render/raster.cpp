@@ -16,8 +16,8 @@
 namespace fieldfab {
 namespace {
 
-constexpr int split = 4;        // parts an axis at each level of recursion
-constexpr int leaf_side = 16;   // pixels a side that are evaluated one by one
+constexpr int split = 4;        // parts per axis at each level of recursion
+constexpr int leaf_side = 16;   // pixels per side that are evaluated one by one
 constexpr int task_side = 128;  // regions up to this size are one thread's work
 
 /// Pixels [left, right) x [top, bottom).
@@ -26,25 +26,26 @@ struct Rectangle {
   [[nodiscard]] int longer() const { return std::max(right - left, bottom - top); }
 };
 
-/// The box spanned by the pixels' centres.
+/// The box spanned by the centres of the pixels.
 Box box_of(const PixelGrid& grid, const Rectangle& r, double low, double high) {
   return {{grid.x(r.left), grid.y(r.bottom - 1), low}, {grid.x(r.right - 1), grid.y(r.top), high}};
 }
 
-/// How long the parts of something of that length are: a quarter, or less where the parts then are leafs of at most that size.
+/// Returns the length of the parts of a length: a quarter, or less if the parts are then leafs of
+/// at most `leaf`.
 int step_of(int length, int leaf) {
   const int parts = length <= split * leaf ? (length + leaf - 1) / leaf : split;
   return (length + parts - 1) / parts;
 }
 
-/// Where the pixels' centres are, column by column and row by row.
+/// Positions of the pixels' centres by column and by row.
 struct Centres {
   std::vector<float> x, y;
   explicit Centres(const PixelGrid& grid) {
     for (int column = 0; column < grid.width; ++column) x.push_back(grid.x(column));
     for (int row = 0; row < grid.height; ++row) y.push_back(grid.y(row));
   }
-  /// Writes those of a rectangle, row by row, and returns how many there are.
+  /// Writes the centres of a rectangle, row by row, and returns their number.
   std::size_t write(const Rectangle& r, float* to_x, float* to_y) const {
     const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
     for (std::size_t row = 0; row < rows; ++row) {
@@ -55,7 +56,7 @@ struct Centres {
   }
 };
 
-/// The parts of a rectangle, at most split x split, row by row, and the Field restricted to each.
+/// Parts of a rectangle, at most split x split, row by row, and the Field restricted to each.
 struct Parts {
   std::size_t count = 0;
   std::array<Rectangle, split * split> area;
@@ -73,7 +74,8 @@ struct Parts {
   }
 };
 
-/// Goes down the rectangles in parallel, restricting the Field on the way; `leaf` gets those that one thread should do.
+/// Divides rectangles recursively and in parallel, and restricts the Field; calls `leaf` for those
+/// that are one thread's work.
 class Descent {
  public:
   Descent(const PixelGrid& grid, double low, double high, Progress& progress)
@@ -107,7 +109,7 @@ class Descent {
   std::atomic<std::size_t> done_{0};
 };
 
-/// Pixels of a plane, tile by tile (Alg. 3.2 in two dimensions).
+/// Draws pixels of a plane, tile by tile (Alg. 3.2 in two dimensions).
 class PlaneTile {
  public:
   PlaneTile(const PixelGrid& grid, std::uint8_t* pixels) : grid_(grid), centres_(grid), pixels_(pixels) {}
@@ -146,7 +148,7 @@ class PlaneTile {
   std::uint8_t* pixels_;
 };
 
-/// Heights of a tile, from the top down, leaving out what is hidden (Keeter 3.10).
+/// Draws heights of a tile from the top down, and skips hidden parts (Keeter 3.10).
 class HeightTile {
  public:
   HeightTile(const PixelGrid& grid, std::vector<float>& heights, Normals* normals)
@@ -156,12 +158,13 @@ class HeightTile {
   }
   [[nodiscard]] int layers() const { return layers_; }
 
-  /// Pixels r between layer `low` and layer `high`, counted from the bottom; the Field is restricted to them.
+  /// Draws pixels r between layer `low` and layer `high`, counted from the bottom; the Field is
+  /// restricted to them.
   void draw(const FieldPtr& field, const Rectangle& r, int low, int high) const {
     if (r.longer() <= side && high - low <= side) return march(*field, r, low, high);
     const int longest = std::max(r.longer(), high - low);
     const int step = step_of(longest, side);
-    std::array<Rectangle, split * split> open;  // what is not hidden yet
+    std::array<Rectangle, split * split> open;  // rectangles not hidden yet
     std::size_t count = 0;
     for (int y = r.top; y < r.bottom; y += step)
       for (int x = r.left; x < r.right; x += step)
@@ -176,7 +179,7 @@ class HeightTile {
   static constexpr int side = 8;  // pixels and layers that are evaluated one by one
   static constexpr std::size_t most_columns = side * side;
 
-  /// Moves the rectangles that are not hidden by something at `top` or above to the front; returns how many there are.
+  /// Moves the rectangles that are not hidden at `top` or above to the front; returns their number.
   std::size_t leave_hidden(std::array<Rectangle, split * split>& open, std::size_t count, float top) const {
     std::size_t left = 0;
     for (std::size_t i = 0; i < count; ++i)
@@ -207,14 +210,14 @@ class HeightTile {
     return true;
   }
 
-  /// Places where rays meet the solid; more than one for a pixel never is.
+  /// Points at which rays meet the solid, at most one per pixel.
   struct Hits {
     std::array<float, most_columns> x, y, z;
     std::array<std::size_t, most_columns> pixel;
     std::size_t count = 0;
   };
 
-  /// A box that is filled up to its top plane.
+  /// Draws a box that is solid up to its top plane.
   void raise(const Field& field, const Rectangle& r, float top) const {
     Hits hits;
     for (int y = r.top; y < r.bottom; ++y)
@@ -228,7 +231,8 @@ class HeightTile {
     record(field, hits);
   }
 
-  /// Looks down each column at the layers' planes; where one is inside and the one above is not, closes in on the crossing.
+  /// Evaluates the planes of layers down each column. If one plane is inside and the one above is
+  /// outside, refines the crossing.
   void march(const Field& field, const Rectangle& r, int low, int high) const {
     constexpr std::size_t most = most_columns * (side + 1);
     std::array<float, most> x, y, z, value;
@@ -239,7 +243,7 @@ class HeightTile {
     }
     field.values({x.data(), y.data(), z.data(), area * planes}, value.data());
 
-    std::array<int, most_columns> first;  // layer that is inside
+    std::array<int, most_columns> first;  // index of the first layer inside
     std::fill_n(first.data(), area, -1);
     for (std::size_t layer = planes; layer-- > 0;)
       for (std::size_t i = 0; i < area; ++i) first[i] = value[layer * area + i] < 0 ? static_cast<int>(layer) : first[i];
@@ -264,18 +268,19 @@ class HeightTile {
     std::array<float, most_columns> inside, outside, value_inside, value_outside;
   };
 
-  /// Regula falsi (the Illinois way), all columns together, down to a thousandth of a layer; hits.z gets the crossings.
+  /// Regula falsi in the Illinois form, all columns in step, to a thousandth of a layer. Writes the
+  /// crossings to hits.z.
   void close_in(const Field& field, Brackets& b, Hits& hits) const {
     const float near = 1e-3F * (plane(layers_) - plane(0)) / static_cast<float>(layers_);
-    std::array<float, most_columns> value, last{};  // last: the sign of the last value's side
+    std::array<float, most_columns> value, last{};  // last: side of the previous value, as 1 or -1
     constexpr int most_steps = 14;
     for (std::size_t i = 0; i < hits.count; ++i) hits.z[i] = 2 * b.inside[i] - b.outside[i];
     for (int step = 0; hits.count > 0; ++step) {
-      // Plain loops over selections, which the compiler turns into vectors.
+      // Plain loops with selections, which the compiler vectorises.
       int moving = 0;
       for (std::size_t i = 0; i < hits.count; ++i) {
         const float share = b.value_inside[i] / (b.value_inside[i] - b.value_outside[i]);
-        const float most = share < 0.98F ? share : 0.98F;  // never the very ends, and the upper one for NaN
+        const float most = share < 0.98F ? share : 0.98F;  // never the ends; the upper limit for NaN
         const float t = most > 0.02F ? most : 0.02F;
         const float middle = b.inside[i] + t * (b.outside[i] - b.inside[i]);
         moving |= static_cast<int>(std::abs(middle - hits.z[i]) > near);
@@ -286,7 +291,7 @@ class HeightTile {
       for (std::size_t i = 0; i < hits.count; ++i) {
         const bool in = value[i] < 0;
         const float z = hits.z[i], side_now = in ? 1.0F : -1.0F;
-        const float weight = last[i] == side_now ? 0.5F : 1.0F;  // of the end that stays a second time
+        const float weight = last[i] == side_now ? 0.5F : 1.0F;  // of the end that is kept a second time
         b.inside[i] = in ? z : b.inside[i];
         b.outside[i] = in ? b.outside[i] : z;
         b.value_inside[i] = in ? value[i] : weight * b.value_inside[i];

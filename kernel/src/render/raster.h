@@ -1,4 +1,4 @@
-/// Which pixels see the solid, and at what height: the part of rendering that asks the Field.
+/// Visibility of a solid by pixel, and its height: the part of rendering that evaluates the Field.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,13 @@
 
 namespace fieldfab {
 
-/// A grid of pixels over the x and y of a region; row 0 is at the largest y.
+/// A grid of pixels over x and y of a region; row 0 is at the largest y.
 struct PixelGrid {
   int width, height;
   Box region;
 
-  /// Pixels so that the longer side has `size`; throws bad_input for a region without extent or a size out of range.
+  /// Returns a grid whose longer side has `size` pixels. Throws bad_input for a region without
+  /// extent or a size out of range.
   static PixelGrid over(const Box& region, int size);
   [[nodiscard]] float x(int column) const {
     return static_cast<float>(region.lower.x() + (column + 0.5) * region.size().x() / width);
@@ -27,15 +28,17 @@ struct PixelGrid {
   }
 };
 
-/// Sets each pixel whose centre in the plane z = region.lower.z is inside to 255; `pixels` are 0 before.
+/// Sets each pixel whose centre in the plane z = region.lower.z is inside to 255; `pixels` must be
+/// 0 before.
 void rasterise_plane(const Field& field, const PixelGrid& grid, std::uint8_t* pixels, Progress& progress);
 
-/// Unit vectors, pixel by pixel.
+/// Unit vectors, one per pixel.
 using Normals = std::vector<Eigen::Vector3f>;
 
-/// For each pixel, the z at which a ray from above enters the solid, or -infinity. Thin parts are found to about a pixel's size;
-/// what the top of the region cuts through is met there. `normals`, where wanted, gets the unit normals at those places (z where
-/// there is none).
+/// Returns for each pixel the z at which a ray from above enters the solid, or -infinity. Thin
+/// parts are found if they are at least about a pixel thick. A solid that the top of the region
+/// cuts is met there. `normals`, if not null, gets the unit normals at those points (z if there is
+/// none).
 std::vector<float> rasterise_heights(const Field& field, const PixelGrid& grid, Normals* normals, Progress& progress);
 
 }  // namespace fieldfab

@@ -20,21 +20,23 @@ Image bitmap(const Field& field, const PixelGrid& grid, Progress& progress) {
   return image;
 }
 
-/// Light as a screen's number stands for it (sRGB), 0 to 1.
+/// Converts an sRGB channel to linear light, 0 to 1.
 float linear(std::uint8_t number) {
   const float share = static_cast<float>(number) / 255;
   return share <= 0.04045F ? share / 12.92F : std::pow((share + 0.055F) / 1.055F, 2.4F);
 }
 
-/// The colour of each pixel that sees something: of the part with the least value there.
+/// Returns the colour of each pixel that sees a part: that of the part with the least value at the
+/// point.
 std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, const Box& bounds, const RenderSettings& settings,
                                           const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
   std::vector<FieldPtr> fields;
   std::vector<Eigen::Vector3f> colours;
   for (const ColouredPart& part : parts) {
     fields.push_back(look(*part.field, bounds, settings).field);
-    colours.push_back(part.colour ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
-                                  : plain_material);
+    colours.push_back(part.colour
+                          ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
+                          : plain_material);
   }
   std::vector<Eigen::Vector3f> materials(grid.count(), plain_material);
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {

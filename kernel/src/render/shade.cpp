@@ -18,10 +18,11 @@ const auto compass = [] {
   return made;
 }();
 
-/// The nearest whole number; for distances in pixels.
+/// The nearest integer; for distances in pixels.
 int nearest(float value) { return static_cast<int>(value + 65536.5F) - 65536; }
 
-/// How open the sky is above each pixel, 0 to 1: horizons in twelve directions, read off the height map at growing distances.
+/// Returns the visible fraction of the sky above each pixel, 0 to 1: from horizons in twelve
+/// directions, found in the height map at growing distances.
 std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
   std::vector<float> openness(grid.count(), 1);
   const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
@@ -49,15 +50,16 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
   return openness;
 }
 
-/// How much of a light from `direction` reaches each pixel, 0 to 1: soft, because nearly hidden counts as half hidden.
+/// Returns the fraction of a light from `direction` that reaches each pixel, 0 to 1. Shadows are
+/// soft: points that are nearly hidden count as half hidden.
 std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& heights, const Eigen::Vector3f& direction,
                               Progress& progress) {
   std::vector<float> light(grid.count(), 1);
   const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
   const float along = direction.head<2>().norm(), dx = direction.x() / along, dy = -direction.y() / along;
-  const float rise = direction.z() / along * pixel;  // for each pixel of distance
+  const float rise = direction.z() / along * pixel;  // per pixel of distance
   const float reach = static_cast<float>(std::max(grid.width, grid.height)) / 3;
-  constexpr float softness = 12;  // what clears the ray by its length over this is in full light
+  constexpr float softness = 12;  // full light if the clearance exceeds the length of the ray over this
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     progress.check();
     for (int x = 0; x < grid.width; ++x) {
@@ -80,6 +82,15 @@ Eigen::Vector3f background(float down) {
   const Eigen::Vector3f colour =
       (1 - down) * Eigen::Vector3f(0.955F, 0.965F, 0.98F) + down * Eigen::Vector3f(0.82F, 0.85F, 0.89F);
   return colour.cwiseProduct(colour);
+}
+
+/// Whether the background is next to a pixel of the surface: a dark line there shows flat designs from above, whose colour may
+/// be that of the background.
+bool is_silhouette(const PixelGrid& grid, const std::vector<float>& heights, int x, int y) {
+  const auto is_empty = [&](int u, int v) {
+    return u >= 0 && v >= 0 && u < grid.width && v < grid.height && !std::isfinite(heights[grid.index(u, v)]);
+  };
+  return is_empty(x - 1, y) || is_empty(x + 1, y) || is_empty(x, y - 1) || is_empty(x, y + 1);
 }
 
 }  // namespace
@@ -106,6 +117,7 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
       colours[i] = material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
                                          0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
       colours[i] += Eigen::Vector3f::Constant(0.18F * shine * open);
+      if (is_silhouette(grid, heights, x, static_cast<int>(row))) colours[i] *= 0.15F;
     }
   });
   return colours;

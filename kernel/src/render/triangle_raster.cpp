@@ -9,19 +9,19 @@
 namespace fieldfab {
 namespace {
 
-constexpr int band_rows = 16;  // what one thread draws at a time
+constexpr int band_rows = 16;  // rows that one thread draws at a time
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Twice the area of (a, b, place), seen from above; exactly the opposite of that of (b, a, place), so that no place on an edge
-/// can be outside of both of its triangles.
+/// Twice the signed area of (a, b, point), seen from above; exactly the opposite of that of (b, a,
+/// point), so that no point on an edge is outside both of its triangles.
 double side(std::span<const Vec3> vertices, std::uint32_t a, std::uint32_t b, double x, double y) {
   const double sign = a < b ? 1 : -1;
   const Vec3 &first = vertices[std::min(a, b)], &second = vertices[std::max(a, b)];
   return sign * ((second.x() - first.x()) * (y - first.y()) - (second.y() - first.y()) * (x - first.x()));
 }
 
-/// Pixels whose centres are in [low, high], of those there are; none where `last` is less than `first`.
+/// Existing pixels with centres in [low, high]; none if `last` is less than `first`.
 struct Run {
   int first, last;
 };
@@ -63,7 +63,7 @@ class TriangleRaster {
                           grid_.width);
   }
 
-  /// Lists for each band of rows the triangles that reach it, in their order: counted first, then put in their places.
+  /// Lists for each band of rows the triangles that reach it, in their order (counting sort).
   void share_out() {
     const auto count = static_cast<std::size_t>((grid_.height + band_rows - 1) / band_rows);
     starts_.assign(count + 1, 0);
@@ -81,7 +81,7 @@ class TriangleRaster {
     each([&](std::size_t band, std::uint32_t t) { bands_[next[band]++] = t; });
   }
 
-  /// The part of a triangle that lies in a band.
+  /// Draws the part of a triangle that lies in a band.
   void draw(std::uint32_t number, int top) {
     const Triangle& t = triangles_[number];
     const Run rows = rows_of(t), columns = columns_of(t);
@@ -93,7 +93,7 @@ class TriangleRaster {
         const double a = side(vertices_, t[1], t[2], x, y), b = side(vertices_, t[2], t[0], x, y),
                      c = side(vertices_, t[0], t[1], x, y), sum = a + b + c;
         const bool within = (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
-        if (!within || sum == 0) continue;  // beside it, or it is seen on its edge
+        if (!within || sum == 0) continue;  // outside, or the triangle is seen edge-on
         const auto height = static_cast<float>((a * za + b * zb + c * zc) / sum);
         const std::size_t i = grid_.index(column, row);
         if (height > seen_.heights[i]) seen_.heights[i] = height, seen_.triangles[i] = number;

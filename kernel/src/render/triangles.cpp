@@ -16,14 +16,15 @@
 namespace fieldfab {
 namespace {
 
-/// Faces that lean further than this from their corner's mean normal meet there at an edge: cos of 40 degrees.
+/// Faces that are inclined more than this to the mean normal of a corner meet there at an edge: cos
+/// of 40 degrees.
 constexpr double smooth = 0.766;
 
 Vec3 normal_of(std::span<const Vec3> vertices, const std::array<std::uint32_t, 3>& t) {
   return (vertices[t[1]] - vertices[t[0]]).cross(vertices[t[2]] - vertices[t[0]]);
 }
 
-/// The mean of the faces about each vertex, by their areas.
+/// Returns the mean normal of the faces around each vertex, weighted by area.
 std::vector<Vec3> normals_of_vertices(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<Vec3> normals(vertices.size(), Vec3::Zero());
   for (const auto& t : triangles) {
@@ -34,7 +35,7 @@ std::vector<Vec3> normals_of_vertices(std::span<const Vec3> vertices, std::span<
   return normals;
 }
 
-/// What pixels know of the triangles that they see.
+/// Properties of the visible triangles by pixel.
 struct Surface {
   Normals normals;
   std::vector<Eigen::Vector3f> materials;
@@ -57,7 +58,7 @@ Surface surface_of(const Triangles& triangles, std::span<const Vec3> vertices, c
       Vec3 normal = Vec3::Zero();
       for (std::size_t k = 0; k < 3; ++k)
         normal += std::clamp(shares[k], 0.0, 1.0) * (at_vertex[t[k]].dot(flat) > smooth ? at_vertex[t[k]] : flat);
-      if (normal.z() < 0) normal = -normal;  // the inner side of something open
+      if (normal.z() < 0) normal = -normal;  // the inner side of an open surface
       surface.normals[i] = normal.normalized().cast<float>();
       if (surface.materials.empty()) continue;
       for (std::size_t k = 0; k < 3; ++k)
@@ -70,7 +71,7 @@ Surface surface_of(const Triangles& triangles, std::span<const Vec3> vertices, c
   return surface;
 }
 
-/// Of samples x samples pixels the nearest, for those who look for places in the finished picture.
+/// Returns the nearest height of each samples x samples pixels, for lookups in the finished image.
 std::vector<float> nearest_heights(const PixelGrid& grid, const std::vector<float>& heights, int samples) {
   const PixelGrid small{grid.width / samples, grid.height / samples, grid.region};
   std::vector<float> out(small.count(), -std::numeric_limits<float>::infinity());

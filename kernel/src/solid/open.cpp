@@ -22,7 +22,7 @@ namespace fieldfab {
 struct OpenFiles {
   std::vector<std::filesystem::path> being_read;  ///< the outermost first
   std::map<std::string, frep::Expression> known;  ///< by path and options
-  std::map<std::string, Model> models;            ///< the same, all parts of a file
+  std::map<std::string, Model> models;            ///< by path and options: all parts of a file
   std::vector<std::string> notes;
 };
 
@@ -34,14 +34,15 @@ const Formats& formats_of(const OpenSettings& settings) {
   return settings.formats != nullptr ? *settings.formats : kernel_formats();
 }
 
-/// The path itself where it cannot be resolved: reading it will tell why.
+/// Returns the canonical path, or the path itself if it cannot be resolved; reading it reports the
+/// reason.
 std::filesystem::path resolved(const std::filesystem::path& path) {
   std::error_code failure;
   std::filesystem::path found = std::filesystem::canonical(path, failure);
   return failure ? std::filesystem::absolute(path, failure).lexically_normal() : found;
 }
 
-/// "threshold = 300, denoise = "median"": as open() has it.
+/// Formats options as open() takes them: "threshold = 300, denoise = "median"".
 std::string text_of(std::span<const frep::OpenOption> options) {
   std::string text;
   for (const frep::OpenOption& option : options) {
@@ -58,7 +59,7 @@ std::string key_of(const std::filesystem::path& path, std::span<const frep::Open
   return resolved(path).string() + "\n" + text_of(options);
 }
 
-/// Takes `part = "NAME"` out of options.
+/// Removes `part = "NAME"` from options, and returns the name.
 std::optional<std::string> part_wanted(std::vector<frep::OpenOption>& options) {
   const auto found = std::find_if(options.begin(), options.end(), [](const auto& option) { return option.name == "part"; });
   if (found == options.end()) return std::nullopt;
@@ -88,7 +89,7 @@ void check_options(std::span<const frep::OpenOption> options, const Format& form
   }
 }
 
-/// Opens what a text names.
+/// Opens the files that a text names.
 class FileOpener {
  public:
   FileOpener(const std::filesystem::path& folder, const OpenSettings& settings, Progress& progress)
@@ -159,7 +160,8 @@ Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOp
     const Model model = open_model(path, inner, progress);
     return part ? part_of(model, *part, path.string()) : united(model);
   }
-  // Two parts of one file are two of one reading: the same solid is the same leaf, however it was asked for.
+  // Two parts of one file come from one reading: the same solid is the same leaf, however it was
+  // requested.
   OpenFiles& files = *settings.files;
   const std::string key = key_of(path, inner.options);
   auto known = files.models.find(key);
@@ -261,7 +263,7 @@ Model read_frep(const std::filesystem::path& path, const OpenSettings& settings,
 
 Model read_script(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
   Model model = parse_model(run_script(path, progress), path.string(), path.parent_path(), settings, progress);
-  for (Solid& part : model.parts) part.place.clear();  // in a text that nobody sees
+  for (Solid& part : model.parts) part.place.clear();  // places in the script's output, which users do not see
   return model;
 }
 
@@ -299,7 +301,7 @@ Model read_mesh_file(const std::filesystem::path& path, const OpenSettings& sett
     opened->field = mesh_field(mesh, progress);
     opened->bounds = mesh.bounds().grown(mesh.bounds().size().maxCoeff() / 64);
     opened->path = resolved(path);
-    // One of several is named by its part.
+    // A part of several is identified by its name.
     std::vector<frep::OpenOption> options = settings.options;
     if (parts.size() > 1) options.push_back({"part", part.name});
     opened->options = text_of(options);

@@ -1,4 +1,4 @@
-/// The readers of the kernel's formats.
+/// Readers of the kernel's formats.
 #pragma once
 
 #include "fieldfab/solid/open.h"

@@ -1,4 +1,4 @@
-// Options of open() that say how a volume is taken.
+// Options of open() for reading volumes.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -23,7 +23,7 @@ const OpenOption* find(std::span<const OpenOption> options, std::string_view nam
   throw Error(ErrorKind::bad_input, std::string(name), message);
 }
 
-/// The option's words; a number as it is written.
+/// Returns an option as text; a number in its written form.
 std::string words(const OpenOption& option) {
   if (const double* number = std::get_if<double>(&option.value)) return fmt::format("{}", *number);
   return std::get<std::string>(option.value);
@@ -39,7 +39,7 @@ double number(const OpenOption& option) {
   return value;
 }
 
-/// Numbers apart by commas, as many as `count`.
+/// Parses `count` numbers separated by commas.
 template <class Number, std::size_t count>
 std::array<Number, count> numbers(const OpenOption& option) {
   const std::string text = words(option);

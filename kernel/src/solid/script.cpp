@@ -27,7 +27,8 @@ std::vector<std::string> python_environment() {
       path = *entry + 11;
     else
       all.emplace_back(*entry);
-  // The module of this build, or of the folder that all was installed into; Debian's Python finds its own modules by itself.
+  // The module of this build, or of the folder of the installation; Debian's Python finds its own
+  // modules itself.
   std::error_code ignored;
   const std::filesystem::path prefix = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   for (const char* folder : {"python", "lib/python3/dist-packages"}) {

@@ -17,11 +17,11 @@ namespace {
 
 using frep::Expression;
 
-/// Faces where an affine map from the leaf's coordinates puts them.
+/// Returns a FaceMaker whose faces are moved by an affine map from the leaf's coordinates.
 FaceMaker moved_faces(const FaceMaker& faces, const Eigen::Affine3d& to_outer) {
   if (faces == nullptr || !(to_outer.linear().determinant() > 0)) return nullptr;
   return [faces, to_outer](std::optional<double> thickness, Progress& progress) -> std::optional<TriangleMesh> {
-    // A plate stays one where it only moves along x and y, and turns about z.
+    // A plate stays one if it only moves along x and y, and rotates about z.
     const bool keeps_z = to_outer.linear().row(2) == Eigen::RowVector3d::UnitZ() && to_outer.linear().col(2) == Vec3::UnitZ() &&
                          to_outer.translation().z() == 0;
     if (thickness && !keeps_z) return std::nullopt;
@@ -31,7 +31,7 @@ FaceMaker moved_faces(const FaceMaker& faces, const Eigen::Affine3d& to_outer) {
   };
 }
 
-/// What one leaf, placed by an affine map, hands on to the solid.
+/// Copies the metadata of a leaf, placed by an affine map, to the solid.
 void take_from(const OpenedSolid& leaf, const Eigen::Affine3d& to_inner, Solid& solid) {
   solid.kind = leaf.kind;
   if (to_inner.matrix() == Eigen::Matrix4d::Identity()) {
@@ -43,8 +43,8 @@ void take_from(const OpenedSolid& leaf, const Eigen::Affine3d& to_inner, Solid& 
   solid.faces = moved_faces(leaf.faces, to_outer);
 }
 
-/// Voxels of a leaf as they are in space: divided by the greatest stretch of the map to the leaf's coordinates, where that is
-/// affine; else as they are.
+/// Returns the voxel of a leaf in space: divided by the greatest stretch of the map to the leaf's
+/// coordinates if that is affine, otherwise unchanged.
 double voxel_in_space(double voxel, const std::optional<Eigen::Affine3d>& to_inner) {
   if (!to_inner) return voxel;
   return voxel / to_inner->linear().jacobiSvd().singularValues()[0];

@@ -14,8 +14,8 @@
 namespace fieldfab {
 namespace {
 
-/// Which samples belong together: those of one kind that share a face. Union-find over runs along x would be faster; this is a
-/// few passes over an array of numbers.
+/// Connected pieces of samples of one kind that share faces. Union-find over runs along x would be
+/// faster; this takes a few passes over an array of numbers.
 class Pieces {
  public:
   Pieces(const std::vector<bool>& solid, const std::array<int, 3>& size) : parent_(solid.size()) {
@@ -101,7 +101,7 @@ VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSet
   if (settings.least_hole) {
     std::vector<std::uint8_t> reaches_out;
     turn_over(false, [&](Pieces& pieces, std::uint32_t piece) {
-      if (reaches_out.empty()) {  // what touches the border is outside, not a hole
+      if (reaches_out.empty()) {  // pieces that touch the border are outside, not holes
         reaches_out.assign(densities.size(), 0);
         const auto [nx, ny, nz] = lattice.size;
         std::size_t at = 0;

@@ -14,9 +14,10 @@
 namespace fieldfab {
 namespace {
 
-constexpr double bytes_a_place = 16;  // with what is needed to work them out
+constexpr double bytes_a_place = 16;  // including working memory
 
-/// Distances on a lattice: each place learns from its neighbours which point of the surface is nearest.
+/// Distances on a lattice: each sample gets from its neighbours the point of the surface that is
+/// nearest.
 class Sweeping {
  public:
   Sweeping(const Field& solid, const SampleLattice& lattice, double reach, Progress& progress)
@@ -28,7 +29,7 @@ class Sweeping {
         foot_(lattice.count(), nobody),
         square_(lattice.count(), reach_ * reach_) {}
 
-  /// Signed, within the reach.
+  /// Returns signed distances, within the reach.
   std::vector<float> run() {
     read_values();
     find_feet();
@@ -72,7 +73,8 @@ class Sweeping {
     });
   }
 
-  /// Where the surface crosses an edge of the lattice is a foot; both ends of the edge know it.
+  /// Finds the feet, the points at which the surface crosses an edge of the lattice; both ends of
+  /// the edge get the foot.
   void find_feet() {
     struct Crossing {
       std::size_t lower, upper;  // ends
@@ -102,7 +104,7 @@ class Sweeping {
     }
   }
 
-  /// The end of one sign and that of the other are drawn together.
+  /// Bisection between two points of different sign.
   [[nodiscard]] Vec3f zero(Vec3f a, Vec3f b) const {
     const bool inside = solid_.value(a.cast<double>()) < 0;
     for (int halving = 0; halving < 12; ++halving) {
@@ -123,7 +125,7 @@ class Sweeping {
     if (square < square_[i]) square_[i] = square, foot_[i] = foot;
   }
 
-  /// From one corner of the lattice to the opposite one.
+  /// Propagates feet from one corner of the lattice to the opposite one.
   void sweep(unsigned way) {
     const std::array<int, 3> step{way & 1 ? -1 : 1, way & 2 ? -1 : 1, way & 4 ? -1 : 1};
     const auto along = [&](std::size_t axis, auto&& body) {
@@ -148,7 +150,8 @@ class Sweeping {
     });
   }
 
-  /// Feet are about a voxel apart. From the nearest one the surface is followed to where it is nearer still.
+  /// Feet are about a voxel apart. From the nearest foot this follows the surface to a nearer
+  /// point.
   void refine() {
     parallel_for(static_cast<std::size_t>(size(2)), [&](std::size_t k) {
       progress_.check();
@@ -177,7 +180,7 @@ class Sweeping {
     };
     for (std::size_t n = 0; n < places.size(); ++n) at.col(static_cast<Eigen::Index>(n)) = feet_[foot_[places[n]]];
     ask();
-    // Along the tangent plane to below the place, then back to the surface.
+    // Moves along the tangent plane towards the sample, then back to the surface.
     for (std::size_t n = 0; n < places.size(); ++n) {
       const auto c = static_cast<Eigen::Index>(n);
       const Vec3f normal = slope.col(c).normalized(), way = place_of(places[n]) - at.col(c);
@@ -204,12 +207,12 @@ class Sweeping {
   float reach_;
   Progress& progress_;
   std::vector<float> value_;
-  std::vector<std::uint32_t> foot_;  // of each place, as far as it knows; and how far it is
+  std::vector<std::uint32_t> foot_;  // foot of each sample found so far; square of its distance
   std::vector<float> square_;
   std::vector<Vec3f> feet_;
 };
 
-/// A solid next to its surface, distances farther away.
+/// A Field that equals the solid next to its surface, and distances farther away.
 class DistanceField final : public Field {
  public:
   DistanceField(FieldPtr solid, FieldPtr far, double voxel)
@@ -267,7 +270,8 @@ class DistanceField final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return solid_->cost() + far_->cost(); }
 
  private:
-  /// 0 within a voxel of the surface, 1 beyond two, and 0 where the lattice has missed a thin part.
+  /// 0 within a voxel of the surface, 1 beyond two voxels, and 0 if the lattice has missed a thin
+  /// part.
   [[nodiscard]] float share_of_far(float own, float far) const {
     return (own < 0) == (far < 0) && own == own ? std::clamp(std::abs(far) / voxel_ - 1, 0.0F, 1.0F) : 0;
   }
@@ -275,7 +279,7 @@ class DistanceField final : public Field {
     const float share = share_of_far(own, far);
     return share == 0 ? own : share == 1 ? far : own + share * (far - own);
   }
-  /// Whether only distances count there.
+  /// Whether only distances count in the box.
   [[nodiscard]] bool is_away(const Interval& own, const Interval& far) const {
     return (own.lower >= 0 && !own.maybe_nan && far.lower >= 2 * voxel_) || (own.inside() && far.upper <= -2 * voxel_);
   }
@@ -305,7 +309,7 @@ FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& se
   lattice.spacing = Vec3::Constant(voxel);
   lattice.origin = region.lower;
   std::vector<float> far = Sweeping(*solid, lattice, std::max(settings.reach, 3 * voxel), progress).run();
-  for (float& distance : far) distance = -distance;  // densities: more is inside
+  for (float& distance : far) distance = -distance;  // as densities, which are greater inside
   return std::make_shared<DistanceField>(std::move(solid),
                                          volume_field(*volume_of(std::move(far), lattice), {0, false, 1}, progress), voxel);
 }

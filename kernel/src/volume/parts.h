@@ -1,4 +1,4 @@
-/// What the parts that are loaded when first used (core/module.h) do for volumes.
+/// Functions for volumes in library parts that are loaded on first use (core/module.h).
 #pragma once
 
 #include "fieldfab/volume/clean.h"
@@ -6,7 +6,8 @@
 
 namespace fieldfab {
 
-/// Of the part "itk", as `fieldfab_itk`. Each is what the function without "itk" does; see readers.h and clean.h.
+/// Functions of the part "itk", exported as `fieldfab_itk`. Each is the implementation of the
+/// function without "itk"; see readers.h and clean.h.
 struct ItkPart {
   VolumePtr (*open)(const Path& path);
   VolumePtr (*open_dicom)(const Path& path, const std::string& series, Progress& progress);
@@ -14,10 +15,10 @@ struct ItkPart {
   VolumePtr (*denoised)(const VolumePtr& volume, const Denoising& denoising, Progress& progress);
 };
 
-/// denoised() where there is something to do, within the part.
+/// Implementation of denoised() in the part, without its check for nothing to do.
 VolumePtr itk_denoised(const VolumePtr& volume, const Denoising& denoising, Progress& progress);
 
-/// Of the part "openvdb", as `fieldfab_vdb_volume`.
+/// Functions of the part "openvdb", exported as `fieldfab_vdb_volume`.
 struct VdbVolumePart {
   VolumePtr (*open)(const Path& path);
 };

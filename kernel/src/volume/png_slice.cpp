@@ -1,4 +1,4 @@
-// PNG files as slices. Through libpng itself: in ITK an error of libpng ends the process.
+// PNG files as slices, by libpng itself: in ITK an error of libpng ends the process.
 #include <png.h>
 
 #include <cstring>
@@ -15,7 +15,7 @@ namespace {
 }
 void on_warning(png_structp, png_const_charp) {}
 
-/// A PNG file opened, its header read; every row is grey or colours, in 8 or 16 bits.
+/// An open PNG file after its header; rows are converted to grey or colours, in 8 or 16 bits.
 class PngFile {
  public:
   explicit PngFile(const Path& path)
@@ -53,7 +53,7 @@ class PngFile {
     png_set_palette_to_rgb(png_);
     if (depth() < 8) png_set_expand_gray_1_2_4_to_8(png_);
     png_set_strip_alpha(png_);
-    png_set_swap(png_);  // 16 bits as this machine has them
+    png_set_swap(png_);  // 16 bits in the byte order of this machine
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
   }

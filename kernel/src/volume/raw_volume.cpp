@@ -1,4 +1,4 @@
-// Samples as they lie in a file: .raw, .vol with its .vgi.
+// Uncompressed samples in a file: .raw, .vol with its .vgi.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -36,7 +36,7 @@ void convert(const std::byte* from, std::size_t count, bool swap, float* out) {
   }
 }
 
-/// Read with pread(), not mapped: what was read of a mapped file counts as memory of this process.
+/// Reads by pread(), without mapping: pages read of a mapped file count as memory of this process.
 class RawVolume final : public Volume {
  public:
   RawVolume(const Path& path, const RawLayout& layout)
@@ -81,7 +81,7 @@ class RawVolume final : public Volume {
   std::uint64_t skip_;
 };
 
-/// What a name such as bonsai_256x256x256_uint8.raw tells.
+/// Properties in a name such as bonsai_256x256x256_uint8.raw.
 struct NameHints {
   std::optional<std::array<int, 3>> size;
   std::optional<SampleType> type;
@@ -108,7 +108,7 @@ NameHints hints_in(const Path& path) {
   return hints;
 }
 
-/// The type that a file of that many bytes can only have.
+/// Returns the only type that gives a file of that many bytes.
 std::optional<SampleType> type_by_size(std::uint64_t bytes, std::size_t samples) {
   for (const auto type : {SampleType::uint8, SampleType::uint16, SampleType::float32, SampleType::float64})
     if (bytes == samples * size_of(type)) return type;
@@ -229,7 +229,7 @@ VolumePtr open_vgi(const Path& path, const VolumeFileOptions& options) {
   const auto data_name = settings.find("name");
   Path data = path;
   data.replace_extension(".vol");
-  // Only beside the header: a file does not get to choose what else of the disk is read.
+  // Only in the folder of the header: a file must not choose which other files are read.
   if (data_name != settings.end()) {
     const Path named = path.parent_path() / Path(data_name->second).filename();
     if (std::filesystem::exists(named) && !std::filesystem::is_directory(named)) data = named;

@@ -1,4 +1,4 @@
-/// The readers behind open_volume(), one a family of formats; private to the volume folder.
+/// Readers behind open_volume(), one per family of formats; private to the volume folder.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,21 +19,24 @@ using Path = std::filesystem::path;
   throw Error(ErrorKind::bad_input, path.string(), why);
 }
 
-/// How many samples a lattice of that size has. Throws bad_input for less than two an axis, or more than can be counted.
+/// Returns the number of samples of a lattice. Throws bad_input for less than two along an axis, or
+/// for more than can be counted.
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path);
 
-/// Samples as a file keeps them, `swap`ped where its byte order is the other one, as floats.
+/// Converts samples of a file to floats; `swap` reverses their bytes.
 void to_floats(SampleType type, const std::byte* from, std::size_t count, bool swap, float* out);
 
-/// A path's extension in lower case.
+/// Returns the extension of a path in lower case.
 std::string extension_of(const Path& path);
 
-/// `key = value` lines; keys in lower case, what comes later counts less. Throws as read_file().
+/// Reads `key = value` lines; keys in lower case, the first of equal keys counts. Throws as
+/// read_file().
 std::map<std::string, std::string> read_settings(const Path& path);
-/// Three numbers apart by spaces, commas or x; nothing where there are others.
+/// Parses three numbers separated by spaces, commas or x; returns nullopt for anything else.
 std::optional<std::array<double, 3>> three_numbers(std::string_view text);
 
-/// Samples in a file as they are: a range of it. Throws bad_input where the file is too short or too long for them.
+/// Uncompressed samples in a range of a file. open_samples() throws bad_input if the file is too
+/// short or too long.
 struct RawLayout {
   SampleLattice lattice;
   SampleType type = SampleType::uint8;
@@ -41,12 +44,13 @@ struct RawLayout {
   std::uint64_t skip = 0;
 };
 VolumePtr open_samples(const Path& path, const RawLayout& layout);
-/// .raw and .vol: by options, by the .vgi file beside, by name.
+/// Opens .raw and .vol: by options, by the .vgi file beside it, or by name.
 VolumePtr open_raw(const Path& path, const VolumeFileOptions& options);
-/// .vgi: the header that names a .vol file.
+/// Opens .vgi, the header that names a .vol file.
 VolumePtr open_vgi(const Path& path, const VolumeFileOptions& options);
 
-/// A picture of a stack: its size, and its grey values on request. Each call opens the file anew, so that many may go on at once.
+/// An image of a stack: its size, and its grey values on request. Each call opens the file again,
+/// so that calls may run in parallel.
 class Slice {
  public:
   virtual ~Slice() = default;
@@ -55,26 +59,28 @@ class Slice {
   virtual void read(float* out) const = 0;
 };
 using SlicePtr = std::unique_ptr<Slice>;
-/// Grey as the eye weighs colours (ITU-R BT.601); what is grey already stays the same number.
+/// Luma of a colour (ITU-R BT.601); grey stays the same number.
 inline float grey(float red, float green, float blue) {
   return red == green && green == blue ? red : 0.299F * red + 0.587F * green + 0.114F * blue;
 }
-/// Slices by these files, one after another, read when they are asked for. Throws bad_input where they differ in size or type.
+/// Returns slices of these files as a volume, read on demand. Throws bad_input if they differ in
+/// size or type.
 VolumePtr stack_of(std::vector<SlicePtr> slices, const std::vector<Path>& files, SampleLattice lattice);
 
-/// The pages of a TIFF file.
+/// Returns the pages of a TIFF file.
 std::vector<SlicePtr> tiff_pages(const Path& path);
 SlicePtr png_slice(const Path& path);
 
-/// MetaImage, NRRD and NIfTI, through ITK.
+/// Opens MetaImage, NRRD and NIfTI, through ITK.
 VolumePtr open_with_itk(const Path& path);
-/// The DICOM series of a folder, or the file alone; through ITK.
+/// Opens the DICOM series of a folder, or a single file; through ITK.
 VolumePtr open_dicom(const Path& path, const std::string& series, Progress& progress);
-/// Whether a file is DICOM, whatever its name.
+/// Whether a file is DICOM, by its content.
 bool is_dicom(const Path& path);
 void write_with_itk(const Volume& volume, const Path& path, Progress& progress);
 
-/// The first grid of numbers in a .vdb file; the signed distance of a level set is taken as a density below 0.
+/// Opens the first grid of numbers in a .vdb file; the signed distance of a level set becomes a
+/// density below 0.
 VolumePtr open_vdb(const Path& path);
 
 }  // namespace fieldfab

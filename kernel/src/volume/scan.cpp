@@ -21,7 +21,7 @@ Scan open_scan(const std::filesystem::path& path, const ScanOptions& options, Pr
     return take_scan(open_volume(path, options.file, progress), options, progress);
   } catch (const Error& error) {
     if (error.place() != "volume") throw;
-    const std::string message = error.what();  // name the file where only the volume was known
+    const std::string message = error.what();  // names the file instead of the volume
     throw Error(error.kind(), path.string(), message.substr(message.find(": ") + 2));
   }
 }

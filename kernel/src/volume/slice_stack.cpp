@@ -1,4 +1,4 @@
-// Pictures one above the other, and TIFF files as such.
+// Stacks of images, and TIFF files.
 #include <tiffio.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class SliceStack final : public Volume {
 using TiffFile = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
 
 TiffFile open_tiff(const Path& path) {
-  // libtiff would write its complaints to stderr; an Error says what matters.
+  // libtiff would write messages to stderr; an Error is thrown instead.
   TIFFSetErrorHandler(nullptr);
   TIFFSetWarningHandler(nullptr);
   TiffFile file(TIFFOpen(path.c_str(), "rm"), &TIFFClose);
@@ -64,7 +64,7 @@ class TiffPage final : public Slice {
     if (photometric_ == PHOTOMETRIC_PALETTE) {
       if (bits_ > 16 || channels_ != 1) refuse(path_, "a palette of an impossible kind");
       type = SampleType::uint8;
-      format_ = SAMPLEFORMAT_UINT;  // numbers of colours, whatever the file says
+      format_ = SAMPLEFORMAT_UINT;  // palette indices, whatever the file states
     }
   }
 
@@ -77,7 +77,8 @@ class TiffPage final : public Slice {
     } else {
       const bool apart = planes_ == PLANARCONFIG_SEPARATE && channels_ > 1;
       if (apart) refuse(path_, "colours in planes of their own are not read");
-      // A hostile file can tell any size: memory is asked for only where a line really is as long.
+      // A hostile file can state any size, so memory is allocated only if lines really have that
+      // length.
       if (static_cast<std::size_t>(TIFFScanlineSize(file.get())) != row_bytes) damaged();
       std::vector<std::uint8_t> row(row_bytes);
       for (int y = 0; y < height; ++y) {
@@ -133,7 +134,7 @@ class TiffPage final : public Slice {
     return has_sign ? greys_of<std::int32_t>(from, count, out) : greys_of<std::uint32_t>(from, count, out);
   }
 
-  /// Numbers of colours become the grey of the colours, 0 to 255.
+  /// Converts palette indices to the grey of the colours, 0 to 255.
   void look_up(TIFF* file, float* out, std::size_t count) const {
     std::uint16_t *red = nullptr, *green = nullptr, *blue = nullptr;
     if (TIFFGetField(file, TIFFTAG_COLORMAP, &red, &green, &blue) != 1) damaged();

@@ -23,7 +23,7 @@ bool is_small_whole(SampleType type) { return size_of(type) <= 2; }
               fmt::format("the density of sample ({}, {}, {}) is not a finite number", at % width, at / width, slice));
 }
 
-/// The least and greatest density. Throws for NaN and infinity.
+/// Returns the least and greatest density. Throws for NaN and infinity.
 std::pair<double, double> extent(const Volume& volume, std::size_t memory, Progress& progress) {
   std::vector<std::pair<float, float>> of_slice(static_cast<std::size_t>(volume.lattice().size[2]));
   for_slabs(volume, memory, false, progress, "looking at the densities", [&](int first, int count, const float* densities) {
@@ -93,14 +93,15 @@ double otsu_threshold(const Histogram& histogram) {
     if (between > best) best = between, first_best = i;
     if (between == best) last_best = i;
   }
-  // Bins up to the best one are below: the threshold is the border above it, in the middle where empty bins follow.
+  // Bins up to the best one are below: the threshold is the upper border of that bin, or the middle
+  // of the empty bins that follow.
   return histogram.first + (0.5 * (static_cast<double>(first_best) + static_cast<double>(last_best)) + 1) * histogram.width;
 }
 
 namespace {
 
-/// The most common density among bins first .. last: the middle of a narrow window is moved to the mean of what is in it, from
-/// where it holds most.
+/// Mode of the densities in bins first .. last: starts at the narrow window that holds most, and
+/// moves its middle to the mean of its content.
 double most_common(const Histogram& histogram, std::size_t first, std::size_t last) {
   const std::size_t reach = std::max<std::size_t>(1, histogram.counts.size() / 80);
   const auto window = [&](std::size_t middle) {

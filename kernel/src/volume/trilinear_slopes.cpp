@@ -1,8 +1,9 @@
-// In a cell the derivative along x is bilinear in y and z, and so on. A directional derivative, a sum of the three, is thus
-// linear in each coordinate alone: over the part of a cell that lies in the box its extremes are at that part's corners. The
-// parts' corners are the nodes of a grid: the box's own faces and the planes of samples between them. At a node each axis has at
-// most two derivatives, below and above, and the parts around the node are all the ways to choose from them: the least sum is the
-// sum of the least ones.
+// In a cell the derivative along x is bilinear in y and z, and so on. So a directional derivative,
+// a sum of the three, is linear in each coordinate alone; over the part of a cell inside the box it
+// takes its extremes at the corners of that part. These corners are the nodes of a grid, formed by
+// the faces of the box and the planes of samples between them. At a node each axis has at most two
+// derivatives, below and above, and the parts around the node are all combinations of them. So the
+// minimum of the sum is the sum of the minima.
 #include "trilinear_slopes.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace fieldfab {
 namespace {
 
 constexpr int most_cells = 16 * 16 * 16;
-constexpr std::size_t lanes = 8;  // partial results, so that loops can be vectorised
+constexpr std::size_t lanes = 8;  // partial results, for vectorisation
 
-/// The nodes along an axis.
+/// Nodes along an axis.
 struct Axis {
-  int first = 0, cells = 1;            // the cells that the box meets
-  float lower = 0, upper = 1;          // where the box begins in the first and ends in the last
-  bool before = false, after = false;  // it reaches beyond the samples, where nothing changes along the axis
-  bool met = true;                     // it meets the samples at all
+  int first = 0, cells = 1;            // cells that the box meets
+  float lower = 0, upper = 1;          // start of the box in the first cell, and its end in the last
+  bool before = false, after = false;  // the box reaches beyond the samples, where nothing changes along the axis
+  bool met = true;                     // the box meets the samples
 
   [[nodiscard]] std::size_t nodes() const { return static_cast<std::size_t>(cells) + 1; }
 };
@@ -41,7 +42,7 @@ Axis axis_of(double lower, double upper, int size) {
   return axis;
 }
 
-/// What is kept from call to call, a number a node.
+/// Memory kept between calls, one number per node.
 struct Space {
   std::vector<float> samples, trimmed;
   std::array<std::vector<float>, 3> least, most;  // derivatives along each axis
@@ -67,7 +68,7 @@ class Slopes {
       space_.least[axis].resize(padded);
       space_.most[axis].resize(padded);
       derive(axis);
-      // What fills the last lanes counts as well: it repeats a node.
+      // The padding of the last lanes counts as well, so it repeats a node.
       std::fill(space_.least[axis].begin() + static_cast<std::ptrdiff_t>(nodes_), space_.least[axis].end(),
                 space_.least[axis][0]);
       std::fill(space_.most[axis].begin() + static_cast<std::ptrdiff_t>(nodes_), space_.most[axis].end(), space_.most[axis][0]);
@@ -119,7 +120,7 @@ class Slopes {
       for (std::size_t a = 0; a < count_[inner]; ++a) visit(a * stride_[inner] + b * stride_[outer]);
   }
 
-  /// Moves the outermost nodes along an axis from the samples' planes to the box's faces.
+  /// Moves the outermost nodes along an axis from the planes of samples to the faces of the box.
   void trim(std::size_t axis) {
     const Axis& ends = axes_[axis];
     if (ends.lower == 0 && ends.upper == 1) return;
@@ -133,7 +134,7 @@ class Slopes {
     });
   }
 
-  /// The least and the greatest derivative along an axis in the cells around each node.
+  /// Computes the least and the greatest derivative along an axis in the cells around each node.
   void derive(std::size_t axis) {
     const Axis& ends = axes_[axis];
     const std::size_t step = stride_[axis], count = count_[axis];

@@ -16,7 +16,7 @@ struct TypeName {
   std::string_view name;
   SampleType type;
 };
-/// The first name of a type is the one it is called by.
+/// The first name of a type is used in output.
 constexpr std::array type_names{
     TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},       TypeName{"uint16", SampleType::uint16},
     TypeName{"int16", SampleType::int16},     TypeName{"uint32", SampleType::uint32},   TypeName{"int32", SampleType::int32},
@@ -100,7 +100,7 @@ class Cropped final : public Volume {
   std::array<int, 3> first_;
 };
 
-/// Axes that run backwards are run forwards.
+/// A volume with descending axes reversed.
 class Flipped final : public Volume {
  public:
   explicit Flipped(VolumePtr other) : Volume(other->lattice(), other->type(), other->own_threshold()), other_(std::move(other)) {
@@ -237,7 +237,8 @@ void for_slabs(const Volume& volume, std::size_t bytes, bool shared, Progress& p
   const int last = lattice.size[2], least = shared ? 2 : 1;
   const auto fitting = static_cast<int>(std::min<std::size_t>(bytes / (lattice.slice() * sizeof(float)), 64));
   const int most = std::clamp(fitting, least, last);
-  require_memory(lattice.slice() * static_cast<std::size_t>(most) * sizeof(float), "volume");  // a file can tell any size
+  // A file can state any size.
+  require_memory(lattice.slice() * static_cast<std::size_t>(most) * sizeof(float), "volume");
   std::vector<float> slab(lattice.slice() * static_cast<std::size_t>(most));
   for (int first = 0; first < last - (shared ? 1 : 0);) {
     progress.check();

@@ -13,7 +13,8 @@
 namespace fieldfab {
 namespace {
 
-/// Appends the steepness, in density a mm, of the cells between two slices that the surface crosses.
+/// Appends the steepness, in density per mm, of the cells between two slices that the surface
+/// crosses.
 void collect_steepness(const SampleLattice& lattice, const float* lower, const float* upper, double threshold,
                        std::vector<float>& steepness) {
   const auto width = static_cast<std::size_t>(lattice.size[0]);
@@ -38,9 +39,9 @@ void collect_steepness(const SampleLattice& lattice, const float* lower, const f
     }
 }
 
-constexpr int block = 8;  // cells a side whose least and greatest value are kept
+constexpr int block = 8;  // cells per side of a block whose least and greatest values are kept
 
-/// Trilinear interpolation between samples that are kept as values of the Field.
+/// Trilinear interpolation between samples, which are kept as values of the Field.
 class VolumeField final : public Field {
  public:
   VolumeField(std::vector<float> samples, const SampleLattice& lattice)
@@ -48,7 +49,8 @@ class VolumeField final : public Field {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       per_mm_[axis] = static_cast<float>(1 / lattice.spacing[a]);
-      // Just behind the outermost samples, so that these are in the solid or not as their densities are.
+      // Slightly beyond the outermost samples, so that their densities decide whether they are in
+      // the solid.
       const double farthest = std::max(std::abs(box_.lower[a]), std::abs(box_.upper[a]));
       const double behind = std::max(std::ldexp(lattice.spacing[a], -10), std::ldexp(farthest, -20));
       faces_[0][axis] = static_cast<float>(box_.lower[a] - behind), faces_[1][axis] = static_cast<float>(box_.upper[a] + behind);
@@ -90,11 +92,10 @@ class VolumeField final : public Field {
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
     return Sampling{box_.lower, (box_.upper - box_.lower).array() / Eigen::Array3d(size_[0] - 1, size_[1] - 1, size_[2] - 1)};
   }
-  /// In one cell between samples. So it is in a cell beyond the outermost ones, since the solid ends just behind these: there it
-  /// is what it is on the border, as far as it goes.
+  /// True in one cell between samples; also in a cell beyond the outermost ones, since the solid
+  /// ends slightly beyond them and has the border's values up to there.
   [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
-    constexpr double slack =
-        1e-3;  // of a cell: rounded coordinates may be looked up in the neighbour, which agrees on the border
+    constexpr double slack = 1e-3;  // of a cell: rounding may select the neighbouring cell, which agrees on the border
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       const double lower = (box.lower[a] - box_.lower[a]) * per_mm_[axis], upper = (box.upper[a] - box_.lower[a]) * per_mm_[axis];
@@ -114,7 +115,7 @@ class VolumeField final : public Field {
     else
       std::fill_n(out.begin(), directions.size(), no_slope);
     if (cap.upper < inside.lower) return;
-    // Of the sides of the lattice those that a point of the box can be as far beyond as its value is.
+    // Sides of the lattice from which a point of the box can be as far as its value.
     const float least = std::max(inside.lower, cap.lower);
     for (int axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<std::size_t>(axis);
@@ -132,16 +133,16 @@ class VolumeField final : public Field {
  private:
   static constexpr Interval no_slope{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
 
-  /// The interval of what is interpolated, wherever the samples end.
+  /// Interval of the interpolation, without the ends of the samples.
   [[nodiscard]] Interval interpolated_over(const Box& box) const {
-    std::array<int, 3> first, last;  // the cells that the box meets
+    std::array<int, 3> first, last;  // cells that the box meets
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       const auto cell = [&](double at) {
         const double place = (at - box_.lower[a]) * per_mm_[axis];
         return static_cast<int>(std::clamp(std::isnan(place) ? 0.0 : place, 0.0, size_[axis] - 2.0));
       };
-      // Coordinates are rounded to floats before they are looked up.
+      // Coordinates are rounded to floats before the lookup.
       const double slack = 1e-3 / per_mm_[axis] + 1e-6 * (std::abs(box_.lower[a]) + std::abs(box_.upper[a]));
       first[axis] = cell(box.lower[a] - slack), last[axis] = cell(box.upper[a] + slack);
     }
@@ -156,12 +157,12 @@ class VolumeField final : public Field {
     void add(const Extremes& other) { least = std::min(least, other.least), most = std::max(most, other.most); }
   };
   struct Place {
-    std::size_t sample;           // the cell's first
+    std::size_t sample;           // first sample of the cell
     std::array<float, 3> within;  // 0 to 1
   };
   struct Interpolated {
     float value;
-    std::array<float, 3> slope;  // for one cell
+    std::array<float, 3> slope;  // per cell
   };
 
   [[nodiscard]] std::size_t index(int i, int j, int k) const {
@@ -170,7 +171,8 @@ class VolumeField final : public Field {
                (static_cast<std::size_t>(j) + static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(k));
   }
 
-  /// Outside of the lattice the nearest place in it; NaN counts as the lower corner.
+  /// A point outside the lattice is moved to the nearest point in it; NaN counts as the lower
+  /// corner.
   [[nodiscard]] Place find(const std::array<float, 3>& point) const {
     std::array<int, 3> cell;
     Place place;
@@ -197,8 +199,8 @@ class VolumeField final : public Field {
     return {mix(lower, upper, w), {dx, mix(along_x[1] - along_x[0], along_x[3] - along_x[2], w), upper - lower}};
   }
 
-  /// How far a point is outside of the samples along the axis where it is farthest out (negative: how deep inside), and on which
-  /// of the six sides that is. The solid ends there.
+  /// Returns the greatest distance of a point from the six sides of the samples (negative inside),
+  /// and the number of that side. The solid ends there.
   [[nodiscard]] std::pair<float, int> beyond(const std::array<float, 3>& point) const {
     std::pair<float, int> farthest{-std::numeric_limits<float>::infinity(), 0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -209,7 +211,7 @@ class VolumeField final : public Field {
     }
     return farthest;
   }
-  /// The interval of beyond() over a box.
+  /// Interval of beyond() over a box.
   [[nodiscard]] Interval beyond_over(const Box& box) const {
     Interval range{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
     for (int axis = 0; axis < 3; ++axis) {
@@ -252,7 +254,7 @@ class VolumeField final : public Field {
     return found;
   }
 
-  /// Few samples are looked at one by one, many by their blocks.
+  /// Few samples are examined one by one, many by their blocks.
   [[nodiscard]] Extremes extremes_of_cells(const std::array<int, 3>& first, const std::array<int, 3>& last) const {
     double cells = 1;
     for (std::size_t axis = 0; axis < 3; ++axis) cells *= last[axis] - first[axis] + 1;
@@ -268,7 +270,7 @@ class VolumeField final : public Field {
   std::array<int, 3> size_;
   Box box_;
   std::array<float, 3> per_mm_{};
-  std::array<std::array<float, 3>, 2> faces_{};  // where the solid ends: lower, upper
+  std::array<std::array<float, 3>, 2> faces_{};  // end of the solid: lower, upper
   std::array<int, 3> blocks_{};
   std::vector<Extremes> extremes_;
 };

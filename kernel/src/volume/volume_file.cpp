@@ -1,4 +1,4 @@
-// Which reader belongs to which path.
+// Choice of the reader for a path.
 #include "fieldfab/volume/volume_file.h"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool is_one_of(const std::string& extension, std::initializer_list<std::string_v
 bool is_tiff(const Path& path) { return is_one_of(extension_of(path), {".tif", ".tiff"}); }
 bool is_png(const Path& path) { return extension_of(path) == ".png"; }
 
-/// Names in the order people count in: slice2 before slice10.
+/// Natural order of names: slice2 before slice10.
 bool natural_order(const Path& a, const Path& b) {
   const std::string x = a.filename().string(), y = b.filename().string();
   std::size_t i = 0, j = 0;
@@ -48,7 +48,7 @@ bool natural_order(const Path& a, const Path& b) {
   return x.size() - i != y.size() - j ? x.size() - i < y.size() - j : x < y;
 }
 
-/// The last number in a name, and all but that number.
+/// Splits off the last number in a name.
 std::pair<std::string, std::optional<long long>> numbered(const Path& path) {
   const std::string name = path.filename().string();
   const auto last = name.find_last_of("0123456789", name.size() - path.extension().string().size() - 1);
@@ -60,7 +60,7 @@ std::pair<std::string, std::optional<long long>> numbered(const Path& path) {
   return {name.substr(0, first) + "#" + name.substr(last + 1), number};
 }
 
-/// Names that count up by one step all but somewhere: a slice was lost.
+/// Throws if the numbers in the names do not increase by a constant step: a slice was lost.
 void require_all_slices(const std::vector<Path>& files) {
   std::vector<long long> numbers;
   const std::string stem = numbered(files[0]).first;
@@ -77,7 +77,7 @@ void require_all_slices(const std::vector<Path>& files) {
              fmt::format("a slice is missing between {} and {}", files[i - 1].filename().string(), files[i].filename().string()));
 }
 
-/// Distances as the folder tells them in dimensions.txt: widthScale, heightScale, depthScale.
+/// Spacing in the folder's dimensions.txt: widthScale, heightScale, depthScale.
 Vec3 spacing_of_folder(const Path& folder) {
   Vec3 spacing = Vec3::Ones();
   const Path path = folder / "dimensions.txt";

@@ -1,5 +1,5 @@
-// In the place of the files that need ITK or OpenVDB, where these cannot be compiled: Debian's ITK knows no clang, which the
-// fuzzers are built with.
+// Replaces the files that need ITK or OpenVDB if these cannot be compiled: Debian's ITK does not
+// support clang, which builds the fuzzers.
 #include "fieldfab/volume/clean.h"
 #include "readers.h"
 

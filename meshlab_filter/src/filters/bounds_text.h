@@ -7,7 +7,7 @@
 
 namespace fieldfab::meshlab {
 
-/// "x0,y0,z0,x1,y1,z1" in mm; nothing for an empty text. Throws bad_input.
+/// Parses "x0,y0,z0,x1,y1,z1" in mm; nullopt for an empty text. Throws bad_input.
 std::optional<Box> bounds_of(const std::string& text);
 
 }  // namespace fieldfab::meshlab

@@ -1,4 +1,4 @@
-// Two layers made one.
+// Boolean combination of two layers.
 #include <fmt/format.h>
 
 #include "../solids.h"
@@ -33,7 +33,8 @@ FieldPtr joined(int operation, const FieldPtr& a, const FieldPtr& b, double radi
   return complement(join(complement(a), b));
 }
 
-/// What two drawn parts make, exactly; nothing where one is not drawn, or the result not the surface of a solid.
+/// Returns the exact combination of two drawn parts; nullopt if one is not drawn, or if the result
+/// is not the surface of a solid.
 std::optional<Layer> exactly_joined(const Layer& first, const Layer& second, int operation, const Fineness& fineness,
                                     const std::string& name, std::vector<std::string>& log, Progress& progress) {
   std::vector<std::string> said;
@@ -45,7 +46,7 @@ std::optional<Layer> exactly_joined(const Layer& first, const Layer& second, int
     auto layer = layer_of(combined(*a, *b, operations[operation]), name);
     if (layer) log.insert(log.end(), said.begin(), said.end());
     return layer;
-  } catch (const Error&) {  // faces that only touch, or too many that do
+  } catch (const Error&) {  // faces that only touch, or too many of them
     return std::nullopt;
   }
 }

@@ -1,4 +1,4 @@
-// How far a layer is from what it should be.
+// Deviation of a layer from its target.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::vector<Parameter> parameters(const Document& document) {
                        "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0, diagonal)};
 }
 
-/// Blue inside, nearly white where it should be, red outside: the ramp of the FreeCAD workbench.
+/// Blue inside, nearly white on the target, red outside: the colours of the FreeCAD workbench.
 Colour colour(double share) {
   constexpr double stops[5][3] = {
       {0.10, 0.25, 0.80}, {0.35, 0.70, 0.95}, {0.92, 0.95, 0.92}, {0.98, 0.70, 0.25}, {0.80, 0.10, 0.08}};

@@ -1,4 +1,4 @@
-// A solid from a formula.
+// Solid from a formula.
 #include <fmt/format.h>
 
 #include <sstream>

@@ -1,4 +1,4 @@
-// A wall of even thickness, with holes to drain what is within.
+// Wall of even thickness, with holes that drain the hollow.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<Parameter> parameters(const Document& document) {
   return rows;
 }
 
-/// The vertices of each piece of a mesh.
+/// Returns the vertices of each piece of a mesh.
 std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh) {
   Together together(mesh.vertices.size());
   for (const auto& t : mesh.triangles) together.join(t[0], t[1]), together.join(t[0], t[2]);
@@ -47,7 +47,7 @@ std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh) {
   return list;
 }
 
-/// Where a hollow is drained: a place on its wall, and whether the hole goes up from there.
+/// Drain of a hollow: a point on its wall, and whether the hole goes up from there.
 struct Drain {
   Vec3 place;
   bool up;
@@ -73,7 +73,7 @@ std::vector<Drain> drains_of(const std::vector<Vec3>& hollow, int count) {
   return drains;
 }
 
-/// From within the hollow through its wall, as far as the first place outside.
+/// Returns a hole from inside the hollow through its wall, up to the first point outside.
 FieldPtr hole(const Field& outside, const Drain& drain, double diameter, double voxel, const Box& bounds) {
   const double way = drain.up ? 1 : -1;
   double z = drain.place.z();

@@ -1,4 +1,4 @@
-// A wall, and a lattice within it.
+// Wall filled with a lattice.
 #include <fmt/format.h>
 
 #include "../solids.h"
@@ -37,7 +37,7 @@ frep::Expression surface(int lattice, double period) {
 Result run(const Values& values, Progress& progress) {
   Result result;
   Fineness fineness = fineness_of(values);
-  // The lattice's walls are thin: looking for edges there is slow, so it is done on demand only.
+  // The walls of the lattice are thin, so a search for edges is slow; it is done on demand only.
   if (fineness.edges == Fineness::Edges::automatic) fineness.edges = Fineness::Edges::rounded;
   const double period = values.positive("Period"), strut = values.positive("Strut"), wall = values.not_negative("Wall");
   const FieldPtr lattice = frep::make_field(frep::simplify(frep::shapes::shell(surface(values.whole("Lattice"), period), strut)));

@@ -1,4 +1,4 @@
-// A layer grown or shrunk.
+// Layer offset outwards or inwards.
 #include <fmt/format.h>
 
 #include <cmath>

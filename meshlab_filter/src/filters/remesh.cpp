@@ -1,4 +1,4 @@
-// Any soup of triangles to a closed mesh, through a distance field.
+// Conversion of any triangle soup to a closed mesh, by a distance field.
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/field/operations.h"
@@ -21,7 +21,7 @@ Layer through_a_field(const Layer& layer, const Fineness& fineness, double gap, 
   const Solid solid = solid_of(layer, fineness, 0, log, progress);
   FieldPtr field = solid.field;
   Box bounds = *solid.bounds;
-  if (gap > 0) {  // grown by half of the gap and shrunk again; what was there stays as it is
+  if (gap > 0) {  // grows by half the gap and shrinks again; the union keeps the original solid
     bounds = bounds.grown(gap);
     const FieldPtr grown = offset(with_distances(field, bounds, gap, fineness.voxel, progress), gap / 2);
     field = unite(field, offset(with_distances(grown, bounds, gap, fineness.voxel, progress), -gap / 2));

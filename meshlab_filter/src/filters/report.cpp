@@ -1,4 +1,4 @@
-// Whether a layer is a solid that can be made.
+// Report whether a layer is a valid solid.
 #include <fmt/format.h>
 
 #include "../solids.h"

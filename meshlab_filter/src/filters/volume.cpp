@@ -1,4 +1,4 @@
-// A surface in a CT volume.
+// Surface in a CT volume.
 #include <fmt/format.h>
 
 #include "../solids.h"

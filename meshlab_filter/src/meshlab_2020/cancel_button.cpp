@@ -44,7 +44,7 @@ bool CancelButton::eventFilter(QObject* receiver, QEvent* event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
-      // A click comes to the window that the button lies in first, as a QWindow, and then to the button.
+      // A click reaches the window of the button first, as a QWindow, and then the button.
       return receiver->isWidgetType() && receiver != button_;
     case QEvent::KeyRelease:
     case QEvent::Shortcut:

@@ -1,4 +1,5 @@
-/// How a user stops a filter: this version of MeshLab has a progress bar, but nothing to cancel with.
+/// Cancellation of a filter by the user: this version of MeshLab has a progress bar without a way
+/// to cancel.
 #pragma once
 
 #include <QObject>
@@ -8,15 +9,16 @@ class QPushButton;
 
 namespace fieldfab::meshlab {
 
-/// While it lives, a Cancel button stands in the main window's status bar, beside the progress bar; the Escape key does the same.
-/// Everything else that a user does in the meantime is kept from MeshLab, which would begin a second filter on the same layers,
-/// or close the window. Without a window (meshlabserver) it does nothing.
+/// During its lifetime, shows a Cancel button in the status bar of the main window, beside the
+/// progress bar; the Escape key does the same. Filters out all other input, by which a user could
+/// start a second filter on the same layers or close the window. Does nothing without a window
+/// (meshlabserver).
 class CancelButton : public QObject {
   Q_OBJECT
  public:
   CancelButton();
   ~CancelButton() override;
-  /// Lets the window live for a moment, and tells whether somebody wants to stop.
+  /// Processes events of the window, and returns whether the user wants to stop.
   bool pressed();
 
  protected:

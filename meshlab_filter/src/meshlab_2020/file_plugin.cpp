@@ -39,7 +39,7 @@ Document document_of(const MeshModel& model) {
   return document;
 }
 
-/// Runs work, and puts what went wrong into `message`.
+/// Runs work; stores the message of an error in `message`.
 bool done(const std::function<void()>& work, QString& message) {
   try {
     work();

@@ -1,4 +1,4 @@
-/// Fieldfab's files as a plugin of MeshLab 2020.09 (Debian 12).
+/// Fieldfab's file formats as a plugin of MeshLab 2020.09 (Debian 12).
 #pragma once
 
 #include <common/interfaces.h>

@@ -16,7 +16,7 @@ namespace {
 
 const Filter& filter_of(int id) { return filters().at(static_cast<std::size_t>(id)); }
 
-/// Of the layers only those are copied that a filter asks for.
+/// Copies only the layers that a filter asks for.
 std::map<std::size_t, std::shared_ptr<const Layer>> layers_for(const std::vector<Parameter>& parameters, const Document& seen,
                                                                const MeshDocument& document) {
   std::map<std::size_t, std::shared_ptr<const Layer>> layers;
@@ -40,7 +40,7 @@ void add_layers(const std::vector<Layer>& layers, MeshDocument& document) {
       added.push_back(document.addNewMesh("", text_of(layer.name)));
       write_layer(layer, *added.back());
     }
-  } catch (...) {  // there was no memory left: none of them is kept
+  } catch (...) {  // out of memory: no layer is kept
     for (MeshModel* const model : added) document.delMesh(model);
     if (before != nullptr) document.setCurrentMesh(before->id());
     throw;
@@ -74,7 +74,8 @@ MeshFilterInterface::FILTER_ARITY FieldfabFilters::filterArity(QAction* action) 
   return filter.needs_layer ? SINGLE_MESH : NONE;
 }
 
-// What a filter needs it says itself, in words; MeshLab's own check asks a layer that may not be there.
+// A filter reports missing input itself, in words; MeshLab's own check evaluates a layer that may
+// not exist.
 int FieldfabFilters::getPreConditions(QAction*) const { return MeshModel::MM_NONE; }
 
 int FieldfabFilters::postCondition(QAction* action) const {

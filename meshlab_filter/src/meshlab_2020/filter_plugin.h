@@ -1,4 +1,4 @@
-/// The filters as a plugin of MeshLab 2020.09 (Debian 12).
+/// Filters as a plugin of MeshLab 2020.09 (Debian 12).
 #pragma once
 
 #include <common/interfaces.h>

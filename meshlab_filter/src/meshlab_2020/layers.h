@@ -1,4 +1,4 @@
-/// From MeshLab's meshes to layers as filters know them, and back.
+/// Conversion of MeshLab's meshes to the layers of filters, and back.
 #pragma once
 
 #include "../filter.h"
@@ -8,16 +8,16 @@ class MeshModel;
 
 namespace fieldfab::meshlab {
 
-/// The mesh as it is drawn: where its transform puts it, without what is deleted.
+/// Returns the mesh as drawn: with its transform applied, without deleted elements.
 Layer layer_from(const MeshModel& model);
 
-/// What defaults are worked out from.
+/// Returns the data for the computation of defaults.
 Document document_from(const MeshDocument& document);
 
 /// Fills a new, empty mesh.
 void write_layer(const Layer& layer, MeshModel& model);
 
-/// Gives each vertex its quality and colour; they are in the order of layer_from().
+/// Sets quality and colour of each vertex; they are in the order of layer_from().
 void write_colours(const Result& result, MeshModel& model);
 
 }  // namespace fieldfab::meshlab

@@ -1,4 +1,4 @@
-/// Parameters as MeshLab's dialogs and scripts have them.
+/// Parameters in MeshLab's dialogs and scripts.
 #pragma once
 
 #include <QString>
@@ -10,10 +10,11 @@ class RichParameterList;
 
 namespace fieldfab::meshlab {
 
-/// Adds rows to a dialog; `document` may be null where no row asks for a layer.
+/// Adds rows to a dialog; `document` may be null if no row asks for a layer.
 void show_parameters(const std::vector<Parameter>& parameters, MeshDocument* document, RichParameterList& list);
 
-/// The same parameters with what a user has chosen; layers by their index in the document, -1 where it has none like that.
+/// Returns the parameters with the values chosen by the user. A layer is its index in the document,
+/// or -1 if the document does not contain it.
 std::vector<Parameter> chosen_parameters(std::vector<Parameter> parameters, const MeshDocument* document,
                                          const RichParameterList& list);
 

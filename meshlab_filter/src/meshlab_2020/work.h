@@ -1,4 +1,4 @@
-/// Long work beside MeshLab's window.
+/// Long work that leaves MeshLab's window responsive.
 #pragma once
 
 #include <functional>
@@ -7,12 +7,13 @@
 
 namespace fieldfab::meshlab {
 
-/// MeshLab's progress bar: percent and what is being done; false asks to stop.
+/// MeshLab's progress bar: percentage and description; returns false to request a stop.
 using Bar = bool(int, const char*);
 
-/// Runs `work` on a thread of its own while this one, MeshLab's, tells the bar and listens: to the bar's answer, and to the
-/// Cancel button and the Escape key in its window (this version's bar never asks to stop). Throws what the work throws; cancelled
-/// work throws Error(cancelled).
+/// Runs `work` on its own thread. Meanwhile the calling thread, MeshLab's, updates the bar and
+/// handles requests to stop: the bar's result, the Cancel button and the Escape key (the bar of
+/// this version never requests a stop). Rethrows exceptions of the work; cancelled work throws
+/// Error(cancelled).
 void work_beside(const std::function<void(Progress&)>& work, Bar* bar);
 
 }  // namespace fieldfab::meshlab

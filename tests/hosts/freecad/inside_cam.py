@@ -15,14 +15,6 @@ BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
 DOME = "sphere(r = 12) & box(40, 40, 16)"
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
 def part(document, text=DOME, voxel=0.8, at=(0, 0, 0)):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel

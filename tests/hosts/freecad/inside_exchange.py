@@ -10,15 +10,6 @@ from fieldfab_workbench.objects import frep_solid, part_shape
 from fieldfab_workbench.objects import solid as solids
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
 def shaped(document, text, voxel=0.5, at=(0, 0, 0), turn=0, most=2000):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel

@@ -16,15 +16,6 @@ DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
 SPHERE = 4 / 3 * math.pi * 125
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
 def frep(document, text, voxel=0.25, at=(0, 0, 0)):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel

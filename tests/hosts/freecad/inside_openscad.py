@@ -20,15 +20,6 @@ EXAMPLES = "CSG LetterBlock assert example002 example003 example004 example005 e
 
 
 @pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
-@pytest.fixture
 def read(document, tmp_path):
     """read(text): the root of a .csg design."""
 

@@ -14,14 +14,6 @@ from fieldfab_workbench.objects import cam_operation, cam_setup, cam_tool, frep_
 from fieldfab_workbench.objects import solid as solids
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
 def programmed(document, text, operations, machine="linuxcnc", tool=None, at=(0, 0, 0), zero="corner", **given):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, 0.8

@@ -33,15 +33,6 @@ def watched():
     _watching.clear()
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
 def add(document, kind, **values):
     obj = solids.create(kind, document)
     for name, value in values.items():

@@ -17,15 +17,6 @@ CT = pathlib.Path(__file__).resolve().parents[2] / "data" / "ct"
 BALL = 4 / 3 * math.pi * 6**3
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
 def balls(path, radius=6.0, spot=False):
     """Writes a volume with a ball of that radius in the middle, 0.5 mm between samples; with a spot, a crumb in a corner."""
     at = (np.arange(40) - 19.5) * 0.5

@@ -25,14 +25,6 @@ TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, 
 
 
 @pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
-@pytest.fixture
 def slot(tmp_path):
     path = tmp_path / "slot.ngc"
     path.write_text(SLOT + "M2\n")

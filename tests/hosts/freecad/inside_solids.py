@@ -13,14 +13,6 @@ from fieldfab_workbench.objects import combine, frep_solid, modify, solid_from_o
 from fieldfab_workbench.objects import solid as solids
 
 
-@pytest.fixture
-def document():
-    made = FreeCAD.newDocument()
-    made.UndoMode = 1
-    yield made
-    FreeCAD.closeDocument(made.Name)
-
-
 def frep(document, text, voxel=0.5, **placement):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel

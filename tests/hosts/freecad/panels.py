@@ -1,6 +1,5 @@
 """For tests of task panels in FreeCAD's window: a document, the panels that are opened, what is seen."""
 
-import FreeCAD
 import FreeCADGui
 import pytest
 import window
@@ -17,17 +16,11 @@ PART = "size = 20\nhole = 11  # radius\ndifference(box(size, size, size), sphere
 
 
 @pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
+def document(document):
+    yield document
     for left in QtWidgets.QApplication.topLevelWidgets():
         if isinstance(left, gallery.Gallery):
             left.close()
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(made.Name)
 
 
 @pytest.fixture

@@ -2,7 +2,6 @@
 
 import pathlib
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
 import pytest
@@ -28,17 +27,11 @@ TOOL = {"number": 1, "shape": "flat", "diameter": 6, "flute": 12, "length": 30, 
 
 
 @pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+def document(document):
     for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget):
         if dock.objectName() in ("Python console", "Report view"):
             dock.hide()
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(made.Name)
+    return document
 
 
 @pytest.fixture

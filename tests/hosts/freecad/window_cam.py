@@ -23,14 +23,9 @@ BITS = os.path.join(FreeCAD.getHomePath(), "Mod", "Path", "Tools", "Bit")
 
 
 @pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
+def document(document):
     make_room()
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(made.Name)
+    return document
 
 
 def make_room():

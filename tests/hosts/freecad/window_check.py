@@ -3,10 +3,8 @@
 import csv
 import time
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
-import pytest
 import window
 from window import Heartbeat, live, press, wait
 
@@ -17,16 +15,6 @@ from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.panels import check_panel
 from fieldfab_workbench.views import legend
 from fieldfab_workbench.shim import QtCore, QtWidgets
-
-
-@pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
 
 
 def frep(document, text, voxel):

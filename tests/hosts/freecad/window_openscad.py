@@ -5,7 +5,6 @@ import pathlib
 import sys
 import time
 
-import FreeCAD
 import FreeCADGui
 import pytest
 import window
@@ -35,18 +34,6 @@ difference() {
 }
 %translate([20, 0, -6]) cylinder(h = 40, r = 4.5);
 """
-
-
-@pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
 
 
 @pytest.fixture

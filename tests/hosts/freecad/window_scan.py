@@ -23,18 +23,6 @@ Button = QtWidgets.QDialogButtonBox
 
 
 @pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    for name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
-
-
-@pytest.fixture
 def opened(monkeypatch):
     """The scan panels that were opened, newest last."""
     made = []
@@ -249,6 +237,20 @@ def test_a_missing_file_is_found_again(document, opened, tmp_path):
     wait(lambda: panel.overview is not None and panel.work.idle())
     press(Button.Ok)
     assert obj.isValid() and obj.FileState == scan.AS_READ and not obj.ViewObject.Proxy.getIcon().endswith("ScanMissing.svg")
+
+
+def test_ok_computes_beside_the_window(document, opened):
+    panel = brought(opened, document, CT / "engine.nii.gz")
+    panel.denoise.setCurrentIndex(panel.denoise.findData("median"))
+    wait(panel.work.idle, what="the picture")
+    [box] = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible()]
+    box.button(Button.Ok).click()
+    assert panel.making is not None and panel.bar_of_making.isVisible()
+    live(0.3)
+    window.shot("scan_making")
+    assert QtWidgets.QApplication.activeModalWidget() is None and not document.Objects[0].MadeFrom
+    wait(lambda: not FreeCADGui.Control.activeDialog(), 120, "the solid")
+    assert document.Objects[0].isValid() and document.Objects[0].Triangles > 10_000 and document.UndoCount == 1
 
 
 def test_a_cancelled_recompute_keeps_the_solid(document, opened):

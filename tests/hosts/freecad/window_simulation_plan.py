@@ -1,6 +1,5 @@
 """Runs inside FreeCAD's window: simulations of planned programs, what is seen with them, and what becomes of them."""
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
 import pointer

@@ -2,7 +2,6 @@
 
 import FreeCAD
 import FreeCADGui
-import pytest
 import window
 from window import Heartbeat, live, press
 
@@ -11,17 +10,6 @@ from fieldfab_workbench.objects import solid as solids
 from fieldfab_workbench.shim import QtCore, QtWidgets
 
 Button = QtWidgets.QDialogButtonBox
-
-
-@pytest.fixture
-def document():
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    made = FreeCAD.newDocument()
-    live(0.2)
-    yield made
-    if FreeCADGui.Control.activeDialog():
-        FreeCADGui.Control.closeDialog()
-    FreeCAD.closeDocument(made.Name)
 
 
 def frep(document, text, voxel=0.5):

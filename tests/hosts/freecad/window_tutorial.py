@@ -158,13 +158,8 @@ def desk(monkeypatch):
         FreeCAD.closeDocument(name)
 
 
-def test_the_tutorial(desk, tmp_path):
-    # 1. A blank document
-    FreeCADGui.activateWorkbench("FieldfabWorkbench")
-    document = FreeCAD.newDocument()
-    desk.make_room()
-
-    # 2. The bracket
+def make_bracket(desk, document):
+    """Step 2 of the tutorial: the bracket."""
     formula, values = step(2)
     desk.command("Fieldfab_NewFrepSolid")
     bracket = document.Objects[-1]
@@ -177,8 +172,11 @@ def test_the_tutorial(desk, tmp_path):
     window.shot("bracket")
     press(Button.Ok)
     assert bracket.isValid() and bracket.thick == 5 and bracket.Volume.Value == pytest.approx(50 * 40 * 5 - 4 * 3.14159 * 2.25**2 * 5 - (4 - 3.14159) * 64 * 5, rel=0.01)
+    return bracket
 
-    # 3. The head
+
+def import_head(desk, document, bracket):
+    """Step 3 of the tutorial: the head."""
     cut, placing = step(3)
     desk.file(ROOT / "tests" / "data" / "ct" / "cthead" / "042.tif")
     desk.command("Fieldfab_ImportScan")
@@ -201,8 +199,11 @@ def test_the_tutorial(desk, tmp_path):
     press(Button.Ok)
     head = document.Objects[-1]
     assert head.isValid() and head.Mesh.BoundBox.ZLength == pytest.approx(23.5, abs=1) and head.Mesh.BoundBox.ZMin == pytest.approx(4, abs=1)
+    return head
 
-    # 4. One solid of both
+
+def blend(desk, document, bracket, head):
+    """Step 4 of the tutorial: one solid of both."""
     [values] = step(4)
     desk.choose(bracket, head)
     desk.command("Fieldfab_Blend")
@@ -212,8 +213,11 @@ def test_the_tutorial(desk, tmp_path):
     desk.look()
     window.shot("blend")
     assert bust.isValid() and bust.Volume.Value > bracket.Volume.Value + head.Volume.Value * 0.9
+    return bust
 
-    # 5. The cross-check
+
+def cross_check(desk, bust):
+    """Step 5 of the tutorial: the cross-check."""
     desk.choose(bust)
     desk.command("Fieldfab_CrossCheck")
     wait(lambda: desk.panel.report is not None and desk.panel.coloured is not None, 90, "the report")
@@ -221,7 +225,9 @@ def test_the_tutorial(desk, tmp_path):
     assert "passed" in desk.panel.verdict.text(), desk.panel.verdict.text()
     press(Button.Close)
 
-    # 6. A program for five axes
+
+def plan(desk, bust):
+    """Step 6 of the tutorial: a program for five axes."""
     machine, first, first_numbers, second, second_numbers, rough, finish = step(6)
     desk.choose(bust)
     desk.command("Fieldfab_NewCamSetup")
@@ -253,8 +259,11 @@ def test_the_tutorial(desk, tmp_path):
     bust.ViewObject.Visibility = True
     press(Button.Ok)
     assert setup.isValid() and program.isValid()
+    return program
 
-    # 7. The simulation
+
+def simulate(desk, bust, program):
+    """Step 7 of the tutorial: the simulation."""
     [values] = step(7)
     desk.choose(program)
     desk.command("Fieldfab_SimulateProgram")
@@ -276,8 +285,9 @@ def test_the_tutorial(desk, tmp_path):
     window.shot("playing")
     press(Button.Ok)
 
-    # 8. The machine file
-    path = tmp_path / "bust.ngc"
+
+def write_program(desk, program, path):
+    """Step 8 of the tutorial: the machine file."""
     desk.file(path, "getSaveFileName")
     desk.choose(program)
     desk.command("Fieldfab_WriteMachineFile")
@@ -286,6 +296,19 @@ def test_the_tutorial(desk, tmp_path):
     preview.findChild(Button).button(Button.Save).click()
     written = path.read_text()
     assert written.startswith("%") and re.search(r"^G1 .*A-?[\d.]+ C-?[\d.]+", written, re.M), "all five axes move"
+
+
+def test_the_tutorial(desk, tmp_path):
+    FreeCADGui.activateWorkbench("FieldfabWorkbench")
+    document = FreeCAD.newDocument()
+    desk.make_room()
+    bracket = make_bracket(desk, document)
+    head = import_head(desk, document, bracket)
+    bust = blend(desk, document, bracket, head)
+    cross_check(desk, bust)
+    program = plan(desk, bust)
+    simulate(desk, bust, program)
+    write_program(desk, program, tmp_path / "bust.ngc")
 
 
 def test_the_tutorial_shows_these_pictures_only():

@@ -1,6 +1,8 @@
 // The page: one document, its views, and what the buttons do.
 import { by, element, pressed } from "./elements";
+import { MachineView } from "./machine";
 import { Picture } from "./picture";
+import { lookAt, textOfScan, upload } from "./scan";
 import { ask, Connection, type LibraryFunction, post, Refusal } from "./server";
 import { emptySheet, writeSheet } from "./sheet";
 import { SheetView } from "./sheet_view";
@@ -10,7 +12,7 @@ import { knowWords, TextView } from "./text_view";
 const MOST_TEXT = 1_000_000;
 const connection = new Connection(), store = new Store();
 const picture = new Picture(by("picture"), connection, "main"), above = new Picture(by("sheet"), connection, "sheet");
-const text = new TextView(), sheet = new SheetView(above);
+const machine = new MachineView(), text = new TextView(), sheet = new SheetView(above);
 let kind: "" | "text" | "sheet" = "", made = "";
 
 // Themes
@@ -39,6 +41,7 @@ function show(model: string): void {
   }
   const wanted = model.trim() ? { text: model, language } : null;
   picture.show(wanted);
+  machine.follow(wanted);
   if (kind === "sheet") above.show(wanted);
 }
 
@@ -53,10 +56,21 @@ picture.onError = (answer) => tell(answer?.mistakes ?? [], answer?.message ?? nu
 picture.onPicture = (answer) => {
   if (answer.flat === undefined) return;
   by("right").classList.toggle("flat", answer.flat);
+  machine.flat = answer.flat;
 };
 text.onChange = (now) => { store.change(now); show(now); };
 sheet.onText = show;
 sheet.onChange = (document) => store.change(document);
+
+/** The panels of the machine in place of the document. */
+function showMachine(on: boolean): void {
+  pressed(by("machine"), on);
+  by("left").classList.toggle("machining", on);
+  by("machine-view").hidden = !on;
+  if (!on) machine.hide();
+  else void machine.open(store.name, made.trim() ? { text: made, language: kind === "sheet" ? "frep" : languageOf(store.name) } : null);
+}
+by("machine").onclick = () => showMachine(!isOn("machine"));
 
 // Documents
 
@@ -93,6 +107,7 @@ function display(name: string, content: string): void {
   above.show(null);
   picture.fit();
   document.body.classList.add("has-document");
+  showMachine(false);
   if (isSheet) {
     showText(false);
     try {
@@ -174,7 +189,7 @@ async function gallery(): Promise<void> {
   if (!dialog.open) dialog.showModal();
   try {
     const [{ documents }, { examples }] = await Promise.all([(await ask("/api/documents")).json(), (await ask("/api/examples")).json()]);
-    by("documents").replaceChildren(...documents.map(({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
+    by("documents").replaceChildren(...documents.filter((each: { name: string }) => !each.name.endsWith(".job")).map(({ name }: { name: string }) => card(name, `/api/documents/${encodeURIComponent(name)}`, () => void open(name))));
     if (!documents.length) by("documents").append(element("p", { className: "quiet" }, "None yet."));
     const sheetsFirst = (examples as string[]).sort((a, b) => Number(b.endsWith(".json")) - Number(a.endsWith(".json")) || a.localeCompare(b));
     by("examples").replaceChildren(...sheetsFirst.map((name) => {
@@ -190,6 +205,25 @@ by("open").onclick = () => void gallery();
 by("close-gallery").onclick = () => by<HTMLDialogElement>("gallery").close();
 by("new-text").onclick = () => void create("model.frep", "size = 20  # 5 to 60, the side\nr = 6      # 1 to 20, the hole\nrounded_box(size, size, size / 2, 2) - cylinder(r, size)\n");
 by("new-sheet").onclick = () => void create("sheet.json", writeSheet(emptySheet()));
+
+by("new-scan").onclick = () => by("scan-file").click();
+by<HTMLInputElement>("scan-file").onchange = async () => {
+  const input = by<HTMLInputElement>("scan-file"), button = by<HTMLButtonElement>("new-scan"), file = input.files?.[0];
+  if (!file) return;
+  button.disabled = true;
+  try {
+    await upload(file, (share) => { button.textContent = `${Math.round(100 * share)} %`; })
+      .catch((error) => { if (!(error instanceof Refusal && error.kind === "changed" && confirm(`${error.message}. Take that one?`))) throw error; });
+    button.textContent = "Reading …";
+    await create(file.name.replace(/(\.nii)?\.\w+$/, "") + ".frep", textOfScan(file.name, await lookAt(file.name)));
+  } catch (error) {
+    alert(error instanceof Refusal ? error.message : "The server is away");
+  } finally {
+    input.value = "";
+    button.disabled = false;
+    button.textContent = "Scan …";
+  }
+};
 
 // Links that hold a model
 

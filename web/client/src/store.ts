@@ -35,12 +35,20 @@ export class Store {
     return this.text;
   }
 
-  /** A new document, written at once. */
-  async create(name: string, text: string): Promise<void> {
+  /** A document that has no file yet: what this browser has of it, or nothing. It is written when it changes. */
+  async begin(name: string): Promise<string> {
     await this.flush();
     this.name = name;
     this.version = null;
     this.text = "";
+    const draft = this.draft(name);
+    if (draft) this.change(draft.text);
+    return this.text;
+  }
+
+  /** A new document, written at once. */
+  async create(name: string, text: string): Promise<void> {
+    await this.begin(name);
     this.change(text);
     await this.flush();
   }

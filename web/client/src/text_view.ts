@@ -9,6 +9,7 @@ import { EditorState, type Extension } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { by, slider } from "./elements";
+import { Histogram } from "./scan";
 import { type Mistake, type Parameter, post } from "./server";
 
 const colours = HighlightStyle.define([
@@ -74,10 +75,12 @@ export class TextView {
   readonly editor: EditorView;
   private parameters: Parameter[] = [];
   private rows = "";
+  private histogram = new Histogram();
   onChange: (text: string) => void = () => {};
 
   constructor() {
     this.editor = new EditorView({ parent: by("editor"), state: this.state("", false) });
+    this.histogram.onLevel = (name, value) => this.slide(this.parameters.findIndex((each) => each.name === name), value);
   }
 
   private quiet = false;
@@ -100,6 +103,7 @@ export class TextView {
     this.parameters = [];
     this.rows = "";
     by("sliders").replaceChildren();
+    void this.histogram.follow("", []);
     this.editor.setState(this.state(text, language !== "frep"));
   }
 
@@ -131,6 +135,7 @@ export class TextView {
     if (parameters.some((each) => Number(text.slice(each.offset, each.offset + each.length)) !== Math.abs(each.value) &&
         Number(text.slice(each.offset, each.offset + each.length)) !== each.value)) return;
     this.parameters = parameters;
+    void this.histogram.follow(text, parameters);
     const rows = JSON.stringify(parameters.map(({ name, range, comment }) => [name, range, comment]));
     const sliding = by("sliders").contains(document.activeElement);
     if (rows === this.rows && sliding) return;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "fieldfab/core/progress.h"
-#include "fieldfab/field/field.h"
 #include "fieldfab/field/certainty.h"
+#include "fieldfab/field/field.h"
 #include "fieldfab/mesh/triangle_mesh.h"
 
 namespace fieldfab {

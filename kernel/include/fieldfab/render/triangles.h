@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "fieldfab/core/geometry.h"
 #include "fieldfab/core/colour.h"
+#include "fieldfab/core/geometry.h"
 #include "fieldfab/core/progress.h"
 #include "fieldfab/render/image.h"
 #include "fieldfab/render/render.h"

@@ -20,24 +20,24 @@ namespace {
 
 constexpr int leaf_side = 8;
 
-// Where a design's parts abut the Field is 0 on a plane within the solid; designs have such planes on round numbers, so samples
-// keep off them.
+// Where parts of a design touch, the Field is 0 on a plane inside the solid. Such planes are at
+// round numbers, so samples are shifted away from them.
 const Vec3 shift{0.3819660, 0.2360680, 0.4142136};  // voxels
 
-/// A cube of side leaf_side << level voxels whose corner is at `lower`, in voxels.
+/// A cube of side leaf_side << level voxels with its lower corner at `lower`, in voxels.
 struct Cube {
   openvdb::Coord lower;
   int level;
   FieldPtr field;
 };
 
-/// Writes what openvdb::io::File does; that class opens files by name, and does not tell when a disk is full.
+/// Writes like openvdb::io::File, which opens files by name and does not report a full disk.
 struct Archive : openvdb::io::Archive {
   using openvdb::io::Archive::write;
 };
 
-/// The grid counts in voxels from the middle of the bounds: OpenVDB's volume is a sum over the surface whose errors grow with the
-/// distance from the origin.
+/// The grid counts voxels from the middle of the bounds, since OpenVDB's volume is a sum over the
+/// surface whose error grows with the distance from the origin.
 class VdbLevelSet : public LevelSet {
  public:
   VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Progress& progress);
@@ -52,7 +52,7 @@ class VdbLevelSet : public LevelSet {
   [[nodiscard]] Vec3 in_mm(const Vec3& voxels) const { return origin_ + voxel_ * voxels; }
   [[nodiscard]] Vec3 in_mm(const openvdb::Coord& at) const { return in_mm(Vec3(at.x(), at.y(), at.z())); }
 
-  openvdb::FloatGrid::Ptr grid_;  // null where no surface was met
+  openvdb::FloatGrid::Ptr grid_;  // null if no surface was found
   double voxel_;                  // mm
   Vec3 origin_;                   // mm
 };
@@ -64,7 +64,7 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
   auto grid = openvdb::FloatGrid::create(band);
   grid->setGridClass(openvdb::GRID_LEVEL_SET);
 
-  // Cubes that have the surface within half_width voxels.
+  // Cubes within half_width voxels of the surface.
   const auto box_of = [&](const Cube& cube) {
     const double side = leaf_side << cube.level;
     const Vec3 lower = in_mm(cube.lower);
@@ -127,8 +127,8 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
   });
   progress.check();
   openvdb::tools::signedFloodFill(grid->tree());
-  // Only the places where the sign changes are kept of the samples; the distances are swept from there. (Rebuilding the level set
-  // by way of a mesh, which OpenVDB does as well, fills cavities.)
+  // Only the samples next to sign changes are kept; the distances are swept from there. (OpenVDB
+  // can also rebuild a level set through a mesh, but that fills cavities.)
   openvdb::tools::FastSweeping<openvdb::FloatGrid> sweeping;
   if (sweeping.initSdf(*grid, 0, true)) {
     progress.check();
@@ -160,7 +160,8 @@ std::vector<Vec3> VdbLevelSet::surface_points() const {
 
 void VdbLevelSet::save(const std::filesystem::path& path) const {
   const auto mm = static_cast<float>(voxel_);
-  // Distances are in voxels here; the tree's values outside of its leafs, and its background, are distances, too.
+  // Distances are in voxels here; the tree's values outside its leafs, and its background, are
+  // distances, too.
   const openvdb::FloatGrid::Ptr grid = grid_->deepCopy();
   openvdb::tools::changeBackground(grid->tree(), mm * grid->background());
   openvdb::tools::foreach (grid->beginValueAll(), [mm](const openvdb::FloatGrid::ValueAllIter& value) {

@@ -1,4 +1,4 @@
-// Smoothing, by ITK's filters.
+// Noise reduction, by ITK's filters.
 #include <itkCurvatureAnisotropicDiffusionImageFilter.h>
 #include <itkDiscreteGaussianImageFilter.h>
 #include <itkImage.h>
@@ -33,7 +33,7 @@ Image::Pointer image_of(const Volume& volume, Progress& progress) {
   return image;
 }
 
-/// Runs a filter; a Progress that says stop aborts it.
+/// Runs a filter; a cancelled Progress aborts it.
 template <class Filter>
 std::vector<float> run(Filter& filter, const Image::Pointer& image, std::size_t count, Progress& progress) {
   filter.SetInput(image);

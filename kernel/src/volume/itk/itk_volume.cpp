@@ -37,7 +37,8 @@ std::optional<SampleType> type_of(Component component) {
   }
 }
 
-/// ITK's messages are many lines, from the outermost function to the innermost; the last one tells what is wrong.
+/// Returns the last line of ITK's message, which describes the fault; the others trace the calls
+/// from the outermost function inwards.
 std::string said(const itk::ExceptionObject& error) {
   std::string text = error.GetDescription();
   text.erase(text.find_last_not_of(" \n\r\t") + 1);
@@ -47,7 +48,7 @@ std::string said(const itk::ExceptionObject& error) {
   return text.substr(0, 160);
 }
 
-/// While it lives nothing is written to stderr by libraries that know no better (MetaIO, nifti_clib).
+/// During its lifetime libraries (MetaIO, nifti_clib) write nothing to stderr.
 class Hushed {
  public:
   Hushed() : before_(std::cerr.rdbuf(nullptr)) { itk::Object::GlobalWarningDisplayOff(); }
@@ -62,7 +63,7 @@ class Hushed {
   std::streambuf* before_;
 };
 
-/// Reads the header; throws bad_input with what is wrong.
+/// Reads the header; throws bad_input with ITK's message.
 template <class Io>
 typename Io::Pointer opened(const Path& path, const char* kind) {
   const Hushed hushed;
@@ -76,7 +77,7 @@ typename Io::Pointer opened(const Path& path, const char* kind) {
   return io;
 }
 
-/// Where the samples are. Two-dimensional pictures have one slice.
+/// Returns the lattice of the samples. A two-dimensional image has one slice.
 SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_slice_will_do) {
   const unsigned dimensions = io.GetNumberOfDimensions();
   if (io.GetNumberOfComponents() != 1)
@@ -109,7 +110,7 @@ SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_
   return lattice;
 }
 
-/// All samples; the header was read.
+/// Reads all samples, after the header.
 void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, const Path& path, float* out) {
   const std::size_t size = count * size_of(type);
   if (static_cast<std::size_t>(io.GetImageSizeInBytes()) != size) refuse(path, "holds another number of samples than it tells");
@@ -134,8 +135,8 @@ SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   return *type;
 }
 
-/// What places and distances of a file are multiplied by to be mm. ITK reads no units but NIfTI's, and of these it scales
-/// distances and leaves places.
+/// Factors that convert positions and spacings of a file to mm. ITK reads units of NIfTI only, and
+/// of these it scales spacings but not positions.
 struct Units {
   double origin = 1, spacing = 1;
   void apply(SampleLattice& lattice) const { lattice.origin *= origin, lattice.spacing *= spacing; }
@@ -152,7 +153,8 @@ double mm_of(std::string unit, const Path& path) {
   refuse(path, fmt::format("has the unit '{:.30}'; known are mm, um, nm, cm, m and in", unit));
 }
 
-/// The field "space units" of the header, one in quotes for each axis; else "units".
+/// Returns the units in the header's field "space units", one in quotes per axis; otherwise in
+/// "units".
 Units units_of_nrrd(const Path& path) {
   std::ifstream text(path, std::ios::binary);
   std::string of_space, of_axes;
@@ -172,7 +174,7 @@ Units units_of_nrrd(const Path& path) {
   return {unit.value_or(1), unit.value_or(1)};
 }
 
-/// The header of a NIfTI-1 file, which may be compressed, in the byte order of this machine or the other.
+/// Header of a NIfTI-1 file, possibly compressed, in either byte order.
 class NiftiHeader {
  public:
   explicit NiftiHeader(const Path& path) : path_(path) {
@@ -182,7 +184,8 @@ class NiftiHeader {
     if (size() == 540) refuse(path, "is a NIfTI-2 file; NIfTI-1 is read");
     if (size() != 348) refuse(path, "is no NIfTI file, or a damaged one");
   }
-  /// What nifti_clib would write to stderr, and what ends the process in ITK (transforms that are not finite).
+  /// Refuses headers that make nifti_clib write to stderr or ITK end the process (transforms that
+  /// are not finite).
   void require_sound() const {
     const int dimensions = at<std::int16_t>(40), type = at<std::int16_t>(70);
     if (dimensions < 1 || dimensions > 7) refuse(path_, fmt::format("{} dimensions; a volume has three", dimensions));
@@ -231,8 +234,9 @@ VolumePtr read_whole(itk::ImageIOBase& io, const Path& path, const Units& units 
   return volume_of(std::move(densities), lattice, {}, type);
 }
 
-/// nifti_clib takes zeros for what a short file lacks. So its bytes are counted first, uncompressed if need be; NIfTI-1 keeps
-/// the bits of a sample at byte 72, and at 108 where the samples begin.
+/// Throws if a file is too short. nifti_clib reads missing bytes as zeros, so the bytes are counted
+/// first, uncompressed if needed. NIfTI-1 has the bits per sample at byte 72, and the offset of the
+/// samples at 108.
 void require_all_bytes(const Path& path, std::int64_t samples) {
   const std::unique_ptr<gzFile_s, decltype(&gzclose)> file(gzopen(path.c_str(), "rb"), &gzclose);
   std::vector<char> part(1 << 18);
@@ -252,8 +256,9 @@ void require_all_bytes(const Path& path, std::int64_t samples) {
   if (got < 0 || failure != Z_OK || bytes < least) refuse(path, fmt::format("is cut off after {} bytes", bytes));
 }
 
-/// MetaIO fills what a short file lacks with anything, so that its size is looked at first. Where the samples are as they should
-/// be, in the file or in one of their own, they stay there until they are asked for.
+/// Opens MetaImage. MetaIO fills missing samples of a short file with arbitrary values, so the size
+/// is checked first. Uncompressed samples, in the file or in a single other one, are read on
+/// demand.
 VolumePtr open_meta(const Path& path) {
   const auto io = opened<itk::MetaImageIO>(path, "MetaImage");
   SampleLattice lattice = lattice_of(*io, path, false);
@@ -286,7 +291,7 @@ VolumePtr open_meta(const Path& path) {
   if (!several) require_regular_file(data);
   if (compressed || several) return read_whole(*io, path, {mm, mm});
   Units{mm, mm}.apply(lattice);
-  if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are its end
+  if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are at its end
     header = std::max<long long>(
         0, static_cast<long long>(std::filesystem::file_size(data)) - static_cast<long long>(lattice.count() * size_of(type)));
   RawLayout layout{lattice, type, big_endian,
@@ -294,7 +299,7 @@ VolumePtr open_meta(const Path& path) {
   return open_samples(data, layout);
 }
 
-/// NrrdIO opens the file of the samples with the header's, where that is another one.
+/// Throws unless a separate file of samples, which NrrdIO opens by itself, is a regular file.
 void require_nrrd_samples(const Path& path) {
   std::ifstream text(path, std::ios::binary);
   for (std::string line; std::getline(text, line) && !line.empty() && line.size() < 4096;)
@@ -307,7 +312,7 @@ void require_nrrd_samples(const Path& path) {
     }
 }
 
-/// Slices in files of their own, through GDCM.
+/// Slices in separate files, through GDCM.
 class DicomSlice final : public Slice {
  public:
   explicit DicomSlice(Path path) : path_(std::move(path)) {
@@ -387,7 +392,7 @@ VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress
   struct Placed {
     std::unique_ptr<DicomSlice> slice;
     Path path;
-    double along;  // the normal of the slices
+    double along;  // along the normal of the slices
   };
   std::vector<Placed> placed;
   for (const std::string& file : files) {
@@ -425,7 +430,8 @@ VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress
   return stack_of(std::move(slices), paths, lattice);
 }
 
-/// Whether GDCM reads all of it, and be it with an Error: Debian's has assertions in its readers, which would end this process.
+/// Whether GDCM reads all of it, possibly with an Error. Debian's GDCM has assertions in its
+/// readers, which would end this process.
 bool is_safe_dicom(const Path& path, const std::string& series, Progress& progress) {
   return ends_by_itself(
       [&] {
@@ -446,7 +452,8 @@ VolumePtr open_tried_dicom(const Path& path, const std::string& series, Progress
   refuse(path, std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
 }
 
-/// Whether a file that was just written holds these samples. MetaIO, NrrdIO and nifti_clib do not tell when a disk is full.
+/// Whether a file just written holds these samples. MetaIO, NrrdIO and nifti_clib do not report a
+/// full disk.
 bool holds(const Path& path, const std::vector<float>& densities) {
   try {
     const VolumePtr written = open(path);
@@ -473,7 +480,7 @@ void write(const Volume& volume, const Path& path, Progress& progress) {
   PendingFile file(path);
   const std::size_t bytes = densities.size() * sizeof(float);
   const bool compressed = extension != ".mha" && extension != ".nii";
-  if (!compressed) file.require_room(bytes);  // nifti_clib complains on stderr
+  if (!compressed) file.require_room(bytes);  // otherwise nifti_clib writes to stderr
   const Hushed hushed;
   bool complete = false;
   try {
@@ -496,7 +503,7 @@ void write(const Volume& volume, const Path& path, Progress& progress) {
     io->Write(densities.data());
     progress.check();
     complete = holds(file.temporary(), densities);
-  } catch (const itk::ExceptionObject&) {  // its message names the file's temporary name and places in ITK
+  } catch (const itk::ExceptionObject&) {  // its message contains the temporary name and places in ITK
   }
   if (!complete) file.refuse_partial(bytes);
   file.commit();

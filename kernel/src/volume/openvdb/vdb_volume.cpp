@@ -15,7 +15,8 @@ VolumePtr open(const Path& path) {
   openvdb::initialize();
   openvdb::FloatGrid::Ptr grid;
   try {
-    // A stream that throws at its end: OpenVDB's own goes on after it, and takes memory for what is not there.
+    // A stream that throws at its end. OpenVDB's own stream continues beyond it and allocates
+    // memory for missing data.
     std::ifstream file;
     file.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     file.open(path, std::ios::binary);
@@ -29,7 +30,8 @@ VolumePtr open(const Path& path) {
   const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
   if (active.empty()) refuse(path, "holds a grid without samples");
   if (!grid->transform().isLinear()) refuse(path, "holds a grid that is not linear");
-  // One sample of background all around: what lies there is not solid, and in a level set the surface may end there.
+  // One sample of background on all sides, which is not solid; the surface of a level set may end
+  // there.
   openvdb::CoordBBox box = active;
   box.expand(1);
   const openvdb::Coord dim = box.dim();

@@ -3,15 +3,13 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <numbers>
+
+#include "fieldfab/core/angle.h"
 
 namespace fieldfab::cam {
 
 /// A point of a plane, mm.
 using Vec2 = Eigen::Vector2d;
-
-constexpr double radians_per_degree = std::numbers::pi / 180;
-constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 /// Whether an axis is rotary, by its index in x, y, z, a, b, c, u, v, w: its values are radians.
 constexpr bool is_rotary(std::size_t axis) { return axis >= 3 && axis < 6; }

@@ -7,6 +7,7 @@
 #include "fieldfab/cam/plan/contour.h"
 #include "fieldfab/cam/plan/path.h"
 #include "fieldfab/cam/plan/surface.h"
+#include "fieldfab/core/angle.h"
 #include "fieldfab/core/progress.h"
 
 namespace fieldfab::cam {
@@ -59,10 +60,10 @@ std::vector<Path> isolate(const Outline& part, int count, double stepover, const
 struct ClearSettings {
   /// distance of rings, mm; with adaptive clearing: the stepover of a straight pass with the same engagement
   double stepover = 1;
-  bool adaptive = false;    ///< whether to use adaptive() instead of rings
-  double helix_radius = 1;  ///< adaptive: radius of the entry helix, mm; smaller where there is no room
-  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< angle of the helix to the plane, radians
-  const Material* material = nullptr;                    ///< material to cut, not owned; nullptr: all
+  bool adaptive = false;               ///< whether to use adaptive() instead of rings
+  double helix_radius = 1;             ///< adaptive: radius of the entry helix, mm; smaller where there is no room
+  double ramp_angle = to_radians(3);   ///< angle of the helix to the plane, radians
+  const Material* material = nullptr;  ///< material to cut, not owned; nullptr: all
 };
 
 /// Clears the inside of the outline as far as the tool reaches. With adaptive clearing the paths are already ordered.

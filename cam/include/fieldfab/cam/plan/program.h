@@ -9,6 +9,7 @@
 
 #include "fieldfab/cam/base/tool.h"
 #include "fieldfab/cam/plan/path.h"
+#include "fieldfab/core/angle.h"
 
 namespace fieldfab::cam {
 
@@ -56,9 +57,9 @@ struct LinkSettings {
   double feed = 600, plunge = 200;  ///< feed and plunge rate, mm/min
   double link_feed = 600;           ///< feed through cleared areas, mm/min
   Entry entry = Entry::plunge;
-  double ramp_angle = 3 * 3.14159265358979323846 / 180;  ///< angle to the plane, radians
-  double helix_radius = 0;                               ///< radius of the helix of the tool's centre, mm
-  double above = 1;                                      ///< height above the material at which the tool slows down, mm
+  double ramp_angle = to_radians(3);  ///< angle to the plane, radians
+  double helix_radius = 0;            ///< radius of the helix of the tool's centre, mm
+  double above = 1;                   ///< height above the material at which the tool slows down, mm
   /// Upper bound of the material's height z at the start of a path, mm; the entry starts there. Null: unknown.
   std::function<double(const Path&)> material = nullptr;
   /// Whether the tool may move straight between two points while down, instead of retracting. Null: it may not.

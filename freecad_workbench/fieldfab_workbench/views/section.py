@@ -1,0 +1,161 @@
+"""A plane that cuts what a 3D view shows, so that the inside of solids is seen. The cut faces are one flat colour."""
+
+import FreeCAD
+import FreeCADGui
+from pivy import coin
+
+from ..shim import QtCore
+from ..words import tr
+from .part_view import is_there
+
+CAP_COLOUR = (0.96, 0.66, 0.28)
+FRAME_COLOUR = (0.75, 0.35, 0.05)
+STOCK = "Fieldfab_stock"  # the name of the node of a played simulation
+TICK = 300  # ms between looks at what is there
+HANDLE = 0.12  # size of the handle, of the diagonal of what is seen
+
+
+class Section:
+    """Cuts what a document's active view shows, across the axis that points most to the viewer, in the middle at first; a handle moves the plane.
+
+    Where a closed surface is cut, its back faces are seen exactly where the plane is inside the solid. They are drawn apart from the front faces, without
+    light: that is the cut face, of previews and of a stock while it is cut, too. `close()` leaves the view as it was. Raises ValueError where nothing is seen."""
+
+    def __init__(self, document):
+        self._document, self._view = document, FreeCADGui.getDocument(document.Name).ActiveView
+        self._scene = self._view.getSceneGraph()
+        lower, upper = self._bounds()
+        towards = -self._view.getViewDirection()
+        axis = max(range(3), key=lambda i: abs(towards[i]))
+        self.normal = FreeCAD.Vector(*(float(i == axis) for i in range(3))) * (1 if towards[axis] > 0 else -1)
+        self.middle = (lower + upper) / 2
+        self._clip = coin.SoClipPlane()
+        self._nodes, self._caps, self._solids = self._handle(axis, lower, upper), self._caps_node(), coin.SoGroup()
+        self._caps.addChild(self._solids)
+        self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE, shapeType=coin.SoShapeHints.SOLID)
+        self._front.creaseAngle.setIgnored(True)
+        for place, node in enumerate((self._nodes, self._clip)):  # the handle is before the plane, which cuts all that follows
+            self._scene.insertChild(node, place)
+        self._scene.addChild(self._caps)
+        self._look()
+        self._sensor = coin.SoFieldSensor(lambda *_: self._moved(), None)
+        self._sensor.attach(self.dragger.translation)
+        self._moved()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._look)
+        self._timer.start(TICK)
+
+    @property
+    def offset(self):
+        """How far the plane is from the middle, mm, towards the viewer."""
+        return self.dragger.translation.getValue()[0] * self._size
+
+    def close(self):
+        self._timer.stop()
+        self._sensor.detach()
+        for node in (self._nodes, self._clip, self._caps):
+            self._scene.removeChild(node)
+        self._take([])
+
+    def _moved(self):
+        at = self.middle + self.normal * self.offset
+        self._clip.plane = coin.SbPlane(coin.SbVec3f(*(-self.normal)), coin.SbVec3f(*at))
+
+    def _look(self):
+        """Follows what comes and goes."""
+        if not is_there(self._document):
+            self._timer.stop()
+            self._sensor.detach()
+            return
+        wanted = self._wanted()
+        if wanted != list(self._solids.getChildren() or ()):
+            self._take(wanted)
+
+    def _take(self, wanted):
+        """Each of these shows its front faces in its own place, and its back faces among the cut faces."""
+        for node in self._solids.getChildren() or ():
+            node.removeChild(self._front)
+        self._solids.removeAllChildren()
+        for node in wanted:
+            node.insertChild(self._front, 0)
+            self._solids.addChild(node)
+
+    def _wanted(self):
+        """The nodes of all that bounds solids."""
+        meshes = [obj.ViewObject.RootNode for obj in self._document.Objects if hasattr(obj, "Mesh")]
+        return meshes + [node for node in self._scene.getChildren() if node.getName().getString() == STOCK]
+
+    def _bounds(self):
+        measure = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(*self._view.getSize()))
+        found = coin.SbBox3f()
+        for node in self._wanted():
+            measure.apply(node)
+            found.extendBy(measure.getBoundingBox())
+        if found.isEmpty():
+            raise ValueError(tr("No solid is seen that could be cut"))
+        return [FreeCAD.Vector(*corner.getValue()) for corner in (found.getMin(), found.getMax())]
+
+    # Coin.
+    def _handle(self, axis, lower, upper):
+        """A dragger along the normal, and the plane's frame, which follows it."""
+        size = upper - lower
+        self._size = HANDLE * size.Length
+        root, place, scale, follow = coin.SoSeparator(), coin.SoTransform(), coin.SoScale(), coin.SoTranslation()
+        place.translation = tuple(self.middle)
+        place.rotation = coin.SbRotation(coin.SbVec3f(1, 0, 0), coin.SbVec3f(*self.normal))
+        scale.scaleFactor = (self._size,) * 3
+        self.dragger = coin.SoTranslate1Dragger()
+        follow.translation.connectFrom(self.dragger.translation)
+        frame, colour, light, points, lines = coin.SoSeparator(), coin.SoBaseColor(), coin.SoLightModel(), coin.SoCoordinate3(), coin.SoLineSet()
+        light.model, colour.rgb = coin.SoLightModel.BASE_COLOR, FRAME_COLOUR
+        back = FreeCAD.Rotation(FreeCAD.Vector(1, 0, 0), self.normal).inverted()
+        others = [FreeCAD.Vector(*(float(i == other) for i in range(3))) * size[other] * 0.55 / self._size for other in range(3) if other != axis]
+        corners = [back.multVec(others[0] * a + others[1] * b) for a, b in ((1, 1), (-1, 1), (-1, -1), (1, -1), (1, 1))]
+        points.point.setValues(0, 5, [tuple(corner) for corner in corners])
+        for node in (follow, light, colour, points, lines):
+            frame.addChild(node)
+        for node in (place, scale, self.dragger, frame):
+            root.addChild(node)
+        return root
+
+    @staticmethod
+    def _caps_node():
+        """Draws back faces alone, in one colour, and no lines; nothing in it can be picked."""
+        root = coin.SoSeparator()
+        for node in (
+            _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.CLOCKWISE, shapeType=coin.SoShapeHints.SOLID),
+            _overriding(coin.SoMaterial, diffuseColor=CAP_COLOUR),
+            _overriding(coin.SoMaterialBinding, value=coin.SoMaterialBinding.OVERALL),
+            _overriding(coin.SoLightModel, model=coin.SoLightModel.BASE_COLOR),
+            _overriding(coin.SoDrawStyle, linePattern=0),
+            _overriding(coin.SoPickStyle, style=coin.SoPickStyle.UNPICKABLE),
+        ):
+            root.addChild(node)
+        return root
+
+
+def _overriding(kind, **fields):
+    """A node that counts more than those of its kind that follow."""
+    node = kind()
+    for name, value in fields.items():
+        setattr(node, name, value)
+    node.setOverride(True)
+    return node
+
+
+_sections = []
+
+
+def section_of(document):
+    """The Section of a document; None where there is none."""
+    _sections[:] = [each for each in _sections if is_there(each._document)]
+    return next((each for each in _sections if each._document == document), None)
+
+
+def toggle(document):
+    """Cuts what a document's view shows, or ends that. Raises ValueError where nothing is seen."""
+    if shown := section_of(document):
+        _sections.remove(shown)
+        shown.close()
+    else:
+        _sections.append(Section(document))

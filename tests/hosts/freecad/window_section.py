@@ -1,0 +1,151 @@
+"""Runs inside FreeCAD's window: the section plane, its cut faces and its handle."""
+
+import math
+import pathlib
+
+import FreeCAD
+import FreeCADGui
+import numpy as np
+import pointer
+import pytest
+import window
+from panels import Button, document, edit, frep, panels, shown  # noqa: F401
+from simulating import opened, simulated  # noqa: F401
+from window import live, press, wait
+
+from fieldfab_workbench import files
+from fieldfab_workbench.commands.exchange import COMMANDS
+from fieldfab_workbench.shim import QtCore
+from fieldfab_workbench.views import section
+from fieldfab_workbench.views.part_view import PartView
+
+HOLLOW = "difference(box(20, 20, 20), sphere(r = 6))"
+CT = pathlib.Path(__file__).resolve().parents[2] / "data" / "ct"
+
+
+@pytest.fixture(autouse=True)
+def whole_again(document):  # noqa: F811
+    yield
+    if section.section_of(document):
+        section.toggle(document)
+
+
+def cut(document):  # noqa: F811
+    """By the command."""
+    assert COMMANDS["Fieldfab_Section"].IsActive()
+    FreeCADGui.runCommand("Fieldfab_Section")
+    live(0.3)
+    return section.section_of(document)
+
+
+def cap(document, name):  # noqa: F811
+    """Which pixels of the view have the colour of cut faces."""
+    picture, view = window.shot(name), PartView(document)
+    at = view.widget().mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
+    picture = picture.copy(at.x(), at.y(), view.widget().width(), view.widget().height()).convertToFormat(picture.Format_RGB888)
+    rows = np.frombuffer(picture.constBits(), np.uint8).reshape(picture.height(), picture.bytesPerLine())
+    pixels = rows[:, : 3 * picture.width()].reshape(picture.height(), picture.width(), 3).astype(int)
+    return (np.abs(pixels - 255 * np.array(section.CAP_COLOUR)) < 12).all(axis=-1)
+
+
+def share(pixels):
+    """Of the box about them that they fill."""
+    rows, columns = np.nonzero(pixels)
+    return len(rows) / ((np.ptp(rows) + 1) * (np.ptp(columns) + 1))
+
+
+def drag_handle(document, by):  # noqa: F811
+    """Moves the handle so many mm along the normal, with the mouse."""
+    plane, view = section.section_of(document), PartView(document)
+    widget = view.widget()
+    begin, end = (view.pixel_of(plane.middle + plane.normal * (plane.offset + way)) for way in (0, by))
+    scale = view.view.getSize()[0] / widget.width()  # pixels of the screen in one of Qt's
+    begin, end = (QtCore.QPoint(round(x / scale), round(widget.height() - y / scale)) for x, y in (begin, end))
+    pointer.drag(widget, begin, end)
+    live(0.3)
+
+
+def test_a_cut_face_has_the_size_of_the_solid_there(document):  # noqa: F811
+    solid = frep(document, HOLLOW, 0.5)
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    own = solid.ViewObject.RootNode.getNumChildren()
+    children = FreeCADGui.ActiveDocument.ActiveView.getSceneGraph().getNumChildren()
+    assert cap(document, "section_before").sum() == 0
+    plane = cut(document)
+    assert tuple(plane.normal) == (0, -1, 0)
+    seen = cap(document, "section_front")
+    frame_and_handle = 0.03
+    assert share(seen) == pytest.approx(1 - math.pi * 36 / 400, abs=frame_and_handle)
+    cut(document)
+    assert cap(document, "section_after").sum() == 0 and section.section_of(document) is None
+    assert FreeCADGui.ActiveDocument.ActiveView.getSceneGraph().getNumChildren() == children
+    assert solid.ViewObject.RootNode.getNumChildren() == own
+
+
+def test_the_handle_moves_the_plane(document):  # noqa: F811
+    frep(document, HOLLOW, 0.5)
+    plane = cut(document)
+    first = cap(document, "section_middle").sum()
+    drag_handle(document, -5)
+    assert plane.offset == pytest.approx(-5, abs=1)
+    moved = cap(document, "section_moved").sum()
+    assert moved > 1.1 * first, "less of the ball is cut"
+
+
+def test_what_a_panel_shows_is_cut(document, panels):  # noqa: F811
+    solid = frep(document, "box(20, 20, 20)", 0.5)
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    cut(document)
+    edit(solid)
+    full = cap(document, "section_box").sum()
+    panels[-1].text.setPlainText(HOLLOW)
+    shown(panels[-1].preview, "final", "detail", "divided")
+    assert cap(document, "section_preview").sum() == pytest.approx(full * (1 - math.pi * 36 / 400), rel=0.05)
+    press(Button.Cancel)
+
+
+def test_a_scan_is_cut_while_its_panel_is_open(document, panels):  # noqa: F811
+    files.insert(str(CT / "engine.nii.gz"), document.Name)
+    panel = panels[-1]
+    wait(lambda: panel.overview is not None and panel.work.idle(), what="the overview")
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    cut(document)
+    seen = cap(document, "section_scan")
+    assert seen.sum() > 2000 and 0.05 < share(seen) < 0.9, "walls, not the whole block"
+    press(Button.Cancel)
+
+
+def test_the_stock_of_a_simulation_is_cut(document, opened, tmp_path):  # noqa: F811
+    simulated(document, opened, tmp_path)
+    FreeCADGui.ActiveDocument.ActiveView.viewFront()
+    FreeCADGui.ActiveDocument.ActiveView.fitAll()
+    assert cap(document, "section_stock_before").sum() == 0
+    plane = cut(document)
+    seen = cap(document, "section_stock")
+    assert seen.sum() > 2000 and share(seen) < 0.95, "a pocket is in it"
+    assert plane._wanted() == list(plane._solids.getChildren())
+    press(Button.Cancel)
+
+
+def test_a_closed_document_takes_its_section_along(document):  # noqa: F811
+    other = FreeCAD.newDocument("Other")
+    frep(other, HOLLOW, 1)
+    first = cut(other)
+    FreeCAD.closeDocument(other.Name)
+    live(0.5)
+    assert not first._timer.isActive()
+    again = FreeCAD.newDocument("Other")
+    solid = frep(again, HOLLOW, 1)
+    own = solid.ViewObject.RootNode.getNumChildren()
+    live(0.5)
+    assert section.section_of(again) is None and solid.ViewObject.RootNode.getNumChildren() == own
+    FreeCAD.closeDocument(again.Name)
+    FreeCAD.setActiveDocument(document.Name)
+
+
+def test_nothing_to_cut_is_told(document):  # noqa: F811
+    with pytest.raises(ValueError, match="No solid"):
+        section.toggle(document)
+    assert section.section_of(document) is None and FreeCAD.ActiveDocument == document

@@ -1,0 +1,253 @@
+// The Machine view: the workflow as stacked panels (Keeter 6), made from fieldfab.cam's own tables; what is planned and simulated is shown in 3D.
+import { by, element, short } from "./elements";
+import { ask, post, Refusal } from "./server";
+import type { Playback } from "./playback";
+import { Store } from "./store";
+
+type Value = number | string | boolean;
+type Values = Record<string, Value>;
+interface Setting {
+  name: string; help: string; unit: string; kind: "flag" | "number" | "text" | "list"; default: Value | null; lower: number | null; upper: number | null; whole: boolean;
+  choices: string[]; needs: string; needs_values: string[];
+}
+interface Machine { id: string; name: string; description: string; takes: string; settings: Setting[]; materials: Record<string, unknown> }
+interface Operation { name: string; help: string; settings: Setting[] }
+interface Tables { machines: Machine[]; operations: Operation[]; joining: Setting[] }
+interface JobText { format: "fieldfab job"; version: 1; machine: string; material: string; setting: Values; zero: string; stock: Values; tools: Values[]; operations: Values[] }
+interface Told {
+  program: string; notes: string[]; seconds: number; stock: number[]; reports: { name: string; cut: number; rapid: number; seconds: number }[];
+  good?: boolean; events?: { kind: string; line: number; amount: number }[]; removed?: number; simulated?: number;
+}
+interface Job { job: string; state: string; progress: number; message: string; error: { message: string } | null; result: Told | null }
+
+const number = (name: string, help: string, unit = "mm", standard: number | null = null): Setting =>
+  ({ name, help, unit, kind: "number", default: standard, lower: 0, upper: null, whole: false, choices: [], needs: "", needs_values: [] });
+const choice = (name: string, help: string, choices: string[]): Setting => ({ ...number(name, help, ""), kind: "text", default: choices[0], choices });
+const TOOL: Setting[] = [
+  choice("shape", "of the cutting part", ["flat", "ball", "bull", "v", "tapered", "drill"]), number("diameter", "of the cutting part"), { ...number("corner_radius", "of a bull nose"), needs: "shape", needs_values: ["bull"] },
+  { ...number("angle", "of the tip", "degrees"), needs: "shape", needs_values: ["v", "tapered", "drill"] }, { ...number("tip_diameter", "of a blunt tip"), needs: "shape", needs_values: ["v", "tapered"] },
+  number("flute", "length that cuts"), number("length", "from the tip to the holder"), number("shank", "diameter of the shank"), number("holder_diameter", "of the holder"), number("holder_length", "of the holder"),
+];
+const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0), number("thickness", "of a flat part")];
+const ZERO = choice("zero", "where the program's zero is: as the model has it, or at the corner or the centre of its top", ["model", "corner", "centre"]);
+
+function fresh(flat: boolean): JobText {
+  const type = flat ? "profile" : "rough";
+  return {
+    format: "fieldfab job", version: 1, machine: "linuxcnc", material: "", setting: {}, zero: "corner", stock: flat ? { margin: 5, thickness: 3 } : { margin: 2, top: 1 },
+    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: [{ type, tool: 1 }, ...(flat ? [] : [{ type: "finish", tool: 1, stepover: 0.3 }])],
+  };
+}
+
+function time(seconds: number): string {
+  const minutes = Math.floor(seconds / 60);
+  return minutes ? `${minutes} min ${Math.round(seconds % 60)} s` : `${short(seconds, 3)} s`;
+}
+
+export class MachineView {
+  private tables: Tables | null = null;
+  private job: JobText = fresh(false);
+  private store = new Store();
+  private name = "";
+  private running: Job | null = null;
+  private playback: Playback | null = null;
+  private model: { text: string; language: string } | null = null;
+  flat = false;
+
+  constructor() {
+    by("plan").onclick = () => void this.run(false);
+    by("simulate").onclick = () => void this.run(true);
+    by("stop-job").onclick = () => { if (this.running) void ask(`/api/jobs/${this.running.job}`, { method: "DELETE" }).catch(() => {}); };
+    this.store.onState = (state, message) => {
+      const said = { saved: "", saving: "", away: "The job is kept in this browser", conflict: "The job was changed elsewhere", refused: `The job is not saved: ${message}`, none: "" }[state];
+      by("job-state").textContent = said;
+      if (state === "conflict") this.store.overwrite();
+    };
+  }
+
+  /** Shows the job of a document, or one to begin with. */
+  async open(document: string, model: { text: string; language: string } | null): Promise<void> {
+    this.model = model;
+    const name = document.replace(/\.\w+$/, "") + ".job";
+    if (this.name === name) return;
+    this.name = name;
+    this.hide();
+    by("panels").replaceChildren();
+    by("job-result").replaceChildren();
+    this.tell("");
+    try {
+      this.tables ??= await (await ask("/api/machining")).json();
+      const { documents } = await (await ask("/api/documents")).json();
+      const text = documents.some((each: { name: string }) => each.name === name) ? await this.store.open(name) : await this.store.begin(name);
+      if (this.name !== name) return;
+      const given = text ? JSON.parse(text) : null;
+      if (given && (given.format !== "fieldfab job" || given.version !== 1)) throw new Error(`${name} is of another version; it is left as it is`);
+      this.job = { ...fresh(this.flat), ...given };
+      this.draw();
+    } catch (error) {
+      this.name = this.store.name = "";
+      this.tell(error instanceof TypeError ? "The server is away" : (error as Error).message);
+    }
+  }
+
+  follow(model: { text: string; language: string } | null): void { this.model = model; }
+
+  private changed(): void { this.store.change(JSON.stringify(this.job, null, 1) + "\n"); }
+
+  // Panels
+
+  private row(setting: Setting, values: Values, again: () => void): HTMLElement {
+    const label = setting.name[0].toUpperCase() + setting.name.slice(1).replaceAll("_", " "), now = values[setting.name];
+    const set = (value: Value | null): void => {
+      if (value === null) delete values[setting.name];
+      else values[setting.name] = value;
+      this.changed();
+      again();
+    };
+    let input: HTMLInputElement | HTMLSelectElement;
+    if (setting.choices.length) {
+      input = element("select", {}, ...setting.choices.map((each) => element("option", { value: each }, each)));
+      input.value = String(now ?? setting.default);
+      input.onchange = () => set(input.value);
+    } else if (setting.kind === "flag") {
+      const box = input = element("input", { type: "checkbox", checked: Boolean(now ?? setting.default) });
+      box.onchange = () => set(box.checked);
+    } else {
+      const box = input = element("input", { type: setting.kind === "number" ? "number" : "text", step: "any", placeholder: setting.default === null ? "auto" : String(setting.default), value: now === undefined ? "" : String(now) });
+      if (setting.lower !== null) box.min = String(setting.lower);
+      if (setting.upper !== null) box.max = String(setting.upper);
+      box.onchange = () => set(box.value === "" ? null : setting.kind === "number" ? Number(box.value) : box.value);
+    }
+    input.dataset.setting = setting.name;
+    return element("label", { className: "setting", title: setting.help }, element("span", {}, label), input, element("small", {}, setting.unit));
+  }
+
+  private rows(settings: Setting[], values: Values): HTMLElement {
+    const host = element("div", { className: "settings" });
+    const fill = (): void => {
+      const matters = settings.filter((each, i) => settings.findIndex((other) => other.name === each.name) === i && each.kind !== "list").filter((each) => {
+        const needed = settings.find((other) => other.name === each.needs);
+        if (!needed) return true;
+        const value = values[needed.name] ?? needed.default;
+        return each.needs_values.length ? each.needs_values.includes(String(value)) : Boolean(value);
+      });
+      host.replaceChildren(...matters.map((each) => this.row(each, values, settings.some((other) => other.needs === each.name) ? fill : () => {})));
+    };
+    fill();
+    return host;
+  }
+
+  private panel(title: string, open: boolean, ...content: (Node | string)[]): HTMLDetailsElement {
+    return element("details", { className: "panel", open }, element("summary", {}, title), ...content);
+  }
+
+  private choose(label: string, options: [string, string][], now: string, set: (value: string) => void): HTMLElement {
+    const select = element("select", {}, ...options.map(([value, words]) => element("option", { value }, words)));
+    select.value = now;
+    select.dataset.setting = label.toLowerCase();
+    select.onchange = () => { set(select.value); this.changed(); this.draw(); };
+    return element("label", { className: "setting" }, element("span", {}, label), select, element("small"));
+  }
+
+  /** A list of tables, each a panel of its own, that can be added to, ordered and shortened. */
+  private list(title: string, items: Values[], made: () => Values, panel: (item: Values, i: number) => HTMLElement): HTMLElement {
+    const add = element("button", { ariaLabel: `Add to ${title.toLowerCase()}` }, "+");
+    add.onclick = () => { items.push(made()); this.changed(); this.draw(); };
+    const host = this.panel(title, true, ...items.map((item, i) => {
+      const shown = panel(item, i), buttons = ([["↑", "Earlier", -1], ["✕", "Remove", 0]] as const).map(([sign, words, way]) => {
+        const button = element("button", { ariaLabel: words, disabled: way < 0 && i === 0 }, sign);
+        button.onclick = () => {
+          items.splice(i, 1);
+          if (way) items.splice(i + way, 0, item);
+          this.changed();
+          this.draw();
+        };
+        return button;
+      });
+      return element("div", { className: "titled" }, shown, element("div", { className: "panel-tools" }, ...buttons));
+    }));
+    return element("div", { className: "titled" }, host, element("div", { className: "panel-tools" }, add));
+  }
+
+  private draw(): void {
+    const { job } = this, { machines, operations, joining } = this.tables!, machine = machines.find((each) => each.id === job.machine) ?? machines[0];
+    const materials = Object.keys(machine.materials), toolName = (tool: Values): string => `${tool.number}: ${tool.diameter ?? ""} mm ${tool.shape ?? "flat"}`;
+    const main = this.panel("Machine", true,
+      this.choose("Machine", machines.map((each) => [each.id, each.name]), machine.id, (value) => { job.machine = value; job.material = ""; job.setting = {}; }),
+      element("p", { className: "quiet" }, machine.description),
+      ...(materials.length ? [this.choose("Material", [["", "any"], ...materials.map((each): [string, string] => [each, each])], job.material, (value) => { job.material = value; })] : []),
+      this.rows(machine.settings, job.setting));
+    const stock = this.panel("Stock", true, this.rows([ZERO], job as unknown as Values), this.rows(STOCK, job.stock));
+    const tools = this.list("Tools", job.tools, () => ({ number: 1 + Math.max(0, ...job.tools.map((each) => Number(each.number))), shape: "flat", diameter: 6, flute: 20, length: 40 }),
+      (tool, i) => this.panel(toolName(tool), i === 0, this.rows(TOOL, tool)));
+    const cuts = this.list("Operations", job.operations, () => ({ type: "finish", tool: Number(job.tools[0]?.number ?? 1) }), (operation, i) => {
+      const of = operations.find((each) => each.name === operation.type) ?? operations[0];
+      return this.panel(`${i + 1}. ${of.name.replaceAll("_", " ")}`, i === 0,
+        this.choose("Type", operations.map((each) => [each.name, each.name.replaceAll("_", " ")]), of.name, (value) => {
+          for (const key of Object.keys(operation)) if (key !== "tool") delete operation[key];
+          operation.type = value;
+        }),
+        this.choose("Tool", job.tools.map((each) => [String(each.number), toolName(each)]), String(operation.tool), (value) => { operation.tool = Number(value); }),
+        element("p", { className: "quiet" }, of.help), this.rows([...of.settings, ...joining], operation));
+    });
+    const opened = [...by("panels").querySelectorAll<HTMLDetailsElement>("details")].map((each) => [each.firstElementChild!.firstChild!.textContent, each.open] as const);
+    by("panels").replaceChildren(main, stock, tools, ...(["paths", "flat paths"].includes(machine.takes) ? [cuts] : []));
+    for (const each of by("panels").querySelectorAll<HTMLDetailsElement>("details")) each.open = opened.find(([title]) => title === each.firstElementChild!.firstChild!.textContent)?.[1] ?? each.open;
+  }
+
+  // Planning and simulation
+
+  private tell(message: string): void {
+    by("job-message").hidden = !message;
+    by("job-message").textContent = message;
+  }
+
+  private async run(simulate: boolean): Promise<void> {
+    if (!this.model || this.running) return;
+    this.tell("");
+    by("job-result").replaceChildren();
+    const buttons = [by<HTMLButtonElement>("plan"), by<HTMLButtonElement>("simulate")], bar = by<HTMLProgressElement>("job-progress");
+    for (const each of buttons) each.disabled = true;
+    by("job-running").hidden = false;
+    try {
+      const { format: _, version: __, ...job } = this.job;
+      const takesPaths = ["paths", "flat paths"].includes(this.tables!.machines.find((each) => each.id === job.machine)!.takes);
+      this.running = await post<Job>("/api/machine", { ...this.model, job: takesPaths ? job : { ...job, operations: [] }, simulate });
+      while (this.running.state === "waiting" || this.running.state === "working") {
+        bar.value = this.running.progress;
+        by("job-doing").textContent = this.running.message || "waiting";
+        this.running = await (await ask(`/api/jobs/${this.running.job}?state=${this.running.state}&progress=${this.running.progress}`)).json() as Job;
+      }
+      if (this.running.state === "done") await this.show(this.running, simulate);
+      else this.tell(this.running.error?.message ?? "It was stopped");
+    } catch (error) {
+      this.tell(error instanceof Refusal ? error.message : error instanceof TypeError ? "The server is away" : String(error));
+    } finally {
+      this.running = null;
+      for (const each of buttons) each.disabled = false;
+      by("job-running").hidden = true;
+    }
+  }
+
+  private async show(done: Job, simulated: boolean): Promise<void> {
+    const told = done.result!, address = (name: string): string => `/api/jobs/${done.job}/files/${encodeURIComponent(name)}`;
+    const link = (name: string, words: string, saved = ""): HTMLElement => element("a", { href: address(name), ...(saved ? { download: saved } : { target: "_blank", rel: "noopener" }) }, words);
+    const stem = this.store.name.replace(/\.job$/, ""), rows = told.reports.map((each) => element("tr", {}, element("td", {}, each.name), element("td", {}, `${Math.round(each.cut)} mm`), element("td", {}, time(each.seconds))));
+    const faults = (told.events ?? []).map((each) => element("li", {}, `${each.kind}, line ${each.line}: ${short(each.amount, 3)} mm`));
+    by("job-result").replaceChildren(
+      element("p", {}, element("strong", { id: "job-time" }, time(told.seconds)), " ", ...(simulated ? [element("span", { className: told.good ? "good" : "bad" }, told.good ? "The simulation found no fault." : "The simulation found faults.")] : [])),
+      ...(faults.length ? [element("ul", {}, ...faults)] : []), element("table", {}, ...rows), ...told.notes.map((each) => element("p", { className: "quiet" }, each)),
+      element("p", { className: "links-of-job" }, link(told.program, "Program", stem + told.program.replace(/^program/, "")), link("sheet.html", "Set-up sheet"), ...(simulated ? [link("report.html", "Report")] : []), link("job.toml", "Job file", `${stem}.toml`)));
+    try {
+      const { Playback } = await import("./playback");  // three.js is loaded when it is first needed
+      by("stage").hidden = false;
+      this.playback ??= new Playback(by("stage"));
+      await this.playback.show(address, told.stock, simulated);
+    } catch (error) {
+      this.hide();
+      this.tell(`This browser shows no 3D: ${(error as Error).message}`);
+    }
+  }
+
+  hide(): void { by("stage").hidden = true; }
+}

@@ -1,0 +1,3 @@
+// three.js without its types, which would bring eight more packages.
+declare module "three";
+declare module "three/examples/jsm/*";

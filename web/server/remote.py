@@ -1,0 +1,64 @@
+"""What runs on the machines of a Dask cluster: one request in a worker process of its own. Knows the worker's side only."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+
+from .frames import frame, read_frame
+
+
+def run(request, memory, seconds, most, topic, name):
+    """Returns (the answers that are no progress, {name: bytes} of the files it wrote). Tells progress under the topic; ends when the
+    event `name` is set, and after some seconds at the latest. `most`: bytes of its files in all."""
+    import distributed  # where this runs, it is there; the server imports it only where there is a cluster
+
+    told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()
+    with tempfile.TemporaryDirectory(prefix="fieldfab-job-") as folder:
+        words = [sys.executable, "-m", f"{__package__}.worker", str(memory), "0"]
+        with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+            ended = threading.Event()
+
+            def watch():
+                waited = 0.0
+                while not ended.wait(0.5):
+                    waited += 0.5
+                    if waited >= seconds:
+                        late.set()
+                    if late.is_set() or stopped.is_set():
+                        process.kill()
+                        return
+
+            threading.Thread(target=watch, daemon=True).start()
+            heads = []
+            try:
+                process.stdin.write(frame({**request, "into": folder}))
+                process.stdin.flush()
+                while (answer := read_frame(process.stdout)) is not None:
+                    head = answer[0]
+                    if "progress" in head:
+                        told(topic, (name, head))
+                    elif not head.get("done"):
+                        heads.append(head)
+                    elif "error" in head:
+                        heads.append({"error": head["error"]})
+                    if head.get("done"):
+                        break
+            except BrokenPipeError:
+                pass
+            finally:
+                ended.set()
+                process.kill()
+        if late.is_set():
+            heads = [{"error": {"kind": "time", "message": f"this takes longer than {seconds:g} s, which is what a request may take"}}]
+        elif not heads:
+            heads = [{"error": {"kind": "memory", "message": "the worker came to its end at this: it takes too much memory, or too deep a stack"}}]
+        paths = [os.path.join(folder, each) for each in os.listdir(folder)]
+        if sum(map(os.path.getsize, paths)) > most:
+            heads, paths = [{"error": {"kind": "too_large", "message": f"its files have more than {most:,} bytes"}}], []
+        files = {}
+        for path in paths:
+            with open(path, "rb") as file:
+                files[os.path.basename(path)] = file.read()
+        return heads, files
