@@ -398,6 +398,7 @@ def test_the_node_that_is_shown_is_one_of_the_example():
 SCRIPTS = {
     "examples/simulation/slotted_ball.py": "hosts/simulate_test.py runs the script, and simulates its program",
     "tests/bench/web_drag.py": "a benchmark, which takes minutes",
+    "tests/hosts/web_hostile.py": "hosts/web_test.py runs it for a shorter time",
 }
 
 
