@@ -31,11 +31,12 @@ const TOOL: Setting[] = [
 const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0), number("thickness", "of a flat part")];
 const ZERO = choice("zero", "where the program's zero is: as the model has it, or at the corner or the centre of its top", ["model", "corner", "centre"]);
 
-function fresh(flat: boolean): JobText {
-  const type = flat ? "profile" : "rough";
+/** A job to begin with. `sampled`: of a scan or a mesh, which a lattice as fine as its samples does justice. */
+function fresh(flat: boolean, sampled: boolean): JobText {
+  const lattice: Values = sampled ? { cell: 0.5, surface_tolerance: 0.1, tolerance: 0.1 } : {};
   return {
     format: "fieldfab job", version: 1, machine: "linuxcnc", material: "", setting: {}, zero: "corner", stock: flat ? { margin: 5, thickness: 3 } : { margin: 2, top: 1 },
-    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: [{ type, tool: 1 }, ...(flat ? [] : [{ type: "finish", tool: 1, stepover: 0.3 }])],
+    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: flat ? [{ type: "profile", tool: 1 }] : [{ type: "rough", tool: 1, ...lattice }, { type: "finish", tool: 1, stepover: 0.3, ...lattice }],
   };
 }
 
@@ -46,7 +47,7 @@ function time(seconds: number): string {
 
 export class MachineView {
   private tables: Tables | null = null;
-  private job: JobText = fresh(false);
+  private job: JobText = fresh(false, false);
   private store = new Store();
   private name = "";
   private running: Job | null = null;
@@ -82,7 +83,7 @@ export class MachineView {
       if (this.name !== name) return;
       const given = text ? JSON.parse(text) : null;
       if (given && (given.format !== "fieldfab job" || given.version !== 1)) throw new Error(`${name} is of another version; it is left as it is`);
-      this.job = { ...fresh(this.flat), ...given };
+      this.job = { ...fresh(this.flat, /\bopen\s*\(/.test(model?.text ?? "")), ...given };
       this.draw();
     } catch (error) {
       this.name = this.store.name = "";
