@@ -123,7 +123,8 @@ export class MachineView {
     return element("label", { className: "setting", title: setting.help }, element("span", {}, label), input, element("small", {}, setting.unit));
   }
 
-  private rows(settings: Setting[], values: Values): HTMLElement {
+  /** `changed`: called after each change. */
+  private rows(settings: Setting[], values: Values, changed = (): void => {}): HTMLElement {
     const host = element("div", { className: "settings" });
     const fill = (): void => {
       const matters = settings.filter((each, i) => settings.findIndex((other) => other.name === each.name) === i && each.kind !== "list").filter((each) => {
@@ -132,7 +133,10 @@ export class MachineView {
         const value = values[needed.name] ?? needed.default;
         return each.needs_values.length ? each.needs_values.includes(String(value)) : Boolean(value);
       });
-      host.replaceChildren(...matters.map((each) => this.row(each, values, settings.some((other) => other.needs === each.name) ? fill : () => {})));
+      host.replaceChildren(...matters.map((each) => this.row(each, values, () => {
+        if (settings.some((other) => other.needs === each.name)) fill();
+        changed();
+      })));
     };
     fill();
     return host;
@@ -180,7 +184,10 @@ export class MachineView {
       this.rows(machine.settings, job.setting));
     const stock = this.panel("Stock", true, this.rows([ZERO], job as unknown as Values), this.rows(STOCK, job.stock));
     const tools = this.list("Tools", job.tools, () => ({ number: 1 + Math.max(0, ...job.tools.map((each) => Number(each.number))), shape: "flat", diameter: 6, flute: 20, length: 40 }),
-      (tool, i) => this.panel(toolName(tool), i === 0, this.rows(TOOL, tool)));
+      (tool, i) => {
+        const shown: HTMLDetailsElement = this.panel(toolName(tool), i === 0, this.rows(TOOL, tool, () => { shown.firstElementChild!.firstChild!.textContent = toolName(tool); }));
+        return shown;
+      });
     const cuts = this.list("Operations", job.operations, () => ({ type: "finish", tool: Number(job.tools[0]?.number ?? 1) }), (operation, i) => {
       const of = operations.find((each) => each.name === operation.type) ?? operations[0];
       return this.panel(`${i + 1}. ${of.name.replaceAll("_", " ")}`, i === 0,
