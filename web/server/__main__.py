@@ -2,6 +2,7 @@
 
 import argparse
 import asyncio
+import importlib.util
 import ipaddress
 import logging
 import os
@@ -89,6 +90,9 @@ def main(arguments=None):
     options = options_of(sys.argv[1:] if arguments is None else arguments)
     if not os.path.isdir(options.folder):
         print(f"fieldfab: {options.folder}: there is no such folder", file=sys.stderr)
+        return 2
+    if options.scheduler and importlib.util.find_spec("distributed") is None:
+        print("fieldfab: --scheduler needs Dask (Debian's python3-distributed)", file=sys.stderr)
         return 2
     try:
         asyncio.run(serve(options))

@@ -24,8 +24,8 @@ class Job:
 
 
 class Jobs:
-    def __init__(self, worker=lambda: Worker(niceness=10)):
-        """`worker`: makes the worker of a job; pictures go before it."""
+    def __init__(self, worker=Worker):
+        """`worker`: makes the worker of a job."""
         self._worker = worker
         self._folder = tempfile.mkdtemp(prefix="fieldfab-jobs-")
         self._jobs, self._turn = {}, asyncio.Semaphore(LIMITS.jobs)

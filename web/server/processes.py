@@ -33,15 +33,14 @@ def raise_error(error):
 class Worker:
     """One process. It is started when it is first asked, and again after it was killed."""
 
-    def __init__(self, memory=LIMITS.memory, niceness=0):
-        self.niceness = niceness
+    def __init__(self, memory=LIMITS.memory):
         self.memory, self.text, self.since = memory, None, 0.0  # when its request began, in the loop's time
         self._process, self._timeout, self._stopping, self._hurried = None, None, False, False
         self.failed = False  # whether a request took more time or memory than it may
 
     async def start(self):
         if self._process is None:
-            words = (sys.executable, "-m", f"{__package__}.worker", str(self.memory), str(self.niceness))
+            words = (sys.executable, "-m", f"{__package__}.worker", str(self.memory))
             self._process = await asyncio.create_subprocess_exec(*words, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE)
 
     async def ask(self, request, seconds):

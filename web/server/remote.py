@@ -16,7 +16,7 @@ def run(request, memory, seconds, most, topic, name):
 
     told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()
     with tempfile.TemporaryDirectory(prefix="fieldfab-job-") as folder:
-        words = [sys.executable, "-m", f"{__package__}.worker", str(memory), "0"]
+        words = [sys.executable, "-m", f"{__package__}.worker", str(memory)]
         with subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
             ended = threading.Event()
 

@@ -1,4 +1,4 @@
-"""A worker process: `python3 -m fieldfab.serve.worker MEMORY NICENESS`. It takes one request after another on standard input and answers on standard
+"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and answers on standard
 output, in frames. Texts can ask for any memory, any time and any depth of stack: what goes wrong here ends here."""
 
 import ctypes
@@ -117,7 +117,6 @@ def main():
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # the server's end is ours, however it ends
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's to handle
     memory = int(sys.argv[1])
-    os.nice(int(sys.argv[2]))
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     output = os.fdopen(os.dup(1), "wb")

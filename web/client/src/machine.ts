@@ -31,11 +31,12 @@ const TOOL: Setting[] = [
 const STOCK: Setting[] = [number("margin", "about the part", "mm", 0), number("top", "above the part", "mm", 0), number("thickness", "of a flat part")];
 const ZERO = choice("zero", "where the program's zero is: as the model has it, or at the corner or the centre of its top", ["model", "corner", "centre"]);
 
-function fresh(flat: boolean): JobText {
-  const type = flat ? "profile" : "rough";
+/** A job to begin with. `sampled`: of a scan or a mesh, which a lattice as fine as its samples does justice. */
+function fresh(flat: boolean, sampled: boolean): JobText {
+  const lattice: Values = sampled ? { cell: 0.5, surface_tolerance: 0.1, tolerance: 0.1 } : {};
   return {
     format: "fieldfab job", version: 1, machine: "linuxcnc", material: "", setting: {}, zero: "corner", stock: flat ? { margin: 5, thickness: 3 } : { margin: 2, top: 1 },
-    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: [{ type, tool: 1 }, ...(flat ? [] : [{ type: "finish", tool: 1, stepover: 0.3 }])],
+    tools: [{ number: 1, shape: "flat", diameter: flat ? 3 : 6, flute: 20, length: 40 }], operations: flat ? [{ type: "profile", tool: 1 }] : [{ type: "rough", tool: 1, ...lattice }, { type: "finish", tool: 1, stepover: 0.3, ...lattice }],
   };
 }
 
@@ -46,7 +47,7 @@ function time(seconds: number): string {
 
 export class MachineView {
   private tables: Tables | null = null;
-  private job: JobText = fresh(false);
+  private job: JobText = fresh(false, false);
   private store = new Store();
   private name = "";
   private running: Job | null = null;
@@ -82,7 +83,7 @@ export class MachineView {
       if (this.name !== name) return;
       const given = text ? JSON.parse(text) : null;
       if (given && (given.format !== "fieldfab job" || given.version !== 1)) throw new Error(`${name} is of another version; it is left as it is`);
-      this.job = { ...fresh(this.flat), ...given };
+      this.job = { ...fresh(this.flat, /\bopen\s*\(/.test(model?.text ?? "")), ...given };
       this.draw();
     } catch (error) {
       this.name = this.store.name = "";
@@ -122,7 +123,8 @@ export class MachineView {
     return element("label", { className: "setting", title: setting.help }, element("span", {}, label), input, element("small", {}, setting.unit));
   }
 
-  private rows(settings: Setting[], values: Values): HTMLElement {
+  /** `changed`: called after each change. */
+  private rows(settings: Setting[], values: Values, changed = (): void => {}): HTMLElement {
     const host = element("div", { className: "settings" });
     const fill = (): void => {
       const matters = settings.filter((each, i) => settings.findIndex((other) => other.name === each.name) === i && each.kind !== "list").filter((each) => {
@@ -131,7 +133,10 @@ export class MachineView {
         const value = values[needed.name] ?? needed.default;
         return each.needs_values.length ? each.needs_values.includes(String(value)) : Boolean(value);
       });
-      host.replaceChildren(...matters.map((each) => this.row(each, values, settings.some((other) => other.needs === each.name) ? fill : () => {})));
+      host.replaceChildren(...matters.map((each) => this.row(each, values, () => {
+        if (settings.some((other) => other.needs === each.name)) fill();
+        changed();
+      })));
     };
     fill();
     return host;
@@ -179,7 +184,10 @@ export class MachineView {
       this.rows(machine.settings, job.setting));
     const stock = this.panel("Stock", true, this.rows([ZERO], job as unknown as Values), this.rows(STOCK, job.stock));
     const tools = this.list("Tools", job.tools, () => ({ number: 1 + Math.max(0, ...job.tools.map((each) => Number(each.number))), shape: "flat", diameter: 6, flute: 20, length: 40 }),
-      (tool, i) => this.panel(toolName(tool), i === 0, this.rows(TOOL, tool)));
+      (tool, i) => {
+        const shown: HTMLDetailsElement = this.panel(toolName(tool), i === 0, this.rows(TOOL, tool, () => { shown.firstElementChild!.firstChild!.textContent = toolName(tool); }));
+        return shown;
+      });
     const cuts = this.list("Operations", job.operations, () => ({ type: "finish", tool: Number(job.tools[0]?.number ?? 1) }), (operation, i) => {
       const of = operations.find((each) => each.name === operation.type) ?? operations[0];
       return this.panel(`${i + 1}. ${of.name.replaceAll("_", " ")}`, i === 0,
