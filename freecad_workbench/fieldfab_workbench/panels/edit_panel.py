@@ -6,6 +6,7 @@ from .. import units, work
 from ..certainty import DOUBTFUL, is_uncertain, with_doubt
 from ..shim import QtCore, QtWidgets, flags
 from ..views.part_view import is_there
+from ..views.preview import Preview
 from ..words import tr
 from .wheel import WheelGuard
 
@@ -87,19 +88,25 @@ class EditPanel:
         make = self.obj.Proxy.ahead(self.obj) if hasattr(self.obj.Proxy, "ahead") else None
         if make is None:
             return then()
-        self.rest()
+        self._pause_preview(True)
         self.making, self.then = work.Task(make), then
         self.form.destroyed.connect(self.making.cancel)
         self.making.start()
         self.making.join(work.SHOW_AFTER)
         if not self.making.is_alive():
-            self.making = None
-            return then()
+            return self._made()
         self._set_making(True)
         return False
 
-    def rest(self):
-        """Ends other work for the picture of the solid."""
+    def _made(self):
+        self.making = None
+        result = self.then()
+        self._pause_preview(False)  # of a panel that is open still
+        return result
+
+    def _pause_preview(self, on):
+        if isinstance(preview := getattr(self, "preview", None), Preview):
+            preview.pause(on)
 
     def _set_making(self, on):
         if on:
@@ -124,9 +131,8 @@ class EditPanel:
             if words != self.message.text():
                 self.say(words, True)
             return
-        self.making = None
         self._set_making(False)
-        self.then()
+        self._made()
 
     def stop_making(self):
         self.look_at_making.stop()

@@ -145,9 +145,6 @@ class FrepPanel(EditPanel):
                 setattr(self.obj, held, row.value())
         self.obj.VoxelSize, self.obj.MaxError = self.voxel.value(), self.max_error.value()
 
-    def rest(self):
-        self.preview.rest()
-
     def close(self):
         self.preview.close()
         super().close()

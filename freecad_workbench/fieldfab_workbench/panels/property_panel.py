@@ -40,10 +40,6 @@ class PropertyPanel(EditPanel):
         except (ValueError, kernel.load().Error) as error:
             self.say(str(error))
 
-    def rest(self):
-        if self.preview:
-            self.preview.rest()
-
     def close(self):
         if self.preview:
             self.preview.close()

@@ -47,6 +47,7 @@ class Preview:
         self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
+        self._paused = None  # what goes on after a pause
         self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
@@ -70,10 +71,14 @@ class Preview:
         self._wanted, self._changed = (source, dict(settings)), time.monotonic()
         self._look()
 
-    def rest(self):
-        """Does no more before the next change; the picture stays."""
-        self._stop()
-        self._wanted = self._ready = None
+    def pause(self, on):
+        """While it is on the picture stays as it is, and nothing is computed before the next change."""
+        if on:
+            self._stop()
+            self._paused = self._wanted or self._refinement and (self._refinement.source, self._refinement.settings)
+            self._wanted = self._ready = None
+        else:
+            self._wanted, self._paused = self._wanted or self._paused, None
 
     def close(self, *_):
         if not self._timer.isActive():

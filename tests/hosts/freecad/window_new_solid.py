@@ -102,6 +102,20 @@ def test_cancel_meanwhile_takes_all_of_it_back(document, panels, slow):  # noqa:
     assert time.monotonic() - began < SECONDS / 2 and not document.Objects and not FreeCADGui.Control.activeDialog()
 
 
+def test_apply_goes_on_to_the_solid_itself(document, panels, slow):  # noqa: F811
+    solid = frep(document, "sphere(r = 5)")
+    FreeCADGui.ActiveDocument.setEdit(solid.Name)
+    live(0.3)
+    panel = panels[-1]
+    panel.text.setPlainText("difference(box(20, 20, 20), sphere(r = 12))")
+    live(0.8)
+    press(Button.Apply)
+    assert solid.isValid() and solid.Triangles > 1000 and panel.text.isEnabled() and FreeCADGui.Control.activeDialog()
+    wait(lambda: panel.preview.stage in ("final", "detail"), 60, "the solid's own picture")
+    press(Button.Cancel)
+    assert solid.Expression == "sphere(r = 5)" and solid.isValid()
+
+
 def test_a_solid_that_cannot_be_made_leaves_its_panel_open(document, panels):  # noqa: F811
     solid = frep(document, "sphere(r = 5)")
     FreeCADGui.ActiveDocument.setEdit(solid.Name)
