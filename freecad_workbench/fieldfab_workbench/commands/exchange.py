@@ -112,8 +112,8 @@ COMMANDS = {
         "take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
     "Fieldfab_Section": SectionPlane(
         "Section", "Section plane", "Cut what the view shows, to see what is inside, or show it whole again",
-        "Cuts all solids of the view, across the axis that points most to you. Drag the handle on the plane to move it. Cut faces are orange. It also cuts "
-        "what panels show: solids that are being edited, scans, the stock of a simulation. Choose it again to see all. Nothing of the document is changed."),
+        "Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. "
+        "Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
         "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),

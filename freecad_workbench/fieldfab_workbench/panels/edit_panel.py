@@ -94,11 +94,11 @@ class EditPanel:
         self.making.start()
         self.making.join(work.SHOW_AFTER)
         if not self.making.is_alive():
-            return self._made()
+            return self._go_on()
         self._set_making(True)
         return False
 
-    def _made(self):
+    def _go_on(self):
         self.making = None
         result = self.then()
         self._pause_preview(False)  # of a panel that is open still
@@ -132,7 +132,7 @@ class EditPanel:
                 self.say(words, True)
             return
         self._set_making(False)
-        self._made()
+        self._go_on()
 
     def stop_making(self):
         self.look_at_making.stop()

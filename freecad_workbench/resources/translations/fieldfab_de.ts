@@ -3352,8 +3352,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Schneiden, was die Ansicht zeigt, um ins Innere zu sehen, oder es wieder ganz zeigen</translation>
     </message>
     <message>
-        <source>Cuts all solids of the view, across the axis that points most to you. Drag the handle on the plane to move it. Cut faces are orange. It also cuts what panels show: solids that are being edited, scans, the stock of a simulation. Choose it again to see all. Nothing of the document is changed.</source>
-        <translation>Schneidet alle Körper der Ansicht quer zu der Achse, die am meisten auf den Betrachter zeigt. Ziehen am Griff verschiebt die Ebene. Schnittflächen sind orange. Auch was Aufgabenfenster zeigen, wird geschnitten: Körper in Bearbeitung, Scans, das Rohteil einer Simulation. Noch einmal wählen zeigt wieder alles. Am Dokument ändert sich nichts.</translation>
+        <source>Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed.</source>
+        <translation>Schneidet alle Körper der Ansicht und was Aufgabenfenster zeigen (Scans, das Rohteil einer Simulation) quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; am Dokument ändert sich nichts.</translation>
     </message>
 </context>
 <context>
