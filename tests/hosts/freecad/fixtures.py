@@ -1,17 +1,17 @@
-"""Fixtures of the tests that run inside FreeCAD; imports of FreeCAD stand within them, because other tests read this file, too."""
+"""Fixtures of the tests that run inside FreeCAD: a plugin of pytest, since a second conftest.py would hide the other."""
 
+import FreeCAD
 import pytest
+
+if FreeCAD.GuiUp:
+    import FreeCADGui
+    from window import live
 
 
 @pytest.fixture
 def document():
     """A new document, in the window with the workbench; all documents and panels are closed at the end."""
-    import FreeCAD
-
     if FreeCAD.GuiUp:
-        import FreeCADGui
-        from window import live
-
         FreeCADGui.activateWorkbench("FieldfabWorkbench")
     made = FreeCAD.newDocument()
     made.UndoMode = 1
