@@ -15,7 +15,7 @@ def main():
     said, code = io.StringIO(), -1
     try:
         with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-            code = int(pytest.main([os.environ["FIELDFAB_INSIDE"], "-q", "-p", "no:cacheprovider", "-p", "fixtures", "--tb=short", "--durations=3",
+            code = int(pytest.main([os.environ["FIELDFAB_INSIDE"], "-q", "-p", "no:cacheprovider", "-p", "shared_fixtures", "--tb=short", "--durations=3",
                                     *os.environ.get("FIELDFAB_PYTEST", "").split()]))
     except BaseException as error:
         said.write(repr(error))
