@@ -72,10 +72,11 @@ class Preview:
         self._look()
 
     def pause(self, on):
-        """While it is on the picture stays as it is, and nothing is computed before the next change."""
+        """While it is on the picture stays as it is, and nothing is computed before the next change. One that was complete stays."""
         if on:
+            complete = self.stage in ("final", "detail") and self._wanted is None
             self._stop()
-            self._paused = self._wanted or self._refinement and (self._refinement.source, self._refinement.settings)
+            self._paused = None if complete else self._wanted or self._refinement and (self._refinement.source, self._refinement.settings)
             self._wanted = self._ready = None
         else:
             self._wanted, self._paused = self._wanted or self._paused, None

@@ -47,7 +47,8 @@ def test_the_panel_says_in_amber_where_a_valid_mesh_is_not_certain(document, pan
     wait(lambda: "not certain at" in panel.message.text(), 40, "the amber line")
     assert colour(panel.message) == AMBER
     press(Button.Apply)
-    assert solid.isValid() and colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty)
+    assert solid.isValid()
+    wait(lambda: colour(panel.message) == AMBER and panel.message.text().endswith(solid.Certainty), 40, "the solid's certainty")
     press(Button.Cancel)
 
 
