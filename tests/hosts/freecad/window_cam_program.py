@@ -1,12 +1,10 @@
 """Runs inside FreeCAD's window: machine programs as they are seen, opened again, and given to FreeCAD's own Path jobs."""
 
-import time
-
 import FreeCAD
 import FreeCADGui
 import numpy as np
 import window
-from window import live, press
+from window import clock, live, press
 from window_cam import document, new_setup, part, planned_in_panel, seen, type_into  # noqa: F401
 
 from fieldfab_workbench.objects import cam_setup, machine_program
@@ -27,10 +25,10 @@ def test_a_million_moves_are_drawn_at_once(document):
         turn = np.linspace(0, 2000, 1_000_000)
         moves = [np.stack([0.01 * turn * np.cos(turn), 0.01 * turn * np.sin(turn), 0 * turn, 600 + 0 * turn, 0 * turn, 0 * turn, 0 * turn, 1 + 0 * turn], axis=1)]
 
-    began = time.monotonic()
+    began = clock()
     machine_program.take(program, Plan)
     live(0.05)
-    took = time.monotonic() - began
+    took = clock() - began
     print(f"a million moves: {took:.2f} s")
     assert took < 4 and program.ViewObject.Proxy.lines.getNumChildren() == 2
 
