@@ -302,8 +302,10 @@ class Preview:
                 yield "divided", refinement.divided(progress)
             for pieces in refinement.detail(eye, progress):
                 yield "detail", pieces
-            yield "doubt", doubt_of(refinement.source.mesh(progress, **refinement.settings))  # it will be asked for, and is not shown now
-        else:
-            for pieces in refinement.final(progress):
-                yield "final", pieces
-            yield "doubt", refinement.doubt
+            mesh = refinement.source.mesh(progress, **refinement.settings)  # it will be asked for
+            yield "doubt", doubt_of(mesh)
+            if not refinement.suffices(mesh, eye):
+                return
+        for pieces in refinement.final(progress):
+            yield "final", pieces
+        yield "doubt", refinement.doubt

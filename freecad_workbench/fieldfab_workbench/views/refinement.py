@@ -62,6 +62,7 @@ class Refinement:
             mesh = self.source.mesh(progress, **self.settings)
         self.sharp, self.in_blocks, self.doubt = True, False, doubt_of(mesh)
         if len(mesh.triangles) <= self.most:
+            self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
         elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen
             self.voxel, self.triangles = self._longest() / self.cells, 0
@@ -69,7 +70,11 @@ class Refinement:
 
     # Where the eye is (Keeter, 4.3.3).
     def is_coarse_for(self, eye):
-        return not self.exact and any(self._is_coarse(block, eye) for block in self._blocks())
+        return not self.exact and any(self._is_coarse(block, eye, self.voxel) for block in self._blocks())
+
+    def suffices(self, mesh, eye):
+        """Whether the solid's own mesh can be shown, and is fine enough for the eye."""
+        return len(mesh.triangles) <= self.most and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks())
 
     def divided(self, progress):
         """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
@@ -79,7 +84,7 @@ class Refinement:
     def detail(self, eye, progress):
         """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
         Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
-        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye)), key=lambda b: self._distance(b, eye))
+        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)), key=lambda b: self._distance(b, eye))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
             yield self._shown(block, eye, progress)
         pieces = 0
@@ -203,8 +208,8 @@ class Refinement:
         box = np.array(self._box(block))
         return np.linalg.norm(np.clip(eye, box[:3], box[3:]) - eye)
 
-    def _is_coarse(self, block, eye):
-        return self.voxel > ANGLE * max(self._distance(block, eye), self.voxel)
+    def _is_coarse(self, block, eye, cell):
+        return cell > ANGLE * max(self._distance(block, eye), cell)
 
     def _of_block(self, block, cell, make, progress):
         """The meshes that `make` makes of a block's box as one, without what closes them where the block ends and the solid goes on."""

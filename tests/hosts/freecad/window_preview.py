@@ -130,7 +130,7 @@ def test_closer_is_finer(document, panels):
     wait(lambda: preview.stage == "detail" and finest() >= 2, 40, "detail")
     window.shot("close")
     camera.height = 200
-    wait(lambda: preview.stage == "final", 120, "the whole again")
+    wait(lambda: preview.stage == "final", 40, "the whole again")
     press(Button.Cancel)
 
 
