@@ -16,8 +16,10 @@ class CamVerb final : public Verb {
     verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")
         ->required();
     verb_->add_option("-o,--output", output_, "the program to write");
-    verb_->add_option("--picture", pictures_, "also draw the tool's ways: a .png or an .svg; may be given several times");
-    verb_->add_option("--colour", colour_, "of the picture: by order or by depth")->check(CLI::IsMember({"order", "depth"}));
+    verb_->add_option("--picture", pictures_,
+                      "also draw the tool's ways: a .png or an .svg; may be given several times");
+    verb_->add_option("--colour", colour_, "of the picture: by order or by depth")
+        ->check(CLI::IsMember({"order", "depth"}));
     verb_->add_flag("--oblique", oblique_, "draw the picture from the front and above, not from straight above");
     verb_->add_option("--sheet", sheet_, "also write a set-up sheet, an .html file");
     verb_->add_flag("--plan", plan_, "show the chain of stages and all settings, and stop");
@@ -52,12 +54,17 @@ class CamVerb final : public Verb {
                             {"seconds", r.seconds}});
     }
     print_notes(job.notes());
-    outcome.line = fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
-                               job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
-                               rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
-    outcome.json = {
-        {"output", output_}, {"machine", job.machine().name}, {"operations", operations}, {"seconds", seconds}, {"cut", cut},
-        {"rapid", rapid},    {"notes", job.notes()}};
+    outcome.line =
+        fmt::format("{}: {}, {} operation{}, {:.1f} m cut, {:.1f} m of rapids, about {}:{:02d} min", output_,
+                    job.machine().name, job.reports().size(), job.reports().size() == 1 ? "" : "s", cut / 1000,
+                    rapid / 1000, static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
+    outcome.json = {{"output", output_},
+                    {"machine", job.machine().name},
+                    {"operations", operations},
+                    {"seconds", seconds},
+                    {"cut", cut},
+                    {"rapid", rapid},
+                    {"notes", job.notes()}};
     return outcome;
   }
 

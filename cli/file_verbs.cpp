@@ -36,7 +36,9 @@ class RenderVerb final : public Verb {
         ->add_option("--perspective", perspective_,
                      "the angle the solid fills in the eye, in degrees; 0 looks from infinitely far")
         ->check(CLI::Range(0.0, 114.0));
-    verb_->add_option("--samples", samples_, "smooth edges of shaded pictures by so many samples a pixel along each axis")
+    verb_
+        ->add_option("--samples", samples_,
+                     "smooth edges of shaded pictures by so many samples a pixel along each axis")
         ->check(CLI::Range(1, 4));
   }
   Outcome run(Progress& progress) override {
@@ -53,8 +55,8 @@ class RenderVerb final : public Verb {
     const Solid solid = united(model);
     std::vector<ColouredPart> parts;
     for (const Solid& part : model.parts) parts.push_back({part.field, part.colour});
-    const Box bounds =
-        settings.mode == RenderMode::bitmap ? plane_bounds(solid, progress) : working_bounds(solid, options_.region(), progress);
+    const Box bounds = settings.mode == RenderMode::bitmap ? plane_bounds(solid, progress)
+                                                           : working_bounds(solid, options_.region(), progress);
     const Image image = render(*solid.field, bounds, settings, progress, parts);
     write_png(image, options_.output);
     Outcome outcome;
@@ -115,13 +117,15 @@ class InfoVerb final : public Verb {
  private:
   Outcome parts_info(const Model& model, Progress& progress) const {
     const std::size_t count = model.parts.size();
-    Outcome outcome{fmt::format("{}: {} part{}", file_, count, count == 1 ? "" : "s"), {{"file", file_}, {"kind", "parts"}}, 0};
+    Outcome outcome{
+        fmt::format("{}: {} part{}", file_, count, count == 1 ? "" : "s"), {{"file", file_}, {"kind", "parts"}}, 0};
     auto parts = nlohmann::ordered_json::array();
     for (const Solid& solid : model.parts) {
       Outcome part;
       const SolidBounds found = solid_bounds(*solid.field, progress);
       const std::string bounds = tell_bounds(found, part);
-      part.line = fmt::format("\n  {}: {}{}", printable(solid.name), solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
+      part.line =
+          fmt::format("\n  {}: {}{}", printable(solid.name), solid.colour ? text_of(*solid.colour) + ", " : "", bounds);
       tell_measures(*solid.field, found, part, progress);
       part.json["name"] = solid.name;
       part.json["colour"] = solid.colour ? nlohmann::ordered_json(text_of(*solid.colour)) : nullptr;
@@ -146,14 +150,16 @@ class InfoVerb final : public Verb {
       else
         ranges.push_back(nullptr);
       if (axis > 0) bounds += ' ';
-      bounds += found.bounded[axis] ? fmt::format("{} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
-                                    : fmt::format("{} unbounded", name);
+      bounds += found.bounded[axis]
+                    ? fmt::format("{} {:.4g}..{:.4g}", name, found.box.lower[axis], found.box.upper[axis])
+                    : fmt::format("{} unbounded", name);
     }
     outcome.json["bounds"] = ranges;
     return bounds;
   }
   Outcome frep_info(const Solid& solid, Progress& progress) const {
-    const std::size_t nodes = frep::node_count(solid.expression), simplified = frep::node_count(frep::simplify(solid.expression));
+    const std::size_t nodes = frep::node_count(solid.expression),
+                      simplified = frep::node_count(frep::simplify(solid.expression));
     const SolidBounds found = solid_bounds(*solid.field, progress);
     Outcome outcome;
     outcome.json = {{"file", file_}, {"kind", solid.kind}, {"nodes", nodes}, {"simplified", simplified}};
@@ -176,13 +182,15 @@ class InfoVerb final : public Verb {
     const bool flat = !found.bounded[2];
     const auto formula = std::dynamic_pointer_cast<const OpenedSolid>(solid.expression.source());
     Outcome outcome;
-    outcome.json = {
-        {"file", file_}, {"kind", solid.kind}, {"flat", flat}, {"formula", formula != nullptr && formula->formula.has_value()}};
+    outcome.json = {{"file", file_},
+                    {"kind", solid.kind},
+                    {"flat", flat},
+                    {"formula", formula != nullptr && formula->formula.has_value()}};
     outcome.json["bounds"] = {{a.x(), b.x()}, {a.y(), b.y()}};
     outcome.json["bounds"].push_back(flat ? nlohmann::ordered_json() : nlohmann::ordered_json{a.z(), b.z()});
     outcome.json["notes"] = notes;
-    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_, flat ? "flat" : "solid",
-                               a.x(), b.x(), a.y(), b.y());
+    outcome.line = fmt::format("{}: OpenSCAD design, {}, x {:.4g}..{:.4g} y {:.4g}..{:.4g}", file_,
+                               flat ? "flat" : "solid", a.x(), b.x(), a.y(), b.y());
     if (!flat) outcome.line += fmt::format(" z {:.4g}..{:.4g}", a.z(), b.z());
     tell_measures(*solid.field, found, outcome, progress);
     return outcome;
@@ -191,8 +199,8 @@ class InfoVerb final : public Verb {
     const AsdfStatistics counts = asdf.statistics();
     const AsdfFileInfo file = Asdf::look(file_);
     const auto& n = asdf.lattice();
-    Outcome outcome{fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1], n[2],
-                                counts.cells(), counts.leafs, counts.bytes),
+    Outcome outcome{fmt::format("{}: ASDF, {} x {} x {} lattice, {} cells ({} leafs), {} bytes", file_, n[0], n[1],
+                                n[2], counts.cells(), counts.leafs, counts.bytes),
                     {{"file", file_},
                      {"kind", "asdf"},
                      {"lattice", n},
@@ -216,16 +224,18 @@ class InfoVerb final : public Verb {
     const Histogram counts = histogram(*volume, wanted.memory, progress);
     const double otsu = otsu_threshold(counts), halfway = halfway_threshold(counts);
     if (!histogram_.empty())
-      write_png(bar_chart(counts.counts, (halfway - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))),
+      write_png(bar_chart(counts.counts,
+                          (halfway - counts.first) / (counts.width * static_cast<double>(counts.counts.size()))),
                 histogram_);
     const SampleLattice& lattice = volume->lattice();
     const auto vector = [](const Vec3& v) { return std::array{v.x(), v.y(), v.z()}; };
     return {
-        fmt::format("{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, "
-                    "thresholds: halfway {:.6g}, Otsu's {:.6g}",
-                    file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
-                    lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least, counts.greatest,
-                    halfway, otsu),
+        fmt::format(
+            "{}: volume, {} x {} x {} samples of {}, {:.4g} x {:.4g} x {:.4g} mm apart{}, densities {:.6g} to {:.6g}, "
+            "thresholds: halfway {:.6g}, Otsu's {:.6g}",
+            file_, lattice.size[0], lattice.size[1], lattice.size[2], name(volume->type()), lattice.spacing.x(),
+            lattice.spacing.y(), lattice.spacing.z(), lattice.straight() ? "" : ", askew", counts.least,
+            counts.greatest, halfway, otsu),
         {{"file", file_},
          {"kind", "volume"},
          {"samples", lattice.size},
@@ -251,16 +261,19 @@ class InfoVerb final : public Verb {
     std::string lines;
     for (const auto& [mesh, name, colour] : parts) {
       const Box box = mesh.bounds();
-      triangles += mesh.triangles.size(), vertices += mesh.vertices.size(), volume += mesh.volume(), area += mesh.area();
+      triangles += mesh.triangles.size(), vertices += mesh.vertices.size(), volume += mesh.volume(),
+          area += mesh.area();
       bounds = {bounds.lower.cwiseMin(box.lower), bounds.upper.cwiseMax(box.upper)};
-      lines += fmt::format("\n  {}: {}x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}, {} triangles, volume {:.6g} mm3", name,
-                           colour ? text_of(*colour) + ", " : "", box.lower.x(), box.upper.x(), box.lower.y(), box.upper.y(),
-                           box.lower.z(), box.upper.z(), mesh.triangles.size(), mesh.volume());
+      lines +=
+          fmt::format("\n  {}: {}x {:.4g}..{:.4g} y {:.4g}..{:.4g} z {:.4g}..{:.4g}, {} triangles, volume {:.6g} mm3",
+                      name, colour ? text_of(*colour) + ", " : "", box.lower.x(), box.upper.x(), box.lower.y(),
+                      box.upper.y(), box.lower.z(), box.upper.z(), mesh.triangles.size(), mesh.volume());
       list.push_back({{"name", name}, {"colour", colour ? nlohmann::ordered_json(text_of(*colour)) : nullptr}});
       list.back().update(mesh_json(mesh.triangles.size(), mesh.vertices.size(), mesh.volume(), mesh.area(), box));
     }
-    outcome.line = fmt::format("{}: mesh, {}{} triangles, {} vertices, volume {:.6g} mm3", file_,
-                               parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", triangles, vertices, volume);
+    outcome.line =
+        fmt::format("{}: mesh, {}{} triangles, {} vertices, volume {:.6g} mm3", file_,
+                    parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", triangles, vertices, volume);
     outcome.json.update(mesh_json(triangles, vertices, volume, area, bounds));
     outcome.json["notes"] = notes;
     if (parts.size() > 1 || !parts.front().name.empty() || parts.front().colour)
@@ -275,15 +288,15 @@ class InfoVerb final : public Verb {
   }
   Outcome image_info() const {
     const Image image = read_png(file_);
-    return {
-        fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels, image.depth),
-        {{"file", file_},
-         {"kind", "image"},
-         {"width", image.width},
-         {"height", image.height},
-         {"channels", image.channels},
-         {"depth", image.depth}},
-        0};
+    return {fmt::format("{}: picture, {} x {} pixels, {} x {} bit", file_, image.width, image.height, image.channels,
+                        image.depth),
+            {{"file", file_},
+             {"kind", "image"},
+             {"width", image.width},
+             {"height", image.height},
+             {"channels", image.channels},
+             {"depth", image.depth}},
+            0};
   }
 
   std::string file_, histogram_;
@@ -293,23 +306,26 @@ class InfoVerb final : public Verb {
 class ConvertVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ =
-        app.add_subcommand("convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
+    verb_ = app.add_subcommand(
+        "convert", "turn a file into another form: f-rep texts, distance fields, level sets, meshes, volumes");
     const Formats& formats = openscad::all_formats();
-    options_.declare(*verb_, fmt::format("the file to write: {}; a volume also as {}",
-                                         formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
-                                         formats.writable({FormatKind::volume})));
+    options_.declare(*verb_,
+                     fmt::format("the file to write: {}; a volume also as {}",
+                                 formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
+                                 formats.writable({FormatKind::volume})));
   }
   Outcome run(Progress& progress) override {
     const Formats& formats = openscad::all_formats();
     const std::optional<FormatKind> to = formats.written(options_.output);
     if (!to)
-      throw Error(ErrorKind::bad_input, options_.output,
-                  fmt::format("there is no writer for '{}'; known are {}, and {} for volumes", extension_of(options_.output),
-                              formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
-                              formats.writable({FormatKind::volume})));
-    Outcome outcome{
-        fmt::format("{}: from {}", options_.output, options_.model), {{"input", options_.model}, {"output", options_.output}}, 0};
+      throw Error(
+          ErrorKind::bad_input, options_.output,
+          fmt::format("there is no writer for '{}'; known are {}, and {} for volumes", extension_of(options_.output),
+                      formats.writable({FormatKind::formula, FormatKind::distances, FormatKind::mesh}),
+                      formats.writable({FormatKind::volume})));
+    Outcome outcome{fmt::format("{}: from {}", options_.output, options_.model),
+                    {{"input", options_.model}, {"output", options_.output}},
+                    0};
     write(*to, outcome, progress);
     return outcome;
   }
@@ -325,17 +341,18 @@ class ConvertVerb final : public Verb {
         if (made.json.contains(key)) outcome.json[key] = made.json[key];
     } else if (to == FormatKind::volume) {
       if (!formats.is_read_as(FormatKind::volume, options_.model))
-        throw Error(
-            ErrorKind::bad_input, options_.output,
-            fmt::format("only a volume can be written as '{}', and {} is none", extension_of(options_.output), options_.model));
+        throw Error(ErrorKind::bad_input, options_.output,
+                    fmt::format("only a volume can be written as '{}', and {} is none", extension_of(options_.output),
+                                options_.model));
       const ScanOptions scan = options_.scan.parsed();
       VolumePtr volume = open_volume(options_.model, scan.file, progress);
       write_volume(*denoised(std::move(volume), scan.clean.denoise, progress), options_.output, progress);
     } else if (to == FormatKind::formula) {
       if (options_.thickness) throw Error(ErrorKind::bad_input, "--thickness", "a text holds the model as it is");
-      write_file(options_.output, text_of(formats.is_read_as(FormatKind::design, options_.model) ? design_as_formula(progress)
-                                                                                                 : options_.open(progress),
-                                          progress));
+      write_file(options_.output,
+                 text_of(formats.is_read_as(FormatKind::design, options_.model) ? design_as_formula(progress)
+                                                                                : options_.open(progress),
+                         progress));
     } else {
       const Solid solid = options_.open_solid(progress);
       const Box bounds = working_bounds(solid, options_.region(), progress);
@@ -343,7 +360,8 @@ class ConvertVerb final : public Verb {
       if (extension_of(options_.output) == ".vdb")
         write_vdb(*solid.field, bounds, cell, options_.output, progress);
       else
-        Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)->save(options_.output);
+        Asdf::build(*solid.field, bounds, {cell, options_.max_error.value_or(-1), true}, progress)
+            ->save(options_.output);
       outcome.line += ", " + certainty.text();
       tell_certainty(certainty, outcome);
     }
@@ -363,7 +381,8 @@ class ConvertVerb final : public Verb {
       if (part.name == name) return std::move(part);
     std::vector<std::string_view> names;
     for (const MeshPart& part : parts) names.push_back(part.name);
-    throw Error(ErrorKind::bad_input, "--part", fmt::format("there is no part '{:.60}'{}", name, suggestion(name, names)));
+    throw Error(ErrorKind::bad_input, "--part",
+                fmt::format("there is no part '{:.60}'{}", name, suggestion(name, names)));
   }
 
   [[nodiscard]] std::string text_of(const Model& model, Progress& progress) const {
@@ -374,7 +393,8 @@ class ConvertVerb final : public Verb {
     if (frep::has_opened(expression))
       throw Error(
           ErrorKind::bad_input, options_.model,
-          fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files", form));
+          fmt::format("has parts that are no formulas, and cannot be written as '{}'; .frep text can name their files",
+                      form));
     return form == ".math" ? frep::print_math(expression)
            : form == ".vm" ? frep::print_vm(expression)
                            : frep::print_dot(expression);
@@ -383,8 +403,8 @@ class ConvertVerb final : public Verb {
   /// Returns an OpenSCAD design as one expression. Throws bad_input if it has none.
   [[nodiscard]] Model design_as_formula(Progress& progress) const {
     const std::filesystem::path path = options_.model;
-    const auto design =
-        openscad::make_design(openscad::read_tree(path, progress), path.parent_path(), {options_.smooth, true}, progress);
+    const auto design = openscad::make_design(openscad::read_tree(path, progress), path.parent_path(),
+                                              {options_.smooth, true}, progress);
     if (!design->formula) throw Error(ErrorKind::bad_input, options_.model, "the design is empty");
     print_notes(design->notes);
     Model model;

@@ -12,8 +12,9 @@ nlohmann::ordered_json json_of(const Certainty& certainty) {
   auto places = nlohmann::ordered_json::array();
   for (const UncertainPlace& place : certainty.places)
     places.push_back({{"bounds", json_of(place.box)}, {"thickness", place.thickness}});
-  nlohmann::ordered_json json{{"count", certainty.count},   {"largest", certainty.largest}, {"thickness", certainty.thickness},
-                              {"finest", certainty.finest}, {"text", certainty.text()},     {"places", places}};
+  nlohmann::ordered_json json{{"count", certainty.count},         {"largest", certainty.largest},
+                              {"thickness", certainty.thickness}, {"finest", certainty.finest},
+                              {"text", certainty.text()},         {"places", places}};
   if (certainty.wanted_voxel > 0) {
     json["wanted_voxel"] = certainty.wanted_voxel;
     json["wanted_triangles"] = certainty.wanted_triangles;
@@ -23,7 +24,8 @@ nlohmann::ordered_json json_of(const Certainty& certainty) {
 
 nlohmann::ordered_json json_of(const Measures& measures) {
   const auto range = [](const Enclosed& number) {
-    return nlohmann::ordered_json{number.lower, std::isfinite(number.upper) ? nlohmann::ordered_json(number.upper) : nullptr};
+    return nlohmann::ordered_json{number.lower,
+                                  std::isfinite(number.upper) ? nlohmann::ordered_json(number.upper) : nullptr};
   };
   return {{"volume", range(measures.volume)}, {"area", range(measures.area)}};
 }

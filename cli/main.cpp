@@ -65,7 +65,8 @@ std::string text_of(const Outcome& outcome, bool json) {
 int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
   CLI::App app{
       "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
-      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design (.scad .csg) "
+      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design "
+      "(.scad .csg) "
       "or "
       "an .asdf file. Lengths are in mm."};
   app.name("fieldfab");
@@ -82,15 +83,16 @@ int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
   app.fallthrough();
 
   std::vector<std::unique_ptr<Verb>> verbs;
-  for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb, simulate_verb,
-                    openscad_verb, serve_verb}) {
+  for (auto make : {build_verb, mesh_verb, render_verb, check_verb, info_verb, convert_verb, edit_verb, cam_verb,
+                    simulate_verb, openscad_verb, serve_verb}) {
     verbs.push_back(make());
     verbs.back()->declare(app);
   }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw Error(ErrorKind::bad_input, "", std::string(error.what()) + " (see fieldfab --help)");
+    if (error.get_exit_code() != 0)
+      throw Error(ErrorKind::bad_input, "", std::string(error.what()) + " (see fieldfab --help)");
     std::ostringstream text;  // of --help and --version
     app.exit(error, text, text);
     answer(text.str());

@@ -30,8 +30,10 @@ void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
   verb.add_option("--bounds,--region", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
   verb.add_option("--part", part, "of a model of several parts: only the one of this name");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
-  verb.add_option("--level", level, "of an .asdf file with several resolutions; 0 is the finest")->check(CLI::Range(0, 31));
-  verb.add_flag("--smooth", smooth, "of an OpenSCAD design: true circles and spheres, not faceted as OpenSCAD draws them");
+  verb.add_option("--level", level, "of an .asdf file with several resolutions; 0 is the finest")
+      ->check(CLI::Range(0, 31));
+  verb.add_flag("--smooth", smooth,
+                "of an OpenSCAD design: true circles and spheres, not faceted as OpenSCAD draws them");
   scan.declare(verb);
 }
 
@@ -77,7 +79,8 @@ Solid ModelOptions::as_one(const Model& opened, Progress& progress) const {
 void tell_parts_lost(std::size_t parts, const std::string& output) {
   if (parts < 2) return;
   const bool coloured = extension_of(output) == ".ply";
-  print_notes({fmt::format("{}: {} parts are one there, without their names{}", output, parts, coloured ? "" : " and colours")});
+  print_notes({fmt::format("{}: {} parts are one there, without their names{}", output, parts,
+                           coloured ? "" : " and colours")});
 }
 
 std::string place_of(const Solid& part, const Model& model, const std::string& file) {
@@ -105,7 +108,8 @@ std::optional<double> ModelOptions::make_plate_if_flat(Solid& solid, Progress& p
 }
 
 bool ModelOptions::takes_samples() const {
-  return openscad::all_formats().is_read_as(FormatKind::volume, model) && !voxel && !resolution && bounds.empty() && !thickness;
+  return openscad::all_formats().is_read_as(FormatKind::volume, model) && !voxel && !resolution && bounds.empty() &&
+         !thickness;
 }
 
 Resolution ModelOptions::wanted() const {

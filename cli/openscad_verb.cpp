@@ -17,10 +17,11 @@ namespace {
 class OpenscadVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand(
-        "openscad",
-        "make the meshes that an OpenSCAD design takes from fieldfab.scad (scans, formulas, fillets), then run OpenSCAD");
-    verb_->add_option("FILE", file_, "the design: a .scad file that says use <fieldfab.scad> (docs/openscad.md)")->required();
+    verb_ = app.add_subcommand("openscad",
+                               "make the meshes that an OpenSCAD design takes from fieldfab.scad (scans, formulas, "
+                               "fillets), then run OpenSCAD");
+    verb_->add_option("FILE", file_, "the design: a .scad file that says use <fieldfab.scad> (docs/openscad.md)")
+        ->required();
     verb_->add_option("-o,--output", outputs_,
                       "what OpenSCAD shall write: .stl .off .amf .3mf .csg .png ...; may be given several times");
     verb_->add_flag("--watch", watch_, "go on, and make the meshes anew whenever a file changes, until interrupted");
@@ -29,8 +30,9 @@ class OpenscadVerb final : public Verb {
   Outcome run(Progress& progress) override {
     openscad::CacheReport report = round(progress);
     Outcome outcome;
-    outcome.line = fmt::format("{}: {} mesh{} made, {} kept{}", file_, report.made, report.made == 1 ? "" : "es", report.kept,
-                               outputs_.empty() ? "" : fmt::format("; OpenSCAD wrote {}", fmt::join(outputs_, ", ")));
+    outcome.line =
+        fmt::format("{}: {} mesh{} made, {} kept{}", file_, report.made, report.made == 1 ? "" : "es", report.kept,
+                    outputs_.empty() ? "" : fmt::format("; OpenSCAD wrote {}", fmt::join(outputs_, ", ")));
     outcome.json = {
         {"file", file_}, {"made", report.made}, {"kept", report.kept}, {"outputs", outputs_}, {"notes", report.notes}};
     if (watch_) watch(report, progress);

@@ -20,7 +20,8 @@ std::size_t bytes(const std::string& text) {
                         : unit == "G" || unit == "g" ? 1073741824.0
                                                      : 0;
   if (failure != std::errc{} || factor == 0 || !(number * factor >= 1 << 20) || number * factor > 1e15)
-    throw Error(ErrorKind::bad_input, "--memory", fmt::format("'{:.40}' is not an amount such as 512M or 2G, at least 1M", text));
+    throw Error(ErrorKind::bad_input, "--memory",
+                fmt::format("'{:.40}' is not an amount such as 512M or 2G, at least 1M", text));
   return static_cast<std::size_t>(number * factor);
 }
 
@@ -28,12 +29,14 @@ std::size_t bytes(const std::string& text) {
 
 void ScanArguments::declare(CLI::App& verb) {
   const char* const group = "CT volumes";
-  verb.add_option("--threshold", threshold,
-                  "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the "
-                  "default: between the two most common)")
+  verb.add_option(
+          "--threshold", threshold,
+          "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the "
+          "default: between the two most common)")
       ->group(group);
   verb.add_flag("--below", below, "solid is what is less dense than the threshold")->group(group);
-  verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")->group(group);
+  verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")
+      ->group(group);
   verb.add_option("--type", type, "of its samples: uint8 int8 uint16 int16 uint32 int32 float32 float64")->group(group);
   verb.add_option("--byte-order", byte_order, "of its samples")->check(CLI::IsMember({"little", "big"}))->group(group);
   verb.add_option("--skip", skip, "bytes before its samples")->group(group);
@@ -41,7 +44,8 @@ void ScanArguments::declare(CLI::App& verb) {
   verb.add_option("--series", series, "of a DICOM folder with several: its identifier, a part of it, or its number")
       ->group(group);
   verb.add_option("--crop", crop, "only these samples: first X,Y,Z and last X,Y,Z, six numbers from 0")->group(group);
-  verb.add_option("--denoise", denoise, "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]")
+  verb.add_option("--denoise", denoise,
+                  "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]")
       ->group(group);
   verb.add_flag("--keep-largest", keep_largest, "keep the largest piece only")->group(group);
   verb.add_option("--min-island", least_island, "drop pieces smaller than this many mm3")->group(group);
@@ -68,7 +72,8 @@ std::vector<frep::OpenOption> ScanArguments::options() const {
     else
       given.push_back({name, *text});
   }
-  for (const auto& [name, flag] : {std::pair("below", below), {"keep_largest", keep_largest}, {"fill_holes", fill_holes}})
+  for (const auto& [name, flag] :
+       {std::pair("below", below), {"keep_largest", keep_largest}, {"fill_holes", fill_holes}})
     if (flag) given.push_back({name, 1.0});
   if (skip) given.push_back({"skip", static_cast<double>(*skip)});
   if (least_island) given.push_back({"min_island", *least_island});

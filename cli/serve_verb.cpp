@@ -8,13 +8,16 @@ namespace {
 class ServeVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("serve", "design in a browser: a page, its render server and its workers, on this machine");
+    verb_ =
+        app.add_subcommand("serve", "design in a browser: a page, its render server and its workers, on this machine");
     verb_->add_option("FOLDER", folder_, "where the documents are (default: the current folder)");
     verb_->add_option("--port", port_, "port to listen on; 0 takes a free one (default: 8765, or a free one)")
         ->check(CLI::Range(0, 65535));
-    verb_->add_option("--host", host_, "address to listen on; any but this machine's own demands a token (default: 127.0.0.1)");
-    verb_->add_option("--scheduler", scheduler_,
-                      "address of a Dask scheduler, such as tcp://host:8786: files are made there, not on this machine");
+    verb_->add_option("--host", host_,
+                      "address to listen on; any but this machine's own demands a token (default: 127.0.0.1)");
+    verb_->add_option(
+        "--scheduler", scheduler_,
+        "address of a Dask scheduler, such as tcp://host:8786: files are made there, not on this machine");
     verb_->add_flag("--no-browser", no_browser_, "open no browser");
     verb_->add_flag("--allow-scripts", allow_scripts_,
                     "run .py, .ko and .scad texts from the browser: they can do whatever you can");

@@ -24,27 +24,31 @@ namespace {
 class SimulateVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
+    verb_ =
+        app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
     verb_->add_option(
         "PROGRAM", programs_,
         "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt; several are carried out one after the "
         "other, none: those that the set-up names");
     verb_
-        ->add_option(
-            "--setup", setup_,
-            "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md); or a project of CAMotics "
-            "(.camotics)")
+        ->add_option("--setup", setup_,
+                     "the set-up, or the job that the program was planned by: a .toml file (docs/simulation.md); or a "
+                     "project of CAMotics "
+                     "(.camotics)")
         ->required();
-    verb_->add_option("--dialect", dialect_,
-                      "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
-    verb_->add_option("-o,--output", output_,
-                      "the stock that is left: " + stock_formats() + "; the last one loses nothing, for the next set-up");
+    verb_->add_option(
+        "--dialect", dialect_,
+        "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
+    verb_->add_option(
+        "-o,--output", output_,
+        "the stock that is left: " + stock_formats() + "; the last one loses nothing, for the next set-up");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
     verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
     verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
-    verb_->add_option("--report", reports_,
-                      "also write the report: an .html page with pictures, or a .json file with what each line did; may be given "
-                      "several times");
+    verb_->add_option(
+        "--report", reports_,
+        "also write the report: an .html page with pictures, or a .json file with what each line did; may be given "
+        "several times");
     verb_->add_option("--picture", picture_, "also a picture of what is left: a .png");
     verb_->add_option("--frames", frames_,
                       "also pictures of it while it is machined, for a video: a folder for frame_0001.png, ...");
@@ -85,7 +89,9 @@ class SimulateVerb final : public Verb {
   }
 
  private:
-  static std::string stock_formats() { return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf .fieldstock"; }
+  static std::string stock_formats() {
+    return openscad::all_formats().writable({FormatKind::mesh}) + " .asdf .fieldstock";
+  }
 
   /// Checks output names before the work, so that an invalid name is reported at once.
   void check_outputs() const {
@@ -115,10 +121,12 @@ class SimulateVerb final : public Verb {
     std::vector<std::string> names;
     for (const std::filesystem::path& program : r.programs) names.push_back(program.string());
     for (const cam::SimulationNote& note : r.notes)
-      tell({"fieldfab: note: ", printable(fmt::format("{}:{}: {}", name(note.program), note.line, note.message)), "\n"});
+      tell(
+          {"fieldfab: note: ", printable(fmt::format("{}:{}: {}", name(note.program), note.line, note.message)), "\n"});
     for (const cam::SimulationEvent& e : r.events)
       tell({"fieldfab: ",
-            printable(fmt::format("{}:{}: {}: {}", name(e.move.program), e.move.line, cam::name_of(e.kind), e.message)), "\n"});
+            printable(fmt::format("{}:{}: {}: {}", name(e.move.program), e.move.line, cam::name_of(e.kind), e.message)),
+            "\n"});
     Outcome outcome;
     outcome.json = cam::json_of(r, false);
     for (const std::string& path : reports_)
@@ -129,13 +137,14 @@ class SimulateVerb final : public Verb {
     if (!picture_.empty()) write_picture(result, progress);
     if (!output_.empty()) outcome.json["output"] = output_;
     const int seconds = static_cast<int>(r.seconds);
-    outcome.line = fmt::format(
-        "{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}", fmt::join(names, ", "), r.moves,
-        seconds / 60, seconds % 60, r.removed, 100 * r.air_share(),
-        r.good() ? "nothing is wrong" : fmt::format("{} thing{} wrong", r.events.size(), r.events.size() == 1 ? "" : "s"));
+    outcome.line =
+        fmt::format("{}: {} moves, {}:{:02d} min, {:.0f} mm3 removed, {:.0f} % of the feed in air; {}",
+                    fmt::join(names, ", "), r.moves, seconds / 60, seconds % 60, r.removed, 100 * r.air_share(),
+                    r.good() ? "nothing is wrong"
+                             : fmt::format("{} thing{} wrong", r.events.size(), r.events.size() == 1 ? "" : "s"));
     if (r.deviation)
-      outcome.line +=
-          fmt::format("; against the target {:.3f} mm too deep, {:.3f} mm left", r.deviation->deepest, r.deviation->highest);
+      outcome.line += fmt::format("; against the target {:.3f} mm too deep, {:.3f} mm left", r.deviation->deepest,
+                                  r.deviation->highest);
     outcome.code = r.good() ? 0 : 1;
     return outcome;
   }

@@ -30,7 +30,8 @@ class Stopwatch {
 
 /// Computes the surfaces of all parts. The outcome describes them together, and each if there are
 /// several.
-std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& options, Outcome& outcome, Progress& progress) {
+std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& options, Outcome& outcome,
+                                  Progress& progress) {
   const Resolution wanted = options.wanted();
   std::vector<MeshPart> parts;
   std::size_t triangles = 0, vertices = 0;
@@ -69,9 +70,14 @@ std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& option
   if (parts.empty()) throw Error(ErrorKind::bad_input, options.model, "all parts are empty, and no mesh was written");
   outcome.line = fmt::format("{} triangles, {} vertices, volume {:.6g} mm3, {}", triangles, vertices, volume,
                              exact ? "exact faces" : certainty.text());
-  outcome.json = {
-      {"output", options.output}, {"triangles", triangles}, {"vertices", vertices},     {"volume", volume}, {"area", area},
-      {"voxel", voxel},           {"exact", exact},         {"bounds", json_of(bounds)}};
+  outcome.json = {{"output", options.output},
+                  {"triangles", triangles},
+                  {"vertices", vertices},
+                  {"volume", volume},
+                  {"area", area},
+                  {"voxel", voxel},
+                  {"exact", exact},
+                  {"bounds", json_of(bounds)}};
   if (model.parts.size() > 1) outcome.json["parts"] = described;
   tell_certainty(certainty, outcome);
   return parts;
@@ -99,10 +105,10 @@ class BuildVerb final : public Verb {
     const AsdfStatistics counts = asdf->statistics();
     const auto& n = asdf->lattice();
     Outcome outcome;
-    outcome.line =
-        fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {}, {:.2f} s", options_.output, n[0],
-                    n[1], n[2], counts.cells(), counts.leafs,
-                    static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()), certainty.text(), clock.seconds());
+    outcome.line = fmt::format("{}: {} x {} x {} lattice, {} cells ({} leafs), {:.1f} bytes a cell, {}, {:.2f} s",
+                               options_.output, n[0], n[1], n[2], counts.cells(), counts.leafs,
+                               static_cast<double>(counts.bytes) / static_cast<double>(counts.cells()),
+                               certainty.text(), clock.seconds());
     outcome.json = {{"output", options_.output}, {"lattice", n},
                     {"bounds", json_of(bounds)}, {"cells", counts.cells()},
                     {"leafs", counts.leafs},     {"filled", counts.filled},
@@ -123,22 +129,24 @@ class BuildVerb final : public Verb {
         import_scan(scan, options_.output, {options_.max_error.value_or(-1), file_, wanted.memory}, progress);
     const SampleLattice& lattice = scan.volume->lattice();
     const auto bytes = std::filesystem::file_size(options_.output);
-    return {fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} "
-                        "MB, {}, {:.2f} s",
-                        options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(),
-                        lattice.spacing.y(), lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs,
-                        static_cast<double>(bytes) / 1e6, Certainty{}.text(), clock.seconds()),
-            {{"output", options_.output},
-             {"samples", lattice.size},
-             {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
-             {"threshold", scan.surface.threshold},
-             {"cells", counts.cells},
-             {"leafs", counts.leafs},
-             {"blocks", counts.blocks},
-             {"bytes", bytes},
-             {"certain", true},  // cells lie between neighbouring samples
-             {"seconds", clock.seconds()}},
-            0};
+    return {
+        fmt::format(
+            "{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}, {} cells ({} leafs), {:.2f} "
+            "MB, {}, {:.2f} s",
+            options_.output, lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(),
+            lattice.spacing.y(), lattice.spacing.z(), scan.surface.threshold, counts.cells, counts.leafs,
+            static_cast<double>(bytes) / 1e6, Certainty{}.text(), clock.seconds()),
+        {{"output", options_.output},
+         {"samples", lattice.size},
+         {"spacing", {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()}},
+         {"threshold", scan.surface.threshold},
+         {"cells", counts.cells},
+         {"leafs", counts.leafs},
+         {"blocks", counts.blocks},
+         {"bytes", bytes},
+         {"certain", true},  // cells lie between neighbouring samples
+         {"seconds", clock.seconds()}},
+        0};
   }
 
   ModelOptions options_;
@@ -173,7 +181,8 @@ class CheckVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand(
-        "check", "cross-check a solid's distance field and mesh against OpenVDB and CGAL; exit 1 if any bound is broken");
+        "check",
+        "cross-check a solid's distance field and mesh against OpenVDB and CGAL; exit 1 if any bound is broken");
     options_.declare(*verb_, "");
     verb_->add_option("--seed", seed_, "seed of the random points");
   }
@@ -200,8 +209,8 @@ class CheckVerb final : public Verb {
       tell_overlaps(model, outcome, progress);
     }
     outcome.json["seconds"] = clock.seconds();
-    outcome.line +=
-        fmt::format("{}: {} in {:.2f} s", options_.model, passed ? "all bounds hold" : "A BOUND IS BROKEN", clock.seconds());
+    outcome.line += fmt::format("{}: {} in {:.2f} s", options_.model, passed ? "all bounds hold" : "A BOUND IS BROKEN",
+                                clock.seconds());
     outcome.code = passed ? 0 : 1;
     return outcome;
   }
@@ -220,10 +229,13 @@ class CheckVerb final : public Verb {
     }
     auto rows = nlohmann::ordered_json::array();
     for (const CheckRow& row : report.rows) {
-      outcome.line += fmt::format("{:<58} {:>12.5g} {:>3} {:>12.5g} {:<3} {}\n", row.name, row.measured, "<=", row.bound,
-                                  row.unit, row.passed() ? "pass" : "FAIL");
-      rows.push_back(
-          {{"name", row.name}, {"measured", row.measured}, {"bound", row.bound}, {"unit", row.unit}, {"passed", row.passed()}});
+      outcome.line += fmt::format("{:<58} {:>12.5g} {:>3} {:>12.5g} {:<3} {}\n", row.name, row.measured,
+                                  "<=", row.bound, row.unit, row.passed() ? "pass" : "FAIL");
+      rows.push_back({{"name", row.name},
+                      {"measured", row.measured},
+                      {"bound", row.bound},
+                      {"unit", row.unit},
+                      {"passed", row.passed()}});
     }
     outcome.json["rows"] = rows;
     tell_certainty(report.certainty, outcome);
@@ -247,8 +259,8 @@ class CheckVerb final : public Verb {
         const Measures shared = measure(*intersect(model.parts[i].field, model.parts[j].field), common, {}, progress);
         if (!(shared.volume.lower > 0)) continue;
         const std::string &a = model.parts[i].name, &b = model.parts[j].name;
-        outcome.line +=
-            fmt::format("parts '{}' and '{}' overlap by at least {:.4g} mm3\n", printable(a), printable(b), shared.volume.lower);
+        outcome.line += fmt::format("parts '{}' and '{}' overlap by at least {:.4g} mm3\n", printable(a), printable(b),
+                                    shared.volume.lower);
         overlaps.push_back({{"parts", {a, b}}, {"volume", {shared.volume.lower, shared.volume.upper}}});
       }
     outcome.json["overlaps"] = overlaps;
@@ -272,8 +284,9 @@ Outcome write_surface(const ModelOptions& options, Progress& progress) {
     write_ply(parts.front().mesh, options.output, {vertex_colours(parts.front().mesh, model)}, progress);
   else
     write_mesh_parts(parts, options.output, progress);
-  outcome.line = fmt::format("{}: {}{}, {:.2f} s", options.output,
-                             parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "", outcome.line, clock.seconds());
+  outcome.line =
+      fmt::format("{}: {}{}, {:.2f} s", options.output, parts.size() > 1 ? fmt::format("{} parts, ", parts.size()) : "",
+                  outcome.line, clock.seconds());
   outcome.json["seconds"] = clock.seconds();
   return outcome;
 }

@@ -61,7 +61,8 @@ double cell_of(const Box& bounds, std::optional<double> voxel, std::optional<dou
 class SolidValue {
  public:
   SolidValue(frep::Value given) : value(std::move(given)) {}  // NOLINT(google-explicit-constructor): values are solids
-  explicit SolidValue(Solid solid) : value{solid.expression, true}, made_(std::make_shared<const Solid>(std::move(solid))) {}
+  explicit SolidValue(Solid solid)
+      : value{solid.expression, true}, made_(std::make_shared<const Solid>(std::move(solid))) {}
   virtual ~SolidValue() = default;
 
   /// The solid with its metadata. Call with Python's lock held.

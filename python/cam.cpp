@@ -86,7 +86,8 @@ void bind_job(py::module_& module) {
           "The job of a file's text, with its part where that is given; `filename` is what messages call it.")
       .def("plan", &cam::Job::plan, "The chains of stages with all settings, as text.")
       .def(
-          "run", [](cam::Job& job, const py::object& progress) { long_work(progress, [&](Progress& p) { job.run(p); }); },
+          "run",
+          [](cam::Job& job, const py::object& progress) { long_work(progress, [&](Progress& p) { job.run(p); }); },
           py::arg("progress") = py::none(), "Plans all paths.")
       .def(
           "save", [](const cam::Job& job, const std::filesystem::path& path) { job.write(path); }, py::arg("filename"),
@@ -143,22 +144,26 @@ void bind_cam(py::module_& parent) {
       "distance_transform",
       [](const py::array_t<bool, py::array::c_style | py::array::forcecast>& bitmap, double cell) {
         if (bitmap.ndim() != 2) throw Error(ErrorKind::bad_input, "bitmap", "must have two axes");
-        cam::Bitmap samples(static_cast<int>(bitmap.shape(1)), static_cast<int>(bitmap.shape(0)), cell, cam::Vec2::Zero(), 0);
-        std::transform(bitmap.data(), bitmap.data() + bitmap.size(), samples.values.begin(), [](bool b) { return b ? 1 : 0; });
+        cam::Bitmap samples(static_cast<int>(bitmap.shape(1)), static_cast<int>(bitmap.shape(0)), cell,
+                            cam::Vec2::Zero(), 0);
+        std::transform(bitmap.data(), bitmap.data() + bitmap.size(), samples.values.begin(),
+                       [](bool b) { return b ? 1 : 0; });
         const cam::Lattice<float> distance = cam::distance_transform(samples);
         return py::array_t<float>({bitmap.shape(0), bitmap.shape(1)}, distance.values.data());
       },
-      py::arg("bitmap"), py::arg("cell") = 1.0, "Exact distance from each sample to the nearest True one, in mm (Meijster).");
+      py::arg("bitmap"), py::arg("cell") = 1.0,
+      "Exact distance from each sample to the nearest True one, in mm (Meijster).");
   module.def(
       "contours",
-      [](const py::object& solid, const py::object& bounds, double cell, double z, double level, const py::object& progress) {
+      [](const py::object& solid, const py::object& bounds, double cell, double z, double level,
+         const py::object& progress) {
         const auto wanted = solid_of(solid);
         return lists_of(long_work(progress, [&](Progress& p) {
           return cam::contours(*wanted->field, cam::Rectangle::of(region_of(*wanted, bounds, p)), {cell, z, level}, p);
         }));
       },
-      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cell") = 0.1, py::arg("z") = 0.0, py::arg("level") = 0.0,
-      py::arg("progress") = py::none(),
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cell") = 0.1, py::arg("z") = 0.0,
+      py::arg("level") = 0.0, py::arg("progress") = py::none(),
       "Closed curves where the solid is cut by a plane: (n, 2) arrays, the solid on their left.");
   module.def(
       "offset",

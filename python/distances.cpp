@@ -25,8 +25,8 @@ class AsdfValue : public SolidValue {
 }  // namespace
 
 void bind_distances(py::module_& module) {
-  py::class_<AsdfValue, SolidValue, std::shared_ptr<AsdfValue>>(module, "Asdf",
-                                                                "An adaptively sampled distance field (Keeter, Appendix C.1).")
+  py::class_<AsdfValue, SolidValue, std::shared_ptr<AsdfValue>>(
+      module, "Asdf", "An adaptively sampled distance field (Keeter, Appendix C.1).")
       .def_static(
           "load",
           [](const std::filesystem::path& path, int level, const py::object& region) {
@@ -39,8 +39,10 @@ void bind_distances(py::module_& module) {
           [](const AsdfValue& a, const std::filesystem::path& path, int levels, double quantum) {
             a.asdf->save(path, {quantum, levels});
           },
-          py::arg("filename"), py::arg("levels") = 1, py::arg("quantum") = -1.0, py::call_guard<py::gil_scoped_release>(),
-          "Writes an .asdf file with so many levels; distances as multiples of quantum mm (1/1024 of a voxel where negative).")
+          py::arg("filename"), py::arg("levels") = 1, py::arg("quantum") = -1.0,
+          py::call_guard<py::gil_scoped_release>(),
+          "Writes an .asdf file with so many levels; distances as multiples of quantum mm (1/1024 of a voxel where "
+          "negative).")
       .def(
           "placed", [](const AsdfValue& a) { return SolidValue(solid_of(a.asdf->placed(), "asdf")); },
           "The solid where it is in space: scans can lie askew.")
@@ -62,14 +64,16 @@ void bind_distances(py::module_& module) {
       .def("statistics", [](const AsdfValue& a) {
         const AsdfStatistics s = a.asdf->statistics();
         py::dict counts;
-        counts["cells"] = s.cells(), counts["filled"] = s.filled, counts["empty"] = s.empty, counts["branches"] = s.branches,
-        counts["leafs"] = s.leafs, counts["bytes"] = s.bytes, counts["depth"] = s.depth;
+        counts["cells"] = s.cells(), counts["filled"] = s.filled, counts["empty"] = s.empty,
+        counts["branches"] = s.branches, counts["leafs"] = s.leafs, counts["bytes"] = s.bytes,
+        counts["depth"] = s.depth;
         return counts;
       });
   module.def(
       "build",
-      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         std::optional<double> max_error, bool merge_leafs, const py::object& progress) {
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel,
+         std::optional<double> resolution, std::optional<double> max_error, bool merge_leafs,
+         const py::object& progress) {
         const auto wanted = solid_of(solid);
         return AsdfValue(long_work(progress, [&](Progress& p) {
           const Box region = region_of(*wanted, bounds, p);
@@ -77,8 +81,9 @@ void bind_distances(py::module_& module) {
           return Asdf::build(*wanted->field, region, {cell, max_error.value_or(-1), merge_leafs}, p);
         }));
       },
-      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
-      py::arg("max_error") = py::none(), py::arg("merge_leafs") = true, py::arg("progress") = py::none(),
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+      py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("merge_leafs") = true,
+      py::arg("progress") = py::none(),
       "Samples a solid into an Asdf. voxel in mm or resolution in voxels a mm; bounds are found where not given.");
 }
 

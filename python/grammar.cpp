@@ -63,11 +63,11 @@ std::string with_values(const std::string& text, const std::map<std::string, dou
 }  // namespace
 
 void bind_grammar(py::module_& parent) {
-  py::module_ module =
-      parent.def_submodule("language",
-                           "The .frep language for editors: its tokens, numbers, mistakes, and the names that fit or mean "
-                           "something. Texts are str, or "
-                           "bytes of UTF-8; offsets and lengths count these bytes; lines and columns begin at 1.");
+  py::module_ module = parent.def_submodule(
+      "language",
+      "The .frep language for editors: its tokens, numbers, mistakes, and the names that fit or mean "
+      "something. Texts are str, or "
+      "bytes of UTF-8; offsets and lengths count these bytes; lines and columns begin at 1.");
 
   py::class_<frep::Token>(module, "Token", "A token; `kind` is comment, string, number, name, sign or unknown.")
       .def_property_readonly("kind", [](const frep::Token& token) { return name_of(token.kind); })
@@ -76,10 +76,10 @@ void bind_grammar(py::module_& parent) {
       .def_readonly("line", &frep::Token::line)
       .def_readonly("column", &frep::Token::column);
 
-  py::class_<frep::TextParameter>(
-      module, "Parameter",
-      "A number that a text names. `range` is (low, high) or None, from a comment such as `# 5 to 40, outer width`; `comment` is "
-      "the rest of it.")
+  py::class_<frep::TextParameter>(module, "Parameter",
+                                  "A number that a text names. `range` is (low, high) or None, from a comment such as "
+                                  "`# 5 to 40, outer width`; `comment` is "
+                                  "the rest of it.")
       .def_readonly("name", &frep::TextParameter::name)
       .def_readonly("value", &frep::TextParameter::value)
       .def_readonly("name_offset", &frep::TextParameter::name_offset)
@@ -98,8 +98,9 @@ void bind_grammar(py::module_& parent) {
       .def_readonly("column", &frep::Diagnostic::column)
       .def_readonly("message", &frep::Diagnostic::message);
 
-  py::class_<frep::Word>(module, "Word",
-                         "A name that means something; `kind` is function, constant, variable, parameter, option or colour.")
+  py::class_<frep::Word>(
+      module, "Word",
+      "A name that means something; `kind` is function, constant, variable, parameter, option or colour.")
       .def_property_readonly("kind", [](const frep::Word& word) { return name_of(word.kind); })
       .def_readonly("name", &frep::Word::name)
       .def_readonly("signature", &frep::Word::signature)
@@ -108,7 +109,8 @@ void bind_grammar(py::module_& parent) {
   py::class_<frep::WordAt, frep::Word>(module, "WordAt", "A word of a text, with its place.")
       .def_readonly("offset", &frep::WordAt::offset)
       .def_readonly("length", &frep::WordAt::length);
-  py::class_<frep::Completions::Entry, frep::Word>(module, "Completion", "A word that fits, and the text to insert for it.")
+  py::class_<frep::Completions::Entry, frep::Word>(module, "Completion",
+                                                   "A word that fits, and the text to insert for it.")
       .def_readonly("insert", &frep::Completions::Entry::insert);
   py::class_<frep::Completions>(module, "Completions", "The words that fit, and the text that they replace.")
       .def_readonly("offset", &frep::Completions::offset)
@@ -124,15 +126,18 @@ void bind_grammar(py::module_& parent) {
   module.def("with_values", with_values, py::arg("text"), py::arg("values"),
              "The text with other numbers for its parameters: with_values(text, {\"width\": 25}).");
   module.def("diagnostics", diagnostics, py::arg("text"), py::arg("folder") = py::none(),
-             "The mistakes of a text; there is none exactly where parse() takes it. The first is the one that parse() raises.");
+             "The mistakes of a text; there is none exactly where parse() takes it. The first is the one that parse() "
+             "raises.");
   module.def(
       "words", [](const std::string& text) { return frep::words(text); }, py::arg("text") = "",
       "All names that a text can use: the library's, constants, and those that it defines.");
   module.def(
-      "completions", [](const std::string& text, std::size_t offset) { return frep::completions(text, offset, option_words()); },
+      "completions",
+      [](const std::string& text, std::size_t offset) { return frep::completions(text, offset, option_words()); },
       py::arg("text"), py::arg("offset"), "The names that fit at an offset and begin as the text before it does.");
   module.def(
-      "word_at", [](const std::string& text, std::size_t offset) { return frep::word_at(text, offset, option_words()); },
+      "word_at",
+      [](const std::string& text, std::size_t offset) { return frep::word_at(text, offset, option_words()); },
       py::arg("text"), py::arg("offset"), "The word at an offset, or None.");
 }
 

@@ -58,7 +58,8 @@ SolidValue call_library(const frep::LibraryFunction& function, const py::args& a
     const auto name = key.cast<std::string>();
     std::size_t place = 0;
     while (place < function.parameters.size() && function.parameters[place].name != name) ++place;
-    if (place == function.parameters.size()) throw py::type_error(fmt::format("{}() has no argument '{}'", function.name, name));
+    if (place == function.parameters.size())
+      throw py::type_error(fmt::format("{}() has no argument '{}'", function.name, name));
     if (given.size() <= place) given.resize(place + 1);
     if (given[place]) throw py::type_error(fmt::format("{}() got '{}' twice", function.name, name));
     if (takes_text(place)) text = value.cast<std::string>();
@@ -80,7 +81,8 @@ std::string documentation(const frep::LibraryFunction& function) {
                             : function.distance == "bound" ? "its value is a bound of the distance"
                                                            : "its value is neither the distance nor a bound of it";
   return fmt::format("{}({})\n\n{}{}{}", function.name, parameters, function.meaning,
-                     function.meaning.empty() || function.distance.empty() ? "" : "; ", function.distance.empty() ? "" : value);
+                     function.meaning.empty() || function.distance.empty() ? "" : "; ",
+                     function.distance.empty() ? "" : value);
 }
 
 py::list describe_library() {
@@ -239,7 +241,8 @@ std::optional<Colour> colour_of(const py::object& given) {
   if (py::isinstance<py::str>(given)) return colour_named(given.cast<std::string>());
   const auto numbers = given.cast<std::array<double, 3>>();
   Colour colour;
-  for (const auto& [number, to] : {std::pair(numbers[0], &colour.red), {numbers[1], &colour.green}, {numbers[2], &colour.blue}}) {
+  for (const auto& [number, to] :
+       {std::pair(numbers[0], &colour.red), {numbers[1], &colour.green}, {numbers[2], &colour.blue}}) {
     if (!(number >= 0 && number <= 255)) throw py::value_error("the numbers of a colour are 0 to 255");
     *to = static_cast<std::uint8_t>(number + 0.5);
   }
@@ -259,14 +262,15 @@ void bind_language(py::module_& module) {
   module.attr("X") = SolidValue(Value{Expression::x()});
   module.attr("Y") = SolidValue(Value{Expression::y()});
   module.attr("Z") = SolidValue(Value{Expression::z()});
-  module.def(
-      "parse", parse_any, py::arg("text"), py::arg("folder") = py::none(),
-      "Reads .frep text or a prefix math string; several parts as one solid. open() in it takes names relative to `folder`, "
-      "and is refused without one.");
+  module.def("parse", parse_any, py::arg("text"), py::arg("folder") = py::none(),
+             "Reads .frep text or a prefix math string; several parts as one solid. open() in it takes names relative "
+             "to `folder`, "
+             "and is refused without one.");
   module.def(
       "parse_parts",
       [](const std::string& text, const std::optional<std::filesystem::path>& folder) {
-        return parts_of(parse_model(text, "text", folder.value_or(""), settings_for(Scripts::refused, folder.has_value())));
+        return parts_of(
+            parse_model(text, "text", folder.value_or(""), settings_for(Scripts::refused, folder.has_value())));
       },
       py::arg("text"), py::arg("folder") = py::none(),
       "The parts of .frep text: (solid, name, colour) each; one without a name and a colour where it names none.");
@@ -288,23 +292,27 @@ void bind_language(py::module_& module) {
         return SolidValue(Value{frep::parse_infix(text), true});
       },
       py::arg("text"));
-  module.def("open", open_file, py::arg("filename"),
-             "The solid of a file of any kind, to be used like any shape. Options by name: threshold = 300, part = \"lid\", "
-             "smooth = True ... (docs/frep-language.md). Scripts are refused.");
+  module.def(
+      "open", open_file, py::arg("filename"),
+      "The solid of a file of any kind, to be used like any shape. Options by name: threshold = 300, part = \"lid\", "
+      "smooth = True ... (docs/frep-language.md). Scripts are refused.");
   module.def("part", make_part, py::arg("shape"), py::arg("name"), py::arg("colour") = py::none(),
-             "Makes a solid one of the named parts of the script's model; the colour is a CSS name, \"#rrggbb\" or three numbers "
+             "Makes a solid one of the named parts of the script's model; the colour is a CSS name, \"#rrggbb\" or "
+             "three numbers "
              "from 0 to 255. Returns the solid.");
   module.def("parts_made", parts_to_python, "The parts that part() has made so far: (solid, name, colour) each.");
   module.def(
       "load",
-      [](const std::filesystem::path& path) { return as_value(united(open_model(path, settings_for(Scripts::refused, true)))); },
+      [](const std::filesystem::path& path) {
+        return as_value(united(open_model(path, settings_for(Scripts::refused, true))));
+      },
       py::arg("filename"),
       "The solid of a file of any kind; scripts are refused, several parts are one solid. See open() for options.");
   module.def(
       "load_parts",
       [](const std::filesystem::path& path, const py::object& progress) {
-        return parts_of(
-            long_work(progress, [&](Progress& p) { return open_model(path, settings_for(Scripts::refused, true), p); }));
+        return parts_of(long_work(
+            progress, [&](Progress& p) { return open_model(path, settings_for(Scripts::refused, true), p); }));
       },
       py::arg("filename"), py::arg("progress") = py::none(), "The parts of a file: (solid, name, colour) each.");
   py::class_<OpenedModel>(module, "Model", "What a file holds: one solid, or several parts.")
@@ -321,7 +329,8 @@ void bind_language(py::module_& module) {
           },
           py::arg("name"), "The part of that name; names that are near are told where there is none.")
       .def(
-          "united", [](const OpenedModel& opened) { return as_value(united(opened.model)); }, "All parts as one solid.");
+          "united", [](const OpenedModel& opened) { return as_value(united(opened.model)); },
+          "All parts as one solid.");
   module.def(
       "open_model",
       [](const std::filesystem::path& path, const py::object& progress) {
@@ -337,22 +346,27 @@ void bind_language(py::module_& module) {
         return python_text(frep::print_parts(texts, folder));
       },
       py::arg("parts"), py::arg("folder") = "",
-      "Parts, (solid, name, colour) each, as .frep text, which parse_parts() reads back; files are named as by Solid.frep().");
-  module.def("formats", describe_formats,
-             "The table of file formats: a dict each with its extensions (\".stl\", ...), its kind (formula, script, design, "
-             "distances, mesh or volume), whether it is read and written and keeps parts apart, and a line of help.");
+      "Parts, (solid, name, colour) each, as .frep text, which parse_parts() reads back; files are named as by "
+      "Solid.frep().");
+  module.def(
+      "formats", describe_formats,
+      "The table of file formats: a dict each with its extensions (\".stl\", ...), its kind (formula, script, design, "
+      "distances, mesh or volume), whether it is read and written and keeps parts apart, and a line of help.");
   module.def(
       "run_model",
       [](const std::filesystem::path& path, const py::object& progress) {
-        return as_value(
-            long_work(progress, [&](Progress& p) { return united(open_model(path, settings_for(Scripts::run, true), p)); }));
+        return as_value(long_work(
+            progress, [&](Progress& p) { return united(open_model(path, settings_for(Scripts::run, true), p)); }));
       },
       py::arg("filename"), py::arg("progress") = py::none(),
-      "load(), and scripts (.py .ko), too: they are run, in a process of their own, and can do whatever their user can.");
+      "load(), and scripts (.py .ko), too: they are run, in a process of their own, and can do whatever their user "
+      "can.");
 
   module.def(
-      "set_evaluator", [](const std::string& name) { frep::set_default_evaluator(frep::evaluator_named(name)); }, py::arg("name"),
-      "How formulas are evaluated from now on: automatic, reference, portable, avx2, avx512, jit, jit-avx2 or jit-avx512.");
+      "set_evaluator", [](const std::string& name) { frep::set_default_evaluator(frep::evaluator_named(name)); },
+      py::arg("name"),
+      "How formulas are evaluated from now on: automatic, reference, portable, avx2, avx512, jit, jit-avx2 or "
+      "jit-avx512.");
 
   using Unary = Expression (*)(const Expression&);
   for (const auto& [name, function] : std::initializer_list<std::pair<const char*, Unary>>{{"sin", frep::sin},
@@ -378,14 +392,16 @@ void bind_language(py::module_& module) {
     module.def(
         name,
         [function, keeps](const SolidValue& a, const SolidValue& b) {
-          return SolidValue(Value{function(a.value.expression, b.value.expression), keeps && a.value.solid && b.value.solid});
+          return SolidValue(
+              Value{function(a.value.expression, b.value.expression), keeps && a.value.solid && b.value.solid});
         },
         py::arg("a"), py::arg("b"));
   }
 
-  module.def("library", describe_library, "The functions of the design language, with their parameters, meanings and examples.");
-  bind_library(
-      module.def_submodule("shapes", "Shapes and what is done with them. Lengths in mm, angles in radians. See docs/shapes.md."));
+  module.def("library", describe_library,
+             "The functions of the design language, with their parameters, meanings and examples.");
+  bind_library(module.def_submodule(
+      "shapes", "Shapes and what is done with them. Lengths in mm, angles in radians. See docs/shapes.md."));
 }
 
 }  // namespace fieldfab::python

@@ -35,7 +35,8 @@ py::object to_python(const openscad::Value& value) {
 
 py::dict arguments_of(const SharedNode& node) {
   py::dict arguments;
-  for (const openscad::Argument& argument : node.get().arguments) arguments[py::str(argument.name)] = to_python(argument.value);
+  for (const openscad::Argument& argument : node.get().arguments)
+    arguments[py::str(argument.name)] = to_python(argument.value);
   return arguments;
 }
 
@@ -52,8 +53,8 @@ struct Design {
   std::vector<std::string> notes;
 };
 
-Design design_of(const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness,
-                 bool smooth, Progress& progress) {
+Design design_of(const std::string& text, const std::filesystem::path& folder, const std::string& name,
+                 double thickness, bool smooth, Progress& progress) {
   const std::shared_ptr<const OpenedSolid> made =
       openscad::make_design(openscad::parse_csg(text, name), folder, {smooth, false}, progress);
   Design design{{}, made->flat, made->voxel, {}};
@@ -70,7 +71,8 @@ void bind_openscad(py::module_& module) {
   py::class_<SharedNode>(module, "OpenScadNode", "A node of an OpenSCAD design's tree, as a .csg file has it.")
       .def_property_readonly(
           "name", [](const SharedNode& node) { return printable(node.get().name); }, "What it is: cube, union, ...")
-      .def_property_readonly("arguments", arguments_of, "{name: value}; the name of a value without one is empty, undef is None.")
+      .def_property_readonly("arguments", arguments_of,
+                             "{name: value}; the name of a value without one is empty, undef is None.")
       .def_property_readonly(
           "children", [](const SharedNode& node) { return node.get().children; }, "Its children's numbers in the tree.")
       .def_property_readonly(
@@ -79,7 +81,8 @@ void bind_openscad(py::module_& module) {
           "dimensions", [](const SharedNode& node) { return (*node.whole.dimensions)[node.index]; },
           "2 or 3; 0 where it draws nothing.")
       .def_property_readonly(
-          "background", [](const SharedNode& node) { return node.get().background; }, "%: shown, not part of the solid.")
+          "background", [](const SharedNode& node) { return node.get().background; },
+          "%: shown, not part of the solid.")
       .def_property_readonly(
           "disabled", [](const SharedNode& node) { return node.get().disabled; }, "*: as if it were not there.")
       .def_property_readonly(
@@ -88,10 +91,13 @@ void bind_openscad(py::module_& module) {
           "highlight", [](const SharedNode& node) { return node.get().highlight; }, "#: shown in another colour.")
       .def(
           "text",
-          [](const SharedNode& node) { return printable(print_csg(*node.whole.tree, node.index, openscad::Modifiers::kept)); },
+          [](const SharedNode& node) {
+            return printable(print_csg(*node.whole.tree, node.index, openscad::Modifiers::kept));
+          },
           "It and what is below it as .csg text, with modifiers.");
-  py::class_<SharedTree>(module, "OpenScadTree",
-                         "All nodes of an OpenSCAD design; the first is a group of the whole. Children come after their parents.")
+  py::class_<SharedTree>(
+      module, "OpenScadTree",
+      "All nodes of an OpenSCAD design; the first is a group of the whole. Children come after their parents.")
       .def("__len__", [](const SharedTree& tree) { return tree.tree->nodes.size(); })
       .def(
           "__getitem__",
@@ -102,9 +108,11 @@ void bind_openscad(py::module_& module) {
           py::arg("index"));
   py::class_<Design>(module, "OpenScadDesign", "What OpenSCAD text makes.")
       .def_property_readonly(
-          "solid", [](const Design& design) { return design.solid ? std::optional(SolidValue(*design.solid)) : std::nullopt; },
+          "solid",
+          [](const Design& design) { return design.solid ? std::optional(SolidValue(*design.solid)) : std::nullopt; },
           "The solid, which has its own faces (see mesh()); None where the design is empty.")
-      .def_readonly("voxel", &Design::voxel, "Cells that do not miss its thinnest part, mm; None where nothing is known of it.")
+      .def_readonly("voxel", &Design::voxel,
+                    "Cells that do not miss its thinnest part, mm; None where nothing is known of it.")
       .def_readonly("flat", &Design::flat, "Whether the design is 2D; its solid is a plate then.")
       .def_readonly("notes", &Design::notes, "What was left out or mended, one line each, with NAME:LINE.");
   module.def(
@@ -116,13 +124,14 @@ void bind_openscad(py::module_& module) {
       "The tree of a .csg file, or of a .scad file through the installed OpenSCAD.");
   module.def(
       "openscad_design",
-      [](const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness, bool smooth,
-         const py::object& progress) {
+      [](const std::string& text, const std::filesystem::path& folder, const std::string& name, double thickness,
+         bool smooth, const py::object& progress) {
         return long_work(progress, [&](Progress& p) { return design_of(text, folder, name, thickness, smooth, p); });
       },
-      py::arg("text"), py::arg("folder") = "", py::arg("name") = "design", py::arg("thickness") = 1.0, py::arg("smooth") = false,
-      py::arg("progress") = py::none(),
-      "The solid of .csg text. `folder`: where the files that it imports are; `name`: what messages call it; `thickness`: of the "
+      py::arg("text"), py::arg("folder") = "", py::arg("name") = "design", py::arg("thickness") = 1.0,
+      py::arg("smooth") = false, py::arg("progress") = py::none(),
+      "The solid of .csg text. `folder`: where the files that it imports are; `name`: what messages call it; "
+      "`thickness`: of the "
       "plate, from z = 0 on, that a flat design becomes, mm.");
 }
 

@@ -39,7 +39,8 @@ void bind_surface(py::module_& module) {
       },
       py::arg("mesh"),
       "A mesh's arrays for drawing: (n, 3) float32 vertices, their normals, (m, 4) int32 corners that end with -1.");
-  py::class_<cam::StockSurface>(module, "Surface", "The surface of a stock in pieces, which are made anew only where it was cut.")
+  py::class_<cam::StockSurface>(module, "Surface",
+                                "The surface of a stock in pieces, which are made anew only where it was cut.")
       .def(py::init<>())
       .def(
           "update",
@@ -50,8 +51,8 @@ void bind_surface(py::module_& module) {
           "Brings it up to date; returns the indices of the pieces that have changed.")
       .def("__len__", &cam::StockSurface::pieces)
       .def(
-          "piece", [](const cam::StockSurface& surface, std::size_t index) { return surface.piece(index); }, py::arg("index"),
-          "A mesh of one piece, to be drawn with the others.")
+          "piece", [](const cam::StockSurface& surface, std::size_t index) { return surface.piece(index); },
+          py::arg("index"), "A mesh of one piece, to be drawn with the others.")
       .def(
           "to_draw",
           [](const cam::StockSurface& surface, const std::vector<std::size_t>& indices, int coarse) {
@@ -65,9 +66,11 @@ void bind_surface(py::module_& module) {
             return out;
           },
           py::arg("indices"), py::arg("coarse") = 1,
-          "Pieces for drawing: for each one (n, 3) float32 vertices, their normals, (m, 4) int32 corners that end with -1, and "
+          "Pieces for drawing: for each one (n, 3) float32 vertices, their normals, (m, 4) int32 corners that end with "
+          "-1, and "
           "the "
-          "cut that made each vertex. Flats have few triangles; where coarse is above 1, blocks of so many cells become one.")
+          "cut that made each vertex. Flats have few triangles; where coarse is above 1, blocks of so many cells "
+          "become one.")
       .def(
           "mesh", [](const cam::StockSurface& surface) { return surface.mesh(); },
           "All of it as one closed mesh, level flats merged.");
@@ -86,20 +89,27 @@ void bind_moves(py::module_& module) {
   py::class_<cam::Playhead>(module, "Playback", "The moves of a program, and the stock at any moment.")
       .def("__len__", [](const cam::Playhead& head) { return head.playback().moves(); })
       .def_property_readonly(
-          "lines", [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.line; }); },
+          "lines",
+          [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.line; }); },
           "The program's line of each move.")
       .def_property_readonly(
-          "tools", [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.tool; }); },
+          "tools",
+          [](const cam::Playhead& head) { return of_moves<int>(head, [](const auto& move) { return move.tool; }); },
           "The tool of each move.")
       .def_property_readonly(
-          "rapid", [](const cam::Playhead& head) { return of_moves<bool>(head, [](const auto& move) { return move.rapid; }); })
+          "rapid",
+          [](const cam::Playhead& head) { return of_moves<bool>(head, [](const auto& move) { return move.rapid; }); })
       .def_property_readonly(
           "seconds",
-          [](const cam::Playhead& head) { return of_moves<double>(head, [](const auto& move) { return move.seconds; }); },
+          [](const cam::Playhead& head) {
+            return of_moves<double>(head, [](const auto& move) { return move.seconds; });
+          },
           "Machine time at the end of each move.")
       .def(
           "done_after_line",
-          [](const cam::Playhead& head, int line, int program) { return head.playback().done_after_line(line, program); },
+          [](const cam::Playhead& head, int line, int program) {
+            return head.playback().done_after_line(line, program);
+          },
           py::arg("line"), py::arg("program") = 0, "How many moves are done after a line.")
       .def(
           "done_after_seconds",
@@ -134,7 +144,8 @@ void bind_moves(py::module_& module) {
                             py::arg("axis") = list(moment.pose.axis), py::arg("axes") = axes);
           },
           py::arg("seconds"),
-          "What is done at a moment: move, line, tool, rapid, the tool's tip and axis (part coordinates), and where the "
+          "What is done at a moment: move, line, tool, rapid, the tool's tip and axis (part coordinates), and where "
+          "the "
           "machine's "
           "nine axes stand, mm and degrees.")
       .def(
@@ -150,13 +161,16 @@ void bind_moves(py::module_& module) {
       .def(
           "stock_at",
           [](cam::Playhead& head, double seconds, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_at(seconds, p)); });
+            return long_work(progress,
+                             [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_at(seconds, p)); });
           },
-          py::arg("seconds"), py::arg("progress") = py::none(), "The stock at a moment, in the middle of a move mostly.")
+          py::arg("seconds"), py::arg("progress") = py::none(),
+          "The stock at a moment, in the middle of a move mostly.")
       .def(
           "stock_after",
           [](cam::Playhead& head, std::size_t moves, const py::object& progress) {
-            return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_after(moves, p)); });
+            return long_work(progress,
+                             [&](Progress& p) { return std::make_unique<cam::Stock>(head.stock_after(moves, p)); });
           },
           py::arg("moves"), py::arg("progress") = py::none(), "The stock when so many moves are done.");
 }

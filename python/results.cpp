@@ -38,12 +38,14 @@ TriangleMesh mesh_of(const Rows<float>& vertices, const Rows<std::uint32_t>& tri
   TriangleMesh mesh;
   mesh.vertices.resize(static_cast<std::size_t>(vertices.shape(0)));
   mesh.triangles.resize(static_cast<std::size_t>(triangles.shape(0)));
-  if (!mesh.vertices.empty()) std::memcpy(mesh.vertices.data(), vertices.data(), sizeof(float) * 3 * mesh.vertices.size());
+  if (!mesh.vertices.empty())
+    std::memcpy(mesh.vertices.data(), vertices.data(), sizeof(float) * 3 * mesh.vertices.size());
   if (!mesh.triangles.empty())
     std::memcpy(mesh.triangles.data(), triangles.data(), sizeof(std::uint32_t) * 3 * mesh.triangles.size());
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t corner : triangle)
-      if (corner >= mesh.vertices.size()) throw Error(ErrorKind::bad_input, "triangles", "an index is past the last vertex");
+      if (corner >= mesh.vertices.size())
+        throw Error(ErrorKind::bad_input, "triangles", "an index is past the last vertex");
   for (const auto& vertex : mesh.vertices)
     for (const float number : vertex)
       if (!std::isfinite(number)) throw Error(ErrorKind::bad_input, "vertices", "a position is not a number");
@@ -89,7 +91,8 @@ void bind_results(py::module_& module) {
             write_ply(mesh, path, {vertex_colours(mesh, model)});
           },
           py::arg("filename"), py::arg("parts") = py::none(),
-          "Writes .stl .ply .off .obj .3mf or .glb. `parts`: of a .ply file, (solid, name, colour) each; a vertex has the colour "
+          "Writes .stl .ply .off .obj .3mf or .glb. `parts`: of a .ply file, (solid, name, colour) each; a vertex has "
+          "the colour "
           "of the part whose surface it is on.")
       .def_static("load", &read_mesh, py::arg("filename"))
       .def(
@@ -142,12 +145,14 @@ void bind_results(py::module_& module) {
         long_work(progress, [&](Progress& p) { return write_mesh_parts(meshes, path, p), 0; });
       },
       py::arg("parts"), py::arg("filename"), py::arg("progress") = py::none(),
-      "Writes meshes to one file: (mesh, name, colour) each; None for no name and no colour. .3mf, .glb and .obj keep all three, "
+      "Writes meshes to one file: (mesh, name, colour) each; None for no name and no colour. .3mf, .glb and .obj keep "
+      "all three, "
       ".ply the colours, .stl and .off the triangles.");
   module.def(
       "mesh",
-      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         std::optional<double> max_error, bool features, const py::object& progress, bool exact, int depth) {
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel,
+         std::optional<double> resolution, std::optional<double> max_error, bool features, const py::object& progress,
+         bool exact, int depth) {
         const auto wanted = solid_of(solid);
         const bool whole = bounds.is_none();
         return long_work(progress, [&](Progress& p) {
@@ -162,33 +167,37 @@ void bind_results(py::module_& module) {
                          {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1), features, depth}, p);
         });
       },
-      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
-      py::arg("max_error") = py::none(), py::arg("features") = true, py::arg("progress") = py::none(), py::arg("exact") = true,
-      py::arg("depth") = ContourSettings().depth,
-      "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD design has its "
-      "own faces (see Solid.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says whether "
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+      py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("features") = true,
+      py::arg("progress") = py::none(), py::arg("exact") = true, py::arg("depth") = ContourSettings().depth,
+      "A watertight mesh of a solid: closed, manifold, without self-intersections, sharp edges kept. An OpenSCAD "
+      "design has its "
+      "own faces (see Solid.faces), whatever the cells, unless bounds are given or exact is False. Its certainty says "
+      "whether "
       "anything may be missing; cells are halved up to depth times to see that, and with 0 it is not looked for.");
 
   module.def(
       "certainty",
-      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         const py::object& progress) {
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel,
+         std::optional<double> resolution, const py::object& progress) {
         const auto wanted = solid_of(solid);
         return long_work(progress, [&](Progress& p) {
           const Box region = region_of(*wanted, bounds, p);
           return certainty_of_cells(*wanted->field, region, cell_of(region, voxel, resolution, *wanted), p);
         });
       },
-      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
-      py::arg("progress") = py::none(),
-      "Whether cells of this size show all of a solid, as those of an Asdf that is built of it; a mesh has its own certainty.");
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+      py::arg("resolution") = py::none(), py::arg("progress") = py::none(),
+      "Whether cells of this size show all of a solid, as those of an Asdf that is built of it; a mesh has its own "
+      "certainty.");
 
   const auto pair = [](const Enclosed& number) { return std::pair(number.lower, number.upper); };
   py::class_<Measures>(module, "Measures", "Volume and area of a solid, with bounds that hold.")
       .def_property_readonly(
           "volume", [pair](const Measures& m) { return pair(m.volume); }, "(least, most), mm3")
       .def_property_readonly(
-          "area", [pair](const Measures& m) { return pair(m.area); }, "(least, most), mm2; infinite where nothing bounds it")
+          "area", [pair](const Measures& m) { return pair(m.area); },
+          "(least, most), mm2; infinite where nothing bounds it")
       .def("__str__", &Measures::text);
   module.def(
       "measure",
@@ -198,25 +207,27 @@ void bind_results(py::module_& module) {
           const Box region = region_of(*wanted, bounds, p);
           MeasureSettings settings;
           settings.most_boxes = boxes;
-          return measure(*wanted->field, bounds.is_none() ? region.grown(1e-3 * region.diagonal()) : region, settings, p);
+          return measure(*wanted->field, bounds.is_none() ? region.grown(1e-3 * region.diagonal()) : region, settings,
+                         p);
         });
       },
       py::arg("solid"), py::arg("bounds") = py::none(), py::arg("boxes") = MeasureSettings().most_boxes,
       py::arg("progress") = py::none(),
-      "Volume and area of a solid, or of its part in the bounds, from the Field itself: as exactly as so many boxes can tell.");
+      "Volume and area of a solid, or of its part in the bounds, from the Field itself: as exactly as so many boxes "
+      "can tell.");
 
   py::class_<DetailMesh>(
       module, "DetailMesh",
       "A solid in parts that are meshed when someone looks at them, finely where the eye is near; for display.")
-      .def(
-          py::init([](const py::object& solid, const py::object& bounds, int cells, int deepest, double angle, std::size_t most) {
-            const auto wanted = solid_of(solid);
-            const Box region = long_work(py::none(), [&](Progress& p) { return region_of(*wanted, bounds, p); });
-            return std::make_unique<DetailMesh>(wanted->field, region, DetailSettings{cells, deepest, angle, most});
-          }),
-          py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cells") = DetailSettings{}.cells,
-          py::arg("deepest") = DetailSettings{}.deepest, py::arg("angle") = DetailSettings{}.angle,
-          py::arg("most_triangles") = DetailSettings{}.most_triangles)
+      .def(py::init([](const py::object& solid, const py::object& bounds, int cells, int deepest, double angle,
+                       std::size_t most) {
+             const auto wanted = solid_of(solid);
+             const Box region = long_work(py::none(), [&](Progress& p) { return region_of(*wanted, bounds, p); });
+             return std::make_unique<DetailMesh>(wanted->field, region, DetailSettings{cells, deepest, angle, most});
+           }),
+           py::arg("solid"), py::arg("bounds") = py::none(), py::arg("cells") = DetailSettings{}.cells,
+           py::arg("deepest") = DetailSettings{}.deepest, py::arg("angle") = DetailSettings{}.angle,
+           py::arg("most_triangles") = DetailSettings{}.most_triangles)
       .def(
           "refine",
           [](DetailMesh& mesh, std::array<double, 3> eye, const py::object& progress) {
@@ -253,14 +264,14 @@ void bind_results(py::module_& module) {
       .def_property_readonly("zmin", [](const Image& i) { return i.bounds.lower.z(); })
       .def_property_readonly("zmax", [](const Image& i) { return i.bounds.upper.z(); })
       .def(
-          "save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); }, py::arg("filename"),
-          py::call_guard<py::gil_scoped_release>(), "Writes a .png file.")
+          "save", [](const Image& image, const std::filesystem::path& path) { write_png(image, path); },
+          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes a .png file.")
       .def_static("load", &read_png, py::arg("filename"));
   module.def(
       "render",
-      [](const py::object& solid, const std::string& mode, int size, double alpha, double beta, const py::object& bounds,
-         const py::object& progress, double perspective, int samples, std::optional<std::array<double, 4>> window,
-         const py::iterable& parts) {
+      [](const py::object& solid, const std::string& mode, int size, double alpha, double beta,
+         const py::object& bounds, const py::object& progress, double perspective, int samples,
+         std::optional<std::array<double, 4>> window, const py::iterable& parts) {
         const auto wanted = solid_of(solid);
         std::vector<ColouredPart> coloured;
         for (const PythonPart& part : parts_given(parts)) coloured.push_back({solid_of(part.what)->field, part.colour});
@@ -271,7 +282,8 @@ void bind_results(py::module_& module) {
             beta,
             perspective,
             samples,
-            window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}}) : std::nullopt};
+            window ? std::optional(Box{{(*window)[0], (*window)[1], 0}, {(*window)[2], (*window)[3], 0}})
+                   : std::nullopt};
         return long_work(progress, [&](Progress& p) {
           if (settings.mode != RenderMode::bitmap)
             return render(*wanted->field, region_of(*wanted, bounds, p), settings, p, coloured);
@@ -283,12 +295,15 @@ void bind_results(py::module_& module) {
           return render(*wanted->field, plane ? *plane : region_of(*wanted, bounds, p), settings, p);
         });
       },
-      py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0, py::arg("beta") = 0.0,
-      py::arg("bounds") = py::none(), py::arg("progress") = py::none(), py::arg("perspective") = 0.0, py::arg("samples") = 1,
-      py::arg("window") = py::none(), py::arg("parts") = py::tuple(),
-      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` is the "
+      py::arg("solid"), py::arg("mode") = "shaded", py::arg("size") = 512, py::arg("alpha") = 0.0,
+      py::arg("beta") = 0.0, py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
+      py::arg("perspective") = 0.0, py::arg("samples") = 1, py::arg("window") = py::none(),
+      py::arg("parts") = py::tuple(),
+      "A picture: bitmap, height, normals or shaded; alpha turns about z, beta then about x, in radians. `perspective` "
+      "is the "
       "angle "
-      "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges. `window` (x0, "
+      "that the solid fills in the eye, 0 for a view from infinitely far; `samples` a pixel and axis smooth edges. "
+      "`window` (x0, "
       "y0, x1, y1) is the part of the picture's plane to show, in mm after the "
       "turn. `parts`, (solid, name, colour) each, of which `solid` is the union, give a shaded picture their colours.");
 
@@ -312,21 +327,22 @@ void bind_results(py::module_& module) {
       });
   module.def(
       "check",
-      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel, std::optional<double> resolution,
-         std::optional<double> max_error, const py::object& progress) {
+      [](const py::object& solid, const py::object& bounds, std::optional<double> voxel,
+         std::optional<double> resolution, std::optional<double> max_error, const py::object& progress) {
         const auto wanted = solid_of(solid);
         return long_work(progress, [&](Progress& p) {
           const Box region = region_of(*wanted, bounds, p);
-          return check(*wanted->field, region, {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1)}, p);
+          return check(*wanted->field, region, {cell_of(region, voxel, resolution, *wanted), max_error.value_or(-1)},
+                       p);
         });
       },
-      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(), py::arg("resolution") = py::none(),
-      py::arg("max_error") = py::none(), py::arg("progress") = py::none(),
+      py::arg("solid"), py::arg("bounds") = py::none(), py::arg("voxel") = py::none(),
+      py::arg("resolution") = py::none(), py::arg("max_error") = py::none(), py::arg("progress") = py::none(),
       "Cross-checks a solid's distance field and mesh against OpenVDB and CGAL.");
   module.def(
       "write_vdb",
-      [](const py::object& solid, const std::filesystem::path& path, const py::object& bounds, std::optional<double> voxel,
-         std::optional<double> resolution, const py::object& progress) {
+      [](const py::object& solid, const std::filesystem::path& path, const py::object& bounds,
+         std::optional<double> voxel, std::optional<double> resolution, const py::object& progress) {
         const auto wanted = solid_of(solid);
         long_work(progress, [&](Progress& p) {
           const Box region = region_of(*wanted, bounds, p);
@@ -346,7 +362,8 @@ void bind_results(py::module_& module) {
       .def_readonly("components", &MeshVerdict::components)
       .def_readonly("volume", &MeshVerdict::volume)
       .def_property_readonly("valid", &MeshVerdict::valid);
-  module.def("inspect", &inspect, py::arg("mesh"), py::call_guard<py::gil_scoped_release>(), "What CGAL says of a mesh.");
+  module.def("inspect", &inspect, py::arg("mesh"), py::call_guard<py::gil_scoped_release>(),
+             "What CGAL says of a mesh.");
 }
 
 }  // namespace fieldfab::python

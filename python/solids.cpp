@@ -120,12 +120,15 @@ SolidValue mirrored(const SolidValue& solid, const std::array<double, 3>& normal
 }
 
 SolidValue scaled(const SolidValue& solid, const Vec3& factors) {
-  if (!((factors.array() != 0).all() && factors.allFinite())) throw Error(ErrorKind::bad_input, "scale", "no factor may be 0");
+  if (!((factors.array() != 0).all() && factors.allFinite()))
+    throw Error(ErrorKind::bad_input, "scale", "no factor may be 0");
   const SolidValue stretched = placed(solid, Eigen::Affine3d(Eigen::Scaling(factors)));
   return Value{stretched.value.expression * factors.cwiseAbs().minCoeff(), true};
 }
 
-SolidValue in_memory(FieldPtr field, const char* kind) { return SolidValue(fieldfab::solid_of(std::move(field), kind)); }
+SolidValue in_memory(FieldPtr field, const char* kind) {
+  return SolidValue(fieldfab::solid_of(std::move(field), kind));
+}
 
 /// Text without the newline at the end of a file.
 py::str text_of(const SolidValue& solid, const std::filesystem::path& folder) {
@@ -135,7 +138,8 @@ py::str text_of(const SolidValue& solid, const std::filesystem::path& folder) {
 }
 
 template <char sign>
-void define_operator(py::class_<SolidValue, std::shared_ptr<SolidValue>>& solid, const char* name, const char* reflected) {
+void define_operator(py::class_<SolidValue, std::shared_ptr<SolidValue>>& solid, const char* name,
+                     const char* reflected) {
   solid.def(
       name,
       [](const SolidValue& a, const SolidValue& b) {
@@ -145,7 +149,9 @@ void define_operator(py::class_<SolidValue, std::shared_ptr<SolidValue>>& solid,
   if (reflected != nullptr)
     solid.def(
         reflected,
-        [](const SolidValue& a, double b) { return SolidValue(frep::joined(sign, Value{b}, a.value, frep::Making::folded)); },
+        [](const SolidValue& a, double b) {
+          return SolidValue(frep::joined(sign, Value{b}, a.value, frep::Making::folded));
+        },
         py::is_operator());
 }
 
@@ -219,7 +225,8 @@ void bind_solids(py::module_& module) {
   module.attr("default_cells") = default_cells;
   py::class_<SolidValue, std::shared_ptr<SolidValue>> solid(
       module, "Solid",
-      "A solid, as a function of a point that is negative inside, or a number that may depend on x, y and z. Shapes, files and "
+      "A solid, as a function of a point that is negative inside, or a number that may depend on x, y and z. Shapes, "
+      "files and "
       "sets are solids: a | b, a & b, a - b, ~a. Numbers have arithmetic; a number is a solid where one is needed.");
   solid.def(py::init([](double number) { return SolidValue(Value{number}); }), py::arg("value"))
       .def(py::init<const SolidValue&>(), py::arg("value"));
@@ -275,11 +282,14 @@ void bind_solids(py::module_& module) {
       .def(
           "vm", [](const SolidValue& a) { return frep::print_vm(a.value.expression); }, "The formula as a .vm program.")
       .def("frep", text_of, py::arg("folder") = "",
-           "The solid as .frep text, which parse() reads back; files that it opens are named relative to `folder` if they are in "
+           "The solid as .frep text, which parse() reads back; files that it opens are named relative to `folder` if "
+           "they are in "
            "it.")
       .def(
           "save_dot",
-          [](const SolidValue& a, const std::filesystem::path& path) { write_file(path, frep::print_dot(a.value.expression)); },
+          [](const SolidValue& a, const std::filesystem::path& path) {
+            write_file(path, frep::print_dot(a.value.expression));
+          },
           py::arg("filename"), "Writes the formula as a graph for Graphviz.")
       .def("simplified",
            [](const SolidValue& a) {
@@ -293,9 +303,9 @@ void bind_solids(py::module_& module) {
             const auto or_axis = [](const std::optional<SolidValue>& given, const Expression& axis) {
               return given ? given->value.expression : axis;
             };
-            return SolidValue(Value{
-                remap(a.value.expression, or_axis(x, Expression::x()), or_axis(y, Expression::y()), or_axis(z, Expression::z())),
-                a.value.solid});
+            return SolidValue(Value{remap(a.value.expression, or_axis(x, Expression::x()), or_axis(y, Expression::y()),
+                                          or_axis(z, Expression::z())),
+                                    a.value.solid});
           },
           py::arg("x") = py::none(), py::arg("y") = py::none(), py::arg("z") = py::none(),
           "With x, y and z replaced; None leaves a coordinate as it is.")
@@ -337,16 +347,19 @@ void bind_solids(py::module_& module) {
             return bounds_to_python(found.box);
           },
           py::arg("flat") = false,
-          "Returns the bounding box of the solid, found by interval search, or None if the solid is empty or unbounded. With "
+          "Returns the bounding box of the solid, found by interval search, or None if the solid is empty or "
+          "unbounded. With "
           "flat=True a solid that is unbounded along z gets z from 0 to 0.")
       .def(
           "default_voxel",
           [](const SolidValue& a, const py::object& bounds, double cells) {
             const auto whole = a.solid();
-            return long_work(py::none(), [&](Progress& p) { return default_voxel(*whole, region_of(*whole, bounds, p), cells); });
+            return long_work(py::none(),
+                             [&](Progress& p) { return default_voxel(*whole, region_of(*whole, bounds, p), cells); });
           },
           py::arg("bounds") = py::none(), py::arg("cells") = default_cells,
-          "The cell, mm, that mesh(), build() and others take where none is given: its own resolution, else so many along the "
+          "The cell, mm, that mesh(), build() and others take where none is given: its own resolution, else so many "
+          "along the "
           "longest side of the bounds, which are found where not given.")
       .def(
           "offset",
@@ -378,15 +391,18 @@ void bind_solids(py::module_& module) {
           "distances",
           [](const SolidValue& a, double reach, double voxel, const py::object& bounds, const py::object& progress) {
             const auto whole = a.solid();
-            return in_memory(long_work(progress,
-                                       [&](Progress& p) {
-                                         return distances(whole->field, region_of(*whole, bounds, p), {reach, voxel}, p);
-                                       }),
-                             "asdf");
+            return in_memory(
+                long_work(progress,
+                          [&](Progress& p) {
+                            return distances(whole->field, region_of(*whole, bounds, p), {reach, voxel}, p);
+                          }),
+                "asdf");
           },
           py::arg("reach"), py::arg("voxel") = 0, py::arg("bounds") = py::none(), py::arg("progress") = py::none(),
-          "The same solid with signed distances as its values, in mm, up to `reach` mm from its surface: what offset, shell, "
-          "blend and morph need of a scan, whose densities are distances only next to the surface. Worked out every `voxel` mm; "
+          "The same solid with signed distances as its values, in mm, up to `reach` mm from its surface: what offset, "
+          "shell, "
+          "blend and morph need of a scan, whose densities are distances only next to the surface. Worked out every "
+          "`voxel` mm; "
           "0: a 160th of the longest side.")
       .def(
           "faces",
@@ -397,7 +413,8 @@ void bind_solids(py::module_& module) {
             });
           },
           py::arg("progress") = py::none(),
-          "The solid's own faces as a Mesh, exact but for the rounding of its corners: of an OpenSCAD design that is drawn with "
+          "The solid's own faces as a Mesh, exact but for the rounding of its corners: of an OpenSCAD design that is "
+          "drawn with "
           "flat ones, moved and turned or as it is, where they can be had. None for any other solid.")
       .def(
           "translate",

@@ -31,7 +31,8 @@ std::vector<cam::ToolPose> poses_of(const Rows& rows) {
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
     cam::ToolPose pose{{in(i, 0), in(i, 1), in(i, 2)}, Vec3::UnitZ()};
     if (rows.shape(1) == 6) pose.axis = Vec3(in(i, 3), in(i, 4), in(i, 5)).normalized();
-    if (!pose.tip.allFinite() || !pose.axis.allFinite()) throw Error(ErrorKind::bad_input, "poses", "they must be finite");
+    if (!pose.tip.allFinite() || !pose.axis.allFinite())
+      throw Error(ErrorKind::bad_input, "poses", "they must be finite");
     poses.push_back(pose);
   }
   return poses;
@@ -72,7 +73,8 @@ void bind_block(py::module_& module) {
              settings.cell = cell;
              if (solid.is_none()) return std::make_unique<cam::Stock>(*box, settings);
              const FieldPtr field = field_of(solid);
-             return long_work(progress, [&](Progress& p) { return std::make_unique<cam::Stock>(*field, *box, settings, p); });
+             return long_work(progress,
+                              [&](Progress& p) { return std::make_unique<cam::Stock>(*field, *box, settings, p); });
            }),
            py::arg("bounds"), py::arg("cell") = 0.2, py::arg("solid") = py::none(), py::arg("progress") = py::none())
       .def(
@@ -88,19 +90,23 @@ void bind_block(py::module_& module) {
             for (std::size_t i = 1; i < way.size(); ++i)
               for (const cam::ToolPiece& piece : solid.pieces)
                 if (piece.role == cam::ToolRole::cutting)
-                  strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true}), step.push_back(i - 1);
+                  strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true}),
+                      step.push_back(i - 1);
             const auto results = long_work(progress, [&](Progress& p) { return stock.cut(strokes, p); });
             py::array_t<double> removed(static_cast<py::ssize_t>(way.empty() ? 0 : way.size() - 1));
             auto out = removed.mutable_unchecked<1>();
             for (py::ssize_t i = 0; i < removed.shape(0); ++i) out(i) = 0;
-            for (std::size_t i = 0; i < results.size(); ++i) out(static_cast<py::ssize_t>(step[i])) += results[i].volume;
+            for (std::size_t i = 0; i < results.size(); ++i)
+              out(static_cast<py::ssize_t>(step[i])) += results[i].volume;
             return removed;
           },
           py::arg("tool"), py::arg("poses"), py::arg("progress") = py::none(),
-          "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 removed by "
+          "Moves a tool (a dict of shape, diameter, flute, ... as in set-ups) evenly from pose to pose; returns mm3 "
+          "removed by "
           "each step.")
       .def(
-          "mesh", [](const cam::Stock& stock) { return stock.mesh(); }, "The closed surface of what is left, level flats merged.")
+          "mesh", [](const cam::Stock& stock) { return stock.mesh(); },
+          "The closed surface of what is left, level flats merged.")
       .def_property_readonly("volume", &cam::Stock::volume)
       .def_property_readonly("bytes", [](const cam::Stock& stock) { return stock.statistics().bytes; })
       .def_property_readonly("splits", [](const cam::Stock& stock) { return stock.statistics().splits; });
@@ -145,7 +151,8 @@ py::array_t<int> of_cuts(const cam::SimulationResult& result, const Of& of) {
 
 /// Converts a text that may contain bytes of programs: invalid UTF-8 becomes U+FFFD.
 py::str text_of(const std::string& bytes) {
-  return py::reinterpret_steal<py::str>(PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "replace"));
 }
 
 py::dict dict_of(const cam::SimulationReport& report) {
@@ -157,16 +164,19 @@ py::dict dict_of(const cam::SimulationReport& report) {
                            py::arg("place") = std::array<double, 3>{e.place.x(), e.place.y(), e.place.z()},
                            py::arg("amount") = e.amount, py::arg("message") = text_of(e.message)));
   for (const cam::SimulationNote& note : report.notes)
-    notes.append(
-        py::dict(py::arg("line") = note.line, py::arg("program") = note.program, py::arg("message") = text_of(note.message)));
+    notes.append(py::dict(py::arg("line") = note.line, py::arg("program") = note.program,
+                          py::arg("message") = text_of(note.message)));
   for (const cam::LineRecord& line : report.lines)
     lines.append(py::dict(py::arg("line") = line.line, py::arg("tool") = line.tool, py::arg("program") = line.program,
-                          py::arg("removed") = line.removed, py::arg("seconds") = line.seconds, py::arg("cut") = line.cut,
-                          py::arg("air") = line.air));
+                          py::arg("removed") = line.removed, py::arg("seconds") = line.seconds,
+                          py::arg("cut") = line.cut, py::arg("air") = line.air));
   py::dict d;
-  d["good"] = report.good(), d["events"] = events, d["notes"] = notes, d["moves"] = report.moves, d["poses"] = report.poses;
-  d["seconds"] = report.seconds, d["rapid_seconds"] = report.rapid_seconds, d["cut"] = report.cut, d["air"] = report.air;
-  d["air_share"] = report.air_share(), d["rapid"] = report.rapid, d["removed"] = report.removed, d["left"] = report.left;
+  d["good"] = report.good(), d["events"] = events, d["notes"] = notes, d["moves"] = report.moves,
+  d["poses"] = report.poses;
+  d["seconds"] = report.seconds, d["rapid_seconds"] = report.rapid_seconds, d["cut"] = report.cut,
+  d["air"] = report.air;
+  d["air_share"] = report.air_share(), d["rapid"] = report.rapid, d["removed"] = report.removed,
+  d["left"] = report.left;
   d["cells"] = report.stock.cells, d["splits"] = report.stock.splits, d["bytes"] = report.stock.bytes;
   if (const auto& off = report.deviation)
     d["deviation"] = py::dict(py::arg("deepest_gouge") = off->deepest, py::arg("highest_excess") = off->highest,
@@ -177,30 +187,31 @@ py::dict dict_of(const cam::SimulationReport& report) {
 
 void bind_simulation(py::module_& module) {
   py::class_<Simulated>(module, "Simulation", "A program carried out on the stock of a set-up (docs/simulation.md).")
-      .def(
-          py::init([](const std::filesystem::path& setup, const Programs& program, const py::object& target,
-                      std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
-                      const py::object& progress, const std::optional<std::string>& dialect) {
-            const FieldPtr of_job = part.is_none() ? nullptr : field_of(part);
-            const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
-            const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
-            return long_work(progress, [&](Progress& p) {
-              cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p, openscad::all_formats());
-              if (wanted) made.target = wanted;
-              if (block) made.stock = block;
-              if (cell) made.sampling.cell = *cell;
-              if (dialect) made.machine.dialect = cam::dialect_named(*dialect, "dialect");
-              return simulated(cam::simulate(std::move(made), paths_of(program), {.remember = remember}, p));
-            });
-          }),
-          py::arg("setup"), py::arg("program") = py::none(), py::arg("target") = py::none(), py::arg("cell") = py::none(),
-          py::arg("remember") = false, py::arg("stock") = py::none(), py::arg("part") = py::none(),
-          py::arg("progress") = py::none(), py::arg("dialect") = py::none(),
-          "`program`: a file, or several that are carried out one after the other; None: those that the set-up names. `dialect`: "
-          "\"linuxcnc\", \"fanuc\", \"grbl\" or \"mach3\", instead of the set-up's. `target` and `stock` take the place of the "
-          "set-up's; the stock's shape counts within the set-up's stock box. `part`: "
-          "of a "
-          "job that names no model, as fieldfab.cam.Job.parse() takes it.")
+      .def(py::init([](const std::filesystem::path& setup, const Programs& program, const py::object& target,
+                       std::optional<double> cell, bool remember, const py::object& stock, const py::object& part,
+                       const py::object& progress, const std::optional<std::string>& dialect) {
+             const FieldPtr of_job = part.is_none() ? nullptr : field_of(part);
+             const FieldPtr wanted = target.is_none() ? nullptr : field_of(target);
+             const FieldPtr block = stock.is_none() ? nullptr : field_of(stock);
+             return long_work(progress, [&](Progress& p) {
+               cam::SimulationSetup made = cam::read_simulation_setup(setup, of_job, p, openscad::all_formats());
+               if (wanted) made.target = wanted;
+               if (block) made.stock = block;
+               if (cell) made.sampling.cell = *cell;
+               if (dialect) made.machine.dialect = cam::dialect_named(*dialect, "dialect");
+               return simulated(cam::simulate(std::move(made), paths_of(program), {.remember = remember}, p));
+             });
+           }),
+           py::arg("setup"), py::arg("program") = py::none(), py::arg("target") = py::none(),
+           py::arg("cell") = py::none(), py::arg("remember") = false, py::arg("stock") = py::none(),
+           py::arg("part") = py::none(), py::arg("progress") = py::none(), py::arg("dialect") = py::none(),
+           "`program`: a file, or several that are carried out one after the other; None: those that the set-up names. "
+           "`dialect`: "
+           "\"linuxcnc\", \"fanuc\", \"grbl\" or \"mach3\", instead of the set-up's. `target` and `stock` take the "
+           "place of the "
+           "set-up's; the stock's shape counts within the set-up's stock box. `part`: "
+           "of a "
+           "job that names no model, as fieldfab.cam.Job.parse() takes it.")
       .def_property_readonly(
           "playback", [](Simulated& s) { return s.playhead ? &*s.playhead : nullptr; },
           py::return_value_policy::reference_internal, "Any moment of it; None where it was not to remember.")
@@ -259,19 +270,23 @@ void bind_simulation(py::module_& module) {
           [](const Simulated& s) -> py::object {
             if (!s.result.report().deviation) return py::none();
             const auto scale = cam::DeviationScale::of(s.result);
-            return py::dict(py::arg("gouge") = scale.gouge, py::arg("excess") = scale.excess, py::arg("full") = scale.full);
+            return py::dict(py::arg("gouge") = scale.gouge, py::arg("excess") = scale.excess,
+                            py::arg("full") = scale.full);
           },
           "Tolerances, and from where on a colour is full, mm. None without a target.")
       .def(
           "colour_of_deviation",
-          [](const Simulated& s, double deviation) { return channels_of(cam::DeviationScale::of(s.result).colour(deviation)); },
+          [](const Simulated& s, double deviation) {
+            return channels_of(cam::DeviationScale::of(s.result).colour(deviation));
+          },
           py::arg("deviation"), "Red, green and blue.")
       .def_property_readonly("good", [](const Simulated& s) { return s.result.report().good(); })
       .def_property_readonly(
           "report", [](const Simulated& s) { return dict_of(s.result.report()); },
           "Events, times, lengths and volumes, as the command's --report has them.")
       .def_property_readonly(
-          "mesh", [](const Simulated& s) { return s.result.surface().mesh; }, "The surface of what is left, level flats merged.")
+          "mesh", [](const Simulated& s) { return s.result.surface().mesh; },
+          "The surface of what is left, level flats merged.")
       .def_property_readonly("stock", [](const Simulated& s) { return cam::Stock(s.result.stock()); })
       .def_property_readonly(
           "lines_of_vertices",
@@ -304,14 +319,16 @@ void bind_simulation(py::module_& module) {
             view.size = size, view.marks = marks;
             if (alpha) view.alpha = *alpha;
             if (beta) view.beta = *beta;
-            const Image image = long_work(progress, [&](Progress& p) { return cam::stock_picture(s.result, view, p).image; });
+            const Image image =
+                long_work(progress, [&](Progress& p) { return cam::stock_picture(s.result, view, p).image; });
             py::array_t<std::uint8_t> out({py::ssize_t{image.height}, py::ssize_t{image.width}, py::ssize_t{3}});
             std::memcpy(out.mutable_data(), image.pixels8.data(), image.pixels8.size());
             return out;
           },
           py::arg("size") = 1024, py::arg("alpha") = py::none(), py::arg("beta") = py::none(), py::arg("marks") = true,
           py::arg("progress") = py::none(),
-          "What is left as (height, width, 3) bytes, turned by alpha about z, then by beta about x (radians); with the worst "
+          "What is left as (height, width, 3) bytes, turned by alpha about z, then by beta about x (radians); with the "
+          "worst "
           "events numbered.")
       .def(
           "save",
@@ -333,7 +350,8 @@ void bind_simulation(py::module_& module) {
             const auto& at = s.result.report().deviation->at_vertex;
             return py::array_t<float>(static_cast<py::ssize_t>(at.size()), at.data());
           },
-          "For each vertex its signed distance from the target, mm: above 0 where material is left over. None without a target.");
+          "For each vertex its signed distance from the target, mm: above 0 where material is left over. None without "
+          "a target.");
 }
 
 }  // namespace

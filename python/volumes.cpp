@@ -33,7 +33,8 @@ ScanOptions options_of(const py::object& threshold, bool below, const std::strin
 VolumePtr from_array(const Floats& densities, const Triple& spacing, const Triple& origin) {
   if (densities.ndim() != 3) throw py::value_error("densities must be an array of shape (nz, ny, nx)");
   SampleLattice lattice;
-  for (int axis = 0; axis < 3; ++axis) lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(densities.shape(2 - axis));
+  for (int axis = 0; axis < 3; ++axis)
+    lattice.size[static_cast<std::size_t>(axis)] = static_cast<int>(densities.shape(2 - axis));
   lattice.spacing = vector_of(spacing);
   lattice.origin = vector_of(origin);
   return volume_of({densities.data(), densities.data() + densities.size()}, lattice);
@@ -54,7 +55,8 @@ Floats to_array(const Volume& volume) {
 void bind_volumes(py::module_& module) {
   const auto mutable_volume = [](VolumePtr volume) { return std::const_pointer_cast<Volume>(std::move(volume)); };
   const auto triple = [](const Vec3& v) { return py::make_tuple(v.x(), v.y(), v.z()); };
-  py::class_<Volume, std::shared_ptr<Volume>>(module, "Volume", "Densities on a lattice, such as a CT scan (Keeter, chapter 5).")
+  py::class_<Volume, std::shared_ptr<Volume>>(module, "Volume",
+                                              "Densities on a lattice, such as a CT scan (Keeter, chapter 5).")
       .def(py::init([=](const Floats& densities, const Triple& spacing, const Triple& origin) {
              return mutable_volume(from_array(densities, spacing, origin));
            }),
@@ -62,11 +64,12 @@ void bind_volumes(py::module_& module) {
            "From an array of shape (nz, ny, nx); spacing and origin in mm.")
       .def_static(
           "open",
-          [=](const std::filesystem::path& path, const py::object& dims, const std::string& type, const py::object& spacing,
-              const std::string& series, const py::object& progress) {
+          [=](const std::filesystem::path& path, const py::object& dims, const std::string& type,
+              const py::object& spacing, const std::string& series, const py::object& progress) {
             VolumeFileOptions options;
             if (!dims.is_none()) options.size = dims.cast<std::array<int, 3>>();
-            if (!type.empty() && !(options.type = sample_type(type))) throw py::value_error("no type of sample: " + type);
+            if (!type.empty() && !(options.type = sample_type(type)))
+              throw py::value_error("no type of sample: " + type);
             if (!spacing.is_none()) options.spacing = vector_of(spacing.cast<Triple>());
             options.series = series;
             return mutable_volume(long_work(progress, [&](Progress& p) { return open_volume(path, options, p); }));
@@ -107,29 +110,33 @@ void bind_volumes(py::module_& module) {
       .def(
           "crop",
           [=](const std::shared_ptr<Volume>& v, const std::array<int, 3>& first, const std::array<int, 3>& last) {
-            return mutable_volume(cropped(v, first, {last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1}));
+            return mutable_volume(
+                cropped(v, first, {last[0] - first[0] + 1, last[1] - first[1] + 1, last[2] - first[2] + 1}));
           },
           py::arg("first"), py::arg("last"), "The samples from `first` to `last`, both included.")
       .def(
-          "half", [=](const std::shared_ptr<Volume>& v) { return mutable_volume(halved(v)); }, "At half the resolution.")
+          "half", [=](const std::shared_ptr<Volume>& v) { return mutable_volume(halved(v)); },
+          "At half the resolution.")
       .def(
-          "save", [](const Volume& v, const std::filesystem::path& path) { write_volume(v, path); }, py::arg("filename"),
-          py::call_guard<py::gil_scoped_release>(), "Writes .nrrd, .mha, .nii or .nii.gz.")
+          "save", [](const Volume& v, const std::filesystem::path& path) { write_volume(v, path); },
+          py::arg("filename"), py::call_guard<py::gil_scoped_release>(), "Writes .nrrd, .mha, .nii or .nii.gz.")
       .def(
           "solid",
           [](const std::shared_ptr<Volume>& v, const py::object& threshold, bool below, const std::string& denoise,
-             bool keep_largest, std::optional<double> min_island, std::optional<double> min_hole, const py::object& progress) {
+             bool keep_largest, std::optional<double> min_island, std::optional<double> min_hole,
+             const py::object& progress) {
             const ScanOptions options = options_of(threshold, below, denoise, keep_largest, min_island, min_hole);
             return SolidValue(fieldfab::solid_of(std::shared_ptr<const OpenedSolid>(
                 long_work(progress, [&](Progress& p) { return opened_scan(take_scan(v, options, p), p); }))));
           },
-          py::arg("threshold") = py::none(), py::arg("below") = false, py::arg("denoise") = "", py::arg("keep_largest") = false,
-          py::arg("min_island") = py::none(), py::arg("min_hole") = py::none(), py::arg("progress") = py::none(),
+          py::arg("threshold") = py::none(), py::arg("below") = false, py::arg("denoise") = "",
+          py::arg("keep_largest") = false, py::arg("min_island") = py::none(), py::arg("min_hole") = py::none(),
+          py::arg("progress") = py::none(),
           "What is denser than the threshold (Otsu's where none is given), as a solid in mm.")
       .def(
           "save_asdf",
-          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const py::object& threshold, bool below,
-             double max_error, int levels, double quantum, const py::object& progress) {
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const py::object& threshold,
+             bool below, double max_error, int levels, double quantum, const py::object& progress) {
             const ScanOptions options = options_of(threshold, below, "", false, {}, {});
             const ImportCounts counts = long_work(progress, [&](Progress& p) {
               return import_scan(take_scan(v, options, p), path, {max_error, {quantum, levels}, options.memory}, p);
@@ -152,12 +159,14 @@ void bind_volumes(py::module_& module) {
             });
           },
           py::arg("filename"), py::arg("part"), py::arg("parts"), py::arg("threshold"), py::arg("below") = false,
-          py::arg("max_error") = -1.0, py::arg("levels") = 1, py::arg("quantum") = -1.0, py::arg("progress") = py::none(),
+          py::arg("max_error") = -1.0, py::arg("levels") = 1, py::arg("quantum") = -1.0,
+          py::arg("progress") = py::none(),
           "One part of what save_asdf() does, for merge_parts(): see fieldfab.bricks.")
       .def(
           "merge_parts",
-          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path, const std::vector<std::filesystem::path>& parts,
-             double threshold, bool below, double max_error, int levels, double quantum, const py::object& progress) {
+          [](const std::shared_ptr<Volume>& v, const std::filesystem::path& path,
+             const std::vector<std::filesystem::path>& parts, double threshold, bool below, double max_error,
+             int levels, double quantum, const py::object& progress) {
             const ImportCounts counts = long_work(progress, [&](Progress& p) {
               return merge_parts(lattices_of({v, isosurface(*v, threshold, below)}, levels), parts, path,
                                  {max_error, {quantum, levels}, memory}, p);
@@ -166,9 +175,9 @@ void bind_volumes(py::module_& module) {
             made["cells"] = counts.cells, made["leafs"] = counts.leafs, made["blocks"] = counts.blocks;
             return made;
           },
-          py::arg("filename"), py::arg("part_files"), py::arg("threshold"), py::arg("below") = false, py::arg("max_error") = -1.0,
-          py::arg("levels") = 1, py::arg("quantum") = -1.0, py::arg("progress") = py::none(),
-          "The .asdf file of all parts, byte for byte that of save_asdf().");
+          py::arg("filename"), py::arg("part_files"), py::arg("threshold"), py::arg("below") = false,
+          py::arg("max_error") = -1.0, py::arg("levels") = 1, py::arg("quantum") = -1.0,
+          py::arg("progress") = py::none(), "The .asdf file of all parts, byte for byte that of save_asdf().");
 }
 
 }  // namespace fieldfab::python

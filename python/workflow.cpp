@@ -31,7 +31,8 @@ py::list list_of(const cam::Settings& settings) {
 py::dict dict_of(const cam::Stage& stage) {
   py::dict d;
   d["name"] = stage.name, d["help"] = stage.help, d["operation"] = stage.operation;
-  d["takes"] = cam::name_of(stage.takes), d["makes"] = cam::name_of(stage.makes), d["settings"] = list_of(stage.settings);
+  d["takes"] = cam::name_of(stage.takes), d["makes"] = cam::name_of(stage.makes),
+  d["settings"] = list_of(stage.settings);
   return d;
 }
 
@@ -40,7 +41,8 @@ py::dict dict_of(const cam::Machine& m) {
   d["id"] = m.id, d["name"] = m.name, d["description"] = m.description, d["extension"] = m.extension,
   d["takes"] = cam::name_of(m.takes);
   d["unit"] = m.unit, d["travel"] = m.travel, d["max_feed"] = m.max_feed, d["max_spindle"] = m.max_spindle;
-  d["rapid"] = m.dynamics.rapid, d["kinematics"] = cam::name_of(m.kinematics.kind), d["default_operation"] = m.default_operation;
+  d["rapid"] = m.dynamics.rapid, d["kinematics"] = cam::name_of(m.kinematics.kind),
+  d["default_operation"] = m.default_operation;
   py::list axes;
   for (const cam::RotaryAxis& axis : m.kinematics.axes) axes.append(std::string(1, axis.letter));
   d["axes"] = axes, d["settings"] = list_of(m.settings);
@@ -66,9 +68,11 @@ void bind_workflow(py::module_& module) {
         for (const cam::Stage& stage : cam::stages()) out.append(dict_of(stage));
         return out;
       },
-      "All stages of the workflow: name, help, what each takes and makes, whether it is an operation, and its settings. Of a "
+      "All stages of the workflow: name, help, what each takes and makes, whether it is an operation, and its "
+      "settings. Of a "
       "setting: "
-      "name, help, unit, kind, default (None: it follows from other things), lower, upper, lower_open, whole, choices; and "
+      "name, help, unit, kind, default (None: it follows from other things), lower, upper, lower_open, whole, choices; "
+      "and "
       "`needs`, "
       "the setting without which it means nothing, with the values that one must have.");
   module.def(
@@ -86,7 +90,8 @@ void bind_workflow(py::module_& module) {
       "What all operations can be told besides: how their paths are joined to moves.");
   module.def(
       "machine", [](const std::string& id) { return dict_of(cam::load_machine(id)); }, py::arg("id"),
-      "A machine by its id or file: what it takes, its limits (mm, mm/min; 0: none known), settings, materials and rotary axes.");
+      "A machine by its id or file: what it takes, its limits (mm, mm/min; 0: none known), settings, materials and "
+      "rotary axes.");
 }
 
 }  // namespace fieldfab::python

@@ -58,7 +58,8 @@ std::string html_start(const std::string& title) {
 }
 
 std::string html_image(const Image& image, const std::string& description) {
-  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", html_text(description), base64(png_bytes(image)));
+  return fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", html_text(description),
+                     base64(png_bytes(image)));
 }
 
 }  // namespace fieldfab::cam

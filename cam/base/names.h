@@ -20,7 +20,8 @@ Enumeration named(std::string_view name, const std::array<std::string_view, coun
   for (std::size_t i = 0; i < count; ++i)
     if (names[i] == name) return static_cast<Enumeration>(i);
   throw Error(ErrorKind::bad_input, place,
-              fmt::format("{} is '{:.40}'; it must be one of {}{}", what, name, fmt::join(names, ", "), suggestion(name, names)));
+              fmt::format("{} is '{:.40}'; it must be one of {}{}", what, name, fmt::join(names, ", "),
+                          suggestion(name, names)));
 }
 
 }  // namespace fieldfab::cam

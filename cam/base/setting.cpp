@@ -12,7 +12,8 @@ namespace {
 
 const Given& find(const Values& values, const std::string& name) {
   const auto it = values.given.find(name);
-  if (it == values.given.end()) throw Error(ErrorKind::internal, "setting", fmt::format("'{}' was never declared", name));
+  if (it == values.given.end())
+    throw Error(ErrorKind::internal, "setting", fmt::format("'{}' was never declared", name));
   return it->second;
 }
 
@@ -63,8 +64,8 @@ Value checked(const Setting& setting, const Value& value, const std::string& pla
     if (!std::isfinite(d)) refuse("must be finite");
     if (setting.whole && d != std::round(d)) refuse(fmt::format("is {:.6g}; it must be a whole number", d));
     if (low)
-      refuse(fmt::format("is {:.6g}; it must be {} {:.6g}{}", d, setting.lower_open ? "above" : "at least", setting.lower,
-                         setting.unit.empty() ? "" : " " + setting.unit));
+      refuse(fmt::format("is {:.6g}; it must be {} {:.6g}{}", d, setting.lower_open ? "above" : "at least",
+                         setting.lower, setting.unit.empty() ? "" : " " + setting.unit));
     if (!(d <= setting.upper))
       refuse(fmt::format("is {:.6g}; it must be at most {:.6g}{}", d, setting.upper,
                          setting.unit.empty() ? "" : " " + setting.unit));

@@ -48,7 +48,8 @@ void check_letters(std::string_view text, const std::string& file) {
     } else if (c == '\n') {
       ++line;
     } else if (static_cast<unsigned char>(c) >= 128) {
-      throw Error(ErrorKind::bad_input, fmt::format("{}:{}", file, line), "has a letter that only strings and comments may have");
+      throw Error(ErrorKind::bad_input, fmt::format("{}:{}", file, line),
+                  "has a letter that only strings and comments may have");
     }
   }
 }
@@ -173,7 +174,8 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
 void TomlTable::only(const std::vector<std::string>& known) const {
   for (const std::string& key : keys())
     if (std::find(known.begin(), known.end(), key) == known.end())
-      throw Error(ErrorKind::bad_input, place(key), fmt::format("there is no key '{}' here{}", key, suggestion(key, known)));
+      throw Error(ErrorKind::bad_input, place(key),
+                  fmt::format("there is no key '{}' here{}", key, suggestion(key, known)));
 }
 
 }  // namespace fieldfab::cam

@@ -12,7 +12,8 @@
 namespace fieldfab::cam {
 namespace {
 
-constexpr std::array<std::string_view, 8> shape_names{"flat", "ball", "bull", "v", "tapered", "drill", "profile", "form"};
+constexpr std::array<std::string_view, 8> shape_names{"flat",    "ball",  "bull",    "v",
+                                                      "tapered", "drill", "profile", "form"};
 
 }  // namespace
 
@@ -29,7 +30,8 @@ Profile::Profile(double flat, double corner, double taper, double radius)
 
 Profile::Profile(std::vector<Vec2> points) : points_(std::move(points)) {
   if (points_.size() < 2 || points_.front().x() != 0 || !(points_.back().x() > 0))
-    throw Error(ErrorKind::bad_input, "tool", "a profile begins on the axis and goes outwards: [[0, 0], ..., [radius, height]]");
+    throw Error(ErrorKind::bad_input, "tool",
+                "a profile begins on the axis and goes outwards: [[0, 0], ..., [radius, height]]");
   double lowest = points_[0].y();
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!points_[i].allFinite() || (i > 0 && points_[i].x() < points_[i - 1].x()))
@@ -72,7 +74,8 @@ double Profile::distance(double height) const {
     }
     return widest;
   }
-  if (height >= bend_height_) return taper_ > 0 ? std::min(radius_, bend_ + (height - bend_height_) * std::tan(taper_)) : radius_;
+  if (height >= bend_height_)
+    return taper_ > 0 ? std::min(radius_, bend_ + (height - bend_height_) * std::tan(taper_)) : radius_;
   const double below = corner_ - height;
   return std::min(radius_, flat_ + std::sqrt(std::max(0.0, corner_ * corner_ - below * below)));
 }
@@ -80,8 +83,9 @@ double Profile::distance(double height) const {
 FlatCornerCone Profile::closed_form() const {
   const double slope = taper_ > 0 ? 1 / std::tan(taper_) : 0;
   const auto number = [](double d) { return static_cast<float>(d); };
-  return {number(flat_), number(corner_), number(bend_ - flat_), taper_ > 0 ? number(bend_height_ - bend_ * slope) : -1e30F,
-          number(slope), points_.empty()};
+  return {number(flat_),         number(corner_),
+          number(bend_ - flat_), taper_ > 0 ? number(bend_height_ - bend_ * slope) : -1e30F,
+          number(slope),         points_.empty()};
 }
 
 Profile Profile::grown(double by) const {
@@ -113,7 +117,9 @@ ToolShape tool_shape_named(std::string_view name, const std::string& place) {
 }
 
 Profile Tool::profile() const {
-  const auto refuse = [&](const std::string& what) { return Error(ErrorKind::bad_input, fmt::format("tool {}", number), what); };
+  const auto refuse = [&](const std::string& what) {
+    return Error(ErrorKind::bad_input, fmt::format("tool {}", number), what);
+  };
   if (shape != ToolShape::profile && !(diameter > 0)) throw refuse("needs a diameter above 0");
   const auto half_angle = [&] {
     if (!(angle > 0) || !(angle < std::numbers::pi))

@@ -72,7 +72,9 @@ double quantity(const JsonFile& file, const Json& table, const char* key) {
   if (value.is_null()) return 0;
   if (value.is_number()) return file.number(table, key);
   const std::string text = value.is_string() ? value.get<std::string>() : "";
-  const auto wrong = [&] { return file.refuse(fmt::format("{} is '{:.40}': a number with a unit is wanted", key, text)); };
+  const auto wrong = [&] {
+    return file.refuse(fmt::format("{} is '{:.40}': a number with a unit is wanted", key, text));
+  };
   const char *at = text.data(), *const end = text.data() + text.size();
   const auto take = [&] {
     double number = 0;
@@ -169,7 +171,8 @@ std::optional<Tool> fusion_tool(const JsonFile& file, const Json& row) {
   if (tool.name.empty()) tool.name = type;
   tool.diameter = length("DC"), tool.flute = length("LCF"), tool.length = length("LB"), tool.shank = length("SFDM");
   tool.corner_radius = length("RE");
-  if (const double flutes = file.number(geometry, "NOF"); flutes > 0) tool.flutes = static_cast<int>(std::min(flutes, 100.0));
+  if (const double flutes = file.number(geometry, "NOF"); flutes > 0)
+    tool.flutes = static_cast<int>(std::min(flutes, 100.0));
   if (type == "flat end mill" || type == "slot mill" || type == "reamer" || type == "counter bore") {
     tool.shape = ToolShape::flat;
   } else if (type == "face mill") {
@@ -218,7 +221,8 @@ std::vector<Tool> read_tool_library(const std::filesystem::path& path) {
     throw file.refuse(fmt::format("no tool here is of the shape '{:.40}'", JsonFile::text(file.root(), "shape")));
   }
   const Json& rows = JsonFile::get(file.root(), "data");
-  if (!rows.is_array()) throw file.refuse("is no tool library: known are FreeCAD's .fctb and .fctl, and Fusion's .json");
+  if (!rows.is_array())
+    throw file.refuse("is no tool library: known are FreeCAD's .fctb and .fctl, and Fusion's .json");
   std::vector<Tool> tools;
   for (const Json& row : rows)
     if (auto tool = fusion_tool(file, row)) tools.push_back(std::move(*tool));

@@ -30,14 +30,16 @@ ToolPiece cutter(const Tool& tool, double length) {
     const double slope = std::tan(tool.angle / 2);  // radius per height
     if (!(slope > 0)) throw Error(ErrorKind::bad_input, "tool", fmt::format("tool {} needs an angle", tool.number));
     const double end = from + (r - from_radius) / slope;
-    piece.zones.push_back(frustum(from, from_radius, std::min(end, length), std::min(r, from_radius + (length - from) * slope)));
+    piece.zones.push_back(
+        frustum(from, from_radius, std::min(end, length), std::min(r, from_radius + (length - from) * slope)));
     reached = std::min(end, length);
   };
   if (tool.shape == ToolShape::ball) {
     piece.zones.push_back({Zone::Shape::ball, r, 0, r, 0, false, false});
     reached = r;
   } else if (tool.shape == ToolShape::bull && tool.corner_radius > 0) {
-    piece.zones.push_back({Zone::Shape::ring, tool.corner_radius, 0, r - tool.corner_radius, tool.corner_radius, false, false});
+    piece.zones.push_back(
+        {Zone::Shape::ring, tool.corner_radius, 0, r - tool.corner_radius, tool.corner_radius, false, false});
     reached = tool.corner_radius;
   } else if (tool.shape == ToolShape::v) {
     cone(0, tool.tip_diameter / 2);
@@ -117,7 +119,8 @@ std::vector<ToolPiece> convex_pieces(const std::vector<Vec2>& section, ToolRole 
     const Zone zone = frustum(a.y(), a.x(), b.y(), b.x());
     // The zone is joined to the piece below if the outline is convex there and has no step
     // outwards.
-    const bool convex = !pieces.empty() && slope <= last_slope + 1e-9 && std::abs(pieces.back().zones.back().r1 - a.x()) < 1e-9 &&
+    const bool convex = !pieces.empty() && slope <= last_slope + 1e-9 &&
+                        std::abs(pieces.back().zones.back().r1 - a.x()) < 1e-9 &&
                         std::abs(pieces.back().zones.back().z1 - a.y()) < 1e-9;
     if (convex)
       pieces.back().zones.push_back(zone);
@@ -149,10 +152,10 @@ ToolSolid tool_solid(const Tool& tool) {
     solid.pieces.push_back({ToolRole::shank, {frustum(length, shank, to_holder, shank)}});
   }
   if (tool.holder_diameter > 0)
-    solid.pieces.push_back(
-        {ToolRole::holder,
-         {frustum(to_holder, tool.holder_diameter / 2,
-                  to_holder + (tool.holder_length > 0 ? tool.holder_length : tool.holder_diameter), tool.holder_diameter / 2)}});
+    solid.pieces.push_back({ToolRole::holder,
+                            {frustum(to_holder, tool.holder_diameter / 2,
+                                     to_holder + (tool.holder_length > 0 ? tool.holder_length : tool.holder_diameter),
+                                     tool.holder_diameter / 2)}});
   return solid;
 }
 

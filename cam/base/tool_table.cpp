@@ -12,8 +12,8 @@
 namespace fieldfab::cam {
 
 Tool read_tool(const TomlTable& table, Tool tool) {
-  table.only({"library", "number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile", "flute",
-              "length", "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
+  table.only({"library", "number", "name", "shape", "diameter", "corner_radius", "angle", "tip_diameter", "profile",
+              "flute", "length", "shank", "holder_diameter", "holder_length", "flutes", "feed", "plunge", "spindle"});
   const auto get = [&](const char* key, double& into) {
     if (const auto value = table.number(key)) {
       if (!(*value >= 0) || !std::isfinite(*value))
@@ -26,8 +26,10 @@ Tool read_tool(const TomlTable& table, Tool tool) {
   if (const auto shape = table.text("shape")) tool.shape = tool_shape_named(*shape, table.place("shape"));
   get("diameter", tool.diameter), get("corner_radius", tool.corner_radius), get("tip_diameter", tool.tip_diameter);
   if (double angle = 0; table.has("angle")) get("angle", angle), tool.angle = to_radians(angle);
-  get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank), get("holder_diameter", tool.holder_diameter);
-  get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge), get("spindle", tool.spindle);
+  get("flute", tool.flute), get("length", tool.length), get("shank", tool.shank),
+      get("holder_diameter", tool.holder_diameter);
+  get("holder_length", tool.holder_length), get("feed", tool.feed), get("plunge", tool.plunge),
+      get("spindle", tool.spindle);
   tool.flutes = static_cast<int>(table.number("flutes").value_or(tool.flutes));
   for (const auto& row : table.rows("profile")) {
     if (row.size() != 2)
@@ -61,7 +63,8 @@ std::vector<Tool> tools_of_library(const TomlTable& table, const std::filesystem
   } else if (number) {
     std::erase_if(tools, [&](const Tool& tool) { return tool.number != *number; });
     if (tools.empty())
-      throw Error(ErrorKind::bad_input, table.place("number"), fmt::format("{} has no tool {:g}", path.string(), *number));
+      throw Error(ErrorKind::bad_input, table.place("number"),
+                  fmt::format("{} has no tool {:g}", path.string(), *number));
   } else {
     table.only({"library"});
     return tools;

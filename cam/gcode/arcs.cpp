@@ -28,7 +28,8 @@ double Interpreter::arc_length(const Vec2& from, const Vec2& to, const Vec2& cen
 
 /// Centre and number of turns of the block's arc, from I, J, K or R.
 Interpreter::Circle Interpreter::circle(const Vec2& from, const Vec2& to) const {
-  static constexpr std::array<std::array<char, 3>, 3> offset_letters{{{'i', 'j', 'k'}, {'k', 'i', 'j'}, {'j', 'k', 'i'}}};
+  static constexpr std::array<std::array<char, 3>, 3> offset_letters{
+      {{'i', 'j', 'k'}, {'k', 'i', 'j'}, {'j', 'k', 'i'}}};
   const auto& [first, second, other] = offset_letters[static_cast<std::size_t>(modes_.plane)];
   const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
   const int direction = code == 30 ? 1 : -1;
@@ -60,7 +61,8 @@ Interpreter::Circle Interpreter::circle(const Vec2& from, const Vec2& to) const 
       refuse("under G90.1 an arc needs {} and {}", static_cast<char>(first - 32), static_cast<char>(second - 32));
     circle.centre = {length(block_[first]), length(block_[second])};
   } else {
-    circle.centre = from + Vec2(block_.has(first) ? length(block_[first]) : 0, block_.has(second) ? length(block_[second]) : 0);
+    circle.centre =
+        from + Vec2(block_.has(first) ? length(block_[first]) : 0, block_.has(second) ? length(block_[second]) : 0);
   }
   const double begin = (circle.centre - from).norm(), end = (circle.centre - to).norm(), off = std::abs(begin - end);
   if (begin < radius_tolerance || end < radius_tolerance) refuse("an arc with a radius of 0");

@@ -30,7 +30,8 @@ void Interpreter::set_compensation() {
   }
   if (modes_.plane == ArcPlane::yz) refuse("cutter compensation is of the planes G17 and G18");
   no_compensation(g_name(code).c_str());
-  if (modes_.plane == ArcPlane::zx && frame_.rotation != 0) refuse("cutter compensation in G18 with a rotated coordinate system");
+  if (modes_.plane == ArcPlane::zx && frame_.rotation != 0)
+    refuse("cutter compensation in G18 with a rotated coordinate system");
   double radius = 0;
   if (code == 411 || code == 421) {
     if (!block_.has('d')) refuse("{} needs D, the tool's diameter", g_name(code));
@@ -109,7 +110,8 @@ void Interpreter::corner(const Vec2& at, const Vec2& heading, const Track& next,
       const Vec2 way = next.point - last.point;
       const double distance = way.norm();
       const double along =
-          distance > 0 ? (last.radius * last.radius - next.radius * next.radius + distance * distance) / (2 * distance) : 0;
+          distance > 0 ? (last.radius * last.radius - next.radius * next.radius + distance * distance) / (2 * distance)
+                       : 0;
       const double aside = last.radius * last.radius - along * along;
       if (distance < nowhere || aside < 0) unreachable();
       const Vec2 unit = way / distance;
@@ -173,7 +175,8 @@ void Interpreter::compensated_arc(const AxisValues& to, const Circle& circle) {
   motion.end = to;
   motion.turns = circle.turns;
   motion.centre = circle.centre;
-  feed_of(motion, from, std::hypot(arc_length(begin, end, circle.centre, circle.turns), to.at[axes.third] - from.at[axes.third]));
+  feed_of(motion, from,
+          std::hypot(arc_length(begin, end, circle.centre, circle.turns), to.at[axes.third] - from.at[axes.third]));
   comp.programmed = to;
   const Vec2 place = beside(end, arriving);
   if (!comp.entered) {

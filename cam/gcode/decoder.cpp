@@ -71,7 +71,8 @@ bool Decoder::forgive_line(Line& line) {
   Cursor cursor{text};
   skip_line_number(cursor);
   for (const std::string_view word : {"if[", "while[", "goto", "do", "end", "then"})
-    if (std::string_view(text).substr(cursor.at).starts_with(word)) refuse("macros (IF, WHILE, GOTO) are not carried out");
+    if (std::string_view(text).substr(cursor.at).starts_with(word))
+      refuse("macros (IF, WHILE, GOTO) are not carried out");
   return true;
 }
 
@@ -85,7 +86,8 @@ void Decoder::forgive_block(const Line& line, Block& block, int& motion_in_force
     plain_motion_ = motion;
   }
   const int action = block.code(GGroup::action);
-  if ((motion == 0 || motion == 10) && (action == 100 || action == 280 || action == 300 || action == 520 || action == 920)) {
+  if ((motion == 0 || motion == 10) &&
+      (action == 100 || action == 280 || action == 300 || action == 520 || action == 920)) {
     motion_in_force = motion;  // G0 G28 Z0: the axis words belong to G28
     motion = Block::none;
   }
@@ -116,7 +118,8 @@ void Decoder::check_words(const Block& block, int motion_in_force) const {
   const int used = motion_code != Block::none ? motion_code : axes && !takes_axes ? motion_in_force : 800;
   const bool cycle = used >= 730 && used <= 890 && used != 800 && used != 760;
   const bool arc = used == 20 || used == 30;
-  const int m_io = block.code(MGroup::in_out), m_stop = block.code(MGroup::stop), m_override = block.code(MGroup::override_);
+  const int m_io = block.code(MGroup::in_out), m_stop = block.code(MGroup::stop),
+            m_override = block.code(MGroup::override_);
   const int compensation = block.code(GGroup::compensation), length = block.code(GGroup::length);
   const bool user = block.code(MGroup::user) != Block::none;
   const auto need = [&](char letter, bool use) {
@@ -130,15 +133,16 @@ void Decoder::check_words(const Block& block, int motion_in_force) const {
   need('i', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
   need('j', arc || used == 50 || used == 51 || used == 760 || used == 870 || (action == 100));
   need('k', arc || used == 330 || used == 331 || used == 760 || used == 870);
-  need('l', cycle || action == 100 || compensation != Block::none || used == 52 || used == 760 || m_io == 66 || m_stop == 98);
+  need('l', cycle || action == 100 || compensation != Block::none || used == 52 || used == 760 || m_io == 66 ||
+                m_stop == 98);
   need('p', arc || cycle || action == 40 || action == 100 || used == 50 || used == 52 || used == 760 ||
                 block.code(GGroup::path) == 640 || m_override >= 50 || m_io != Block::none || m_stop == 98 || user ||
                 block.code(MGroup::spindle) == 19);
-  need('q', used == 50 || used == 730 || used == 760 || used == 830 || used == 870 || block.code(GGroup::path) == 640 || user ||
-                (m_io >= 66 && m_io <= 68) || action == 100 || block.code(MGroup::tool) == 61 ||
+  need('q', used == 50 || used == 730 || used == 760 || used == 830 || used == 870 || block.code(GGroup::path) == 640 ||
+                user || (m_io >= 66 && m_io <= 68) || action == 100 || block.code(MGroup::tool) == 61 ||
                 block.code(MGroup::spindle) == 19);
-  need('r',
-       arc || cycle || used == 760 || action == 100 || block.code(MGroup::spindle) == 19 || block.code(GGroup::rotation) == 680);
+  need('r', arc || cycle || used == 760 || action == 100 || block.code(MGroup::spindle) == 19 ||
+                block.code(GGroup::rotation) == 680);
   if (block.machine_coordinates && ((used != 0 && used != 10) || takes_axes)) {
     if (axes || motion_code != Block::none) refuse("G53 goes with G0 and G1 only");
   }

@@ -14,7 +14,9 @@ constexpr std::array<std::string_view, 4> names{"linuxcnc", "fanuc", "grbl", "ma
 
 std::string_view name_of(Dialect dialect) { return names[static_cast<std::size_t>(dialect)]; }
 
-Dialect dialect_named(std::string_view name, const std::string& place) { return named<Dialect>(name, names, "dialect", place); }
+Dialect dialect_named(std::string_view name, const std::string& place) {
+  return named<Dialect>(name, names, "dialect", place);
+}
 
 namespace gcode {
 

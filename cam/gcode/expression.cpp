@@ -112,7 +112,8 @@ double read_bracket(Cursor& cursor, const Parameters& parameters, int depth);
 
 /// Evaluates operators of rank `least` and above that follow the operand `left`. `next` receives
 /// the operator that ends the expression.
-double read_operations(Cursor& cursor, const Parameters& parameters, int depth, double left, int least, Operator& next) {
+double read_operations(Cursor& cursor, const Parameters& parameters, int depth, double left, int least,
+                       Operator& next) {
   while (rank(next) >= least && next != Operator::none) {
     const Operator op = next;
     double right = read_value(cursor, parameters, depth + 1);

@@ -15,8 +15,9 @@ constexpr std::size_t deepest_block = 1000;
 constexpr std::uintmax_t largest_file = 64U << 20;
 
 // A keyword must precede its own prefixes.
-constexpr std::array<std::string_view, 15> keywords{"endsub",   "sub",   "call", "return",    "elseif", "else",  "endif",   "if",
-                                                    "endwhile", "while", "do",   "endrepeat", "repeat", "break", "continue"};
+constexpr std::array<std::string_view, 15> keywords{"endsub", "sub",       "call",   "return",   "elseif",
+                                                    "else",   "endif",     "if",     "endwhile", "while",
+                                                    "do",     "endrepeat", "repeat", "break",    "continue"};
 
 }  // namespace
 
@@ -62,7 +63,9 @@ bool Flow::next(Line& line) {
 
 double Flow::share() const {
   const Position& position = calls_.empty() ? at_ : calls_.front().back;
-  return main_.text.empty() ? 1 : std::min(1.0, static_cast<double>(position.offset) / static_cast<double>(main_.text.size()));
+  return main_.text.empty()
+             ? 1
+             : std::min(1.0, static_cast<double>(position.offset) / static_cast<double>(main_.text.size()));
 }
 
 bool Flow::is_flow(const Line& line) {
@@ -247,7 +250,8 @@ void Flow::carry_out_loop(const Line& line, const Word& word) {
       open_.pop_back();
   } else {
     const Open* const open = find_open(label);
-    if (open == nullptr || open->kind == Kind::condition) refuse("{} o{} outside of such a loop", keyword, shown(label));
+    if (open == nullptr || open->kind == Kind::condition)
+      refuse("{} o{} outside of such a loop", keyword, shown(label));
     close_to(label, open->kind, keyword.c_str());
     if (keyword == "continue") return again(open_.back());
     const Kind kind = open_.back().kind;
@@ -274,7 +278,8 @@ std::optional<Position> Flow::find(const Source& source, Position from, const st
 const Source* Flow::open_file(const std::string& label) {
   const std::string name = label + ".ngc";
   if (const auto found = files_.find(name); found != files_.end()) return found->second.get();
-  if (label.find('/') != std::string::npos || label.find('\0') != std::string::npos || label.size() > 200) return nullptr;
+  if (label.find('/') != std::string::npos || label.find('\0') != std::string::npos || label.size() > 200)
+    return nullptr;
   for (const std::filesystem::path& folder : folders_) {
     std::error_code error;
     const std::filesystem::path path = folder / name;
@@ -292,7 +297,8 @@ void Flow::call(const Line& line, const Word& word) {
   std::vector<double> arguments;
   Cursor cursor{line.text, word.rest};
   while (!cursor.done()) {
-    if (cursor.peek() != '[') refuse("'{}' found where an argument in brackets should be", shown(line.text.substr(cursor.at)));
+    if (cursor.peek() != '[')
+      refuse("'{}' found where an argument in brackets should be", shown(line.text.substr(cursor.at)));
     arguments.push_back(read_value(cursor, parameters_));
     if (arguments.size() > 30) refuse("more than 30 arguments");
   }
@@ -312,8 +318,8 @@ void Flow::call(const Line& line, const Word& word) {
   enter(word.label, start, arguments, true, 1);
 }
 
-void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments, bool own_numbers,
-                 int repeats) {
+void Flow::enter(const std::string& label, const Position& start, const std::vector<double>& arguments,
+                 bool own_numbers, int repeats) {
   if (calls_.size() >= deepest_call) refuse("more than {} subroutines within each other", deepest_call);
   parameters_.enter(arguments, own_numbers);
   calls_.push_back({at_, start, std::move(open_), own_numbers, repeats, label});

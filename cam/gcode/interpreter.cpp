@@ -23,8 +23,8 @@ AxisValues in_degrees(AxisValues values) {
 
 }  // namespace
 
-Interpreter::Interpreter(std::string_view text, const std::string& file, const ReadingOptions& options, const MotionSink& sink,
-                         Progress& progress)
+Interpreter::Interpreter(std::string_view text, const std::string& file, const ReadingOptions& options,
+                         const MotionSink& sink, Progress& progress)
     : options_(options),
       sink_(sink),
       progress_(progress),

@@ -36,7 +36,8 @@ AxisValues Interpreter::target() const {
     double radius = std::hypot(from.at[0], from.at[1]), angle = std::atan2(from.at[1], from.at[0]);
     if (block_.has_angle && !block_.has_radius && radius == 0) refuse("^ without @ at the origin");
     if (block_.has_radius) radius = modes_.absolute ? length(block_.radius) : radius + length(block_.radius);
-    if (block_.has_angle) angle = modes_.absolute ? block_.angle * radians_per_degree : angle + block_.angle * radians_per_degree;
+    if (block_.has_angle)
+      angle = modes_.absolute ? block_.angle * radians_per_degree : angle + block_.angle * radians_per_degree;
     to.at[0] = radius * std::cos(angle);
     to.at[1] = radius * std::sin(angle);
   }
@@ -264,7 +265,8 @@ void Interpreter::send_chords(const Motion& arc) {
   const Vec2 begin = Vec2(from.at[axes.first], from.at[axes.second]) - arc.centre;
   const Vec2 end = Vec2(arc.end.at[axes.first], arc.end.at[axes.second]) - arc.centre;
   const double radius = begin.norm(), radius_end = end.norm();
-  const double sweep = arc_length(begin, end, Vec2::Zero(), arc.turns) / std::max(radius, 1e-9) * (arc.turns > 0 ? 1 : -1);
+  const double sweep =
+      arc_length(begin, end, Vec2::Zero(), arc.turns) / std::max(radius, 1e-9) * (arc.turns > 0 ? 1 : -1);
   const double step = 2 * std::acos(std::max(0.0, 1 - chord_tolerance / std::max(radius, chord_tolerance)));
   const int count = std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / std::max(step, 1e-4))), 1, 1'000'000);
   const double start_angle = std::atan2(begin.y(), begin.x());

@@ -205,7 +205,8 @@ void Interpreter::set_axis_offset() {
         break;
       default:
         parameters_.stored(number::offset_active) = 1;
-        for (int k = 0; k < 9; ++k) offset.at[static_cast<std::size_t>(k)] = parameters_.stored(number::axis_offset + k);
+        for (int k = 0; k < 9; ++k)
+          offset.at[static_cast<std::size_t>(k)] = parameters_.stored(number::axis_offset + k);
         break;
     }
     frame_.axis_offset = offset;
@@ -222,7 +223,8 @@ void Interpreter::turn_program() {
   if (!block_.has('r')) refuse("G68 needs R, the angle");
   const PlaneAxes axes = axes_of(modes_.plane);
   for (std::size_t k = 0; k < 9; ++k)
-    if (block_.has(letters[k]) && k != axes.first && k != axes.second) refuse("G68 turns about a point of the plane in force");
+    if (block_.has(letters[k]) && k != axes.first && k != axes.second)
+      refuse("G68 turns about a point of the plane in force");
   const AxisValues stand = frame_.axes(at_);
   change_frame([&] {
     frame_.turned.reset();

@@ -51,7 +51,8 @@ void Parameters::set(std::string_view name, double value) {
   if (name.empty()) refuse("a parameter between < and > needs a name");
   if (!std::isfinite(value)) refuse("#<{}> would be no finite number", shown(name));
   const bool global = name.starts_with('_');
-  if (global && predefined_.named(name)) refuse("#<{}> cannot be set: it follows from the machine's state", shown(name));
+  if (global && predefined_.named(name))
+    refuse("#<{}> cannot be set: it follows from the machine's state", shown(name));
   Names& names = global ? globals_ : locals_;
   const auto found = names.find(name);
   if (found != names.end()) {

@@ -24,7 +24,8 @@ class PredefinedParameters {
 /// Numbers of stored parameters with a meaning.
 namespace number {
 constexpr int probe_result = 5061, probe_success = 5070, first_home = 5161, second_home = 5181, offset_active = 5210,
-              axis_offset = 5211, coordinate_system = 5220, first_system = 5221, input_value = 5399, tool = 5400, count = 5603;
+              axis_offset = 5211, coordinate_system = 5220, first_system = 5221, input_value = 5399, tool = 5400,
+              count = 5603;
 /// First parameter of the coordinate system `index` (1 is G54, 9 is G59.3): origins of nine axes,
 /// then the rotation about z.
 constexpr int system_start(int index) { return first_system + 20 * (index - 1); }

@@ -35,7 +35,8 @@ class InstructionReader {
     if (!done() && text_[at_] == '!') instruction.mnemonic.push_back(text_[at_++]);
     if (done() || !letter(text_[at_])) refuse("'{}' found where an instruction should be", shown(text_.substr(at_)));
     const std::size_t count = instruction.mnemonic.empty() ? letters(upper(text_[at_])) : 2;
-    for (std::size_t i = 0; i < count && !done() && letter(text_[at_]); ++i) instruction.mnemonic.push_back(upper(text_[at_++]));
+    for (std::size_t i = 0; i < count && !done() && letter(text_[at_]); ++i)
+      instruction.mnemonic.push_back(upper(text_[at_++]));
     read_numbers(instruction);
     return true;
   }
@@ -57,7 +58,8 @@ class InstructionReader {
     std::size_t number = 0;
     while (!done() && !(text_[at_] >= 'A' && text_[at_] <= 'Z')) {
       const char c = text_[at_++];
-      number = c >= '0' && c <= '9' ? std::min<std::size_t>(number * 10 + static_cast<std::size_t>(c - '0'), 100'000) : number;
+      number = c >= '0' && c <= '9' ? std::min<std::size_t>(number * 10 + static_cast<std::size_t>(c - '0'), 100'000)
+                                    : number;
     }
     if (!done()) ++at_;
     if (data) at_ = std::min(text_.size(), at_ + number);  // number of bytes of data
@@ -83,8 +85,10 @@ class InstructionReader {
       if (!((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.')) return;
       if (c == '+') ++at_;
       double value = 0;
-      const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value, std::chars_format::fixed);
-      if (error != std::errc() || !std::isfinite(value)) refuse("'{}' found where a number should be", shown(text_.substr(at_)));
+      const auto [end, error] =
+          std::from_chars(text_.data() + at_, text_.data() + text_.size(), value, std::chars_format::fixed);
+      if (error != std::errc() || !std::isfinite(value))
+        refuse("'{}' found where a number should be", shown(text_.substr(at_)));
       at_ = static_cast<std::size_t>(end - text_.data());
       if (instruction.numbers.size() >= 1'000'000) refuse("an instruction with more than a million numbers");
       instruction.numbers.push_back(value);
@@ -147,9 +151,9 @@ class RmlReader {
       AxisValues home = machine_.at();
       home.at[0] = home.at[1] = 0;
       machine_.rapid(home);
-    } else if (name == "!ZZ" || name == "!XX" || name == "AA" || name == "AR" || name == "CI" || name == "I" || name == "R" ||
-               name == "A" || name == "EA" || name == "RA" || name == "ER" || name == "RR" || name == "!ZM" || name == "!ZO" ||
-               name == "!ZE") {
+    } else if (name == "!ZZ" || name == "!XX" || name == "AA" || name == "AR" || name == "CI" || name == "I" ||
+               name == "R" || name == "A" || name == "EA" || name == "RA" || name == "ER" || name == "RR" ||
+               name == "!ZM" || name == "!ZO" || name == "!ZE") {
       refuse("{} moves the machine, but is not known here", name);
     } else if (name != "IN" && name != "DF" && name != "!NR" && name != "SP" && name != "!ST") {
       machine_.notes.add(machine_.line, fmt::format("{} is passed over", shown(name)));
@@ -347,8 +351,8 @@ void check_tick(double tick) {
 }  // namespace
 }  // namespace gcode
 
-std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
-                                  const MotionSink& sink, Progress& progress) {
+std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                  double tick, const MotionSink& sink, Progress& progress) {
   gcode::SimpleMachine machine(file, options, sink, progress);
   return machine.run([&] {
     gcode::check_tick(tick);
@@ -363,8 +367,8 @@ std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file
   });
 }
 
-std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
-                                   double up, double down, const MotionSink& sink, Progress& progress) {
+std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                   double tick, double up, double down, const MotionSink& sink, Progress& progress) {
   gcode::SimpleMachine machine(file, options, sink, progress);
   return machine.run([&] {
     gcode::check_tick(tick);

@@ -147,7 +147,8 @@ class SbpReader {
     const std::size_t at = text.find_first_of("<>=");
     if (at == std::string_view::npos) return value(text) != 0;
     std::size_t length = 1;
-    while (at + length < text.size() && (text[at + length] == '=' || text[at + length] == '>' || text[at + length] == '<'))
+    while (at + length < text.size() &&
+           (text[at + length] == '=' || text[at + length] == '>' || text[at + length] == '<'))
       ++length;
     const std::string_view sign = text.substr(at, length);
     const double a = value(text.substr(0, at)), b = value(text.substr(at + length));
@@ -208,7 +209,8 @@ class SbpReader {
       return;
     }
     const double number = value(line);
-    if (variables_.size() >= most_variables && !variables_.contains(name)) refuse("more than {} variables", most_variables);
+    if (variables_.size() >= most_variables && !variables_.contains(name))
+      refuse("more than {} variables", most_variables);
     variables_[name] = number;
     if (name == "TOOL" && number >= 0 && number < 1e6 && static_cast<int>(number) != machine_.tool) {
       machine_.tool = static_cast<int>(number);
@@ -289,15 +291,15 @@ class SbpReader {
         if (const auto given = field(k)) place.at[k] = *given * scale(k);
       if (fields_.size() > 5) machine_.notes.add(machine_.line, "VA: what follows the five axes is passed over");
       machine_.call_it(place);
-    } else if (word == "CC" || word == "CR" || word == "CA" || word == "FP" || word == "ST" || word == "SV" || word == "FC" ||
-               word == "FG") {
+    } else if (word == "CC" || word == "CR" || word == "CA" || word == "FP" || word == "ST" || word == "SV" ||
+               word == "FC" || word == "FG") {
       refuse("{} moves the machine, but is not known here", word);
     } else if (first == 'C' && word.size() >= 2 && (digit(second) || second == '#' || second == 'N')) {
       machine_.notes.add(machine_.line, fmt::format("the macro {} of the control is passed over", shown(line)));
-    } else if (word == "JS" || word == "VR" || word == "VC" || word == "VU" || word == "VD" || word == "VL" || word == "VI" ||
-               word == "VO" || word == "VP" || word == "VN" || word == "SF" || word == "SW" || word == "SC" || word == "SM" ||
-               word == "SP" || word == "SL" || word == "ON" || word == "PRINT" || word == "MSGBOX" || word == "WRITE" ||
-               word == "OPEN" || word == "CLOSE" || word == "INPUT") {
+    } else if (word == "JS" || word == "VR" || word == "VC" || word == "VU" || word == "VD" || word == "VL" ||
+               word == "VI" || word == "VO" || word == "VP" || word == "VN" || word == "SF" || word == "SW" ||
+               word == "SC" || word == "SM" || word == "SP" || word == "SL" || word == "ON" || word == "PRINT" ||
+               word == "MSGBOX" || word == "WRITE" || word == "OPEN" || word == "CLOSE" || word == "INPUT") {
       if (word != "JS") machine_.notes.add(machine_.line, fmt::format("{} is passed over", word));
     } else {
       refuse("'{}' is not known here", shown(line));
@@ -309,7 +311,8 @@ class SbpReader {
   void straight(const std::string& word) {
     AxisValues to = machine_.at();
     const auto set = [&](std::size_t axis, std::size_t index) {
-      if (const auto given = field(index)) to.at[axis] = *given * scale(axis) + (relative_ ? machine_.at().at[axis] : 0);
+      if (const auto given = field(index))
+        to.at[axis] = *given * scale(axis) + (relative_ ? machine_.at().at[axis] : 0);
     };
     static constexpr std::string_view letters = "XYZABC";
     const char which = word[1];
@@ -415,9 +418,11 @@ class SbpReader {
     if ((start - Vec2(to.at[0], to.at[1])).norm() > 1e-6) {
       if (to.at[2] < 0)
         refuse(
-            "CP away from where the tool is, and the tool is below 0: the height that the control pulls up to is not known here");
-      machine_.notes.add(machine_.line,
-                         "CP: the control pulls up before it goes to the circle; the height that the tool has is taken");
+            "CP away from where the tool is, and the tool is below 0: the height that the control pulls up to is not "
+            "known here");
+      machine_.notes.add(
+          machine_.line,
+          "CP: the control pulls up before it goes to the circle; the height that the tool has is taken");
       to.at[0] = start.x(), to.at[1] = start.y();
       machine_.rapid(to);
     }
@@ -496,8 +501,8 @@ class SbpReader {
 }  // namespace
 }  // namespace gcode
 
-std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options, double unit,
-                                  const MotionSink& sink, Progress& progress) {
+std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                  double unit, const MotionSink& sink, Progress& progress) {
   gcode::SimpleMachine machine(file, options, sink, progress);
   return machine.run([&] {
     if (!(unit > 0)) gcode::refuse("a unit of {} mm", unit);

@@ -18,7 +18,11 @@ namespace fieldfab::cam::gcode {
 class SimpleMachine {
  public:
   SimpleMachine(std::string file, const ReadingOptions& options, const MotionSink& sink, Progress& progress)
-      : file_(std::move(file)), most_(options.most_blocks), origin_(options.work_offsets[0]), sink_(sink), progress_(progress) {
+      : file_(std::move(file)),
+        most_(options.most_blocks),
+        origin_(options.work_offsets[0]),
+        sink_(sink),
+        progress_(progress) {
     for (std::size_t k = 0; k < 9; ++k) at_.at[k] = options.start.at[k] - origin_.at[k];
   }
 

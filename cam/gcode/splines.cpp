@@ -13,7 +13,8 @@ constexpr std::size_t most_points = 100'000;
 /// Bisects a curve until three inner points are near enough to the chord. Calls `give` for the end
 /// of each piece.
 template <class Curve, class Give>
-void flatten(const Curve& curve, double from, const Vec2& begin, double to, const Vec2& end, int depth, const Give& give) {
+void flatten(const Curve& curve, double from, const Vec2& begin, double to, const Vec2& end, int depth,
+             const Give& give) {
   const Vec2 chord = end - begin;
   const double length = chord.norm();
   bool near = depth < deepest_halving - 2;  // at least four pieces
@@ -107,10 +108,13 @@ void Interpreter::nurbs_end() {
   nurbs_order_ = 0;
   control_points_.clear();
   modes_.motion = 800;
-  if (points.size() < order) refuse("a NURBS of order {} needs as many control points; there are {}", order, points.size());
+  if (points.size() < order)
+    refuse("a NURBS of order {} needs as many control points; there are {}", order, points.size());
   // Uniform knot vector with end knots of multiplicity equal to the order.
   const std::size_t spans = points.size() - order + 1;
-  const auto knot = [&](std::size_t i) { return i < order ? 0.0 : static_cast<double>(std::min(i - order + 1, spans)); };
+  const auto knot = [&](std::size_t i) {
+    return i < order ? 0.0 : static_cast<double>(std::min(i - order + 1, spans));
+  };
   std::vector<std::array<double, 3>> work(order);
   // de Boor's algorithm, in homogeneous coordinates
   const auto curve_in = [&](std::size_t span, double t) -> Vec2 {

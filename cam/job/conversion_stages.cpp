@@ -21,7 +21,8 @@ double cell_for(const Values& values, const Vec2& size, const Context& context) 
 }
 
 Setting cell_setting() {
-  return above_zero(number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
+  return above_zero(
+      number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
 }
 
 /// Contour of a slice. Squares are halved until no part is missed. If that fails, returns the
@@ -37,9 +38,9 @@ Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double 
   }
   if (left.lost == 0) missed = left;
   if (missed.any())
-    context.notes.push_back(
-        fmt::format("the outline {} parts narrower than {:.2g} mm, for example at x {:.2f}, y {:.2f}: give a smaller cell",
-                    missed.lost > 0 ? "lacks" : "may lack", cell, missed.place.x(), missed.place.y()));
+    context.notes.push_back(fmt::format(
+        "the outline {} parts narrower than {:.2g} mm, for example at x {:.2f}, y {:.2f}: give a smaller cell",
+        missed.lost > 0 ? "lacks" : "may lack", cell, missed.place.x(), missed.place.y()));
   return loops;
 }
 
@@ -47,11 +48,11 @@ Loops slice_of(const Solid& solid, const Rectangle& bounds, double cell, double 
 void note_doubtful(const Surface& surface, Context& context) {
   const Surface::Doubtful& doubtful = surface.doubtful();
   if (doubtful.count > 0)
-    context.notes.push_back(
-        fmt::format("at {} places something thinner than {:.2g} mm may stand, for example at x {:.2f}, y {:.2f} up to z {:.2f}: "
-                    "the tool stays above it",
-                    doubtful.count, surface.samples().cell / std::max(1, surface.fine_side() - 1), doubtful.place.x(),
-                    doubtful.place.y(), doubtful.place.z()));
+    context.notes.push_back(fmt::format(
+        "at {} places something thinner than {:.2g} mm may stand, for example at x {:.2f}, y {:.2f} up to z {:.2f}: "
+        "the tool stays above it",
+        doubtful.count, surface.samples().cell / std::max(1, surface.fine_side() - 1), doubtful.place.x(),
+        doubtful.place.y(), doubtful.place.z()));
 }
 
 Artifact outline_of_solid(const Artifact& in, const Values& values, Context& context) {
@@ -67,10 +68,12 @@ Artifact outline_of_solid(const Artifact& in, const Values& values, Context& con
     const auto surface = Surface::of(*solid.field, *solid.bounds, {cell, std::min(cell / 4, 0.02)}, context.progress);
     note_doubtful(*surface, context);
     const auto needle = std::make_shared<TipSurface>(surface, Profile(0, 0, 0, 1e-6));
-    loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)}, context.progress);
+    loops = contours(*TipSurface::field(needle), bounds.grown(cell), {cell, 0, -(surface->floor() + 1e-3)},
+                     context.progress);
   }
   if (loops.empty())
-    throw Error(ErrorKind::bad_input, "outline", fmt::format("there is nothing of the part at cells of {:.4g} mm", cell));
+    throw Error(ErrorKind::bad_input, "outline",
+                fmt::format("there is nothing of the part at cells of {:.4g} mm", cell));
   return Outline{outline_field(loops), bounds, cell};
 }
 
@@ -139,7 +142,8 @@ Artifact surface_of_image(const Artifact& in, const Values& values, Context&) {
 }  // namespace
 
 std::vector<Stage> conversion_stages() {
-  const Setting pixel = above_zero(number("pixel", "mm", unset, "size of a pixel; the default is what the picture says"));
+  const Setting pixel =
+      above_zero(number("pixel", "mm", unset, "size of a pixel; the default is what the picture says"));
   return {
       {"outline",
        "the part's outline: a slice, or its shadow from above",
@@ -154,7 +158,8 @@ std::vector<Stage> conversion_stages() {
        Kind::solid,
        Kind::surface,
        false,
-       {cell_setting(), above_zero(number("surface_tolerance", "mm", 0.01, "how far the surface kept may be from the part's"))},
+       {cell_setting(),
+        above_zero(number("surface_tolerance", "mm", 0.01, "how far the surface kept may be from the part's"))},
        surface_of_solid},
       {"threshold",
        "black and white",
@@ -164,7 +169,13 @@ std::vector<Stage> conversion_stages() {
        {pixel, between(0, 1, number("threshold", "", 0.5, "what is brighter is solid")),
         flag("invert", false, "what is darker is solid")},
        bitmap_of_image},
-      {"distance transform", "exact distances to the bitmap's edge", Kind::bitmap, Kind::outline, false, {}, outline_of_bitmap},
+      {"distance transform",
+       "exact distances to the bitmap's edge",
+       Kind::bitmap,
+       Kind::outline,
+       false,
+       {},
+       outline_of_bitmap},
       {"heights",
        "a height map as drawn",
        Kind::image,

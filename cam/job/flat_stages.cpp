@@ -16,7 +16,8 @@ Depths depths_of(const Values& values, const Box& stock) {
   d.top = is_set(values, "top") ? values.number("top") : stock.upper.z();
   d.bottom = is_set(values, "depth") ? d.top - values.number("depth") : stock.lower.z();
   if (is_set(values, "stepdown")) d.step = values.number("stepdown");
-  if (!(d.bottom < d.top)) throw Error(ErrorKind::bad_input, values.place("depth"), "give a depth, or a stock with a thickness");
+  if (!(d.bottom < d.top))
+    throw Error(ErrorKind::bad_input, values.place("depth"), "give a depth, or a stock with a thickness");
   return d;
 }
 
@@ -43,7 +44,8 @@ CutSettings cut_of(const Values& values, const Context& context, const Depths& d
 }
 
 double stepover_of(const Values& values, const Context& context) {
-  if (!(context.tool.diameter > 0)) throw Error(ErrorKind::bad_input, values.place("stepover"), "needs a tool with a diameter");
+  if (!(context.tool.diameter > 0))
+    throw Error(ErrorKind::bad_input, values.place("stepover"), "needs a tool with a diameter");
   return values.number("stepover") * context.tool.diameter;
 }
 
@@ -104,13 +106,15 @@ Artifact pocket_stage(const Artifact& in, const Values& values, Context& context
   cuts.paths = pocket(area, clear, cut, context.progress);
   cuts.ordered = clear.adaptive;
   for (const Vec2& place : left)
-    context.notes.push_back(fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left",
-                                        2 * cut.radius, place.x(), place.y()));
+    context.notes.push_back(
+        fmt::format("the tool of {:.4g} mm is too large for the pocket around x {:.2f}, y {:.2f}: it is left",
+                    2 * cut.radius, place.x(), place.y()));
   if (cuts.paths.empty())
     throw Error(ErrorKind::bad_input, "pocket",
-                left.empty() ? "there is nothing to clear"
-                             : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}",
-                                           2 * cut.radius, left[0].x(), left[0].y()));
+                left.empty()
+                    ? "there is nothing to clear"
+                    : fmt::format("the tool of {:.4g} mm fits into no pocket; the first is around x {:.2f}, y {:.2f}",
+                                  2 * cut.radius, left[0].x(), left[0].y()));
   if (!clear.adaptive) cuts.may_stay_down = within(area.distance, cut.radius + cut.allowance, 2.5 * clear.stepover);
   return cuts;
 }
@@ -137,8 +141,8 @@ Artifact v_carve_stage(const Artifact& in, const Values& values, Context& contex
   // The depth is limited by the tool's radius.
   depths.bottom = std::max(depths.bottom, depths.top - 0.5 * context.tool.diameter / std::tan(context.tool.angle / 2));
   PlannedCuts cuts;
-  cuts.paths =
-      v_carve(loops, context.tool.angle / 2, values.number("stepover"), cut_of(values, context, depths), context.progress);
+  cuts.paths = v_carve(loops, context.tool.angle / 2, values.number("stepover"), cut_of(values, context, depths),
+                       context.progress);
   cuts.inside_first = false;
   cuts.may_reverse = true;
   return cuts;
@@ -151,13 +155,17 @@ FieldPtr over_depth(FieldPtr area, const Values& values, const Box& stock) {
   if (const double bottom = depths_of(values, stock).bottom; bottom > stock.lower.z()) reach.lower.z() = bottom;
   return intersect(std::move(area), box_field(reach));
 }
-FieldPtr inside(const FieldPtr& drawing, const Values& values, const Box& stock) { return over_depth(drawing, values, stock); }
+FieldPtr inside(const FieldPtr& drawing, const Values& values, const Box& stock) {
+  return over_depth(drawing, values, stock);
+}
 FieldPtr outside(const FieldPtr& drawing, const Values& values, const Box& stock) {
   return over_depth(complement(drawing), values, stock);
 }
 FieldPtr at_side(const FieldPtr& drawing, const Values& values, const Box& stock) {
   const std::string& side = values.text("side");
-  return side == "outside" ? outside(drawing, values, stock) : side == "inside" ? inside(drawing, values, stock) : nullptr;
+  return side == "outside"  ? outside(drawing, values, stock)
+         : side == "inside" ? inside(drawing, values, stock)
+                            : nullptr;
 }
 
 }  // namespace
@@ -172,7 +180,8 @@ std::vector<Stage> flat_stages() {
                 only_with("tabs", above_zero(number("tab_height", "mm", 1, "height of a bridge")))} +
            depth_settings() + cut,
        profile_stage, at_side},
-      {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths, true,
+      {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths,
+       true,
        Settings{whole(at_least(-1, number("offsets", "", 4, "how many; -1 clears everything"))),
                 stepover_setting(0.5, "from one offset to the next")} +
            depth_settings(0.1) + cut,

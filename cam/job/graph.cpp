@@ -32,8 +32,9 @@ const Stage& operation(const std::string& name, const std::string& place) {
     if (stage.name == name) return stage;
     names.push_back(stage.name);
   }
-  throw Error(ErrorKind::bad_input, place,
-              fmt::format("there is no operation '{}'{} Known are {}", name, suggestion(name, names), fmt::join(names, ", ")));
+  throw Error(
+      ErrorKind::bad_input, place,
+      fmt::format("there is no operation '{}'{} Known are {}", name, suggestion(name, names), fmt::join(names, ", ")));
 }
 
 std::vector<const Stage*> chain(Kind from, const Stage& operation) {
@@ -52,7 +53,8 @@ std::vector<const Stage*> chain(Kind from, const Stage& operation) {
     throw Error(ErrorKind::bad_input, operation.name,
                 fmt::format("works on: {}; no stage leads there from: {}", name_of(operation.takes), name_of(from)));
   std::vector<const Stage*> found{&operation};
-  for (Kind kind = operation.takes; came_by[kind] != nullptr; kind = came_by[kind]->takes) found.push_back(came_by[kind]);
+  for (Kind kind = operation.takes; came_by[kind] != nullptr; kind = came_by[kind]->takes)
+    found.push_back(came_by[kind]);
   std::reverse(found.begin(), found.end());
   return found;
 }

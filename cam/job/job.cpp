@@ -25,7 +25,8 @@ std::string text_of(const Value& value) {
   return fmt::format("[{:.6g}]", fmt::join(std::get<std::vector<double>>(value), ", "));
 }
 
-LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, const Box& stock, const Material& material) {
+LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, const Box& stock,
+                           const Material& material) {
   LinkSettings s;
   const Values& v = op.values;
   const double radius = op.tool.diameter / 2;
@@ -43,7 +44,9 @@ LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, 
   s.entry = entry == "ramp" ? Entry::ramp : entry == "helix" ? Entry::helix : Entry::plunge;
   s.ramp_angle = to_radians(v.number("ramp_angle"));
   s.above = std::min(s.above, v.number("clearance"));
-  s.material = [&material, radius](const Path& path) { return material.highest(path.points.front().at.head<2>(), radius); };
+  s.material = [&material, radius](const Path& path) {
+    return material.highest(path.points.front().at.head<2>(), radius);
+  };
   s.may_stay_down = cuts.may_stay_down;
   return s;
 }
@@ -53,11 +56,13 @@ LinkSettings link_settings(const PlannedOperation& op, const PlannedCuts& cuts, 
 std::string Job::plan() const {
   std::string out = fmt::format("{}: {} -> {}\n", file_, name_of(static_cast<Kind>(input_.index())), machine_.name);
   for (const PlannedOperation& op : operations_) {
-    out += fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>((op.own_input ? *op.own_input : input_).index())));
+    out +=
+        fmt::format("\n{}: {}", op.name, name_of(static_cast<Kind>((op.own_input ? *op.own_input : input_).index())));
     for (const Stage* stage : op.stages) out += fmt::format(" -> [{}] -> {}", stage->name, name_of(stage->makes));
     out += fmt::format(" -> [order] -> [link] -> [{}]\n", machine_.name);
     for (const auto& [name, given] : op.values.given)
-      out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value), fmt::format("{} {}", given.from, given.place));
+      out += fmt::format("  {:<18} {:<14} {}\n", name, text_of(given.value),
+                         fmt::format("{} {}", given.from, given.place));
   }
   if (!machine_values_.given.empty()) out += fmt::format("\n{}\n", machine_.name);
   for (const auto& [name, given] : machine_values_.given)
@@ -166,11 +171,13 @@ class JobRunner {
     }
     if (op.plane.setup && op.plane.name != setup_)
       section.setup = fmt::format(
-          "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm below its "
+          "turn the stock so that its {} is up; zero is {:.3f} mm from its left, {:.3f} mm from its front, {:.3f} mm "
+          "below its "
           "top",
           op.plane.name, -stock.lower.x(), -stock.lower.y(), stock.upper.z());
     setup_ = op.plane.setup ? op.plane.name : "";
-    if (op.tool.diameter > 0) material.cut(cuts.leans > 0 ? upright(section.moves, op.tool) : section.moves, op.tool.profile());
+    if (op.tool.diameter > 0)
+      material.cut(cuts.leans > 0 ? upright(section.moves, op.tool) : section.moves, op.tool.profile());
     section.moves = placed(section.moves, op.plane, 0.005);
     report.paths = cuts.paths.size();
     report.length = lengths(section.moves);
@@ -189,25 +196,30 @@ class JobRunner {
     if (!may_be_too_deep(section.moves, op.tool, op.plane, job_.stock_)) return true;
     progress_.report(0, "deep cuts");
     if (!deep_cuts_)
-      deep_cuts_ = job_.saved_stock_ ? std::make_unique<DeepCuts>(*job_.saved_stock_) : std::make_unique<DeepCuts>(job_.stock_);
+      deep_cuts_ =
+          job_.saved_stock_ ? std::make_unique<DeepCuts>(*job_.saved_stock_) : std::make_unique<DeepCuts>(job_.stock_);
     for (; known_ < job_.program_.sections.size(); ++known_)
-      deep_cuts_->cut(job_.program_.sections[known_].moves, job_.program_.sections[known_].tool, frames_[known_], progress_);
+      deep_cuts_->cut(job_.program_.sections[known_].moves, job_.program_.sections[known_].tool, frames_[known_],
+                      progress_);
     BackedOut report;
-    section.moves = deep_cuts_->back_out(section.moves, op.tool, op.plane, op.values.number("plunge"), report, progress_);
+    section.moves =
+        deep_cuts_->back_out(section.moves, op.tool, op.plane, op.values.number("plunge"), report, progress_);
     if (report.holder)
       throw Error(
           ErrorKind::bad_input, op.values.place("type"),
-          fmt::format("{}: the holder of tool {} meets material at x {:.2f}, y {:.2f}, z {:.2f} of the tip; the tool reaches "
-                      "{:.4g} mm out of it",
-                      op.name, op.tool.number, report.holder->x(), report.holder->y(), report.holder->z(), op.tool.length));
+          fmt::format(
+              "{}: the holder of tool {} meets material at x {:.2f}, y {:.2f}, z {:.2f} of the tip; the tool reaches "
+              "{:.4g} mm out of it",
+              op.name, op.tool.number, report.holder->x(), report.holder->y(), report.holder->z(), op.tool.length));
     ++known_;
     if (report.length == 0) return true;
-    const Box at = op.plane.setup ? report.places : image_of(report.places, op.plane.axes, op.plane.axes * op.plane.origin);
-    job_.notes_.push_back(
-        fmt::format("{}: tool {} is too short with flutes of {:.4g} mm: along {:.0f} mm of its way it stays up to {:.2f} mm "
-                    "higher than planned; {:.3g} mm3 are left, between ({:.2f}, {:.2f}, {:.2f}) and ({:.2f}, {:.2f}, {:.2f})",
-                    op.name, op.tool.number, op.tool.flute, report.length, report.most, report.left, at.lower.x(), at.lower.y(),
-                    at.lower.z(), at.upper.x(), at.upper.y(), at.upper.z()));
+    const Box at =
+        op.plane.setup ? report.places : image_of(report.places, op.plane.axes, op.plane.axes * op.plane.origin);
+    job_.notes_.push_back(fmt::format(
+        "{}: tool {} is too short with flutes of {:.4g} mm: along {:.0f} mm of its way it stays up to {:.2f} mm "
+        "higher than planned; {:.3g} mm3 are left, between ({:.2f}, {:.2f}, {:.2f}) and ({:.2f}, {:.2f}, {:.2f})",
+        op.name, op.tool.number, op.tool.flute, report.length, report.most, report.left, at.lower.x(), at.lower.y(),
+        at.lower.z(), at.upper.x(), at.upper.y(), at.upper.z()));
     return false;
   }
 
@@ -242,7 +254,9 @@ class JobRunner {
   void join_planes() {
     auto& sections = job_.program_.sections;
     const Kinematics& k = job_.machine_.kinematics;
-    const auto arm = [&](const Section& s) { return k.kind == Kinematics::Kind::table_table ? 0.0 : k.pivot + s.tool.length; };
+    const auto arm = [&](const Section& s) {
+      return k.kind == Kinematics::Kind::table_table ? 0.0 : k.pivot + s.tool.length;
+    };
     const auto high = [&](const Section& s, const Move& near) {
       return Move{{near.to.x(), near.to.y(), job_.stock_.upper.z() + s.tool.length + 50}, 0, 0, Vec3::UnitZ()};
     };
@@ -298,8 +312,9 @@ void Job::write(const std::filesystem::path& path, Progress& progress) const {
       return write_png(render(*part->field, *part->bounds, settings, progress), path);
     }
     const double longest = part->bounds->size().maxCoeff(), voxel = machine_values_.number("voxel");
-    return write_mesh(contour(*part->field, part->bounds->grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress),
-                      path, progress);
+    return write_mesh(
+        contour(*part->field, part->bounds->grown(longest / 64), {voxel > 0 ? voxel : longest / 200}, progress), path,
+        progress);
   }
   std::string text;
   try {

@@ -21,19 +21,22 @@ namespace fieldfab::cam {
 namespace {
 
 Vec3 vector_of(const TomlTable& table, const std::string& key, std::size_t from, const std::vector<double>& list) {
-  if (list.size() < from + 3) throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
+  if (list.size() < from + 3)
+    throw Error(ErrorKind::bad_input, table.place(key), fmt::format("{} has too few numbers", key));
   return {list[from], list[from + 1], list[from + 2]};
 }
 
 Solid moved(const Solid& solid, const Vec3& by) {
-  return solid_of(translate(solid.field, by), "part", Box{solid.bounds->lower + by, solid.bounds->upper + by}, solid.flat);
+  return solid_of(translate(solid.field, by), "part", Box{solid.bounds->lower + by, solid.bounds->upper + by},
+                  solid.flat);
 }
 
 }  // namespace
 
 class JobReader {
  public:
-  JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress, const Formats& formats)
+  JobReader(std::string_view toml, const std::filesystem::path& path, FieldPtr part, Progress& progress,
+            const Formats& formats)
       : path_(path),
         progress_(progress),
         formats_(formats),
@@ -76,9 +79,11 @@ class JobReader {
     if (!job_.material_.empty() && !machine.materials.contains(job_.material_)) {
       std::vector<std::string> known;
       for (const auto& [name, values] : machine.materials) known.push_back(name);
-      throw refuse(table_, "material",
-                   fmt::format("{} has no defaults for '{}'{}{}", machine.name, job_.material_, suggestion(job_.material_, known),
-                               known.empty() ? "; it has none at all" : fmt::format("; it knows {}", fmt::join(known, ", "))));
+      throw refuse(
+          table_, "material",
+          fmt::format("{} has no defaults for '{}'{}{}", machine.name, job_.material_,
+                      suggestion(job_.material_, known),
+                      known.empty() ? "; it has none at all" : fmt::format("; it knows {}", fmt::join(known, ", "))));
     }
     const auto own = table_.table("setting");
     if (own) {
@@ -92,7 +97,8 @@ class JobReader {
       if (const auto* value = material_value(setting.name))
         given = {checked(setting, *value, material_place), "material " + job_.material_, ""};
       if (own && own->has(setting.name))
-        given = {checked(setting, *own->value(setting.name), own->place(setting.name)), "job", own->place(setting.name)};
+        given = {checked(setting, *own->value(setting.name), own->place(setting.name)), "job",
+                 own->place(setting.name)};
       job_.machine_values_.given[setting.name] = given;
     }
   }
@@ -107,8 +113,8 @@ class JobReader {
   void read_input() {
     const auto input = table_.table("input");
     if (!input) throw refuse(table_, "", "a job needs an [input] with a model or an image");
-    input->only({"model", "models", "part", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold", "zero",
-                 "sheet", "gap"});
+    input->only({"model", "models", "part", "image", "scale", "rotate", "move", "bounds", "thickness", "threshold",
+                 "zero", "sheet", "gap"});
     if (const auto image = input->text("image")) {
       if (input->has("model")) throw refuse(*input, "image", "an input is a model or an image, not both");
       job_.input_ = read_png(beside(*image));
@@ -149,7 +155,8 @@ class JobReader {
     if (found.empty) throw refuse(input, "model", fmt::format("{}: the solid is empty", name));
     const bool flat = found.bounded[0] && found.bounded[1] && !found.bounded[2];
     if (!flat && !found.is_bounded())
-      throw refuse(input, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+      throw refuse(input, "model",
+                   fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
     Box box = found.box;
     if (flat) box.lower.z() = box.upper.z() = 0;
     return solid_of(field, "part", box, flat);
@@ -160,7 +167,8 @@ class JobReader {
     const auto name = input.text("model");
     std::vector<std::string> names = input.texts("models");
     if (given_) {
-      if (name || !names.empty()) throw refuse(input, name ? "model" : "models", "the part is given: the input names none");
+      if (name || !names.empty())
+        throw refuse(input, name ? "model" : "models", "the part is given: the input names none");
       return read_model(input, "");
     }
     if (name.has_value() == !names.empty())
@@ -174,7 +182,8 @@ class JobReader {
     }
     Solid all = parts[0];
     for (std::size_t i = 1; i < parts.size(); ++i)
-      all = solid_of(unite(all.field, parts[i].field), "part", hull(*all.bounds, *parts[i].bounds), all.flat && parts[i].flat);
+      all = solid_of(unite(all.field, parts[i].field), "part", hull(*all.bounds, *parts[i].bounds),
+                     all.flat && parts[i].flat);
     return all;
   }
 
@@ -234,7 +243,8 @@ class JobReader {
         job_.saved_stock_ = std::make_shared<const Stock>(cam::read_stock(beside(*file)));
         stock = job_.saved_stock_->lattice().box();
       }
-      if (!stock.valid()) throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
+      if (!stock.valid())
+        throw refuse(*table, "", "the stock has no size: its lower corner is not below its upper one");
     }
     // A beam or a blade cuts through any thickness.
     if (job_.machine_.takes == MachineInput::flat_paths && stock.size().z() == 0) stock.lower.z() -= 1;
@@ -248,8 +258,9 @@ class JobReader {
       if ((bounds.upper - held.upper).maxCoeff() > loose || (held.lower - bounds.lower).head<2>().maxCoeff() > loose)
         throw refuse(
             table_, "stock",
-            fmt::format("the part (to x {:.6g}, y {:.6g}, z {:.6g}) sticks out of the stock (to {:.6g}, {:.6g}, {:.6g})",
-                        bounds.upper.x(), bounds.upper.y(), bounds.upper.z(), held.upper.x(), held.upper.y(), held.upper.z()));
+            fmt::format(
+                "the part (to x {:.6g}, y {:.6g}, z {:.6g}) sticks out of the stock (to {:.6g}, {:.6g}, {:.6g})",
+                bounds.upper.x(), bounds.upper.y(), bounds.upper.z(), held.upper.x(), held.upper.y(), held.upper.z()));
       job_.stock_.upper = job_.stock_.upper.cwiseMax(bounds.upper);
       bounds.lower = bounds.lower.cwiseMin(stock.lower);
       bounds.upper.head<2>() = bounds.upper.head<2>().cwiseMax(stock.upper.head<2>());
@@ -262,7 +273,8 @@ class JobReader {
     const MachineInput takes = job_.machine_.takes;
     if (takes != MachineInput::paths && takes != MachineInput::flat_paths) {
       if (!tables.empty())
-        throw refuse(tables[0], "", fmt::format("{} takes a {}: it has no operations", job_.machine_.name, name_of(takes)));
+        throw refuse(tables[0], "",
+                     fmt::format("{} takes a {}: it has no operations", job_.machine_.name, name_of(takes)));
       return;
     }
     if (tables.empty()) {
@@ -275,9 +287,10 @@ class JobReader {
     std::vector<std::string> seen;
     for (const PlannedOperation& op : job_.operations_)
       if (std::find(seen.begin(), seen.end(), op.plane.name) == seen.end()) seen.push_back(op.plane.name);
-    std::stable_sort(job_.operations_.begin(), job_.operations_.end(), [&](const PlannedOperation& a, const PlannedOperation& b) {
-      return std::find(seen.begin(), seen.end(), a.plane.name) < std::find(seen.begin(), seen.end(), b.plane.name);
-    });
+    std::stable_sort(
+        job_.operations_.begin(), job_.operations_.end(), [&](const PlannedOperation& a, const PlannedOperation& b) {
+          return std::find(seen.begin(), seen.end(), a.plane.name) < std::find(seen.begin(), seen.end(), b.plane.name);
+        });
   }
 
   [[nodiscard]] Tool tool_for(const TomlTable& table) const {
@@ -328,8 +341,8 @@ class JobReader {
                    fmt::format("feed is {:.6g}; {} goes no faster than {:.6g} mm/min", feed, job_.machine_.name, most));
     if (job_.machine_.max_spindle > 0 && op.values.number("spindle") > job_.machine_.max_spindle)
       throw refuse(table, "spindle",
-                   fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"), job_.machine_.name,
-                               job_.machine_.max_spindle));
+                   fmt::format("spindle is {:.6g}; {} turns at {:.6g} at most", op.values.number("spindle"),
+                               job_.machine_.name, job_.machine_.max_spindle));
     std::vector<Plane> planes = planes_of(op.values);
     const bool by_hand = job_.machine_.kinematics.kind == Kinematics::Kind::none;
     const bool leans = op.values.has("lean") && op.values.flag("lean");
@@ -349,9 +362,10 @@ class JobReader {
     const bool tilts = leans || std::any_of(planes.begin(), planes.end(), [](const Plane& p) { return !p.is_top(); });
     if (tilts && !by_hand && job_.machine_.kinematics.kind != Kinematics::Kind::table_table && !(op.tool.length > 0) &&
         !job_.machine_.kinematics.tip_mode)
-      throw refuse(table, "tool",
-                   fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away",
-                               op.tool.number, job_.machine_.name));
+      throw refuse(
+          table, "tool",
+          fmt::format("tool {} needs a length (from tip to holder): {} turns its head about a point that far away",
+                      op.tool.number, job_.machine_.name));
     const std::string name = op.name;
     for (const Plane& plane : planes) {
       if (job_.machine_.kinematics.kind == Kinematics::Kind::head_head && plane.axes.col(2).z() < -1e-9)

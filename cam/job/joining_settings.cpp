@@ -13,12 +13,14 @@ Settings joining_settings() {
       above_zero(number("link_feed", "mm/min", unset, "through what is cut already; the default is the feed")),
       choice("entry", {"plunge", "ramp", "helix"}, "how closed paths are entered"),
       between(0.1, 45, number("ramp_angle", "degrees", 3, "of ramps and helices")),
-      choice("plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},
-             "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot "
-             "tilt stops for turning the part by hand"),
+      choice(
+          "plane", {"top", "bottom", "front", "back", "left", "right", "five", "view", "stepped"},
+          "cut from: one face, the five visible ones, as seen (alpha, beta), or in even steps; a machine that cannot "
+          "tilt stops for turning the part by hand"),
       only_with("plane", number("alpha", "degrees", 0, "of a view: the part's turn about z"), {"view"}),
       only_with("plane", between(0, 180, number("beta", "degrees", 0, "of a view: then about x")), {"view"}),
-      only_with("plane", whole(between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))), {"stepped"})};
+      only_with("plane", whole(between(2, 37, number("steps", "", 3, "of stepped planes: how many a half turn"))),
+                {"stepped"})};
 }
 
 }  // namespace fieldfab::cam

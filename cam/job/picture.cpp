@@ -98,7 +98,8 @@ Image rasterised(const Drawing& drawing, int size) {
   image.pixels8.assign(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3, 255);
   const auto blot = [&](int x, int y, double cover, const Colour& colour) {
     if (x < 0 || y < 0 || x >= image.width || y >= image.height || cover <= 0) return;
-    const std::size_t i = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3;
+    const std::size_t i =
+        (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) * 3;
     for (std::size_t k = 0; k < 3; ++k)
       image.pixels8[i + k] =
           static_cast<std::uint8_t>(std::lround(image.pixels8[i + k] + cover * (colour[k] - image.pixels8[i + k])));
@@ -111,11 +112,13 @@ Image rasterised(const Drawing& drawing, int size) {
     const double low = std::min(a[axis], b[axis]), high = std::max(a[axis], b[axis]);
     for (int u = static_cast<int>(std::floor(low)); u <= static_cast<int>(std::floor(high)); ++u) {
       const double along = std::clamp(u + 0.5, low, high);
-      const double t = std::abs(way[axis]) > 1e-12 ? (along - a[axis]) / way[axis] : 0, across = a[1 - axis] + t * way[1 - axis];
+      const double t = std::abs(way[axis]) > 1e-12 ? (along - a[axis]) / way[axis] : 0,
+                   across = a[1 - axis] + t * way[1 - axis];
       for (int v = static_cast<int>(std::floor(across)) - 1; v <= static_cast<int>(std::floor(across)) + 1; ++v) {
         const double off = std::abs(v + 0.5 - across) * (length > 0 ? std::abs(way[axis]) / length : 1),
                      cover = std::clamp((line.rapid ? 0.85 : 1.15) - off, 0.0, 1.0) * (line.rapid ? 0.6 : 0.9);
-        axis == 0 ? blot(u, image.height - 1 - v, cover, line.colour) : blot(v, image.height - 1 - u, cover, line.colour);
+        axis == 0 ? blot(u, image.height - 1 - v, cover, line.colour)
+                  : blot(v, image.height - 1 - u, cover, line.colour);
       }
     }
   }
@@ -126,7 +129,8 @@ std::string as_svg(const Drawing& drawing) {
   const Vec2 size = drawing.bounds.size();
   const double width = size.maxCoeff() / 1200;
   std::string out = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" stroke-linecap=\"round\" fill=\"none\">\n<rect "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.4f} {:.4f}\" stroke-linecap=\"round\" "
+      "fill=\"none\">\n<rect "
       "width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       size.x(), size.y());
   const auto x = [&](const Vec2& p) { return p.x() - drawing.bounds.lower.x(); };
@@ -142,8 +146,8 @@ std::string as_svg(const Drawing& drawing) {
       if (open) out += "\"/>\n";
       colour = line.colour;
       out += fmt::format("<path stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{:.4f}\" d=\"M{:.3f} {:.3f}",
-                         std::lround(colour[0]), std::lround(colour[1]), std::lround(colour[2]), line.rapid ? 0.6 * width : width,
-                         x(line.from), y(line.from));
+                         std::lround(colour[0]), std::lround(colour[1]), std::lround(colour[2]),
+                         line.rapid ? 0.6 * width : width, x(line.from), y(line.from));
       open = true;
     }
     out += fmt::format("L{:.3f} {:.3f}", x(line.to), y(line.to));

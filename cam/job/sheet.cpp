@@ -51,11 +51,12 @@ Solid lay_on_sheet(const std::vector<Solid>& parts, const Vec2& sheet, double ga
     const Vec3 size = part.bounds->size();
     if (x > 0 && x + size.x() > sheet.x()) x = 0, y += row + gap, row = 0;
     if (x + size.x() > sheet.x() || y + size.y() > sheet.y())
-      throw Error(ErrorKind::bad_input, "sheet",
-                  fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
+      throw Error(
+          ErrorKind::bad_input, "sheet",
+          fmt::format("{} parts do not fit on a sheet of {:.4g} x {:.4g} mm", parts.size(), sheet.x(), sheet.y()));
     // Clipped to its own bounds, because a formula may define other solids elsewhere.
-    const FieldPtr placed =
-        translate(intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
+    const FieldPtr placed = translate(
+        intersect(part.field, box_field({{-1e-3, -1e-3, -1}, {size.x() + 1e-3, size.y() + 1e-3, 1}})), {x, y, 0});
     all = all ? unite(all, placed) : placed;
     x += size.x() + gap;
     row = std::max(row, size.y());

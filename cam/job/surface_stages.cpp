@@ -87,7 +87,8 @@ FinishSettings finish_of(const Values& values, const Context& context, const Sur
 }
 
 /// Joins paths if the tool may move straight from one to the next.
-std::vector<Path> joined(const std::vector<Path>& paths, const std::function<bool(const Vec3&, const Vec3&)>& may_go_on) {
+std::vector<Path> joined(const std::vector<Path>& paths,
+                         const std::function<bool(const Vec3&, const Vec3&)>& may_go_on) {
   std::vector<Path> out;
   for (const Path& path : paths) {
     if (path.points.empty()) continue;
@@ -115,27 +116,31 @@ void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Conte
   settings.clearance = values.number("body_clearance");
   settings.tolerance = values.number("tolerance");
   TiltReport report;
-  cuts.paths = tilted(joined(cuts.paths, cuts.may_stay_down), tips, tool, context.plane, context.space(), settings, report,
-                      context.progress);
+  cuts.paths = tilted(joined(cuts.paths, cuts.may_stay_down), tips, tool, context.plane, context.space(), settings,
+                      report, context.progress);
   cuts.leans = settings.most;
   cuts.may_stay_down = nullptr;
   if (report.otherwise > 1)
-    context.notes.push_back(fmt::format(
-        "the tool leans less than asked for, or elsewhere, along {:.0f} mm: it would touch the part", report.otherwise));
+    context.notes.push_back(
+        fmt::format("the tool leans less than asked for, or elsewhere, along {:.0f} mm: it would touch the part",
+                    report.otherwise));
   if (report.left_out > 1)
-    context.notes.push_back(fmt::format(
-        "{:.0f} mm of the paths are left out: shank or holder would touch the part however the tool leans", report.left_out));
+    context.notes.push_back(
+        fmt::format("{:.0f} mm of the paths are left out: shank or holder would touch the part however the tool leans",
+                    report.left_out));
 }
 
 Settings lean_settings() {
   return {flag("lean", false, "the tool leans along with the surface: five axes at once"),
-          only_with("lean", between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal"))),
+          only_with("lean",
+                    between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal"))),
           only_with("lean", between(1, 85, number("most_lean", "degrees", 60, "against the plane's z"))),
           only_with("lean", above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part")))};
 }
 
 /// Whether the tool may move straight over the surface to the next pass.
-std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest, double tolerance) {
+std::function<bool(const Vec3&, const Vec3&)> over(std::shared_ptr<const TipSurface> tips, double longest,
+                                                   double tolerance) {
   return [tips = std::move(tips), longest, tolerance](const Vec3& from, const Vec3& to) {
     const double length = (to - from).head<2>().norm();
     if (length > longest) return false;
@@ -207,8 +212,8 @@ Artifact waterline_stage(const Artifact& in, const Values& values, Context& cont
   cut.depths = depths_of(values, context, *surface);
   const auto tips = std::make_shared<TipSurface>(surface, context.tool.profile(), values.number("allowance"));
   PlannedCuts cuts;
-  cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius), std::max(surface->samples().cell, cut.radius / 20),
-                         cut, context.progress);
+  cuts.paths = waterline(tips, Rectangle::of(context.stock).grown(cut.radius),
+                         std::max(surface->samples().cell, cut.radius / 20), cut, context.progress);
   if (values.flag("rest")) leave_out_reached(cuts, values, tips, context), cuts.finished = nullptr;
   lean(cuts, values, *tips, context);
   return cuts;
@@ -266,7 +271,8 @@ std::vector<Stage> surface_stages() {
        Kind::paths,
        true,
        {between(5, 120, number("least_angle", "degrees", 20, "between the two sides")),
-        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance, tolerance},
+        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
+        tolerance},
        pencil_stage},
   };
 }

@@ -49,12 +49,13 @@ std::vector<Run> runs_of(const Program& program) {
 
 std::string write_dxf(const Program& program) {
   // Polylines of AutoCAD R12, which every reader supports; lengths in mm.
-  std::string out = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+  std::string out =
+      "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
   for (const Run& run : runs_of(program)) {
     out += fmt::format("0\nPOLYLINE\n8\n0\n66\n1\n10\n0.0\n20\n0.0\n30\n0.0\n70\n{}\n", run.closed ? 1 : 0);
     for (const PathPoint& p : run.points)
-      out += fmt::format("0\nVERTEX\n8\n0\n10\n{}\n20\n{}\n30\n0.0\n42\n{}\n", number_text(p.at.x(), 6), number_text(p.at.y(), 6),
-                         number_text(p.bulge, 9));
+      out += fmt::format("0\nVERTEX\n8\n0\n10\n{}\n20\n{}\n30\n0.0\n42\n{}\n", number_text(p.at.x(), 6),
+                         number_text(p.at.y(), 6), number_text(p.bulge, 9));
     out += "0\nSEQEND\n8\n0\n";
   }
   return out + "0\nENDSEC\n0\nEOF\n";
@@ -74,12 +75,12 @@ std::string write_svg(const Program& program) {
   // In SVG y points down.
   const auto x = [&](double at) { return number_text(at - box.lower.x(), 5); };
   const auto y = [&](double at) { return number_text(box.upper.y() - at, 5); };
-  std::string out =
-      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-                  number_text(size.x(), 5), number_text(size.y(), 5));
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
+      number_text(size.x(), 5), number_text(size.y(), 5));
   for (const Run& run : runs) {
-    out += fmt::format("<path fill=\"none\" stroke=\"#ff0000\" stroke-width=\"0.01\" d=\"M{} {}", x(run.points[0].at.x()),
-                       y(run.points[0].at.y()));
+    out += fmt::format("<path fill=\"none\" stroke=\"#ff0000\" stroke-width=\"0.01\" d=\"M{} {}",
+                       x(run.points[0].at.x()), y(run.points[0].at.y()));
     const std::size_t n = run.points.size();
     for (std::size_t i = 0; i + (run.closed ? 0 : 1) < n; ++i) {
       const PathPoint &a = run.points[i], &b = run.points[(i + 1) % n];

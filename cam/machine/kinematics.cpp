@@ -12,7 +12,9 @@
 namespace fieldfab::cam {
 namespace {
 
-Eigen::Matrix3d turn(const RotaryAxis& axis, double angle) { return Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix(); }
+Eigen::Matrix3d turn(const RotaryAxis& axis, double angle) {
+  return Eigen::AngleAxisd(angle, axis.direction).toRotationMatrix();
+}
 
 /// Rotation about an axis through a point.
 Eigen::Isometry3d turn_about(const RotaryAxis& axis, double angle, const Vec3& point) {
@@ -59,7 +61,8 @@ std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) cons
   // axis = Outer(p) Inner(q) z with directions o and i, and signs according to the kind.
   const bool head_outer = k_.kind == Kinematics::Kind::head_head;
   const bool single = k_.axes.size() == 1;
-  const Vec3 inner = single || head_outer ? (single ? k_.axes[0].direction : k_.axes[1].direction) : k_.axes[0].direction;
+  const Vec3 inner =
+      single || head_outer ? (single ? k_.axes[0].direction : k_.axes[1].direction) : k_.axes[0].direction;
   const Vec3 outer = single ? Vec3(Vec3::UnitZ()) : head_outer ? k_.axes[0].direction : k_.axes[1].direction;
   // The outer rotation keeps the component along its own direction: o . axis = o . Inner(q) z.
   const Vec3 z = Vec3::UnitZ();
@@ -81,7 +84,8 @@ std::vector<std::array<double, 2>> PoseSolver::angles_for(const Vec3& axis) cons
   return found;
 }
 
-AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const {
+AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length,
+                           const std::optional<AxisPose>& last) const {
   if (!tilts() && (axis - Vec3::UnitZ()).norm() > 1e-9)
     throw Error(ErrorKind::bad_input, "machine", "this machine cannot tilt the tool");
   const std::array<double, 2> from = last ? last->angles : std::array<double, 2>{0, 0};
@@ -103,7 +107,8 @@ AxisPose PoseSolver::solve(const Vec3& tip, const Vec3& axis, double length, con
   }
   if (!best)
     throw Error(ErrorKind::bad_input, "machine",
-                fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(), -axis.z()));
+                fmt::format("the machine cannot point its tool along ({:.4g}, {:.4g}, {:.4g})", -axis.x(), -axis.y(),
+                            -axis.z()));
   for (double& angle : *best)
     if (std::abs(angle) < 1e-12) angle = 0;
   return {position(tip, *best, length), *best};
@@ -122,10 +127,12 @@ Eigen::Isometry3d PoseSolver::table(const std::array<double, 2>& angles) const {
 /// Displacement of a tool's tip by a head's rotations, relative to the vertical tool.
 Vec3 PoseSolver::swing(const std::array<double, 2>& angles, double length) const {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
-  const std::size_t of_head = k_.kind == Kinematics::Kind::head_head ? 2 : k_.kind == Kinematics::Kind::head_table ? 1 : 0;
+  const std::size_t of_head = k_.kind == Kinematics::Kind::head_head    ? 2
+                              : k_.kind == Kinematics::Kind::head_table ? 1
+                                                                        : 0;
   for (std::size_t i = 0; i < std::min(of_head, k_.axes.size()); ++i)
-    turned =
-        turned * turn_about(k_.axes[i], angles[i], k_.axes[i].centre.value_or(k_.pivot * Vec3::UnitZ()) + length * Vec3::UnitZ());
+    turned = turned * turn_about(k_.axes[i], angles[i],
+                                 k_.axes[i].centre.value_or(k_.pivot * Vec3::UnitZ()) + length * Vec3::UnitZ());
   return turned.translation();
 }
 

@@ -25,7 +25,8 @@ class PoseSolver {
   /// Axis values for a tip at `tip` with the tool along `axis` (from the tip towards the spindle),
   /// `length` mm from tip to gauge line. Of several solutions, the one with the least rotation from
   /// `last`. Throws Error(bad_input) if the machine cannot reach the direction.
-  [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length, const std::optional<AxisPose>& last) const;
+  [[nodiscard]] AxisPose solve(const Vec3& tip, const Vec3& axis, double length,
+                               const std::optional<AxisPose>& last) const;
   /// x, y and z for a tip with given angles of the rotary axes.
   [[nodiscard]] Vec3 position(const Vec3& tip, const std::array<double, 2>& angles, double length) const;
   /// Forward kinematics: tip and axis of a pose.

@@ -26,7 +26,8 @@ std::optional<Vec3> read_centre(const TomlTable& table) {
 Kinematics read_kinematics(const TomlTable& table) {
   table.only({"kind", "axis", "centre", "pivot", "tip_mode"});
   Kinematics k;
-  if (const auto kind = table.text("kind")) k.kind = named<Kinematics::Kind>(*kind, kind_names, "kind", table.place("kind"));
+  if (const auto kind = table.text("kind"))
+    k.kind = named<Kinematics::Kind>(*kind, kind_names, "kind", table.place("kind"));
   for (const TomlTable& entry : table.tables("axis")) {
     entry.only({"letter", "direction", "limits", "centre"});
     RotaryAxis axis;
@@ -38,7 +39,8 @@ Kinematics read_kinematics(const TomlTable& table) {
                   "an axis has a letter, a direction [x, y, z] and limits [from, to] in degrees");
     axis.letter = letter[0];
     axis.direction = Vec3(direction[0], direction[1], direction[2]);
-    if (!(axis.direction.norm() > 0)) throw Error(ErrorKind::bad_input, entry.place("direction"), "direction must not be zero");
+    if (!(axis.direction.norm() > 0))
+      throw Error(ErrorKind::bad_input, entry.place("direction"), "direction must not be zero");
     axis.direction.normalize();
     if (limits) axis.lower = (*limits)[0] * radians_per_degree, axis.upper = (*limits)[1] * radians_per_degree;
     axis.centre = read_centre(entry);
@@ -92,7 +94,8 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   m.description = table.text("description").value_or("");
   if (const auto format = table.text("format"))
     m.format = named<FileFormat>(*format, format_names, "format", table.place("format"));
-  if (const auto takes = table.text("takes")) m.takes = named<MachineInput>(*takes, takes_names, "takes", table.place("takes"));
+  if (const auto takes = table.text("takes"))
+    m.takes = named<MachineInput>(*takes, takes_names, "takes", table.place("takes"));
   m.unit = table.number("unit").value_or(1);
   m.tick = table.number("tick").value_or(0);
   m.decimals = static_cast<int>(table.number("decimals").value_or(4));
@@ -112,8 +115,8 @@ Machine read_machine(std::string_view toml, const std::string& file) {
   if (const auto dialect = table.text("dialect")) m.dialect = dialect_named(*dialect, table.place("dialect"));
   m.default_operation = table.text("default_operation").value_or("");
   if (const auto text = table.table("text")) {
-    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line", "arc_cw",
-                "arc_ccw", "tilt", "coolant_mist", "coolant_flood", "coolant_off", "begin", "end", "setup"});
+    text->only({"header", "footer", "section", "tool_change", "spindle_on", "spindle_off", "feed", "rapid", "line",
+                "arc_cw", "arc_ccw", "tilt", "coolant_mist", "coolant_flood", "coolant_off", "begin", "end", "setup"});
     for (const std::string& key : text->keys()) m.text[key] = *text->text(key);
   }
   if (const auto settings = table.table("setting"))
@@ -135,8 +138,8 @@ Machine load_machine(const std::string& id_or_path) {
   std::vector<std::string> ids;
   for (const auto& [id, text] : files) ids.push_back(id);
   throw Error(ErrorKind::bad_input, "machine",
-              fmt::format("there is no machine '{}'{} Known are {}, or a .toml file", id_or_path, suggestion(id_or_path, ids),
-                          fmt::join(ids, ", ")));
+              fmt::format("there is no machine '{}'{} Known are {}, or a .toml file", id_or_path,
+                          suggestion(id_or_path, ids), fmt::join(ids, ", ")));
 }
 
 }  // namespace fieldfab::cam

@@ -93,7 +93,8 @@ class Templates {
     if (end == std::string::npos) refuse(key, "has '{' without '}'");
     std::string name = pattern.substr(i + 1, end - i - 1), bytes;
     i = end + 1;
-    if (const std::size_t colon = name.find(':'); colon != std::string::npos) bytes = name.substr(colon + 1), name.resize(colon);
+    if (const std::size_t colon = name.find(':'); colon != std::string::npos)
+      bytes = name.substr(colon + 1), name.resize(colon);
     double factor = 1;
     bool scaled = false;
     if (const std::size_t star = name.find('*'); star != std::string::npos) {
@@ -185,7 +186,8 @@ class TextWriter {
       if (const auto* const text = std::get_if<std::string>(&given.value)) templates_.set_text(name, *text);
     }
     templates_.set_text("program", comment_safe(program_.name));
-    for (const char* name : {"x", "y", "z", "i", "j", "f", "a", "b", "c", "cx", "cy", "turn", "radius"}) templates_.set(name, 0);
+    for (const char* name : {"x", "y", "z", "i", "j", "f", "a", "b", "c", "cx", "cy", "turn", "radius"})
+      templates_.set(name, 0);
   }
 
   void set_section(const Section& section) {
@@ -249,7 +251,8 @@ class TextWriter {
   void write(const Move& move, const AxisPose& pose) {
     check(pose.position);
     const bool turned = last_ && pose.angles != last_->angles;
-    if (cutting_ && !move.rapid() && move.bulge == 0 && !turned && as_written(pose.position) == as_written(last_->position))
+    if (cutting_ && !move.rapid() && move.bulge == 0 && !turned &&
+        as_written(pose.position) == as_written(last_->position))
       return;  // shorter than the last decimal
     for (std::size_t k = 0; k < solver_.axes().size(); ++k) {
       const std::string letter(1, static_cast<char>(std::tolower(solver_.axes()[k].letter)));
@@ -313,11 +316,12 @@ class TextWriter {
     const double reach = std::max((pose.position - from.position).norm(), 1.0);
     // As fine as required for chords of circles about the axes.
     const int steps =
-        std::max(1, static_cast<int>(
-                        std::ceil(most / std::sqrt(8 * 0.002 / std::max(reach, (move.to - machine_.kinematics.centre).norm())))));
+        std::max(1, static_cast<int>(std::ceil(
+                        most / std::sqrt(8 * 0.002 / std::max(reach, (move.to - machine_.kinematics.centre).norm())))));
     for (int k = 1; k <= steps; ++k) {
       AxisPose next = pose;
-      for (std::size_t i = 0; i < 2; ++i) next.angles[i] = from.angles[i] + (pose.angles[i] - from.angles[i]) * k / steps;
+      for (std::size_t i = 0; i < 2; ++i)
+        next.angles[i] = from.angles[i] + (pose.angles[i] - from.angles[i]) * k / steps;
       next.position = solver_.position(move.to, next.angles, section.tool.length);
       write(move, next);
     }
@@ -344,10 +348,11 @@ class TextWriter {
 
   void check(const Vec3& p) {
     if (!machine_.negative && (p.head<2>() + offset_).minCoeff() < -1e-6)
-      throw Error(ErrorKind::bad_input, "machine",
-                  fmt::format("{} knows no places below 0; this program goes to x {:.6g}, y {:.6g}: set zero = \"corner\" for "
-                              "the input, or xmin and ymin",
-                              machine_.name, p.x() + offset_.x(), p.y() + offset_.y()));
+      throw Error(
+          ErrorKind::bad_input, "machine",
+          fmt::format("{} knows no places below 0; this program goes to x {:.6g}, y {:.6g}: set zero = \"corner\" for "
+                      "the input, or xmin and ymin",
+                      machine_.name, p.x() + offset_.x(), p.y() + offset_.y()));
     range_.lower = started_ ? Vec3(range_.lower.cwiseMin(p)) : p;
     range_.upper = started_ ? Vec3(range_.upper.cwiseMax(p)) : p;
     started_ = true;
@@ -355,8 +360,8 @@ class TextWriter {
       const double travel = machine_.travel[static_cast<std::size_t>(axis)], used = range_.size()[axis];
       if (travel > 0 && used > travel + 1e-6)
         throw Error(ErrorKind::bad_input, "machine",
-                    fmt::format("{} can move {:.6g} mm along {}; this program needs {:.6g} mm or more", machine_.name, travel,
-                                "xyz"[axis], used));
+                    fmt::format("{} can move {:.6g} mm along {}; this program needs {:.6g} mm or more", machine_.name,
+                                travel, "xyz"[axis], used));
     }
   }
 

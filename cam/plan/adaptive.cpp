@@ -53,7 +53,8 @@ class Remains {
       std::uint8_t* const cells = share_.row(row);
       const int first = static_cast<int>(std::floor(left)), last = static_cast<int>(std::ceil(right)) - 1;
       const auto keep = [&](int c, double part) {
-        if (c >= 0 && c < share_.width) cells[c] = std::min(cells[c], static_cast<std::uint8_t>(std::ceil(full * part)));
+        if (c >= 0 && c < share_.width)
+          cells[c] = std::min(cells[c], static_cast<std::uint8_t>(std::ceil(full * part)));
       };
       if (last <= first) return keep(first, (left - first) + (first + 1 - right));
       keep(first, left - first), keep(last, last + 1 - right);
@@ -118,7 +119,8 @@ class Remains {
 /// Clears one connected area of permitted tool centres.
 class Area {
  public:
-  Area(const Loops& walls, double top, double bottom, const ClearSettings& settings, const CutSettings& cut, Progress& progress)
+  Area(const Loops& walls, double top, double bottom, const ClearSettings& settings, const CutSettings& cut,
+       Progress& progress)
       : top_(top),
         bottom_(bottom),
         s_(settings),
@@ -195,7 +197,9 @@ class Area {
       for (std::size_t i = 0, n = loop.points.size(); i < n; ++i) {
         Vec2 a = loop.points[i], b = loop.points[(i + 1) % n];
         if (a.y() > b.y()) std::swap(a, b);
-        const auto row_above = [&](double y) { return static_cast<int>(std::ceil((y - cells.origin.y()) / cells.cell)); };
+        const auto row_above = [&](double y) {
+          return static_cast<int>(std::ceil((y - cells.origin.y()) / cells.cell));
+        };
         for (int row = std::max(0, row_above(a.y())); row < std::min(cells.height, row_above(b.y())); ++row) {
           const double y = cells.origin.y() + row * cells.cell;
           crossings[static_cast<std::size_t>(row)].push_back(a.x() + (b.x() - a.x()) * (y - a.y()) / (b.y() - a.y()));
@@ -219,7 +223,8 @@ class Area {
     bool air = false;
     for (int row = 0; row < cells.height; ++row)
       for (int c = 0; c < cells.width; ++c)
-        if (std::uint8_t& here = cells.at(c, row); here != 0 && s_.material->highest(cells.place(c, row), 0) <= bottom_ + 1e-3)
+        if (std::uint8_t& here = cells.at(c, row);
+            here != 0 && s_.material->highest(cells.place(c, row), 0) <= bottom_ + 1e-3)
           here = 0, air = true;
     if (!air) return;
     // Points beside the material where the tool can be without cutting.
@@ -265,7 +270,8 @@ class Area {
     const Vec2 near = centre + Vec2(radius, 0), across = centre - Vec2(radius, 0);
     const double round = std::tan(s_.ramp_angle) * 2 * pi * radius;
     const int halves = 2 * std::max(1, static_cast<int>(std::ceil((top_ - bottom_) / round)));
-    for (int k = 0; k < halves; ++k) add(k % 2 == 0 ? near : across, top_ + (bottom_ - top_) * k / halves, side_, Pace::enter);
+    for (int k = 0; k < halves; ++k)
+      add(k % 2 == 0 ? near : across, top_ + (bottom_ - top_) * k / halves, side_, Pace::enter);
     add(near, bottom_, side_, Pace::enter), add(across, bottom_, side_, Pace::enter), add(near, bottom_, 0, Pace::cut);
     const int around = std::max(16, static_cast<int>(std::ceil(2 * pi * radius / step_)));
     for (int k = 0; k < around; ++k) {
@@ -514,7 +520,8 @@ std::vector<Path> adaptive(const Field& free, const Rectangle& bounds, double ce
   // Chords and fitted arcs of the passes keep a margin from the walls; the last pass along the
   // walls removes it.
   const double inset = 2 * cut.tolerance + 0.00125 * cut.radius;
-  const Loops walls = contours(free, bounds, {cell, 0, -inset}, progress), edges = contours(free, bounds, {cell}, progress);
+  const Loops walls = contours(free, bounds, {cell, 0, -inset}, progress),
+              edges = contours(free, bounds, {cell}, progress);
   const std::vector<int> parents = nesting(walls);
   const std::vector<double> passes = cut.depths.passes();
   std::vector<Path> paths, level;

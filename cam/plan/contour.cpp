@@ -53,7 +53,11 @@ struct Part {
 class Block {
  public:
   Block(const Field& field, const Squares& squares, double level, const Part& part)
-      : field_(field), squares_(squares), level_(static_cast<float>(level)), part_(part), wide_(part.right - part.left + 1) {}
+      : field_(field),
+        squares_(squares),
+        level_(static_cast<float>(level)),
+        part_(part),
+        wide_(part.right - part.left + 1) {}
 
   /// `missed`: receives parts that the samples do not show, unless nullptr.
   void trace(std::vector<Piece>& pieces, MissedParts* missed) {
@@ -144,7 +148,8 @@ class Block {
   }
 
   [[nodiscard]] std::size_t sample_index(int i, int j) const {
-    return static_cast<std::size_t>(j - part_.low) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i - part_.left);
+    return static_cast<std::size_t>(j - part_.low) * static_cast<std::size_t>(wide_) +
+           static_cast<std::size_t>(i - part_.left);
   }
 
   /// Values of the Field minus the level; positive outside of the region.
@@ -202,7 +207,8 @@ class Block {
       for (std::size_t k = 0; k < count_; ++k) {
         const Ends& e = ends_[k];
         constexpr int patience = 5;
-        const float share = step > patience ? 0.5F : std::clamp(e.value_inside / (e.value_inside - e.value_outside), 0.0F, 1.0F);
+        const float share =
+            step > patience ? 0.5F : std::clamp(e.value_inside / (e.value_inside - e.value_outside), 0.0F, 1.0F);
         const float x = e.inside[0] + share * (e.outside[0] - e.inside[0]),
                     y = e.inside[1] + share * (e.outside[1] - e.inside[1]);
         if (step > 0) moved = std::max(moved, std::max(std::abs(x - x_[k]), std::abs(y - y_[k])));
@@ -229,7 +235,8 @@ class Block {
   void connect(int i, int j, std::vector<Piece>& pieces) {
     const std::size_t a = sample_index(i, j), b = sample_index(i + 1, j), c = sample_index(i, j + 1),
                       d = sample_index(i + 1, j + 1);
-    const int state = (value_[a] < 0 ? 1 : 0) | (value_[b] < 0 ? 2 : 0) | (value_[c] < 0 ? 4 : 0) | (value_[d] < 0 ? 8 : 0);
+    const int state =
+        (value_[a] < 0 ? 1 : 0) | (value_[b] < 0 ? 2 : 0) | (value_[c] < 0 ? 4 : 0) | (value_[d] < 0 ? 8 : 0);
     enum { bottom, right, top, left };
     const auto piece = [&](int from, int to) {
       const auto place = [&](int side_of) {
@@ -424,8 +431,8 @@ class Descent {
     std::vector<Child> children;
     for (std::size_t i = 0; i < count; ++i) {
       const Interval& range = here[i].range;
-      const bool at_border =
-          parts[i].left == 0 || parts[i].low == 0 || parts[i].right == squares_.columns || parts[i].high == squares_.rows;
+      const bool at_border = parts[i].left == 0 || parts[i].low == 0 || parts[i].right == squares_.columns ||
+                             parts[i].high == squares_.rows;
       const bool inside = range.upper < level_ && !range.maybe_nan, outside = range.lower > level_ && !range.maybe_nan;
       if (!outside && (!inside || at_border)) children.push_back({here[i].field, parts[i]});
     }
@@ -485,7 +492,8 @@ void mend(std::vector<Piece>& pieces, const Find& next_of, double cell) {
 /// Joins segments into closed loops by their crossings.
 Loops link(std::vector<Piece> pieces, double cell) {
   const auto next_of = [&](Crossing key) {
-    return std::lower_bound(pieces.begin(), pieces.end(), key, [](const Piece& piece, Crossing k) { return piece.from < k; });
+    return std::lower_bound(pieces.begin(), pieces.end(), key,
+                            [](const Piece& piece, Crossing k) { return piece.from < k; });
   };
   mend(pieces, next_of, cell);
   std::vector<bool> used(pieces.size(), false);

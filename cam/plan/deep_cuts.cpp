@@ -130,7 +130,8 @@ class DeepCutter {
 
   /// Executes moves up to the first contact of shank or holder with material. Returns the volume
   /// that each move removes, mm^3.
-  std::vector<double> before_contact(const std::vector<Move>& moves, std::size_t begin, std::size_t end, Progress& progress) {
+  std::vector<double> before_contact(const std::vector<Move>& moves, std::size_t begin, std::size_t end,
+                                     Progress& progress) {
     std::vector<std::size_t> first;  // index of each move's first stroke
     Move at = done_.back();
     for (std::size_t k = begin; k < end; ++k) {
@@ -176,8 +177,8 @@ class DeepCutter {
     const double quarter = 0.25 * cell_;
     const auto height = [&](std::int64_t k) { return clear_ - static_cast<double>(k) * quarter; };
     // Bisection: clear at `high` quarters below, not clear at `low`.
-    std::int64_t high = 0,
-                 low = std::max<std::int64_t>(1, std::llround(std::ceil((clear_ - std::min(from.z(), to.z())) / quarter)));
+    std::int64_t high = 0, low = std::max<std::int64_t>(
+                               1, std::llround(std::ceil((clear_ - std::min(from.z(), to.z())) / quarter)));
     while (low - high > 1) {
       std::vector<std::int64_t> tried;
       for (std::int64_t k = 1; k < 16; ++k)
@@ -185,7 +186,8 @@ class DeepCutter {
           tried.push_back(at);
       std::vector<Stroke> strokes;
       for (const std::int64_t k : tried)
-        strokes.push_back({&*tool_.shank, pose({from.x(), from.y(), height(k)}), pose({to.x(), to.y(), height(k)}), 1, false});
+        strokes.push_back(
+            {&*tool_.shank, pose({from.x(), from.y(), height(k)}), pose({to.x(), to.y(), height(k)}), 1, false});
       const std::vector<StrokeResult> met = stock.cut(strokes, progress);
       for (std::size_t i = 0; i < tried.size(); ++i) {
         if (met[i].points) {
@@ -303,8 +305,8 @@ void DeepCuts::cut(const std::vector<Move>& moves, const Tool& tool, const Plane
   DeepCutter(stock_, tool, plane).carry_out(moves, progress);
 }
 
-std::vector<Move> DeepCuts::back_out(const std::vector<Move>& moves, const Tool& tool, const Plane& plane, double plunge,
-                                     BackedOut& report, Progress& progress) {
+std::vector<Move> DeepCuts::back_out(const std::vector<Move>& moves, const Tool& tool, const Plane& plane,
+                                     double plunge, BackedOut& report, Progress& progress) {
   return DeepCutter(stock_, tool, plane).back_out(moves, plunge, report, progress);
 }
 
@@ -312,7 +314,8 @@ bool may_be_too_deep(const std::vector<Move>& moves, const Tool& tool, const Pla
   if (!(tool.diameter > 0) || !(stock.size().minCoeff() > 0)) return false;
   const double top = plane.into(stock).upper.z();
   const double above = tool.flute > 0 ? tool.flute : tool.length;
-  return above > 0 && std::any_of(moves.begin(), moves.end(), [&](const Move& m) { return m.to.z() + above < top - 1e-6; });
+  return above > 0 &&
+         std::any_of(moves.begin(), moves.end(), [&](const Move& m) { return m.to.z() + above < top - 1e-6; });
 }
 
 }  // namespace fieldfab::cam

@@ -36,9 +36,11 @@ Lattice<std::int32_t> column_distances(const Bitmap& bitmap, std::int32_t far, P
 }
 
 /// Second pass for one row: lower envelope of the parabolas (x - i)^2 + g(i)^2.
-void row_distances(const std::int32_t* g, int width, std::int32_t far, double cell, float* out, std::vector<std::int64_t>& start,
-                   std::vector<int>& site) {
-  const auto squared = [&](std::int64_t x, int i) { return (x - i) * (x - i) + static_cast<std::int64_t>(g[i]) * g[i]; };
+void row_distances(const std::int32_t* g, int width, std::int32_t far, double cell, float* out,
+                   std::vector<std::int64_t>& start, std::vector<int>& site) {
+  const auto squared = [&](std::int64_t x, int i) {
+    return (x - i) * (x - i) + static_cast<std::int64_t>(g[i]) * g[i];
+  };
   int count = 0;
   for (int u = 0; u < width; ++u) {
     if (g[u] == far) continue;
@@ -60,7 +62,8 @@ void row_distances(const std::int32_t* g, int width, std::int32_t far, double ce
   }
   if (count == 0) return std::fill_n(out, width, std::numeric_limits<float>::infinity()), void();
   for (int x = width - 1; x >= 0; --x) {
-    out[x] = static_cast<float>(cell * std::sqrt(static_cast<double>(squared(x, site[static_cast<std::size_t>(count) - 1]))));
+    out[x] = static_cast<float>(cell *
+                                std::sqrt(static_cast<double>(squared(x, site[static_cast<std::size_t>(count) - 1]))));
     if (count > 1 && x == start[static_cast<std::size_t>(count) - 1]) --count;
   }
 }
@@ -164,13 +167,16 @@ class LatticeField final : public Field {
   }
   /// Index of the square that contains a coordinate, by its lower sample; clamped to the lattice.
   [[nodiscard]] int column(double x) const {
-    return static_cast<int>(std::clamp(std::floor((x - lattice_.origin.x()) / lattice_.cell), 0.0, lattice_.width - 1.0));
+    return static_cast<int>(
+        std::clamp(std::floor((x - lattice_.origin.x()) / lattice_.cell), 0.0, lattice_.width - 1.0));
   }
   [[nodiscard]] int row(double y) const {
-    return static_cast<int>(std::clamp(std::floor((y - lattice_.origin.y()) / lattice_.cell), 0.0, lattice_.height - 1.0));
+    return static_cast<int>(
+        std::clamp(std::floor((y - lattice_.origin.y()) / lattice_.cell), 0.0, lattice_.height - 1.0));
   }
   [[nodiscard]] Square square_at(float x, float y) const noexcept {
-    const int i = column(x), j = row(y), right = std::min(i + 1, lattice_.width - 1), high = std::min(j + 1, lattice_.height - 1);
+    const int i = column(x), j = row(y), right = std::min(i + 1, lattice_.width - 1),
+              high = std::min(j + 1, lattice_.height - 1);
     const double u = (x - lattice_.origin.x()) / lattice_.cell - i, v = (y - lattice_.origin.y()) / lattice_.cell - j;
     return {lattice_.at(i, j),
             lattice_.at(right, j),

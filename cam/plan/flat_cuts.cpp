@@ -108,11 +108,12 @@ Path with_tabs(const Path& path, const Tabs& tabs, double tab_top, double tool_r
 
 }  // namespace
 
-std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs, Progress& progress) {
+std::vector<Path> profile(const Outline& part, Side side, const CutSettings& cut, const Tabs& tabs,
+                          Progress& progress) {
   const double off = side == Side::on ? 0 : cut.radius + cut.allowance;
   const double level = side == Side::inside ? -off : off;
-  const Loops loops =
-      contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell), {part.cell, 0, level}, progress);
+  const Loops loops = contours(*part.distance, part.bounds.grown(std::max(0.0, level) + 2 * part.cell),
+                               {part.cell, 0, level}, progress);
   std::vector<Path> once;
   for (const Loop& loop : loops) once.push_back(loop_path(loop, 0, cut, side != Side::inside));
   std::vector<Path> paths = at_passes(once, cut.depths.passes());
@@ -162,7 +163,8 @@ std::vector<Path> rings(const Field& area, const Rectangle& bounds, double cell,
   return paths;
 }
 
-std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, const CutSettings& cut, Progress& progress) {
+std::vector<Path> pocket(const Outline& area, const ClearSettings& settings, const CutSettings& cut,
+                         Progress& progress) {
   const FieldPtr reachable = offset(area.distance, -(cut.radius + cut.allowance));
   if (settings.adaptive) return adaptive(*reachable, area.bounds, area.cell, settings, cut, progress);
   return at_passes(rings(*reachable, area.bounds, area.cell, settings.stepover, 0, cut, progress), cut.depths.passes());
@@ -187,12 +189,12 @@ std::vector<Hole> holes(const Loops& loops, double tolerance) {
     double sum = 0;
     for (const Vec2& p : loop.points) sum += (p - centre).norm();
     const double radius = sum / static_cast<double>(loop.points.size());
-    const bool round = loop.points.size() >= 8 && std::all_of(loop.points.begin(), loop.points.end(), [&](const Vec2& p) {
-                         return std::abs((p - centre).norm() - radius) <= tolerance;
-                       });
+    const bool round = loop.points.size() >= 8 &&
+                       std::all_of(loop.points.begin(), loop.points.end(),
+                                   [&](const Vec2& p) { return std::abs((p - centre).norm() - radius) <= tolerance; });
     // The corners of a square also lie on a circle, so the area is compared, too.
-    if (round &&
-        std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <= 2 * std::numbers::pi * radius * 2 * tolerance)
+    if (round && std::abs(std::abs(loop.area()) - std::numbers::pi * radius * radius) <=
+                     2 * std::numbers::pi * radius * 2 * tolerance)
       found.push_back({centre, radius});
   }
   return found;

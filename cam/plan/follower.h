@@ -13,7 +13,8 @@ namespace fieldfab::cam {
 /// tolerance below the surface.
 class Follower {
  public:
-  Follower(const TipSurface& tips, double bottom, double tolerance) : tips_(tips), bottom_(bottom), tolerance_(tolerance) {}
+  Follower(const TipSurface& tips, double bottom, double tolerance)
+      : tips_(tips), bottom_(bottom), tolerance_(tolerance) {}
 
   /// Moves straight from the last point to `to`.
   void go(const Vec2& to) {

@@ -33,7 +33,8 @@ struct Samples {
     for (int row = low; row <= high; ++row)
       for (int column = left; column <= right; ++column) {
         const Vec2 offset = heights.place(column, row) - plane.centre.head<2>();
-        const double z = plane.centre.z() + (plane.error - plane.value - plane.slope.head<2>().dot(offset)) / plane.slope.z();
+        const double z =
+            plane.centre.z() + (plane.error - plane.value - plane.slope.head<2>().dot(offset)) / plane.slope.z();
         if (z > static_cast<double>(heights.at(column, row)) + slack) return false;
       }
     return true;
@@ -44,7 +45,8 @@ HiddenParts::Top highest_in(const Field& field, const Box& box, int depth) {
   const Restriction here = field.restricted(box, Purpose::occupancy);
   if (holds_nothing(here.range)) return {nothing, true};
   if (here.range.inside()) return {box.upper.z(), true};
-  if (const PlaneBounds plane = plane_bounds(*here.field, box); plane.known && plane.lower() > 0) return {nothing, true};
+  if (const PlaneBounds plane = plane_bounds(*here.field, box); plane.known && plane.lower() > 0)
+    return {nothing, true};
   if (depth == 0) return {box.upper.z(), false};
   Eigen::Index axis = 0;
   box.size().maxCoeff(&axis);

@@ -74,7 +74,8 @@ class Linker {
     const double from = std::clamp(material + s_.above, start.z(), s_.clearance);
     if (from < s_.clearance) rapid(up_from(start, from));
     if (from > start.z() && s_.entry == Entry::helix && wind_down(start, from)) return;
-    if (from > start.z() && s_.entry != Entry::plunge && path.closed && path.length() > 1e-3) return descend(path, from);
+    if (from > start.z() && s_.entry != Entry::plunge && path.closed && path.length() > 1e-3)
+      return descend(path, from);
     cut(start, s_.plunge);
   }
 
@@ -162,8 +163,8 @@ Vec3 direction(const Vec3& from, const Move& m, double share) {
   Vec3 chord = m.to - from;
   if (m.bulge != 0) {
     const double turn = 2 * std::atan(m.bulge) * (share > 0 ? 1 : -1);
-    chord = Vec3(std::cos(turn) * chord.x() - std::sin(turn) * chord.y(), std::sin(turn) * chord.x() + std::cos(turn) * chord.y(),
-                 chord.z());
+    chord = Vec3(std::cos(turn) * chord.x() - std::sin(turn) * chord.y(),
+                 std::sin(turn) * chord.x() + std::cos(turn) * chord.y(), chord.z());
   }
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::Zero();

@@ -19,7 +19,8 @@ double Loop::area() const {
 
 double Loop::length() const {
   double sum = 0;
-  for (std::size_t i = 0, last = points.size() - 1; i < points.size(); last = i++) sum += (points[i] - points[last]).norm();
+  for (std::size_t i = 0, last = points.size() - 1; i < points.size(); last = i++)
+    sum += (points[i] - points[last]).norm();
   return sum;
 }
 
@@ -96,13 +97,15 @@ std::vector<int> nesting(const Loops& loops) {
   };
   std::vector<Vec2> start;
   std::vector<bool> anticlockwise;
-  for (std::size_t i = 0; i < loops.size(); ++i) start.push_back(leftmost(i)), anticlockwise.push_back(loops[i].area() > 0);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    start.push_back(leftmost(i)), anticlockwise.push_back(loops[i].area() > 0);
 
   // Loops from left to right: the first loop on the ray to the left either contains this loop, or
   // is a sibling with a known parent.
   std::vector<std::size_t> order(loops.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return start[a].x() < start[b].x(); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return start[a].x() < start[b].x(); });
   const Strips strips(loops);
   std::vector<int> parent(loops.size(), -1);
   for (const std::size_t i : order) {

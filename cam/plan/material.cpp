@@ -9,7 +9,8 @@ Material::Material(const Rectangle& block, double top, double cell) {
   const Vec2 size = block.size();
   const int wide = std::max(1, static_cast<int>(std::ceil(size.x() / cell))),
             high = std::max(1, static_cast<int>(std::ceil(size.y() / cell)));
-  heights_ = HeightMap(wide, high, cell, block.lower + 0.5 * (size - Vec2(wide - 1, high - 1) * cell), static_cast<float>(top));
+  heights_ = HeightMap(wide, high, cell, block.lower + 0.5 * (size - Vec2(wide - 1, high - 1) * cell),
+                       static_cast<float>(top));
 }
 
 void Material::cut(const std::vector<Move>& moves, const Profile& profile) {
@@ -102,7 +103,8 @@ std::vector<Path> where_material(const std::vector<Path>& paths, const Material&
     };
     for (std::size_t k = 0; k < n + (path.closed ? 1 : 0); ++k) {
       const std::size_t i = (first + k) % n, before = (i + n - 1) % n, after = (i + 1) % n;
-      const bool wanted = meets[i] || ((path.closed || i > 0) && meets[before]) || ((path.closed || i + 1 < n) && meets[after]);
+      const bool wanted =
+          meets[i] || ((path.closed || i > 0) && meets[before]) || ((path.closed || i + 1 < n) && meets[after]);
       if (wanted)
         run.points.push_back(points[i]);
       else

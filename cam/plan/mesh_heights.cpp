@@ -26,8 +26,8 @@ void MeshHeights::each_bin(const Rectangle& box, const Visit& visit) const {
   const auto bin = [&](double at, double origin, int count) {
     return static_cast<int>(std::clamp(std::floor((at - origin) / bins_.cell), 0.0, count - 1.0));
   };
-  for (int row = bin(box.lower.y(), bins_.origin.y(), bins_.height); row <= bin(box.upper.y(), bins_.origin.y(), bins_.height);
-       ++row)
+  for (int row = bin(box.lower.y(), bins_.origin.y(), bins_.height);
+       row <= bin(box.upper.y(), bins_.origin.y(), bins_.height); ++row)
     for (int column = bin(box.lower.x(), bins_.origin.x(), bins_.width);
          column <= bin(box.upper.x(), bins_.origin.x(), bins_.width); ++column)
       visit(bins_.index(column, row));
@@ -117,7 +117,8 @@ std::vector<float> MeshHeights::heights(const Rectangle& area, int wide, int hig
           const Vec3 &a = t[static_cast<std::size_t>(e)], &b = t[static_cast<std::size_t>((e + 1) % 3)];
           // turn * ((b - a) x (p - a)) >= 0, with a tolerance so that no sample is lost between two
           // triangles.
-          const double slope = -turn * (b.y() - a.y()), value = turn * ((b.x() - a.x()) * (y - a.y()) + (b.y() - a.y()) * a.x());
+          const double slope = -turn * (b.y() - a.y()),
+                       value = turn * ((b.x() - a.x()) * (y - a.y()) + (b.y() - a.y()) * a.x());
           const double slack = 1e-9 * (std::abs(b.x() - a.x()) + std::abs(b.y() - a.y()));
           if (slope > 0)
             from = std::max(from, -(value + slack) / slope);
@@ -130,7 +131,8 @@ std::vector<float> MeshHeights::heights(const Rectangle& area, int wide, int hig
         for (int column = columns.first; column <= columns.last; ++column) {
           const double x = area.lower.x() + column * step.x();
           const double z = t[0].z() - (normal.x() * (x - t[0].x()) + normal.y() * (y - t[0].y())) / normal.z();
-          float& here = found[static_cast<std::size_t>(row) * static_cast<std::size_t>(wide) + static_cast<std::size_t>(column)];
+          float& here =
+              found[static_cast<std::size_t>(row) * static_cast<std::size_t>(wide) + static_cast<std::size_t>(column)];
           here = std::max(here, static_cast<float>(std::min(z, std::max({t[0].z(), t[1].z(), t[2].z()}))));
         }
       }

@@ -60,8 +60,9 @@ class Starts {
     }
     if (all.empty()) return;
     const Vec2 size = box.size();
-    cell_ = std::max(1e-6,
-                     std::sqrt(std::max(size.x() * size.y(), 1e-3 * size.squaredNorm()) / static_cast<double>(all.size())) * 1.5);
+    cell_ = std::max(
+        1e-6,
+        std::sqrt(std::max(size.x() * size.y(), 1e-3 * size.squaredNorm()) / static_cast<double>(all.size())) * 1.5);
     origin_ = box.lower;
     wide_ = static_cast<int>(size.x() / cell_) + 1, high_ = static_cast<int>(size.y() / cell_) + 1;
     squares_.resize(static_cast<std::size_t>(wide_) * static_cast<std::size_t>(high_));
@@ -82,7 +83,8 @@ class Starts {
         const bool edge = j == cj - ring || j == cj + ring;
         for (int i = ci - ring; i <= ci + ring; i += edge || ring == 0 ? 1 : 2 * ring) {
           if (i < 0 || i >= wide_) continue;
-          auto& square = squares_[static_cast<std::size_t>(j) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i)];
+          auto& square =
+              squares_[static_cast<std::size_t>(j) * static_cast<std::size_t>(wide_) + static_cast<std::size_t>(i)];
           std::erase_if(square, [&](const Start& s) { return gone[s.path]; });
           for (const Start& s : square)
             if (const double away = (s.at - p).norm(); away < least && open(s.path)) least = away, best = &s;
@@ -165,8 +167,8 @@ class Level {
     const auto nearer = [&](const PathPoint& a, const PathPoint& b) {
       return (flat(a) - at).squaredNorm() < (flat(b) - at).squaredNorm();
     };
-    begin_at(path,
-             static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) - path.points.begin()));
+    begin_at(path, static_cast<std::size_t>(std::min_element(path.points.begin(), path.points.end(), nearer) -
+                                            path.points.begin()));
   }
 
   /// Containment by preorder numbers of the tree: an inner path is numbered between the first and
@@ -179,7 +181,8 @@ class Level {
     first_.assign(n, 0), last_.assign(n, 0);
     std::vector<std::vector<std::size_t>> children(n);
     std::vector<std::size_t> waiting;
-    for (std::size_t i = 0; i < n; ++i) (parent_[i] < 0 ? waiting : children[static_cast<std::size_t>(parent_[i])]).push_back(i);
+    for (std::size_t i = 0; i < n; ++i)
+      (parent_[i] < 0 ? waiting : children[static_cast<std::size_t>(parent_[i])]).push_back(i);
     std::size_t next = 0;
     std::vector<bool> entered(n, false);
     while (!waiting.empty()) {
@@ -249,14 +252,17 @@ class Level {
       return next >= n ? gain_out - in : gain_out - in - (start_at(next) - end).norm() + (start_at(next) - from).norm();
     };
     for (std::size_t j = i + 1; j < std::min(n, i + reach) && !related(sequence_[j], moved); ++j)  // after j
-      if (const double gain = gain_between(end_at(j), j + 1); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
+      if (const double gain = gain_between(end_at(j), j + 1); gain > best)
+        best = gain, target = static_cast<std::ptrdiff_t>(j);
     for (std::size_t j = i; j-- > (i > reach ? i - reach : 0) && !related(sequence_[j], moved);)  // before j
-      if (const double gain = gain_between(end_before(j), j); gain > best) best = gain, target = static_cast<std::ptrdiff_t>(j);
+      if (const double gain = gain_between(end_before(j), j); gain > best)
+        best = gain, target = static_cast<std::ptrdiff_t>(j);
     if (target < 0) return false;
     const auto first = sequence_.begin();
     const auto t = static_cast<std::size_t>(target);
     if (t > i)
-      std::rotate(first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(i) + 1, first + target + 1);
+      std::rotate(first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(i) + 1,
+                  first + target + 1);
     else
       std::rotate(first + target, first + static_cast<std::ptrdiff_t>(i), first + static_cast<std::ptrdiff_t>(i) + 1);
     for (const std::size_t place : {i, i + 1, t, t + 1}) look_again(place);
@@ -283,7 +289,8 @@ class Level {
       double now = in + kept, then = (end_at(j) - before).norm() + turned;
       if (j + 1 < n) now += (start_at(j + 1) - end_at(j)).norm(), then += (start_at(j + 1) - start_at(i)).norm();
       if (then >= now - 1e-6) continue;
-      std::reverse(sequence_.begin() + static_cast<std::ptrdiff_t>(i), sequence_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+      std::reverse(sequence_.begin() + static_cast<std::ptrdiff_t>(i),
+                   sequence_.begin() + static_cast<std::ptrdiff_t>(j) + 1);
       for (std::size_t k = i; k <= j; ++k) {
         look_again(k);
         if (paths_[sequence_[k]].closed) continue;

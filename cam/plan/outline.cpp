@@ -53,14 +53,15 @@ class OutlineField final : public Field {
       const Vec2 away = p - nearest.place;
       const double length = away.norm();
       // On the curve itself the gradient is the edge's normal.
-      const Vec2 slope =
-          length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance)) : normal_of(nearest.edge);
+      const Vec2 slope = length > 1e-6 * (1 + p.norm()) ? Vec2(away / std::copysign(length, nearest.distance))
+                                                        : normal_of(nearest.edge);
       slopes.dx[i] = static_cast<float>(slope.x()), slopes.dy[i] = static_cast<float>(slope.y()), slopes.dz[i] = 0;
     }
   }
   [[nodiscard]] Interval interval(const Box& box) const noexcept override {
     const Rectangle r = Rectangle::of(box);
-    const double middle = find(0.5 * (r.lower + r.upper), 0).distance, reach = 0.5 * r.size().norm() * (1 + 1e-6) + 1e-6;
+    const double middle = find(0.5 * (r.lower + r.upper), 0).distance,
+                 reach = 0.5 * r.size().norm() * (1 + 1e-6) + 1e-6;
     return {static_cast<float>(middle - reach), static_cast<float>(middle + reach), false};
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return 100; }
@@ -100,8 +101,9 @@ class OutlineField final : public Field {
     const int axis = box.size().x() > box.size().y() ? 0 : 1;
     const std::size_t middle = (first + last) / 2;
     const auto at = [&](std::size_t i) { return edges_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(first), at(middle), at(last),
-                     [axis](const Edge& a, const Edge& b) { return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis]; });
+    std::nth_element(at(first), at(middle), at(last), [axis](const Edge& a, const Edge& b) {
+      return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis];
+    });
     grow(first, middle);
     nodes_[here].first = static_cast<std::uint32_t>(nodes_.size());
     grow(middle, last);
@@ -115,7 +117,9 @@ class OutlineField final : public Field {
   static double squared_distance(const Rectangle& box, const Vec2& p) {
     return (p - p.cwiseMax(box.lower).cwiseMin(box.upper)).squaredNorm();
   }
-  [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const { return edges_.empty() ? Vec2::Zero() : edges_[edge].normal(); }
+  [[nodiscard]] Vec2 normal_of(std::uint32_t edge) const {
+    return edges_.empty() ? Vec2::Zero() : edges_[edge].normal();
+  }
 
   /// Nearest point of the curves. `guess`: an edge that may be near.
   [[nodiscard]] Nearest find(const Vec2& p, std::uint32_t guess) const noexcept {
@@ -148,7 +152,8 @@ class OutlineField final : public Field {
         const double squared = (p - place).squaredNorm();
         // Ties are broken by the index, so that the result does not depend on the guess: where
         // curves cross, the sign depends on the edge.
-        if (squared < best || (squared == best && i < nearest.edge)) best = squared, nearest.edge = i, nearest.place = place;
+        if (squared < best || (squared == best && i < nearest.edge))
+          best = squared, nearest.edge = i, nearest.place = place;
       }
     }
     if (crossing_) {
@@ -219,13 +224,16 @@ class OutlineField final : public Field {
   /// Winding number of the curves about a point, anticlockwise.
   [[nodiscard]] int winding(const Vec2& p) const {
     int rounds = 0;
-    each_edge([&](const Rectangle& box) { return box.lower.y() <= p.y() && p.y() <= box.upper.y() && p.x() <= box.upper.x(); },
-              [&](std::uint32_t i) {
-                const Edge& e = edges_[i];
-                if (e.from.y() <= p.y() && p.y() < e.to.y() && turn(e.from, e.to, p) > 0) ++rounds;
-                if (e.to.y() <= p.y() && p.y() < e.from.y() && turn(e.from, e.to, p) < 0) --rounds;
-                return true;
-              });
+    each_edge(
+        [&](const Rectangle& box) {
+          return box.lower.y() <= p.y() && p.y() <= box.upper.y() && p.x() <= box.upper.x();
+        },
+        [&](std::uint32_t i) {
+          const Edge& e = edges_[i];
+          if (e.from.y() <= p.y() && p.y() < e.to.y() && turn(e.from, e.to, p) > 0) ++rounds;
+          if (e.to.y() <= p.y() && p.y() < e.from.y() && turn(e.from, e.to, p) < 0) --rounds;
+          return true;
+        });
     return rounds;
   }
 

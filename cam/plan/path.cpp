@@ -142,7 +142,8 @@ std::optional<Fit> fit_arc(std::span<const Vec2> run, double tolerance) {
   double turned = 0;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) {
     const Vec2 p = run[i] - centre, q = run[i + 1] - centre;
-    if (std::abs(p.norm() - radius) > tolerance || std::abs((0.5 * (p + q)).norm() - radius) > tolerance) return std::nullopt;
+    if (std::abs(p.norm() - radius) > tolerance || std::abs((0.5 * (p + q)).norm() - radius) > tolerance)
+      return std::nullopt;
     const double angle = std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q));
     if (i > 0 && angle * turned <= 0) return std::nullopt;  // the turn reverses
     turned += angle;
@@ -221,7 +222,8 @@ std::vector<Vec3> simplified(std::span<const Vec3> points, double tolerance) {
     const double length = along.squaredNorm();
     for (std::size_t i = first + 1; i < last; ++i) {
       const Vec3 d = points[i] - points[first];
-      if ((d - (length > 0 ? std::clamp(d.dot(along) / length, 0.0, 1.0) : 0.0) * along).squaredNorm() > tolerance * tolerance)
+      if ((d - (length > 0 ? std::clamp(d.dot(along) / length, 0.0, 1.0) : 0.0) * along).squaredNorm() >
+          tolerance * tolerance)
         return false;
     }
     return true;

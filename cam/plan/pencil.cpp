@@ -50,7 +50,9 @@ class Valleys {
   };
 
   /// Surface normal at the contact.
-  [[nodiscard]] Vec3 normal(const Vec2& p) const { return tips_.corner_normal(p, tips_.contact(p)).value_or(Vec3::UnitZ()); }
+  [[nodiscard]] Vec3 normal(const Vec2& p) const {
+    return tips_.corner_normal(p, tips_.contact(p)).value_or(Vec3::UnitZ());
+  }
 
   /// Adds an edge with a jump. A jump persists under bisection of the edge.
   void look(int c, int r, int along_x, int along_y, std::vector<Edge>& found) const {

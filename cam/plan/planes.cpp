@@ -37,7 +37,8 @@ Plane plane_named(const std::string& name) {
 
 Plane plane_from_view(double alpha, double beta) {
   // The viewer looks down z after the rotations: this is the direction that they map to z.
-  const Vec3 axis = Eigen::AngleAxisd(-alpha, Vec3::UnitZ()) * (Eigen::AngleAxisd(-beta, Vec3::UnitX()) * Vec3::UnitZ());
+  const Vec3 axis =
+      Eigen::AngleAxisd(-alpha, Vec3::UnitZ()) * (Eigen::AngleAxisd(-beta, Vec3::UnitX()) * Vec3::UnitZ());
   return plane_along(axis, fmt::format("view {:.4g}, {:.4g}", to_degrees(alpha), to_degrees(beta)));
 }
 
@@ -94,8 +95,8 @@ void take_away(Material& material, const Plane& plane, double floor, const Mater
   });
 }
 
-std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part,
-                              const std::vector<Reached>& earlier, double tolerance) {
+std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips,
+                              const Field& part, const std::vector<Reached>& earlier, double tolerance) {
   if (earlier.empty() && !plane.to_the_middle) return paths;
   const double cell = tips.surface().samples().cell;
   std::vector<std::vector<Path>> kept(paths.size());
@@ -129,8 +130,8 @@ std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane
         const Vec3 slope = part.gradient(place);
         normal = slope.norm() > 0 ? Vec3(slope.normalized()) : Vec3(plane.axes.col(2));
       }
-      wanted[k] =
-          std::none_of(earlier.begin(), earlier.end(), [&](const Reached& r) { return r.touches(place, normal, tolerance); });
+      wanted[k] = std::none_of(earlier.begin(), earlier.end(),
+                               [&](const Reached& r) { return r.touches(place, normal, tolerance); });
     }
     // Extended at both ends, so that no gap remains.
     const auto overlap = static_cast<std::ptrdiff_t>(3);
@@ -188,9 +189,9 @@ std::vector<Move> transfer(const Move& from, const Move& to, const Box& stock, d
   const auto rapid = [&](const Vec3& at, const Vec3& axis) { moves.push_back({at, 0, 0, axis}); };
   if (arm > 0) {
     if (to.axis.z() < -1e-9)
-      throw Error(
-          ErrorKind::bad_input, "plane",
-          "overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards (Keeter, Algorithm 6.1)");
+      throw Error(ErrorKind::bad_input, "plane",
+                  "overhangs: this machine's head cannot go from plane to plane with the tool pointing upwards "
+                  "(Keeter, Algorithm 6.1)");
     const double high = stock.upper.z() + clearance;
     // Up to the height at which the tip is clear after the head has turned straight down.
     const auto lifted = [&](const Move& m) {

@@ -43,7 +43,8 @@ class SurfaceSampler {
     if (!(settings_.cell > 0) || !(settings_.tolerance > 0))
       throw Error(ErrorKind::bad_input, "resolution", "cell and tolerance must be above 0");
     const double samples = bounds_.size().x() * bounds_.size().y() / (settings_.cell * settings_.cell);
-    if (samples > 2e9) throw Error(ErrorKind::too_large, "resolution", fmt::format("{:.3g} samples; use larger cells", samples));
+    if (samples > 2e9)
+      throw Error(ErrorKind::too_large, "resolution", fmt::format("{:.3g} samples; use larger cells", samples));
     require_memory(static_cast<std::uintmax_t>(samples * 24), "the surface");
   }
 
@@ -57,7 +58,8 @@ class SurfaceSampler {
     surface_->floor_ = bounds_.lower.z();
     surface_->heights_ = HeightMap(wide, high, cell, first, 0);
     mesh_ = MeshHeights::of(field_, {first, first + Vec2(wide - 1, high - 1) * cell});
-    surface_->heights_.values = heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z());
+    surface_->heights_.values =
+        heights_of({first, first + Vec2(wide - 1, high - 1) * cell}, wide, high, bounds_.lower.z());
   }
 
   /// Heights at `wide` x `high` points of a rectangle, corners included.
@@ -65,15 +67,16 @@ class SurfaceSampler {
     const Vec2 half(0.5 * area.size().x() / (wide - 1), 0.5 * area.size().y() / (high - 1));
     const Box region{{area.lower.x() - half.x(), area.lower.y() - half.y(), low},
                      {area.upper.x() + half.x(), area.upper.y() + half.y(), bounds_.upper.z()}};
-    std::vector<float> found = mesh_ ? mesh_->heights(area, wide, high, low) : heights(field_, region, wide, high, progress_);
+    std::vector<float> found =
+        mesh_ ? mesh_->heights(area, wide, high, low) : heights(field_, region, wide, high, progress_);
     const Rectangle inside = Rectangle::of(bounds_).grown(1e-9);
     std::size_t i = 0;
     for (int row = 0; row < high; ++row)
       for (int column = 0; column < wide; ++column, ++i) {
         const Vec2 p = area.lower + 2 * Vec2(half.x() * column, half.y() * row);
-        found[i] = inside.contains(p)
-                       ? std::clamp(found[i], static_cast<float>(bounds_.lower.z()), static_cast<float>(bounds_.upper.z()))
-                       : static_cast<float>(bounds_.lower.z());
+        found[i] = inside.contains(p) ? std::clamp(found[i], static_cast<float>(bounds_.lower.z()),
+                                                   static_cast<float>(bounds_.upper.z()))
+                                      : static_cast<float>(bounds_.lower.z());
       }
     return found;
   }
@@ -94,7 +97,8 @@ class SurfaceSampler {
             if (u > 0 && u + 1 < h.width) rough |= bend(h.at(u - 1, v), h.at(u, v), h.at(u + 1, v)) > most;
             if (v > 0 && v + 1 < h.height) rough |= bend(h.at(u, v - 1), h.at(u, v), h.at(u, v + 1)) > most;
           }
-        rough |= std::abs(h.at(column, row) - h.at(column + 1, row) - h.at(column, row + 1) + h.at(column + 1, row + 1)) > most;
+        rough |= std::abs(h.at(column, row) - h.at(column + 1, row) - h.at(column, row + 1) +
+                          h.at(column + 1, row + 1)) > most;
         if (rough) rough_[h.index(column, row)] = 1;
       }
     });
@@ -183,8 +187,8 @@ class SurfaceSampler {
       const int row = static_cast<int>(squares[k] / static_cast<std::size_t>(s.heights_.width));
       s.fine_index_[squares[k]] = static_cast<std::int32_t>(k);
       HeightMap fine(parts + 1, parts + 1, s.heights_.cell / parts, s.heights_.place(column, row), 0);
-      fine.values =
-          heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1, parts + 1, s.floor_);
+      fine.values = heights_of({s.heights_.place(column, row), s.heights_.place(column + 1, row + 1)}, parts + 1,
+                               parts + 1, s.floor_);
       Surface::Doubtful& here = doubtful[k];
       here.count = raise_ribs(fine, here.place);
       s.fine_[k] = std::move(fine.values);

@@ -118,7 +118,8 @@ std::vector<Path> waterline(const std::shared_ptr<const TipSurface>& tips, const
   return paths;
 }
 
-std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings, Progress& progress) {
+std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const RoughSettings& settings,
+                        Progress& progress) {
   const FieldPtr blocked = TipSurface::field(tips);
   // The tool's centre may leave the stock by its radius, so that no material remains at the border;
   // farther for adaptive clearing, to start there.
@@ -136,9 +137,10 @@ std::vector<Path> rough(const std::shared_ptr<const TipSurface>& tips, const Rou
     CutSettings level = settings.cut;
     level.depths = {pass == 0 ? settings.depths.top : passes[pass - 1], passes[pass]};
     const Rectangle bounds = reach.grown(settings.cell);
-    std::vector<Path> cleared = settings.clear.adaptive ? adaptive(*free, bounds, settings.cell, settings.clear, level, progress)
-                                                        : rings(*free, bounds, settings.cell, settings.clear.stepover,
-                                                                passes[pass], settings.cut, progress);
+    std::vector<Path> cleared =
+        settings.clear.adaptive
+            ? adaptive(*free, bounds, settings.cell, settings.clear, level, progress)
+            : rings(*free, bounds, settings.cell, settings.clear.stepover, passes[pass], settings.cut, progress);
     for (Path& path : cleared) {
       path.level = static_cast<int>(pass);
       paths.push_back(std::move(path));

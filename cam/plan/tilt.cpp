@@ -28,7 +28,8 @@ Vec3 within_cone(const Vec3& axis, double most) {
 /// Tilts the tool along one path.
 class Leaning {
  public:
-  Leaning(const TipSurface& tips, const Tool& tool, const Plane& plane, const FreeSpace& space, const TiltSettings& settings)
+  Leaning(const TipSurface& tips, const Tool& tool, const Plane& plane, const FreeSpace& space,
+          const TiltSettings& settings)
       : tips_(tips), plane_(plane), space_(space), s_(settings) {
     ball_ = tool.shape == ToolShape::ball ? tool.radius() : tool.corner_radius;
     for (const Frustum& piece : pieces_of(tool, settings.clearance, space.bounds().diagonal())) {
@@ -223,8 +224,8 @@ std::vector<Frustum> pieces_of(const Tool& tool, double clearance, double beyond
   const bool held = tool.holder_diameter > 0;
   pieces.push_back({at, held ? std::max(at, holder) : at + beyond, shank, shank, false});
   if (held)
-    pieces.push_back(
-        {holder - clearance, holder + beyond, tool.holder_diameter / 2 + clearance, tool.holder_diameter / 2 + clearance, false});
+    pieces.push_back({holder - clearance, holder + beyond, tool.holder_diameter / 2 + clearance,
+                      tool.holder_diameter / 2 + clearance, false});
   return pieces;
 }
 

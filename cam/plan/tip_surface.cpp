@@ -25,7 +25,8 @@ TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& pr
   per_square_ = table_size / reach;
   for (int i = 0; i <= table_size + 1; ++i) {
     // Minimum over a step of the table: a profile need not rise outwards.
-    const double from = std::sqrt(std::min(reach, i / per_square_)), to = std::sqrt(std::min(reach, (i + 1) / per_square_));
+    const double from = std::sqrt(std::min(reach, i / per_square_)),
+                 to = std::sqrt(std::min(reach, (i + 1) / per_square_));
     least_heights_.push_back(
         std::min(profile_.height(std::min(from, profile_.radius())), profile_.height(std::min(to, profile_.radius()))));
   }
@@ -34,7 +35,8 @@ TipSurface::TipSurface(std::shared_ptr<const Surface> surface, const Profile& pr
   const HeightMap& h = surface_->samples();
   // Finest level: maximum of each sample and of the fine samples of the square that starts there.
   HeightMap tops = h;
-  const auto samples = static_cast<std::size_t>(surface_->fine_side()) * static_cast<std::size_t>(surface_->fine_side());
+  const auto samples =
+      static_cast<std::size_t>(surface_->fine_side()) * static_cast<std::size_t>(surface_->fine_side());
   for (int row = 0; row < h.height; ++row)
     for (int column = 0; column < h.width; ++column)
       if (const float* const block = surface_->fine(column, row))
@@ -62,8 +64,8 @@ void TipSurface::lay_out_blocks() {
   for (int row = 0; row < h.height; ++row)
     for (int column = 0; column < h.width; ++column) {
       const std::size_t b = block_index(column / block_side, row / block_side);
-      blocks_[b * block_side * block_side + static_cast<std::size_t>(row % block_side * block_side + column % block_side)] =
-          h.at(column, row);
+      blocks_[b * block_side * block_side +
+              static_cast<std::size_t>(row % block_side * block_side + column % block_side)] = h.at(column, row);
       if (surface_->fine(column, row) != nullptr) has_fine_[b] = 1;
     }
 }
@@ -185,9 +187,12 @@ TipSurface::Contact TipSurface::contact(const Vec2& p, const Vec2& guess) const 
   std::size_t level = 0;
   while (level + 1 < tops_.size() && (level < block_level || tops_[level].cell < radius)) ++level;
   const HeightMap& l = tops_[level];
-  const auto clamp = [](double at, int count) { return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0)); };
+  const auto clamp = [](double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0));
+  };
   const double reach = radius + h_cell;  // between samples a square is as high as its neighbour
-  const Vec2 low = (p - l.origin - Vec2::Constant(reach)) / l.cell, high = (p - l.origin + Vec2::Constant(reach)) / l.cell;
+  const Vec2 low = (p - l.origin - Vec2::Constant(reach)) / l.cell,
+             high = (p - l.origin + Vec2::Constant(reach)) / l.cell;
   double around = nothing;  // greatest height within reach
   if (high.minCoeff() >= 0 && low.x() <= l.width && low.y() <= l.height)
     for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
@@ -216,7 +221,8 @@ void TipSurface::edge_contacts(const Vec2& p, double around, Contact& best) cons
       const Vec2 q = at + out;
       if (!(q.x() >= 0 && q.y() >= 0 && q.x() < h.width - 1 && q.y() < h.height - 1)) continue;
       const int i = static_cast<int>(q.x()), j = static_cast<int>(q.y());
-      const float top = std::max(std::max(tops_[0].at(i, j), h.at(i + 1, j)), std::max(h.at(i, j + 1), h.at(i + 1, j + 1)));
+      const float top =
+          std::max(std::max(tops_[0].at(i, j), h.at(i + 1, j)), std::max(h.at(i, j + 1), h.at(i + 1, j + 1)));
       if (top - above <= best.tip) continue;
       const Vec2 place = h.place(q.x(), q.y());
       if (const double tip = surface_->height(place) - above; tip > best.tip) best = {tip, place};
@@ -247,7 +253,9 @@ Interval TipSurface::range(const Rectangle& area) const {
   std::size_t level = 0;
   while (level + 1 < tops_.size() && tops_[level].cell < 0.25 * std::min(radius, area.size().minCoeff())) ++level;
   const HeightMap& l = tops_[level];
-  const auto clamp = [](double at, int count) { return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0)); };
+  const auto clamp = [](double at, int count) {
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, count - 1.0));
+  };
   const Vec2 low = (area.lower - l.origin - Vec2::Constant(radius)) / l.cell - Vec2::Ones(),
              high = (area.upper - l.origin + Vec2::Constant(radius)) / l.cell + Vec2::Ones();
   for (int row = clamp(low.y(), l.height); row <= clamp(high.y(), l.height); ++row)
@@ -300,6 +308,8 @@ class TipField final : public Field {
 
 }  // namespace
 
-FieldPtr TipSurface::field(std::shared_ptr<const TipSurface> tips) { return std::make_shared<TipField>(std::move(tips)); }
+FieldPtr TipSurface::field(std::shared_ptr<const TipSurface> tips) {
+  return std::make_shared<TipField>(std::move(tips));
+}
 
 }  // namespace fieldfab::cam

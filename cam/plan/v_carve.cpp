@@ -129,7 +129,8 @@ class MedialAxis {
       if (height < 0) height = -height, across = -across;
       const double x0 = (focus - start).dot(along), from = (a - start).dot(along), to = (b - start).dot(along);
       const int steps = std::clamp(
-          static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))), 1, 1000);
+          static_cast<int>(std::ceil(std::abs(to - from) / std::sqrt(8 * tolerance_ * std::max(height, tolerance_)))),
+          1, 1000);
       if (height > 1e-9)
         for (int i = 1; i < steps; ++i) {
           const double x = from + (to - from) * i / steps;
@@ -147,7 +148,8 @@ class MedialAxis {
 
 }  // namespace
 
-std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut, Progress& progress) {
+std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover, const CutSettings& cut,
+                          Progress& progress) {
   if (!(half_angle > 0) || !(half_angle < std::numbers::pi / 2))
     throw Error(ErrorKind::bad_input, "v_carve", "needs a V with an angle between 0 and 180 degrees");
   if (part.empty()) return {};
@@ -166,7 +168,9 @@ std::vector<Path> v_carve(const Loops& part, double half_angle, double stepover,
       }
       run.clear();
     };
-    const auto add = [&](const Vec2& p, double radius) { run.emplace_back(p.x(), p.y(), cut.depths.top - slope * radius); };
+    const auto add = [&](const Vec2& p, double radius) {
+      run.emplace_back(p.x(), p.y(), cut.depths.top - slope * radius);
+    };
     for (std::size_t i = 0; i < branch.size(); ++i) {
       const AxisPoint& here = branch[i];
       const bool deep = here.radius > widest;

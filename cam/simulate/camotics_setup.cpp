@@ -40,7 +40,8 @@ class CamoticsReader {
   [[nodiscard]] double number(const Json& table, const char* key, double otherwise) const {
     const auto found = table.find(key);
     if (found == table.end() || found->is_null()) return otherwise;
-    if (!found->is_number() || !std::isfinite(found->get<double>())) throw refuse(fmt::format("'{}' is no number", key));
+    if (!found->is_number() || !std::isfinite(found->get<double>()))
+      throw refuse(fmt::format("'{}' is no number", key));
     return found->get<double>();
   }
   [[nodiscard]] std::string text(const Json& table, const char* key, const char* otherwise) const {

@@ -23,13 +23,14 @@ void paint(Image& image, const frep::Expression& shape, const Box& where, const 
   for (int row = bottom; row < top; ++row) {
     std::fill(y.begin(), y.end(), static_cast<float>(row) + 0.5F);
     field->values({x.data(), y.data(), z.data(), count}, distance.data());
-    std::uint8_t* const pixels =
-        image.pixels8.data() + 3 * (static_cast<std::size_t>(image.height - 1 - row) * static_cast<std::size_t>(image.width) +
-                                    static_cast<std::size_t>(left));
+    std::uint8_t* const pixels = image.pixels8.data() + 3 * (static_cast<std::size_t>(image.height - 1 - row) *
+                                                                 static_cast<std::size_t>(image.width) +
+                                                             static_cast<std::size_t>(left));
     for (std::size_t i = 0; i < count; ++i) {
       const double cover = opacity * std::clamp(0.5 - static_cast<double>(distance[i]), 0.0, 1.0);
       for (std::size_t c = 0; c < 3; ++c)
-        pixels[3 * i + c] = static_cast<std::uint8_t>(std::lround(pixels[3 * i + c] + cover * (colour[c] - pixels[3 * i + c])));
+        pixels[3 * i + c] =
+            static_cast<std::uint8_t>(std::lround(pixels[3 * i + c] + cover * (colour[c] - pixels[3 * i + c])));
     }
   }
 }

@@ -11,8 +11,9 @@ namespace fieldfab::cam {
 using Kind = SimulationEvent::Kind;
 
 std::string_view name_of(Kind kind) {
-  constexpr std::array<std::string_view, 8> names{"rapid contact", "shank contact",   "holder contact", "fixture contact",
-                                                  "over-travel",   "spindle stopped", "gouge",          "excess"};
+  constexpr std::array<std::string_view, 8> names{"rapid contact",   "shank contact", "holder contact",
+                                                  "fixture contact", "over-travel",   "spindle stopped",
+                                                  "gouge",           "excess"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -41,7 +42,8 @@ int EventLog::forget(Kind kind, int program) {
 }
 
 void EventLog::add_first(const std::vector<ReadingNote>& notes, int program) {
-  auto at = std::find_if(notes_.begin(), notes_.end(), [&](const SimulationNote& note) { return note.program == program; });
+  auto at =
+      std::find_if(notes_.begin(), notes_.end(), [&](const SimulationNote& note) { return note.program == program; });
   for (const ReadingNote& note : notes) at = notes_.insert(at, {note.line, note.message, program}) + 1;
 }
 

@@ -27,7 +27,8 @@ std::vector<Vec2> half_section(const Zone& zone) {
     return points;
   }
   // A ball is a ring of radius 0.
-  const double disc = zone.shape == Zone::Shape::ball ? 0 : zone.r0, round = zone.shape == Zone::Shape::ball ? zone.r0 : zone.r1;
+  const double disc = zone.shape == Zone::Shape::ball ? 0 : zone.r0,
+               round = zone.shape == Zone::Shape::ball ? zone.r0 : zone.r1;
   points[0] = {0, zone.z0 - round};
   for (int i = 0; i <= steps; ++i) {
     const double angle = std::numbers::pi * (static_cast<double>(i) / steps - 0.5);
@@ -64,7 +65,8 @@ class Film {
     view_.size = settings.size, view_.alpha = settings.alpha, view_.beta = settings.beta;
     view_.samples = 2;
     view_.window = window();
-    for (const auto& [number, tool] : result.setup().tools) colour_of_.try_emplace(number, colour_of_tool(colour_of_.size() + 1));
+    for (const auto& [number, tool] : result.setup().tools)
+      colour_of_.try_emplace(number, colour_of_tool(colour_of_.size() + 1));
   }
 
   Image frame(double seconds, Progress& progress) {
@@ -129,7 +131,8 @@ void write_frames(const SimulationResult& result, const std::filesystem::path& f
   if (settings.count < 1 || settings.count > 100'000 || settings.size < 16 || settings.size > 8192)
     throw Error(ErrorKind::bad_input, "frames", "1 to 100000 frames of 16 to 8192 pixels are wanted");
   const Playback* const playback = result.playback().get();
-  if (!playback || playback->moves() == 0) throw Error(ErrorKind::bad_input, "frames", "nothing moved that could be shown");
+  if (!playback || playback->moves() == 0)
+    throw Error(ErrorKind::bad_input, "frames", "nothing moved that could be shown");
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
   if (failed) throw Error(ErrorKind::io, folder.string(), "cannot be made: " + failed.message());

@@ -103,9 +103,10 @@ class HtmlReport {
     std::vector<std::string> names;
     for (const std::filesystem::path& program : report_.programs) names.push_back(program.filename().string());
     out_ = html_start(fmt::format("Simulation of {}", fmt::join(names, ", "))) + style;
-    out_ += fmt::format("<p>Set-up {}{}{}, samples every {:.4g} mm</p>\n", html_text(setup_.name),
-                        setup_.file.empty() ? "" : " (" + html_text(std::filesystem::path(setup_.file).filename().string()) + ")",
-                        setup_.machine.name.empty() ? "" : ", " + html_text(setup_.machine.name), setup_.sampling.cell);
+    out_ += fmt::format(
+        "<p>Set-up {}{}{}, samples every {:.4g} mm</p>\n", html_text(setup_.name),
+        setup_.file.empty() ? "" : " (" + html_text(std::filesystem::path(setup_.file).filename().string()) + ")",
+        setup_.machine.name.empty() ? "" : ", " + html_text(setup_.machine.name), setup_.sampling.cell);
     if (report_.good()) {
       out_ += "<p class=\"verdict good\">Nothing is wrong.";
     } else {
@@ -118,15 +119,16 @@ class HtmlReport {
                           report_.events.size() == 1 ? "thing is" : "things are", fmt::join(kinds, ", "));
     }
     if (report_.deviation)
-      out_ += fmt::format(" Against the target at most {:.3f} mm too deep, {:.3f} mm left over.", report_.deviation->deepest,
-                          report_.deviation->highest);
+      out_ += fmt::format(" Against the target at most {:.3f} mm too deep, {:.3f} mm left over.",
+                          report_.deviation->deepest, report_.deviation->highest);
     else
       out_ += " There was no target to compare with.";
     out_ += "</p>\n";
   }
 
   void add_picture(const Image& image, const std::string& caption) {
-    out_ += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", html_image(image, caption), html_text(caption));
+    out_ +=
+        fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", html_image(image, caption), html_text(caption));
   }
 
   void add_pictures() {
@@ -178,9 +180,11 @@ class HtmlReport {
       case StockColouring::deviation: {
         const DeviationScale scale = DeviationScale::of(result_);
         std::vector<Colour> colours(80);
-        for (std::size_t i = 0; i < 80; ++i) colours[i] = scale.colour(scale.full * (static_cast<double>(i) + 0.5 - 40) / 40);
+        for (std::size_t i = 0; i < 80; ++i)
+          colours[i] = scale.colour(scale.full * (static_cast<double>(i) + 0.5 - 40) / 40);
         text += fmt::format(
-            "Colours are deviations from the target: too deep by {0:.3g} mm or more {1} as much left over; grey is within "
+            "Colours are deviations from the target: too deep by {0:.3g} mm or more {1} as much left over; grey is "
+            "within "
             "&minus;{2:.3g} to +{3:.3g} mm.",
             scale.full, colour_bar(colours, 240), scale.gouge, scale.excess);
         break;
@@ -217,13 +221,15 @@ class HtmlReport {
     for (std::size_t i = 0; i < rows; ++i) {
       const SimulationEvent& e = report_.events[i];
       out_ += fmt::format(
-          "<tr><td><span class=\"number{}\">{}</span></td><td>{}<div class=\"what\">{}</div></td><td class=\"n\">{}</td>"
+          "<tr><td><span class=\"number{}\">{}</span></td><td>{}<div class=\"what\">{}</div></td><td "
+          "class=\"n\">{}</td>"
           "<td><code>{}</code></td><td class=\"n\">{}</td><td class=\"place\">{:.3f}, {:.3f}, {:.3f}</td><td "
           "class=\"n\">{}</td></tr>\n",
           marked_.contains(i) ? " marked" : "", i + 1, name_of(e.kind), html_text(e.message),
           line_text(e.move.line, e.move.program, "&ndash;"),
           e.move.line > 0 ? html_text(lines[static_cast<std::size_t>(e.move.program)][e.move.line]) : "",
-          e.move.tool > 0 ? fmt::format("{}", e.move.tool) : "&ndash;", e.place.x(), e.place.y(), e.place.z(), amount_text(e));
+          e.move.tool > 0 ? fmt::format("{}", e.move.tool) : "&ndash;", e.place.x(), e.place.y(), e.place.z(),
+          amount_text(e));
     }
     out_ += "</table>\n";
     if (rows < report_.events.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.events.size() - rows);
@@ -233,7 +239,8 @@ class HtmlReport {
   [[nodiscard]] std::string line_text(int line, int program, const char* none) const {
     if (line == 0) return none;
     if (report_.programs.size() == 1) return fmt::format("{}", line);
-    return fmt::format("{}:{}", html_text(report_.programs[static_cast<std::size_t>(program)].filename().string()), line);
+    return fmt::format("{}:{}", html_text(report_.programs[static_cast<std::size_t>(program)].filename().string()),
+                       line);
   }
 
   void add_row(const char* name, const std::string& value) {
@@ -242,9 +249,10 @@ class HtmlReport {
 
   void add_figures() {
     out_ += "<h2>Figures</h2>\n<table>\n";
-    add_row("Machine time", fmt::format("{}, of it {} in rapids", html_time(report_.seconds), html_time(report_.rapid_seconds)));
-    add_row("Feed", fmt::format("{:.2f} m in material, {:.2f} m in air: {:.0f} % in air", report_.cut / 1000, report_.air / 1000,
-                                100 * report_.air_share()));
+    add_row("Machine time",
+            fmt::format("{}, of it {} in rapids", html_time(report_.seconds), html_time(report_.rapid_seconds)));
+    add_row("Feed", fmt::format("{:.2f} m in material, {:.2f} m in air: {:.0f} % in air", report_.cut / 1000,
+                                report_.air / 1000, 100 * report_.air_share()));
     add_row("Rapids", fmt::format("{:.2f} m", report_.rapid / 1000));
     add_row("Moves", fmt::format("{}", report_.moves));
     add_row("Material removed", volume_text(report_.removed));
@@ -263,7 +271,8 @@ class HtmlReport {
     }
     const bool coloured = default_colouring(result_) == StockColouring::tool;
     out_ +=
-        "<h2>Tools</h2>\n<table>\n<tr><th>No.</th><th>Tool</th><th class=\"n\">Time</th><th class=\"n\">In material</th><th "
+        "<h2>Tools</h2>\n<table>\n<tr><th>No.</th><th>Tool</th><th class=\"n\">Time</th><th class=\"n\">In "
+        "material</th><th "
         "class=\"n\" colspan=\"2\">In air</th><th class=\"n\">Removed</th></tr>\n";
     for (const auto& [number, sum] : sums) {
       const auto found = setup_.tools.find(number);
@@ -271,10 +280,12 @@ class HtmlReport {
       std::string name = found != setup_.tools.end() ? tool_text(found->second) : "none";
       if (coloured && found != setup_.tools.end()) {
         const Colour c = colour_of_tool(place);
-        name = fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span>{}", c[0], c[1], c[2], name);
+        name = fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span>{}", c[0], c[1],
+                           c[2], name);
       }
       out_ += fmt::format(
-          "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f} m</td><td class=\"n\">{:.2f} "
+          "<tr><td class=\"n\">{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f} m</td><td "
+          "class=\"n\">{:.2f} "
           "m</td><td class=\"n\">{:.0f} %</td><td class=\"n\">{}</td></tr>\n",
           number, name, html_time(sum.seconds), sum.cut / 1000, sum.air / 1000,
           sum.cut + sum.air > 0 ? 100 * sum.air / (sum.cut + sum.air) : 0, volume_text(sum.removed));
@@ -288,7 +299,8 @@ class HtmlReport {
     out_ += "<h2>Deviation from the target</h2>\n<table>\n";
     add_row("Deepest gouge", fmt::format("{:.3f} mm (allowed: {:.3g} mm)", d.deepest, setup_.gouge));
     add_row("Highest excess",
-            fmt::format("{:.3f} mm{}", d.highest, setup_.excess > 0 ? fmt::format(" (allowed: {:.3g} mm)", setup_.excess) : ""));
+            fmt::format("{:.3f} mm{}", d.highest,
+                        setup_.excess > 0 ? fmt::format(" (allowed: {:.3g} mm)", setup_.excess) : ""));
     add_row("Mean, and root of mean square", fmt::format("{:.3f} mm, {:.3f} mm", d.mean, d.root_mean_square));
     out_ +=
         "</table>\n<p>Shares of the surface, by how far they are off (the outermost bars: and beyond; dashed: what is "
@@ -301,7 +313,8 @@ class HtmlReport {
     out_ += "<h2>Notes</h2>\n";
     const std::size_t rows = std::min(report_.notes.size(), most_rows);
     for (std::size_t i = 0; i < rows; ++i)
-      out_ += fmt::format("<p class=\"note\">Line {}: {}</p>\n", line_text(report_.notes[i].line, report_.notes[i].program, "0"),
+      out_ += fmt::format("<p class=\"note\">Line {}: {}</p>\n",
+                          line_text(report_.notes[i].line, report_.notes[i].program, "0"),
                           html_text(report_.notes[i].message));
     if (rows < report_.notes.size()) out_ += fmt::format("<p>And {} more.</p>\n", report_.notes.size() - rows);
   }

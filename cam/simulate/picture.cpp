@@ -33,8 +33,8 @@ Colour along(const Stops& stops, double share) {
   const auto i = std::min(static_cast<std::size_t>(at), stops.size() - 2);
   Colour out{};
   for (std::size_t c = 0; c < 3; ++c)
-    out[c] =
-        static_cast<std::uint8_t>(std::lround(stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c])));
+    out[c] = static_cast<std::uint8_t>(
+        std::lround(stops[i][c] + (at - static_cast<double>(i)) * (stops[i + 1][c] - stops[i][c])));
   return out;
 }
 
@@ -97,7 +97,8 @@ class Marks {
     for (int direction = 0; direction < 16; ++direction)
       for (const double distance : {3.0, 4.5}) {
         const double angle = (0.25 + direction / 8.0) * std::numbers::pi;
-        const std::pair<double, double> spot{x + distance * radius_ * std::cos(angle), y + distance * radius_ * std::sin(angle)};
+        const std::pair<double, double> spot{x + distance * radius_ * std::cos(angle),
+                                             y + distance * radius_ * std::sin(angle)};
         const auto [px, py] = spot;
         double room = std::min({px, py, image_.width - px, image_.height - py, 3 * radius_});
         for (const auto& [ox, oy] : spots_) room = std::min(room, std::hypot(px - ox, py - oy));
@@ -122,7 +123,8 @@ void add_legend(Image& image, const DeviationScale& scale) {
   const double side = std::max(image.width, image.height), text = std::max(8.0, side / 95), height = 1.3 * text,
                width = 0.36 * side, left = 0.05 * side, bottom = 2.4 * text;
   // The background's last colour.
-  const Colour paper{image.pixels8[image.pixels8.size() - 3], image.pixels8[image.pixels8.size() - 2], image.pixels8.back()};
+  const Colour paper{image.pixels8[image.pixels8.size() - 3], image.pixels8[image.pixels8.size() - 2],
+                     image.pixels8.back()};
   const auto rows = static_cast<int>(std::lround(bottom + height + 2.4 * text));
   for (int i = 0; i < rows * image.width; ++i)
     for (std::size_t channel = 0; channel < 3; ++channel) image.pixels8.push_back(paper[channel]);
@@ -208,12 +210,14 @@ std::vector<Colour> vertex_colours(const SimulationResult& result, StockColourin
       const auto& deviation = result.report().deviation;
       if (!deviation) throw Error(ErrorKind::bad_input, "colours", "there is no target to tell deviations from");
       const DeviationScale scale = DeviationScale::of(result);
-      for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = scale.colour(static_cast<double>(deviation->at_vertex[i]));
+      for (std::size_t i = 0; i < colours.size(); ++i)
+        colours[i] = scale.colour(static_cast<double>(deviation->at_vertex[i]));
       break;
     }
     case StockColouring::tool: {
       std::map<int, Colour> of_tool{{0, colour_of_tool(0)}};
-      for (const auto& [number, tool] : result.setup().tools) of_tool.try_emplace(number, colour_of_tool(of_tool.size()));
+      for (const auto& [number, tool] : result.setup().tools)
+        of_tool.try_emplace(number, colour_of_tool(of_tool.size()));
       for (std::size_t i = 0; i < colours.size(); ++i) colours[i] = of_tool[cut_of(i).tool];
       break;
     }
@@ -238,14 +242,16 @@ std::vector<std::size_t> worst_events(const SimulationResult& result, std::size_
   for (std::size_t i = 0; i < events.size(); ++i) of_kind[events[i].kind].push_back(i);
   std::size_t longest = 0;
   for (auto& [kind, list] : of_kind) {
-    std::stable_sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) { return events[a].amount > events[b].amount; });
+    std::stable_sort(list.begin(), list.end(),
+                     [&](std::size_t a, std::size_t b) { return events[a].amount > events[b].amount; });
     longest = std::max(longest, list.size());
   }
   const double neighbourhood = result.setup().stock_box.diagonal() / 25;
   std::vector<std::size_t> chosen;
   const auto near = [&](std::size_t i) {
-    return std::any_of(chosen.begin(), chosen.end(),
-                       [&](std::size_t other) { return (events[i].place - events[other].place).norm() < neighbourhood; });
+    return std::any_of(chosen.begin(), chosen.end(), [&](std::size_t other) {
+      return (events[i].place - events[other].place).norm() < neighbourhood;
+    });
   };
   for (std::size_t rank = 0; rank < longest; ++rank)
     for (const auto& [kind, list] : of_kind)
@@ -253,7 +259,8 @@ std::vector<std::size_t> worst_events(const SimulationResult& result, std::size_
   return chosen;
 }
 
-TrianglePicture stock_picture(const SimulationResult& result, const StockPictureSettings& settings, Progress& progress) {
+TrianglePicture stock_picture(const SimulationResult& result, const StockPictureSettings& settings,
+                              Progress& progress) {
   const StockColouring colouring = settings.colouring.value_or(default_colouring(result));
   const std::vector<Colour> colours = vertex_colours(result, colouring);
   RenderSettings view;
@@ -273,8 +280,8 @@ bool shows_event(const SimulationResult& result, const TrianglePicture& picture,
   return picture.shows(event.place, 3 * std::max(result.stock().lattice().spacing().maxCoeff(), pixel));
 }
 
-void write_stock_picture(const SimulationResult& result, const std::filesystem::path& path, const StockPictureSettings& settings,
-                         Progress& progress) {
+void write_stock_picture(const SimulationResult& result, const std::filesystem::path& path,
+                         const StockPictureSettings& settings, Progress& progress) {
   if (path.extension() != ".png") throw Error(ErrorKind::bad_input, path.string(), "a picture of a stock is a .png");
   Image image = stock_picture(result, settings, progress).image;
   if (settings.colouring.value_or(default_colouring(result)) == StockColouring::deviation)

@@ -6,8 +6,8 @@
 
 namespace fieldfab::cam {
 
-void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip, bool removes,
-                 std::vector<Stroke>& strokes) {
+void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip,
+                 bool removes, std::vector<Stroke>& strokes) {
   for (const ToolPiece& piece : tool.pieces)
     if (piece.role == role) strokes.push_back({&piece, from, to, cut_number(tip, role), removes});
 }
@@ -116,7 +116,8 @@ const Stock& Playhead::stock_after(std::size_t moves, Progress& progress) {
       shown_.stock.cut(strokes, progress);
       shown_.moves = i + 1;
       strokes.clear();
-      progress.report(static_cast<double>(i + 1 - begin) / static_cast<double>(moves - begin), "going to another moment");
+      progress.report(static_cast<double>(i + 1 - begin) / static_cast<double>(moves - begin),
+                      "going to another moment");
     }
   } catch (...) {
     shown_ = nearest;  // strokes may have been executed partly

@@ -11,7 +11,10 @@
 namespace fieldfab::cam {
 
 PoseMaker::PoseMaker(const SimulationSetup& setup, const std::string& program)
-    : setup_(setup), program_(program), kinematics_(setup.machine.kinematics), tip_kinematics_(setup.machine.kinematics) {
+    : setup_(setup),
+      program_(program),
+      kinematics_(setup.machine.kinematics),
+      tip_kinematics_(setup.machine.kinematics) {
   kinematics_.axes.resize(std::min<std::size_t>(kinematics_.axes.size(), 2));
   tip_kinematics_ = kinematics_;
   tip_kinematics_.tip_mode = true;
@@ -25,8 +28,8 @@ PoseMaker::PoseMaker(const SimulationSetup& setup, const std::string& program)
 
 void PoseMaker::check(const Motion& motion) const {
   for (std::size_t axis = 3; axis < 9; ++axis) {
-    const bool known =
-        axis < 6 && ((!kinematics_.axes.empty() && rotary_[0] == axis) || (kinematics_.axes.size() > 1 && rotary_[1] == axis));
+    const bool known = axis < 6 && ((!kinematics_.axes.empty() && rotary_[0] == axis) ||
+                                    (kinematics_.axes.size() > 1 && rotary_[1] == axis));
     if (!known && std::abs(motion.end.at[axis] - setup_.start.at[axis]) > 1e-9)
       throw Error(ErrorKind::bad_input, fmt::format("{}:{}", program_, motion.line),
                   fmt::format("it moves {}, an axis that {} does not have", "XYZABCUVW"[axis],
@@ -103,8 +106,9 @@ std::vector<AxisValues> PoseMaker::places(const AxisValues& from, const Motion& 
   return result;
 }
 
-std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened, double length,
-                                       const Placement& placement, double reach, double tolerance) const {
+std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened,
+                                       double length, const Placement& placement, double reach,
+                                       double tolerance) const {
   std::vector<ToolPose> poses{pose(places.front(), mode, lengthened, length, placement)};
   for (std::size_t i = 1; i < places.size(); ++i) {
     const auto between = [&](double t) {
@@ -120,7 +124,8 @@ std::vector<ToolPose> PoseMaker::along(const std::vector<AxisValues>& places, Co
       continue;
     }
     // Bisection until midpoint and quarter points of each step agree with linear interpolation.
-    const auto divide = [&](const auto& self, double t0, const ToolPose& a, double t1, const ToolPose& b, int depth) -> void {
+    const auto divide = [&](const auto& self, double t0, const ToolPose& a, double t1, const ToolPose& b,
+                            int depth) -> void {
       bool even = true;
       for (const double share : {0.25, 0.5, 0.75}) {
         const ToolPose middle = between(t0 + share * (t1 - t0));

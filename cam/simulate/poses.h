@@ -27,7 +27,8 @@ class PoseMaker {
   /// between them: the error of any point of the tool up to `reach` above its tip is at most
   /// `tolerance`. Starts with the pose of the first values.
   [[nodiscard]] std::vector<ToolPose> along(const std::vector<AxisValues>& places, ControlMode mode, double lengthened,
-                                            double length, const Placement& placement, double reach, double tolerance) const;
+                                            double length, const Placement& placement, double reach,
+                                            double tolerance) const;
 
  private:
   const SimulationSetup& setup_;

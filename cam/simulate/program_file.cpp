@@ -43,7 +43,8 @@ ProgramFile::ProgramFile(const std::filesystem::path& path) : path_(path), file_
   lines_ = static_cast<int>(std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n') + 1, 2'000'000'000));
 }
 
-std::vector<ReadingNote> ProgramFile::read(const SimulationSetup& setup, const MotionSink& sink, Progress& progress) const {
+std::vector<ReadingNote> ProgramFile::read(const SimulationSetup& setup, const MotionSink& sink,
+                                           Progress& progress) const {
   const std::string name = path_.string(), extension = lower_case(path_.extension().string());
   const ReadingOptions options = reading_options(setup, lines_);
   const std::string_view text = text_of(file_);

@@ -16,8 +16,8 @@ namespace {
 constexpr double width = 900, left = 64, right = 12;
 
 std::string start(double height, const char* description) {
-  return fmt::format("<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width, height,
-                     description);
+  return fmt::format("<svg class=\"chart\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"{}\">\n", width,
+                     height, description);
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& words) {
@@ -68,7 +68,8 @@ std::string deviation_chart(const SimulationResult& result, const DeviationScale
     out += rule(y, "#e4e4e4") + text(left - 6, y + 4, "end", fmt::format("{:.4g} %", 100 / std::pow(10, decade)));
   }
   for (const double edge : {-scale.gouge, scale.excess})
-    out += fmt::format("<path d=\"M{0:.2f} {1}V{2}\" stroke=\"#888\" stroke-dasharray=\"3 3\"/>\n", x_of(edge), top, bottom);
+    out += fmt::format("<path d=\"M{0:.2f} {1}V{2}\" stroke=\"#888\" stroke-dasharray=\"3 3\"/>\n", x_of(edge), top,
+                       bottom);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const double middle = scale.full * (2 * (static_cast<double>(i) - 0.5) / static_cast<double>(bins) - 1);
     const double tall = shares[i] > 0 ? std::max(0.0, 1 + std::log10(shares[i]) / decades) : 0;
@@ -81,7 +82,8 @@ std::string deviation_chart(const SimulationResult& result, const DeviationScale
     for (const double sign : {-1.0, 1.0})
       if (at > 0 || sign > 0)
         out += text(x_of(sign * at), bottom + 16, "middle", at > 0 ? fmt::format("{:+.3g}", sign * at) : "0");
-  out += text(left, bottom + 34, "start", "too deep") + text((left + width - right) / 2, bottom + 34, "middle", "deviation, mm") +
+  out += text(left, bottom + 34, "start", "too deep") +
+         text((left + width - right) / 2, bottom + 34, "middle", "deviation, mm") +
          text(width - right, bottom + 34, "end", "left over");
   return out + "</svg>\n";
 }
@@ -122,9 +124,11 @@ std::string lines_chart(const SimulationReport& report) {
   const double gap = wide > 3 ? 0.5 : 0;
   axis(first_top, most_removed, "material removed, mm&sup3;");
   for (std::size_t i = 0; i < bins; ++i)
-    out += bar(x_of(i) + gap, first_top + panel * (1 - removed[i] / most_removed), wide - 2 * gap, first_top + panel, "#4e79a7");
+    out += bar(x_of(i) + gap, first_top + panel * (1 - removed[i] / most_removed), wide - 2 * gap, first_top + panel,
+               "#4e79a7");
   out += rule(first_top + panel, "#444");
-  axis(second_top, most_feed, "feed, mm: <tspan fill=\"#4e79a7\">in material</tspan>, <tspan fill=\"#c96a0a\">in air</tspan>");
+  axis(second_top, most_feed,
+       "feed, mm: <tspan fill=\"#4e79a7\">in material</tspan>, <tspan fill=\"#c96a0a\">in air</tspan>");
   for (std::size_t i = 0; i < bins; ++i) {
     const double bottom = second_top + panel, middle = bottom - panel * cut[i] / most_feed;
     out += bar(x_of(i) + gap, middle, wide - 2 * gap, bottom, "#4e79a7");
@@ -133,8 +137,8 @@ std::string lines_chart(const SimulationReport& report) {
   out += rule(second_top + panel, "#444");
   const double step = std::max(1.0, step_for(last, 10));
   for (double line = step; line <= last; line += step)
-    out +=
-        text(left + (width - left - right) * (line - 0.5) / last, second_top + panel + 26, "middle", fmt::format("{:.0f}", line));
+    out += text(left + (width - left - right) * (line - 0.5) / last, second_top + panel + 26, "middle",
+                fmt::format("{:.0f}", line));
   out += text((left + width - right) / 2, height - 8, "middle", "line of the program");
   std::set<std::size_t> wrong;
   for (const SimulationEvent& e : report.events)
@@ -148,9 +152,11 @@ std::string lines_chart(const SimulationReport& report) {
 
 std::string colour_bar(const std::vector<Colour>& colours, int bar_width) {
   std::string out = fmt::format(
-      "<svg class=\"bar\" width=\"{0}\" height=\"14\" viewBox=\"0 0 {0} 14\" shape-rendering=\"crispEdges\">", bar_width);
+      "<svg class=\"bar\" width=\"{0}\" height=\"14\" viewBox=\"0 0 {0} 14\" shape-rendering=\"crispEdges\">",
+      bar_width);
   const double wide = static_cast<double>(bar_width) / static_cast<double>(colours.size());
-  for (std::size_t i = 0; i < colours.size(); ++i) out += bar(wide * static_cast<double>(i), 0, wide, 14, text_of(colours[i]));
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    out += bar(wide * static_cast<double>(i), 0, wide, 14, text_of(colours[i]));
   return out + "</svg>";
 }
 

@@ -47,11 +47,12 @@ class SetupReader {
     if (!table_.tables("operation").empty() || table_.has("input")) {
       read_job();
     } else {
-      table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool", "zero",
-                   "start", "home", "second_home", "work", "limits", "stop", "dialect", "programs"});
+      table_.only({"name", "machine", "cell", "tolerance", "rules", "rapids", "stock", "target", "fixture", "tool",
+                   "zero", "start", "home", "second_home", "work", "limits", "stop", "dialect", "programs"});
       for (const std::string& program : table_.texts("programs")) setup_.programs.push_back(beside(program));
       read_machine();
-      if (const auto dialect = table_.text("dialect")) setup_.machine.dialect = dialect_named(*dialect, table_.place("dialect"));
+      if (const auto dialect = table_.text("dialect"))
+        setup_.machine.dialect = dialect_named(*dialect, table_.place("dialect"));
       for (Tool& tool : read_tools(table_, path_.parent_path())) setup_.tools.emplace(tool.number, std::move(tool));
       read_stock();
       read_target();
@@ -106,7 +107,8 @@ class SetupReader {
           setup_.stops.push_back({0, placement_of(op.plane)});
         lying = &op.plane;
       }
-      if (op.tool.number != tool && stops(setup_.machine, "tool_change")) setup_.stops.push_back({op.tool.number, std::nullopt});
+      if (op.tool.number != tool && stops(setup_.machine, "tool_change"))
+        setup_.stops.push_back({op.tool.number, std::nullopt});
       tool = op.tool.number;
       if (!setup_.first_tool) setup_.first_tool = tool;
     }
@@ -132,9 +134,11 @@ class SetupReader {
   void leave_where_it_was(const Vec3& zero) {
     if (zero.isZero()) return;
     if (setup_.saved)
-      throw Error(ErrorKind::bad_input, path_.string(), "where the stock is a saved one, the program's zero must be the model's");
+      throw Error(ErrorKind::bad_input, path_.string(),
+                  "where the stock is a saved one, the program's zero must be the model's");
     if (!setup_.stops.empty() || !setup_.placement.rotation.isIdentity())
-      throw Error(ErrorKind::bad_input, path_.string(), "where the part is turned over, the program's zero must be the model's");
+      throw Error(ErrorKind::bad_input, path_.string(),
+                  "where the part is turned over, the program's zero must be the model's");
     setup_.stock_box = {setup_.stock_box.lower + zero, setup_.stock_box.upper + zero};
     setup_.target = translate(setup_.target, zero);
     setup_.zero -= zero;
@@ -200,7 +204,8 @@ class SetupReader {
       const SolidBounds found = solid_bounds(*field, progress_);
       if (found.empty) throw refuse(table, "model", fmt::format("{}: the solid is empty", name));
       if (!found.is_bounded())
-        throw refuse(table, "model", fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
+        throw refuse(table, "model",
+                     fmt::format("{}: the solid is unbounded; give bounds = [x0, y0, z0, x1, y1, z1]", name));
       box = found.box;
     }
     if (!box.valid()) throw refuse(table, "bounds", "bounds are x0, y0, z0, x1, y1, z1");
@@ -223,8 +228,8 @@ class SetupReader {
       const auto& c = *cylinder;
       setup_.stock_box = {{c[0] - c[2], c[1] - c[2], c[3]}, {c[0] + c[2], c[1] + c[2], c[4]}};
       if (!(c[2] > 0) || !(c[4] > c[3])) throw refuse(*stock, "cylinder", "cylinder is [x, y, radius, z from, z to]");
-      setup_.stock = frep::make_field(
-          frep::parse_infix(fmt::format("sqrt(square(x - ({:.17g})) + square(y - ({:.17g}))) - {:.17g}", c[0], c[1], c[2])));
+      setup_.stock = frep::make_field(frep::parse_infix(
+          fmt::format("sqrt(square(x - ({:.17g})) + square(y - ({:.17g}))) - {:.17g}", c[0], c[1], c[2])));
     } else if (stock->has("model")) {
       std::tie(setup_.stock, setup_.stock_box) = read_model(*stock);
     } else {
@@ -275,7 +280,8 @@ class SetupReader {
   }
 
   AxisValues axes(const TomlTable& table, const std::string& key, const std::vector<double>& list) const {
-    if (list.size() < 3 || list.size() > 9) throw refuse(table, key, fmt::format("{} is [x, y, z] and up to six axes more", key));
+    if (list.size() < 3 || list.size() > 9)
+      throw refuse(table, key, fmt::format("{} is [x, y, z] and up to six axes more", key));
     AxisValues values;
     for (std::size_t a = 0; a < list.size(); ++a) values.at[a] = list[a] * (a >= 3 && a < 6 ? radians_per_degree : 1);
     return values;
@@ -287,7 +293,8 @@ class SetupReader {
     if (const auto home = table_.list("home")) setup_.home[0] = axes(table_, "home", *home);
     if (const auto home = table_.list("second_home")) setup_.home[1] = axes(table_, "second_home", *home);
     if (const auto rapids = table_.text("rapids")) {
-      if (*rapids != "straight" && *rapids != "dog-leg") throw refuse(table_, "rapids", "rapids are \"straight\" or \"dog-leg\"");
+      if (*rapids != "straight" && *rapids != "dog-leg")
+        throw refuse(table_, "rapids", "rapids are \"straight\" or \"dog-leg\"");
       setup_.rapid_way = *rapids == "straight" ? RapidWay::straight : RapidWay::dog_leg;
     }
     static const std::vector<std::string> systems{"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
@@ -301,7 +308,8 @@ class SetupReader {
       limits->only(letters);
       for (std::size_t a = 0; a < letters.size(); ++a)
         if (const auto list = limits->list(letters[a])) {
-          if (list->size() != 2 || !((*list)[0] <= (*list)[1])) throw refuse(*limits, letters[a], "limits are [from, to]");
+          if (list->size() != 2 || !((*list)[0] <= (*list)[1]))
+            throw refuse(*limits, letters[a], "limits are [from, to]");
           const double unit = a >= 3 && a < 6 ? radians_per_degree : 1;
           setup_.limits[a] = {(*list)[0] * unit, (*list)[1] * unit};
         }

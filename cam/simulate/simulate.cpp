@@ -22,9 +22,10 @@ void note_thin_parts(const SimulationSetup& setup, const Stock& stock, EventLog&
   if (thin.places.empty() || thin.doubt == Doubt::slopes_unknown) return;
   const Vec3 p = thin.places.front().box.centre();
   log.note(
-      {0, fmt::format("the target may have parts thinner than a cell of {:.3g} mm at {} places, the largest {:.3g} mm, about "
-                      "({:.3f}, {:.3f}, {:.3f}): cuts into them may not be seen",
-                      cell, thin.count, thin.largest, p.x(), p.y(), p.z())});
+      {0, fmt::format(
+              "the target may have parts thinner than a cell of {:.3g} mm at {} places, the largest {:.3g} mm, about "
+              "({:.3f}, {:.3f}, {:.3f}): cuts into them may not be seen",
+              cell, thin.count, thin.largest, p.x(), p.y(), p.z())});
 }
 
 /// Logs the places where the surface deviates from the target by more than the tolerance.
@@ -32,7 +33,8 @@ void log_deviations(const SimulationSetup& setup, const DeviationGauge& gauge, c
   const auto event = [&](SimulationEvent::Kind kind, const DeviationGauge::Spot& spot, const auto& message) {
     const Vec3 p(spot.place[0], spot.place[1], spot.place[2]);
     const double amount = std::abs(spot.deviation);
-    return SimulationEvent{kind, cuts[spot.cut].move, p, amount, fmt::format(fmt::runtime(message), amount, p.x(), p.y(), p.z())};
+    return SimulationEvent{kind, cuts[spot.cut].move, p, amount,
+                           fmt::format(fmt::runtime(message), amount, p.x(), p.y(), p.z())};
   };
   for (const auto& [pass, gouge] : gauge.gouges()) {
     SimulationEvent made = event(SimulationEvent::Kind::gouge, gouge.deepest,
@@ -43,7 +45,8 @@ void log_deviations(const SimulationSetup& setup, const DeviationGauge& gauge, c
   }
   const DeviationGauge::Spot highest = gauge.highest();
   if (setup.excess > 0 && highest.deviation > setup.excess)
-    log.add(event(SimulationEvent::Kind::excess, highest, "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})"));
+    log.add(event(SimulationEvent::Kind::excess, highest,
+                  "{:.3f} mm are left over the target at ({:.3f}, {:.3f}, {:.3f})"));
 }
 
 }  // namespace
@@ -62,10 +65,11 @@ std::vector<int> SimulationResult::tools_of_vertices() const {
   return tools;
 }
 
-SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::path> programs, const SimulationOptions& options,
-                          Progress& progress) {
+SimulationResult simulate(SimulationSetup setup, std::vector<std::filesystem::path> programs,
+                          const SimulationOptions& options, Progress& progress) {
   if (programs.empty()) programs = setup.programs;
-  if (programs.empty()) throw Error(ErrorKind::bad_input, setup.file, "neither this set-up nor the call names a program");
+  if (programs.empty())
+    throw Error(ErrorKind::bad_input, setup.file, "neither this set-up nor the call names a program");
   SimulationRun run(setup, options, progress);
   for (const std::filesystem::path& program : programs) run.carry_out(ProgramFile(program));
   const Stock& stock = run.stock();

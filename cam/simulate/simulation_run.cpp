@@ -23,7 +23,8 @@ std::string tool_list(const std::map<int, Tool>& tools) {
 
 Stock first_stock(const SimulationSetup& setup, Progress& progress) {
   if (!setup.saved)
-    return setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress) : Stock(setup.stock_box, setup.sampling);
+    return setup.stock ? Stock(*setup.stock, setup.stock_box, setup.sampling, progress)
+                       : Stock(setup.stock_box, setup.sampling);
   if (const double cell = setup.saved->settings().cell; setup.sampling.cell != cell)
     throw Error(ErrorKind::bad_input, setup.file,
                 fmt::format("the saved stock has a cell of {:.6g} mm, which does not change", cell));
@@ -54,7 +55,8 @@ void SimulationRun::carry_out(const ProgramFile& program) {
   flush();
   if (!spindle_turns_)
     if (const int line = log_.forget(Kind::spindle_stopped, program_number_); line > 0)
-      log_.note({line, "the spindle never turns while the program moves: it is taken as switched on by hand", program_number_});
+      log_.note({line, "the spindle never turns while the program moves: it is taken as switched on by hand",
+                 program_number_});
   log_.add_first(notes, program_number_);
 }
 
@@ -155,22 +157,25 @@ void SimulationRun::move(const Motion& motion) {
   if (rapid) report_.rapid_seconds += seconds, report_.rapid += length;
   const std::uint32_t tip = cuts_.add(cut_move(motion));
   if (way.size() == 1 && !known_) add(way[0], way[0], motion, tip, 0);
-  for (std::size_t i = 1; i < way.size(); ++i) add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
+  for (std::size_t i = 1; i < way.size(); ++i)
+    add(way[i - 1], way[i], motion, tip, (way[i].tip - way[i - 1].tip).norm());
   if (playback_)
-    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end, program_number_}, {mounted_, &mounted_->solid},
-                   tip, way);
+    playback_->add({motion.line, tool.number, rapid, report_.seconds, motion.end, program_number_},
+                   {mounted_, &mounted_->solid}, tip, way);
   report_.poses += way.size() - 1;
   at_ = motion.end;
   offset_ = motion.tool_offset;
   known_ = true;
   if (strokes_.size() >= 4096) {
     flush();
-    progress_.report(std::min(1.0, static_cast<double>(motion.line) / program_->lines()), fmt::format("line {}", motion.line));
+    progress_.report(std::min(1.0, static_cast<double>(motion.line) / program_->lines()),
+                     fmt::format("line {}", motion.line));
     progress_.check();
   }
 }
 
-void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length) {
+void SimulationRun::add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip,
+                        double length) {
   const bool rapid = motion.kind == Motion::Kind::rapid;
   Purpose purpose{Purpose::What::cut, record_, cut_move(motion), length, motion.spindle == 0};
   const auto stroke = [&](const ToolSolid& tool, ToolRole role, Purpose::What what, bool removes) {
@@ -214,8 +219,8 @@ void SimulationRun::judge(const Stroke& stroke, const Purpose& purpose, const St
   const auto told = [&](Kind kind, const char* what) {
     if (!result.points) return;
     log_.add({kind, purpose.move, result.place, result.volume,
-              fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(), result.place.y(),
-                          result.place.z())});
+              fmt::format("{}: {:.3g} mm3 at ({:.3f}, {:.3f}, {:.3f})", what, result.volume, result.place.x(),
+                          result.place.y(), result.place.z())});
   };
   LineRecord& line = report_.lines[purpose.record];
   switch (purpose.what) {

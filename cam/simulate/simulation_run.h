@@ -54,7 +54,9 @@ class SimulationRun {
   void move(const Motion& motion);
   void add(const ToolPose& from, const ToolPose& to, const Motion& motion, std::uint32_t tip, double length);
   /// A motion as stored with cuts.
-  [[nodiscard]] CutMove cut_move(const Motion& motion) const { return {motion.line, tool_number_, program_number_, pass_}; }
+  [[nodiscard]] CutMove cut_move(const Motion& motion) const {
+    return {motion.line, tool_number_, program_number_, pass_};
+  }
   void check_limits(const Motion& motion, const std::vector<AxisValues>& stations);
   [[nodiscard]] double duration_of(const Motion& motion, double length) const;
 

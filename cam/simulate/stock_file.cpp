@@ -13,7 +13,8 @@ void write_stock_mesh(const SimulationResult& result, const std::filesystem::pat
   const std::vector<Colour> colours = vertex_colours(result, default_colouring(result));
   const std::vector<int> lines = result.lines_of_vertices(), tools = result.tools_of_vertices();
   VertexProperties properties{colours};
-  if (const auto& deviation = result.report().deviation) properties.floats.emplace_back("deviation", deviation->at_vertex);
+  if (const auto& deviation = result.report().deviation)
+    properties.floats.emplace_back("deviation", deviation->at_vertex);
   properties.integers.emplace_back("line", lines);
   properties.integers.emplace_back("tool", tools);
   write_ply(result.surface().mesh, path, properties, progress);

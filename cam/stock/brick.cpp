@@ -23,11 +23,14 @@ Index3 point_of(int axis, int u, int v, int k) {
 int from(const StockLattice& lattice, int axis, float coordinate) { return lattice.below(axis, coordinate) + 1; }
 int up_to(const StockLattice& lattice, int axis, float coordinate) { return lattice.above(axis, coordinate) - 1; }
 
-/// Where the surface crosses the edge of the lattice from a point q that a stroke removes to its neighbour p, which stays, mm
-/// from the lattice's corner: at the end of the stroke's interval on that line. `after`: p follows q along axis d.
-float crossing_between(const Index3& p, const Index3& q, int d, bool after, const Window& across, const StockLattice& lattice) {
+/// Where the surface crosses the edge of the lattice from a point q that a stroke removes to its neighbour p, which
+/// stays, mm from the lattice's corner: at the end of the stroke's interval on that line. `after`: p follows q along
+/// axis d.
+float crossing_between(const Index3& p, const Index3& q, int d, bool after, const Window& across,
+                       const StockLattice& lattice) {
   const int u = q[static_cast<std::size_t>(axis_u(d))], v = q[static_cast<std::size_t>(axis_v(d))];
-  const float place = lattice.at(d, q[static_cast<std::size_t>(d)]), other = lattice.at(d, p[static_cast<std::size_t>(d)]);
+  const float place = lattice.at(d, q[static_cast<std::size_t>(d)]),
+              other = lattice.at(d, p[static_cast<std::size_t>(d)]);
   if (!across.has(u, v)) return place;
   const std::size_t line = across.index(u, v);
   if (!(across.entry[line] <= across.exit[line])) return place;
@@ -172,7 +175,8 @@ Brick::Points Brick::solid_points(const Cell& cell, std::size_t column, const St
   Points points{cell.region.first(cell.axis), cell.region.last(cell.axis)};
   if (cell.content != Cell::Content::columns) return points;
   const float upper = cell.upper.at[column];
-  if (upper != beyond) points.last = upper == -beyond ? points.first - 1 : std::min(points.last, lattice.below(cell.axis, upper));
+  if (upper != beyond)
+    points.last = upper == -beyond ? points.first - 1 : std::min(points.last, lattice.below(cell.axis, upper));
   if (!cell.lower.empty() && cell.lower.at[column] != -beyond)
     points.first = std::max(points.first, lattice.above(cell.axis, cell.lower.at[column]));
   return points;
@@ -201,8 +205,10 @@ Region Brick::solid_bounds(const StockLattice& lattice) const {
         lowest = std::min(lowest, cell.lower.empty() ? -beyond : cell.lower.at[column]);
       }
     if (highest == -beyond) continue;
-    r.lower[a] = lowest == -beyond ? cell.region.lower[a] : std::max(cell.region.lower[a], lattice.above(cell.axis, lowest));
-    r.upper[a] = highest == beyond ? cell.region.upper[a] : std::min(cell.region.upper[a], lattice.below(cell.axis, highest));
+    r.lower[a] =
+        lowest == -beyond ? cell.region.lower[a] : std::max(cell.region.lower[a], lattice.above(cell.axis, lowest));
+    r.upper[a] =
+        highest == beyond ? cell.region.upper[a] : std::min(cell.region.upper[a], lattice.below(cell.axis, highest));
     add(r);
   }
   return bounds;
@@ -215,7 +221,8 @@ bool Brick::plan_columns(const Cell& cell, const Window& window, const Stroke& s
   const int axis = cell.axis, ua = axis_u(axis), va = axis_v(axis);
   const Region& r = cell.region;
   const int low = r.first(axis), high = r.last(axis), cells_u = lattice.cells()[static_cast<std::size_t>(ua)],
-            cells_v = lattice.cells()[static_cast<std::size_t>(va)], cells_a = lattice.cells()[static_cast<std::size_t>(axis)];
+            cells_v = lattice.cells()[static_cast<std::size_t>(va)],
+            cells_a = lattice.cells()[static_cast<std::size_t>(axis)];
   const double half = 0.5 * lattice.spacing()[axis];
   // The part of the axis that the cell's points represent.
   const double from_mm = lattice.at(axis, low) - (low > 0 ? half : 0),
@@ -304,8 +311,8 @@ void Brick::cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice
     const float* const around[3] = {&tops[static_cast<std::size_t>((v + 2) % 3) * stride],
                                     &tops[static_cast<std::size_t>((v + 3) % 3) * stride],
                                     &tops[static_cast<std::size_t>((v + 4) % 3) * stride]};
-    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u, inverse,
-                         flags.data()))
+    if (!flag_neighbours(&window.entry[row], &window.exit[row], around[0] + 1, around[1] + 1, around[2] + 1, count_u,
+                         inverse, flags.data()))
       continue;
     for_each_flag(flags.data(), count_u, [&](int i) {
       const int u = first_u + i;
@@ -408,7 +415,8 @@ void Brick::divide(int node, const Stroke& stroke, const Stock& stock, WindowSet
       // The ends of columns become samples of the map.
       if (cell.content == Cell::Content::columns) {
         if (cell.upper.at[column] != beyond) keep(u, v, points.last, true, cell.upper[column]);
-        if (!cell.lower.empty() && cell.lower.at[column] != -beyond) keep(u, v, points.first, false, cell.lower[column]);
+        if (!cell.lower.empty() && cell.lower.at[column] != -beyond)
+          keep(u, v, points.first, false, cell.lower[column]);
       }
       if (!window.has(u, v)) continue;
       const std::size_t at = window.index(u, v);
@@ -476,14 +484,16 @@ void Brick::rebuild(int node, const Occupancy& solid, const Occupancy& covered, 
   parts[0].upper[static_cast<std::size_t>(choice.axis)] = choice.plane - 1;
   parts[1].lower[static_cast<std::size_t>(choice.axis)] = choice.plane;
   nodes_.resize(nodes_.size() + 2);  // the reference `cell` is now invalid
-  for (int i = 0; i < 2; ++i) nodes_[static_cast<std::size_t>(children + i)].region = parts[static_cast<std::size_t>(i)];
+  for (int i = 0; i < 2; ++i)
+    nodes_[static_cast<std::size_t>(children + i)].region = parts[static_cast<std::size_t>(i)];
   for (int i = 0; i < 2; ++i) {
     const Region& part = parts[static_cast<std::size_t>(i)];
     rebuild(children + i, solid.part(part), covered.part(part), axis, facing, stroke, stock);
   }
 }
 
-void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid, const StockLattice& lattice) const {
+void Brick::make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid,
+                         const StockLattice& lattice) const {
   const Region& r = cell.region;
   const int ua = axis_u(axis), va = axis_v(axis);
   cell.content = Cell::Content::columns;
@@ -526,7 +536,8 @@ void Brick::tidy(const StockLattice& lattice) {
   samples_.sift([&](SampleMap::Key key) {
     const int axis = static_cast<int>(key & 3);
     Index3 p, q;
-    for (std::size_t a = 0; a < 3; ++a) p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
+    for (std::size_t a = 0; a < 3; ++a)
+      p[a] = q[a] = region_.lower[a] - 1 + static_cast<int>(key >> (2 + 10 * a) & 1023);
     ++q[static_cast<std::size_t>(axis)];
     const bool p_here = region_.contains(p), q_here = region_.contains(q);
     if ((p_here && shape.at(p)) == (q_here && shape.at(q))) return false;
@@ -555,16 +566,16 @@ void Brick::forget_cuts() {
 const Cell& Brick::leaf(const Index3& point) const {
   const Cell* cell = &nodes_[0];
   while (cell->content == Cell::Content::split)
-    cell =
-        &nodes_[static_cast<std::size_t>(cell->children + (point[static_cast<std::size_t>(cell->axis)] >= cell->plane ? 1 : 0))];
+    cell = &nodes_[static_cast<std::size_t>(cell->children +
+                                            (point[static_cast<std::size_t>(cell->axis)] >= cell->plane ? 1 : 0))];
   return *cell;
 }
 
 bool Brick::solid(const Index3& point, const StockLattice& lattice) const {
   const Cell& cell = leaf(point);
   if (cell.content != Cell::Content::columns) return cell.content == Cell::Content::solid;
-  const std::size_t column =
-      cell.column(point[static_cast<std::size_t>(axis_u(cell.axis))], point[static_cast<std::size_t>(axis_v(cell.axis))]);
+  const std::size_t column = cell.column(point[static_cast<std::size_t>(axis_u(cell.axis))],
+                                         point[static_cast<std::size_t>(axis_v(cell.axis))]);
   const float at = lattice.at(cell.axis, point[static_cast<std::size_t>(cell.axis)]);
   return at < cell.upper.at[column] && (cell.lower.empty() || at > cell.lower.at[column]);
 }
@@ -630,8 +641,8 @@ void Brick::count(StockStatistics& statistics) const {
       ++statistics.cells;
     statistics.bytes += cell.upper.bytes() + cell.lower.bytes();
     for (const auto* ends : {&cell.upper, &cell.lower})
-      statistics.column_samples +=
-          static_cast<std::uint64_t>(std::count_if(ends->at.begin(), ends->at.end(), [](float at) { return std::isfinite(at); }));
+      statistics.column_samples += static_cast<std::uint64_t>(
+          std::count_if(ends->at.begin(), ends->at.end(), [](float at) { return std::isfinite(at); }));
   }
 }
 

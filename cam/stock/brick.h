@@ -94,9 +94,10 @@ class Brick {
   void cut_edges(const Cell& cell, const Stroke& stroke, const StockLattice& lattice, WindowSet& windows);
   void commit(Cell& cell, const std::vector<Change>& changes) const;
   void divide(int node, const Stroke& stroke, const Stock& stock, WindowSet& windows);
-  void rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing, const Stroke& stroke,
-               const Stock& stock);
-  void make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid, const StockLattice& lattice) const;
+  void rebuild(int node, const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
+               const Stroke& stroke, const Stock& stock);
+  void make_columns(Cell& cell, int axis, std::int8_t facing, const Occupancy& solid,
+                    const StockLattice& lattice) const;
   void tidy(const StockLattice& lattice);
 
   Region region_;

@@ -26,7 +26,8 @@ struct Region {
   [[nodiscard]] int first(int axis) const { return lower[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] int last(int axis) const { return upper[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] bool contains(const Index3& p) const {
-    return p[0] >= lower[0] && p[0] <= upper[0] && p[1] >= lower[1] && p[1] <= upper[1] && p[2] >= lower[2] && p[2] <= upper[2];
+    return p[0] >= lower[0] && p[0] <= upper[0] && p[1] >= lower[1] && p[1] <= upper[1] && p[2] >= lower[2] &&
+           p[2] <= upper[2];
   }
   [[nodiscard]] bool meets(const Region& other) const {
     for (std::size_t a = 0; a < 3; ++a)
@@ -170,7 +171,8 @@ class Occupancy {
   /// Sets the points of a row from x0 to x1 inclusive.
   void set_row(int x0, int x1, int y, int z) {
     Word* bits = row(y, z);
-    const auto from = static_cast<std::size_t>(x0 - region_.lower[0]), to = static_cast<std::size_t>(x1 - region_.lower[0]);
+    const auto from = static_cast<std::size_t>(x0 - region_.lower[0]),
+               to = static_cast<std::size_t>(x1 - region_.lower[0]);
     for (std::size_t w = from / 64; w <= to / 64; ++w) {
       Word mask = ~Word{0};
       if (w == from / 64) mask &= ~Word{0} << (from % 64);
@@ -279,7 +281,9 @@ struct Cell {
     void put(std::size_t i, Sample sample) { at[i] = sample.at, cut[i] = sample.cut; }
     void assign(std::size_t count, float value) { at.assign(count, value), cut.assign(count, 0); }
     void clear() { at.clear(), cut.clear(); }
-    [[nodiscard]] std::size_t bytes() const { return at.capacity() * sizeof(float) + cut.capacity() * sizeof(std::uint32_t); }
+    [[nodiscard]] std::size_t bytes() const {
+      return at.capacity() * sizeof(float) + cut.capacity() * sizeof(std::uint32_t);
+    }
   };
   Ends upper, lower;
 

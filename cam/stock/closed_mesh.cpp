@@ -46,7 +46,8 @@ class Merging {
   void begin(std::size_t index) {
     std::vector<std::uint8_t>& level = parts_[index].level;
     level.reserve(pieces_[index].edges);
-    pieces_[index].for_each_edge([&](const Index3&, std::size_t axis) { level.push_back(static_cast<std::uint8_t>(axis)); });
+    pieces_[index].for_each_edge(
+        [&](const Index3&, std::size_t axis) { level.push_back(static_cast<std::uint8_t>(axis)); });
     if (gauge_) gauge_->measure(index, pieces_[index].vertices);
   }
 
@@ -89,7 +90,8 @@ class Merging {
       for (size = std::size_t{1} << 2 * doublings; size > 1 && !is_square(index, spots, i, size);) size /= 4;
       for (std::size_t k = i; k < i + size; ++k) goes_to[spots[k].second] = spots[i].second;
       // The last vertex of the first quarter and the first of the last quarter.
-      if (size > 1) squares.push_back({spots[i].second, spots[i + size / 4 - 1].second, spots[i + 3 * size / 4].second});
+      if (size > 1)
+        squares.push_back({spots[i].second, spots[i + size / 4 - 1].second, spots[i + 3 * size / 4].second});
     }
     std::vector<std::uint32_t> number(piece.size());
     for (std::uint32_t v = 0; v < goes_to.size(); ++v) {
@@ -117,7 +119,8 @@ class Merging {
       vertices_ += parts_[index].left.cuts.size();
       chunks_.push_back(std::exchange(parts_[index].left, {}));
     }
-    if (vertices_ > std::numeric_limits<std::uint32_t>::max()) throw Error(ErrorKind::too_large, "stock", "too many vertices");
+    if (vertices_ > std::numeric_limits<std::uint32_t>::max())
+      throw Error(ErrorKind::too_large, "stock", "too many vertices");
   }
 
   /// Adds the remaining triangles of pieces. Requires the vertices of these pieces and of those
@@ -187,7 +190,9 @@ class Merging {
                         std::bit_cast<std::uint32_t>(piece.vertices[v][axis]), piece.cuts[v]};
         // vertices come row by row
         if (flat != last) number = flats.try_emplace(flat, flats.size()).first->second, last = flat;
-        const auto along = [&](std::size_t a) { return static_cast<std::uint32_t>(p[a] - std::max(piece.region.lower[a], 0)); };
+        const auto along = [&](std::size_t a) {
+          return static_cast<std::uint32_t>(p[a] - std::max(piece.region.lower[a], 0));
+        };
         spots.emplace_back(number << 32 | interleaved(along((axis + 1) % 3), along((axis + 2) % 3)), v);
       }
       ++v;
@@ -197,7 +202,8 @@ class Merging {
   }
 
   /// Whether the given number of spots from an index on forms a complete square that may be merged.
-  [[nodiscard]] bool is_square(std::size_t index, const std::vector<Spot>& spots, std::size_t from, std::size_t size) const {
+  [[nodiscard]] bool is_square(std::size_t index, const std::vector<Spot>& spots, std::size_t from,
+                               std::size_t size) const {
     if (spots[from].first % size != 0 || from + size > spots.size()) return false;
     if (spots[from + size - 1].first != spots[from].first + size - 1) return false;
     if (!gauge_) return true;

@@ -13,7 +13,8 @@ constexpr double units = 4294967296.0;  // per mm^2 or mm^3
 /// binary digits. Values near 0 share one bin.
 int index_of(double value) {
   constexpr int digits = 23 - 11;
-  const int zero = std::bit_cast<int>(0x1p-20F) >> digits, at = std::bit_cast<int>(static_cast<float>(std::abs(value))) >> digits;
+  const int zero = std::bit_cast<int>(0x1p-20F) >> digits,
+            at = std::bit_cast<int>(static_cast<float>(std::abs(value))) >> digits;
   const int from_zero = std::max(at - zero, 0);
   return value < 0 ? -from_zero : from_zero;
 }

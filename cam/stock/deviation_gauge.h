@@ -40,7 +40,9 @@ class DeviationGauge {
   void forget(std::size_t piece) { at_[piece] = {}; }
   /// Whether one deviation may represent a range of deviations: the range is at most `fine`, or
   /// small relative to the excess.
-  [[nodiscard]] bool alike(float lowest, float highest) const { return highest - lowest <= fine_ + 0.5 * std::max(lowest, 0.0F); }
+  [[nodiscard]] bool alike(float lowest, float highest) const {
+    return highest - lowest <= fine_ + 0.5 * std::max(lowest, 0.0F);
+  }
 
   /// Result for all pieces, without `at_vertex`.
   [[nodiscard]] Deviation result() const;

@@ -36,7 +36,8 @@ class Simplifier {
   Simplifier(const DrawnSurface& surface, const StockLattice& lattice, const Box& region)
       : surface_(surface), lattice_(lattice), region_(region), cluster_(surface.vertices.size(), alone) {
     for (const auto& v : surface.vertices)
-      places_.push_back(((vector(v).cast<double>() - lattice.box().lower).cwiseQuotient(lattice.spacing())).cast<float>());
+      places_.push_back(
+          ((vector(v).cast<double>() - lattice.box().lower).cwiseQuotient(lattice.spacing())).cast<float>());
   }
 
   void unite_flats() {
@@ -50,7 +51,8 @@ class Simplifier {
       const auto level = static_cast<Eigen::Index>(ways[v] / 2);
       keys[v] = {ways[v], surface_.cuts[v], std::bit_cast<std::uint32_t>(surface_.vertices[v][ways[v] / 2])};
       for (Eigen::Index a = 0, k = 3; a < 3; ++a)
-        if (a != level) keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]) - inside(a), flat_block);
+        if (a != level)
+          keys[v][static_cast<std::size_t>(k++)] = block(std::round(places_[v][a]) - inside(a), flat_block);
       // vertices come row by row
       if (cluster == nullptr || keys[v] != *last) cluster = &found[keys[v]], last = &keys[v];
       if (cluster->count++ == 0) cluster->whole = points_of_block(v, level);
@@ -106,7 +108,8 @@ class Simplifier {
     }
     for (const auto& t : surface_.triangles) {
       const std::array<std::uint32_t, 3> corners{now[t[0]], now[t[1]], now[t[2]]};
-      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) out.triangles.push_back(corners);
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+        out.triangles.push_back(corners);
     }
     return out;
   }
@@ -141,7 +144,8 @@ class Simplifier {
     for (Eigen::Index a = 0; a < 3; ++a) {
       if (a == level) continue;
       const float first = inside(a), size = flat_block, place = std::round(places_[v][a]) - first;
-      const auto end = static_cast<float>(std::min(region_.upper[a], lattice_.cells()[static_cast<std::size_t>(a)] + 1.0));
+      const auto end =
+          static_cast<float>(std::min(region_.upper[a], lattice_.cells()[static_cast<std::size_t>(a)] + 1.0));
       points *= std::min(size, end - first - size * std::floor(place / size));
     }
     return static_cast<std::uint32_t>(points);

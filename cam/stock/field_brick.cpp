@@ -10,7 +10,8 @@ namespace {
 struct Batch {
   std::vector<float> x, y, z, value;
   void add(const Vec3& p) {
-    x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+    x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())),
+        z.push_back(static_cast<float>(p.z()));
   }
   void evaluate(const Field& field) {
     value = std::vector<float>(x.size());

@@ -74,7 +74,8 @@ std::vector<std::pair<int, int>> Occupancy::runs(int axis) const {
   const Region& r = region_;
   const int ua = (axis + 1) % 3, va = (axis + 2) % 3;
   const auto width = static_cast<std::size_t>(r.count(ua));
-  std::vector<std::pair<int, int>> result(width * static_cast<std::size_t>(r.count(va)), {r.last(axis) + 1, r.first(axis) - 1});
+  std::vector<std::pair<int, int>> result(width * static_cast<std::size_t>(r.count(va)),
+                                          {r.last(axis) + 1, r.first(axis) - 1});
   const auto line = [&](int u, int v) -> std::pair<int, int>& {
     return result[static_cast<std::size_t>(v - r.first(va)) * width + static_cast<std::size_t>(u - r.first(ua))];
   };
@@ -176,8 +177,8 @@ Occupancy unresolved_columns(const Occupancy& solid, const GoodBadMap& own, std:
   for (int v = 0; v < own.height; ++v)
     for (int u = 0; u < own.width; ++u) {
       const Pixel pixel = own.pixels[own.index(own.u0 + u, own.v0 + v)];
-      const bool fine =
-          pixel == Pixel::none || (both_ends ? pixel != Pixel::bad : pixel == (facing < 0 ? Pixel::negative : Pixel::positive));
+      const bool fine = pixel == Pixel::none ||
+                        (both_ends ? pixel != Pixel::bad : pixel == (facing < 0 ? Pixel::negative : Pixel::positive));
       if (fine) continue;
       Index3 p;
       const auto a = static_cast<std::size_t>(own.axis);
@@ -304,7 +305,8 @@ bool take_overlapping(std::vector<Segment>& segments, int& first, int& last) {
 void overlap_sets(std::vector<Segment>& segments, int axis, std::vector<SplitInterval>& series) {
   while (!segments.empty()) {
     int first = std::numeric_limits<int>::min(), last = std::numeric_limits<int>::max();
-    if (take_overlapping(segments, first, last)) series.push_back({SplitInterval::Kind::direct, axis, first, last, false, false});
+    if (take_overlapping(segments, first, last))
+      series.push_back({SplitInterval::Kind::direct, axis, first, last, false, false});
   }
 }
 
@@ -367,8 +369,8 @@ void direct_splits(const Occupancy& solid, const Occupancy& covered, const Occup
 
 }  // namespace
 
-std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
-                                           bool both_ends) {
+std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis,
+                                           std::int8_t facing, bool both_ends) {
   std::array<GoodBadMap, 3> maps;
   for (int a = 0; a < 3; ++a) maps[static_cast<std::size_t>(a)] = good_bad_map(solid, a);
   const Occupancy columns = unresolved_columns(solid, maps[static_cast<std::size_t>(axis)], facing, both_ends);
@@ -383,9 +385,11 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
     if (!has_bad) {
       // The only conflict is between signs.
       for (const Pixel sign : {Pixel::positive, Pixel::negative}) {
-        const auto conflicts = regions_of(
-            map, [&](std::size_t i) { return map.pixels[i] == (sign == Pixel::positive ? Pixel::negative : Pixel::positive); });
-        for (const Rect& region : regions_of(map, [&](std::size_t i) { return map.pixels[i] == sign && map.unresolved[i]; }))
+        const auto conflicts = regions_of(map, [&](std::size_t i) {
+          return map.pixels[i] == (sign == Pixel::positive ? Pixel::negative : Pixel::positive);
+        });
+        for (const Rect& region :
+             regions_of(map, [&](std::size_t i) { return map.pixels[i] == sign && map.unresolved[i]; }))
           isolate(map, region, conflicts, SplitInterval::Kind::conflict, intervals);
       }
       continue;
@@ -417,7 +421,8 @@ std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupan
       return range_of_bad.first > range_of_bad.second || (at >= range_of_bad.first && at <= range_of_bad.second);
     };
     const auto bad = regions_of(map, [&](std::size_t i) { return is_bad(map.pixels[i]); });
-    for (const Rect& region : regions_of(map, needed)) isolate(map, region, bad, SplitInterval::Kind::indirect, intervals);
+    for (const Rect& region : regions_of(map, needed))
+      isolate(map, region, bad, SplitInterval::Kind::indirect, intervals);
   }
   // A plane at a side of the cell does not divide it.
   const Region& r = solid.region();

@@ -49,8 +49,8 @@ struct SplitInterval {
 
 /// Split planes for a cell with the points `solid`, of which the tool has `covered` some, and with
 /// former columns along `axis` with `facing`.
-std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis, std::int8_t facing,
-                                           bool both_ends);
+std::vector<SplitInterval> split_intervals(const Occupancy& solid, const Occupancy& covered, int axis,
+                                           std::int8_t facing, bool both_ends);
 
 /// A choice by the rules in their order. Within an interval it is the plane nearest to the cell's
 /// middle.

@@ -10,7 +10,8 @@ namespace fieldfab::cam {
 
 StockLattice::StockLattice(const Box& box, double cell, double height) : box_(box) {
   if (!box.valid() || box.size().minCoeff() <= 0) throw Error(ErrorKind::bad_input, "stock", "its box is empty");
-  if (!(cell > 0) || !std::isfinite(cell)) throw Error(ErrorKind::bad_input, "stock", fmt::format("a cell of {} mm", cell));
+  if (!(cell > 0) || !std::isfinite(cell))
+    throw Error(ErrorKind::bad_input, "stock", fmt::format("a cell of {} mm", cell));
   for (int axis = 0; axis < 3; ++axis) {
     const double count = std::round(box.size()[axis] / (axis == 2 ? std::max(cell, height) : cell));
     if (count > 2097152) throw Error(ErrorKind::too_large, "stock", fmt::format("{:.0f} cells along an axis", count));

@@ -73,7 +73,8 @@ CubeCase make_case(int solid) {
       if (!is_solid(i) || is_solid(i + 3)) continue;
       std::size_t end = i;
       while (is_solid(end + 1)) ++end;
-      const int enter = edge_between(face[(i + 3) % 4], face[i]), exit = edge_between(face[end % 4], face[(end + 1) % 4]);
+      const int enter = edge_between(face[(i + 3) % 4], face[i]),
+                exit = edge_between(face[end % 4], face[(end + 1) % 4]);
       next[static_cast<std::size_t>(enter)] = exit;
     }
   CubeCase result;
@@ -87,7 +88,8 @@ CubeCase make_case(int solid) {
     }
     if (divide(loop, result.triangles)) continue;
     const auto middle = static_cast<std::int8_t>(12 + result.middles.size());
-    for (std::size_t i = 0; i < loop.size(); ++i) result.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], middle});
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      result.triangles.push_back({loop[i], loop[(i + 1) % loop.size()], middle});
     result.middles.push_back(loop);
   }
   return result;

@@ -14,8 +14,8 @@ bool flag_contacts(const float* entry, const float* exit, const float* tops, int
 /// neighbouring column. `before` and `after` are the neighbours of the row `here`; each has one
 /// more element at both ends. The spacing of points is 1 / `inverse`. There are false positives
 /// within the rounding error.
-bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after, int count,
-                     float inverse, std::uint8_t* flags);
+bool flag_neighbours(const float* entry, const float* exit, const float* before, const float* here, const float* after,
+                     int count, float inverse, std::uint8_t* flags);
 
 /// Computes the last point below the top of each column, as a number, at most `last`. `tops` null:
 /// all columns are solid. Points have the distance `spacing`, as in StockLattice::at().

@@ -43,7 +43,8 @@ std::vector<SplitRule> parse_split_rules(const std::string& text) {
     else if (word == "RS")
       rules.push_back(SplitRule::random_selection);
     else
-      throw Error(ErrorKind::bad_input, "rules", fmt::format("\"{}\" is none of CTD, SPT, FFS, FEFS, FEFS-FFS, RS", word));
+      throw Error(ErrorKind::bad_input, "rules",
+                  fmt::format("\"{}\" is none of CTD, SPT, FFS, FEFS, FEFS-FFS, RS", word));
     word.clear();
   };
   for (const char c : text) {
@@ -65,7 +66,8 @@ SplitChoice choose_split(const std::vector<SplitInterval>& intervals, const Regi
   const auto keep = [&](const auto& liking) {
     double most = -1e300;
     for (const SplitInterval* interval : left) most = std::max(most, static_cast<double>(liking(*interval)));
-    std::erase_if(left, [&](const SplitInterval* interval) { return static_cast<double>(liking(*interval)) < most - 1e-9; });
+    std::erase_if(left,
+                  [&](const SplitInterval* interval) { return static_cast<double>(liking(*interval)) < most - 1e-9; });
   };
   const auto far_enough = [&](const SplitInterval& i) { return from_side(i, region, spacing) > tool_radius ? 1 : 0; };
   const auto furthest = [&](const SplitInterval& i) { return from_side(i, region, spacing); };

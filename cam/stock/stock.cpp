@@ -27,7 +27,8 @@ Stock::Stock(const Field& field, const Box& box, const StockSettings& settings, 
     progress.check();
     const auto nx = static_cast<std::size_t>(bricks_along_[0]), ny = static_cast<std::size_t>(bricks_along_[1]);
     bricks_[i] = brick_of(
-        field, brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}), *this);
+        field, brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}),
+        *this);
   });
 }
 
@@ -86,7 +87,8 @@ std::vector<std::size_t> Stock::bricks_near(const Sweep& sweep) const {
         if (many) {
           const Region& r = brick.region();
           Vec3 lower, upper;
-          for (int a = 0; a < 3; ++a) lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
+          for (int a = 0; a < 3; ++a)
+            lower[a] = lattice_.at(a, r.first(a) - 1), upper[a] = lattice_.at(a, r.last(a) + 1);
           if (!sweep.near(0.5 * (lower + upper), 0.5 * (upper - lower).norm() + h.maxCoeff())) continue;
         }
         found.push_back(index);

@@ -31,7 +31,8 @@ void append(std::string& bytes, const Value& value) {
 }
 
 std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 /// State of the generator, through its text output.
@@ -86,7 +87,8 @@ std::string StockBytes::of(const Stock& stock) {
 
 void StockBytes::put(const Brick& brick, std::string& bytes) {
   append(bytes, state_of(brick.random_));
-  for (const std::uint64_t count : {brick.tally_.direct, brick.tally_.indirect, brick.tally_.conflict, brick.tally_.halved})
+  for (const std::uint64_t count :
+       {brick.tally_.direct, brick.tally_.indirect, brick.tally_.conflict, brick.tally_.halved})
     append(bytes, count);
   append(bytes, static_cast<std::uint64_t>(brick.tidied_));
   append(bytes, static_cast<std::uint64_t>(brick.samples_.slots()));
@@ -142,10 +144,12 @@ Stock StockBytes::read(std::string_view bytes, const std::string& place) {
   reader.expect(bricks * least <= static_cast<double>(reader.left()), "fewer bricks than its box");
   Stock stock(lattice, s);
   for (std::size_t i = 0; i < stock.bricks_.size(); ++i) {
-    const auto nx = static_cast<std::size_t>(stock.bricks_along_[0]), ny = static_cast<std::size_t>(stock.bricks_along_[1]);
-    stock.bricks_[i] =
-        take(reader, stock.brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}),
-             lattice);
+    const auto nx = static_cast<std::size_t>(stock.bricks_along_[0]),
+               ny = static_cast<std::size_t>(stock.bricks_along_[1]);
+    stock.bricks_[i] = take(
+        reader,
+        stock.brick_region({static_cast<int>(i % nx), static_cast<int>(i / nx % ny), static_cast<int>(i / nx / ny)}),
+        lattice);
   }
   reader.expect(reader.left() == 0, "more bricks than its box");
   return stock;
@@ -177,8 +181,9 @@ void StockBytes::take_samples(Reader& reader, Brick& brick, const StockLattice& 
   const auto slots = reader.take<std::uint64_t>(), count = reader.take<std::uint64_t>();
   constexpr std::size_t size = 12;  // bytes of a sample
   // Pruning leaves at most 5/4 slots per sample plus 8; growth adds half of the slots plus 16.
-  reader.expect(count <= reader.left() / size && slots <= 4 * count + 64 && (slots == 0 ? count == 0 : count * 6 <= slots * 5),
-                "a number of samples");
+  reader.expect(
+      count <= reader.left() / size && slots <= 4 * count + 64 && (slots == 0 ? count == 0 : count * 6 <= slots * 5),
+      "a number of samples");
   brick.samples_.make_slots(slots);
   const Region& region = brick.region_;
   for (std::uint64_t i = 0; i < count; ++i) {
@@ -227,7 +232,8 @@ void StockBytes::take_cell(Reader& reader, Brick& brick, std::size_t node, std::
   }
   const bool columns = cell.content == Cell::Content::columns;
   const std::size_t count =
-      columns ? static_cast<std::size_t>(r.count((axis + 1) % 3)) * static_cast<std::size_t>(r.count((axis + 2) % 3)) : 0;
+      columns ? static_cast<std::size_t>(r.count((axis + 1) % 3)) * static_cast<std::size_t>(r.count((axis + 2) % 3))
+              : 0;
   const float low = lattice.at(axis, r.first(axis) - 1), high = lattice.at(axis, r.last(axis) + 1);
   for (Cell::Ends* const ends : {&cell.upper, &cell.lower}) {
     const auto given = reader.take<std::uint32_t>();
@@ -236,7 +242,8 @@ void StockBytes::take_cell(Reader& reader, Brick& brick, std::size_t node, std::
     ends->at.resize(given), ends->cut.resize(given);
     reader.take(ends->at.data(), given * sizeof(float));
     reader.take(ends->cut.data(), given * sizeof(std::uint32_t));
-    for (const float at : ends->at) reader.expect(at == beyond || at == -beyond || (at >= low && at <= high), "a column's end");
+    for (const float at : ends->at)
+      reader.expect(at == beyond || at == -beyond || (at >= low && at <= high), "a column's end");
   }
 }
 
@@ -245,8 +252,8 @@ void write_stock(const Stock& stock, const std::filesystem::path& path) {
   constexpr int level = 3;
   uLongf size = compressBound(raw.size());
   std::string body(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(body.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), raw.size(), level) !=
-      Z_OK)
+  if (compress2(reinterpret_cast<Bytef*>(body.data()), &size, reinterpret_cast<const Bytef*>(raw.data()), raw.size(),
+                level) != Z_OK)
     throw Error(ErrorKind::too_large, path.string(), "cannot be compressed");
   body.resize(size);
   std::string sized;
@@ -279,8 +286,8 @@ Stock read_stock(const std::filesystem::path& path) {
   require_memory(2 * size, place);
   std::string raw(size, '\0');
   uLongf unpacked = size;
-  if (uncompress(reinterpret_cast<Bytef*>(raw.data()), &unpacked, reinterpret_cast<const Bytef*>(body.data()), body.size()) !=
-          Z_OK ||
+  if (uncompress(reinterpret_cast<Bytef*>(raw.data()), &unpacked, reinterpret_cast<const Bytef*>(body.data()),
+                 body.size()) != Z_OK ||
       unpacked != size)
     damaged(place, "it cannot be unpacked");
   return StockBytes::read(raw, place);

@@ -20,7 +20,8 @@ class StockBytes {
   static void put(const Brick& brick, std::string& bytes);
   static std::shared_ptr<Brick> take(Reader& reader, const Region& region, const StockLattice& lattice);
   static void take_samples(Reader& reader, Brick& brick, const StockLattice& lattice);
-  static void take_cell(Reader& reader, Brick& brick, std::size_t node, std::vector<bool>& reached, const StockLattice& lattice);
+  static void take_cell(Reader& reader, Brick& brick, std::size_t node, std::vector<bool>& reached,
+                        const StockLattice& lattice);
 };
 
 }  // namespace fieldfab::cam

@@ -38,7 +38,8 @@ bool SurfacePieces::fits(const Stock& stock) const {
 std::size_t SurfacePieces::beside(std::size_t index, unsigned step) const {
   const auto nx = static_cast<std::size_t>(along_[0]), ny = static_cast<std::size_t>(along_[1]),
              nz = static_cast<std::size_t>(along_[2]);
-  const std::size_t x = index % nx + (step & 1), y = index / nx % ny + (step >> 1 & 1), z = index / nx / ny + (step >> 2 & 1);
+  const std::size_t x = index % nx + (step & 1), y = index / nx % ny + (step >> 1 & 1),
+                    z = index / nx / ny + (step >> 2 & 1);
   return x < nx && y < ny && z < nz ? (z * ny + y) * nx + x : pieces_.size();
 }
 
@@ -67,7 +68,8 @@ std::vector<std::vector<std::size_t>> SurfacePieces::waves() const {
   const auto axis = static_cast<std::size_t>(std::max_element(along_.begin(), along_.end()) - along_.begin());
   const auto slices = static_cast<std::size_t>(along_[axis]), thick = (enough * slices + size() - 1) / size();
   std::vector<std::vector<std::size_t>> waves((slices + thick - 1) / thick);
-  for (std::size_t i = 0; i < size(); ++i) waves[std::array{i % nx, i / nx % ny, i / nx / ny}[axis] / thick].push_back(i);
+  for (std::size_t i = 0; i < size(); ++i)
+    waves[std::array{i % nx, i / nx % ny, i / nx / ny}[axis] / thick].push_back(i);
   return waves;
 }
 
@@ -156,7 +158,8 @@ void SurfacePieces::find_edges(std::size_t index, const Stock& stock) {
       }
   for (std::size_t i = 0; i < words; ++i) {
     piece.before[i] = piece.edges;
-    for (const std::vector<Word>& bits : piece.crossed) piece.edges += static_cast<std::uint32_t>(std::popcount(bits[i]));
+    for (const std::vector<Word>& bits : piece.crossed)
+      piece.edges += static_cast<std::uint32_t>(std::popcount(bits[i]));
   }
   if (piece.edges >= 1u << (SurfacePiece::own_bits - 1))
     throw Error(ErrorKind::too_large, "stock", "too much surface for one brick");
@@ -201,7 +204,8 @@ void SurfacePieces::place_vertices(std::size_t index, const Stock& stock) {
       place[a] = std::clamp(static_cast<double>(sample.at), low + margin, low + h - margin);
     }
     place += origin;
-    piece.vertices.push_back({static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z())});
+    piece.vertices.push_back(
+        {static_cast<float>(place.x()), static_cast<float>(place.y()), static_cast<float>(place.z())});
     piece.cuts.push_back(sample.cut);
   });
 }

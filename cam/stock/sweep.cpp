@@ -61,8 +61,8 @@ class GrazingSurface {
   using AddStrip = std::function<void(const std::vector<Vec3>&, const std::vector<Vec3>&)>;
 
   /// `parts`: number of pieces of the section's curve, at least; `sharpest`: its minimum radius of curvature, mm.
-  GrazingSurface(const ToolPose& from, const ToolPose& to, Section section, int parts, double sharpest, double tolerance,
-                 AddStrip add_strip)
+  GrazingSurface(const ToolPose& from, const ToolPose& to, Section section, int parts, double sharpest,
+                 double tolerance, AddStrip add_strip)
       : from_(from),
         to_(to),
         section_(std::move(section)),
@@ -121,9 +121,10 @@ class GrazingSurface {
     double turn = 0, twist = 0;
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t end = 0; end < 2; ++end)
-        turn = std::max(turn,
-                        std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side], 2 * std::numbers::pi)));
-      const Vec3 ways = to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
+        turn = std::max(turn, std::abs(std::remainder(to.ends[end].angles[side] - back.ends[end].angles[side],
+                                                      2 * std::numbers::pi)));
+      const Vec3 ways =
+          to.ends[1].places[side] - to.ends[0].places[side] - back.ends[1].places[side] + back.ends[0].places[side];
       twist = std::max(twist, std::abs(ways.dot(to.ends[0].normals[side])));
     }
     // Two triangles deviate from a twisted quadrilateral by a quarter of the twist.
@@ -147,8 +148,8 @@ class GrazingSurface {
     }
   }
 
-  /// Height of the curve at mid-time above the strip between its ends. Points this near to the piece in its first or last pose
-  /// are not above that pose either: a step along a surface of radius r leaves it by step^2 / 2 r.
+  /// Height of the curve at mid-time above the strip between its ends. Points this near to the piece in its first or
+  /// last pose are not above that pose either: a step along a surface of radius r leaves it by step^2 / 2 r.
   [[nodiscard]] double height_above_strip(double begin, double end) const {
     const double time = 0.5 * (begin + end), to_stamp = std::min(time, 1 - time);
     const std::array<ToolPose, 3> poses{pose_at(begin), pose_at(time), pose_at(end)};
@@ -163,7 +164,8 @@ class GrazingSurface {
       if (middle.closed) continue;
       const Pair first = pair(point, poses[0]), last = pair(point, poses[2]);
       for (std::size_t side = 0; side < 2; ++side)
-        most = std::max(most, middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
+        most = std::max(most,
+                        middle.normals[side].dot(middle.places[side] - 0.5 * (first.places[side] + last.places[side])));
     }
     return most;
   }
@@ -258,7 +260,8 @@ void Sweep::add_strip(const std::vector<Vec3>& from, const std::vector<Vec3>& to
   for (std::size_t begin = 1; begin < from.size(); begin += run) {
     const std::size_t end = std::min(begin + run, from.size());
     Strip strip{triangles_.size(), 0, {from[begin - 1], from[begin - 1]}};
-    for (std::size_t i = begin - 1; i < end; ++i) strip.box = hull(strip.box, {from[i].cwiseMin(to[i]), from[i].cwiseMax(to[i])});
+    for (std::size_t i = begin - 1; i < end; ++i)
+      strip.box = hull(strip.box, {from[i].cwiseMin(to[i]), from[i].cwiseMax(to[i])});
     for (std::size_t i = begin; i < end; ++i) {
       triangles_.push_back({from[i - 1], from[i], to[i]});
       triangles_.push_back({from[i - 1], to[i], to[i - 1]});
@@ -282,8 +285,8 @@ double distance_from_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const
   const double square = normal.squaredNorm();
   if (square < 1e-24) return edges;
   const Vec3 q = p - normal * ((p - a).dot(normal) / square);
-  const bool inside =
-      (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 && (a - c).cross(q - c).dot(normal) >= 0;
+  const bool inside = (b - a).cross(q - a).dot(normal) >= 0 && (c - b).cross(q - b).dot(normal) >= 0 &&
+                      (a - c).cross(q - c).dot(normal) >= 0;
   return inside ? (p - q).norm() : edges;
 }
 
@@ -299,7 +302,8 @@ bool Sweep::near(const Vec3& place, double distance) const {
 void Sweep::add_disc(double height, double radius, double tolerance) {
   if (radius <= 0) return;
   if ((to_.axis - from_.axis).squaredNorm() <= 1e-24) {
-    stamps_.push_back({{Zone::Shape::frustum, height, height, radius, radius, false, false}, from_, true, to_.tip - from_.tip});
+    stamps_.push_back(
+        {{Zone::Shape::frustum, height, height, radius, radius, false, false}, from_, true, to_.tip - from_.tip});
     return;
   }
   const int parts = parts_of_circle(radius, tolerance);
@@ -328,7 +332,8 @@ void Sweep::add_disc(double height, double radius, double tolerance) {
 /// motion. A circle without such points contributes its point nearest to that condition: there the
 /// curve closes. More than `parts` points are used near closed ends, where the curves turn quickly
 /// round the axis, and where the swept strip is twisted.
-void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest, double tolerance) {
+void Sweep::add_grazing(const std::function<SectionPoint(double)>& section, int parts, double sharpest,
+                        double tolerance) {
   GrazingSurface(from_, to_, section, parts, sharpest, tolerance, [&](const auto& start, const auto& end) {
     add_strip(start, end);
   }).add();
@@ -347,7 +352,8 @@ void fill_triangle(Window& window, const StockLattice& lattice, const std::array
   const double v_low = std::min({v[0], v[1], v[2]}), v_high = std::max({v[0], v[1], v[2]});
   const int v0 = std::max(window.v0, static_cast<int>(std::ceil(v_low - slack)));
   const int v1 = std::min(window.v1, static_cast<int>(std::floor(v_high + slack)));
-  if (v0 > v1 || std::max({u[0], u[1], u[2]}) < window.u0 - slack || std::min({u[0], u[1], u[2]}) > window.u1 + slack) return;
+  if (v0 > v1 || std::max({u[0], u[1], u[2]}) < window.u0 - slack || std::min({u[0], u[1], u[2]}) > window.u1 + slack)
+    return;
   const double area = (u[1] - u[0]) * (v[2] - v[0]) - (u[2] - u[0]) * (v[1] - v[0]);
   const double w_low = std::min({w[0], w[1], w[2]}), w_high = std::max({w[0], w[1], w[2]});
   double along_u = 0, along_v = 0;

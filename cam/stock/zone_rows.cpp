@@ -57,7 +57,8 @@ FIELDFAB_CLONES void cone_row(const Row& row, const Zone& zone) {
 /// Intervals in a cylinder parallel to the lines.
 FIELDFAB_CLONES void parallel_row(const Row& row, const Zone& zone) {
   const double s0 = zone.z0 * row.ad, s1 = zone.z1 * row.ad;
-  const auto low = static_cast<float>(row.origin + std::min(s0, s1)), high = static_cast<float>(row.origin + std::max(s0, s1));
+  const auto low = static_cast<float>(row.origin + std::min(s0, s1)),
+             high = static_cast<float>(row.origin + std::max(s0, s1));
   const auto rest = static_cast<float>(zone.r0 * zone.r0 - row.v * row.v), first = static_cast<float>(row.first_u),
              step = static_cast<float>(row.step_u);
   float* const __restrict entry = row.entry;
@@ -78,7 +79,8 @@ FIELDFAB_CLONES void cylinder_row(const Row& row, const Zone& zone) {
   const double sine2 = 1 - row.ad * row.ad, sine = std::sqrt(sine2);
   // All are linear along the row: height of the foot point, position of the line's closest point,
   // and distance.
-  const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v), z_step = static_cast<float>(row.au * row.step_u);
+  const auto z0 = static_cast<float>(row.au * row.first_u + row.av * row.v),
+             z_step = static_cast<float>(row.au * row.step_u);
   const auto nearest = static_cast<float>(row.ad / sine2), inverse = static_cast<float>(1 / sine);
   const auto d0 = static_cast<float>((row.au * row.v - row.av * row.first_u) / sine),
              d_step = static_cast<float>(-row.av * row.step_u / sine);
@@ -113,7 +115,8 @@ FIELDFAB_CLONES void ring_along_row(const Row& row, const Zone& zone) {
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {
     const double u = row.first_u + row.step_u * i;
-    const double beyond = std::max(std::sqrt(u * u + row.v * row.v) - zone.r0, 0.0), square = zone.r1 * zone.r1 - beyond * beyond;
+    const double beyond = std::max(std::sqrt(u * u + row.v * row.v) - zone.r0, 0.0),
+                 square = zone.r1 * zone.r1 - beyond * beyond;
     const double half = std::sqrt(std::max(square, 0.0));
     const float from = square >= 0 ? static_cast<float>(middle - half) : std::numeric_limits<float>::infinity();
     const float to = square >= 0 ? static_cast<float>(middle + half) : -std::numeric_limits<float>::infinity();
@@ -142,7 +145,8 @@ FIELDFAB_CLONES void ring_across_row(const Row& row, const Zone& zone) {
 /// distance to a convex solid is convex along a line, so that the steps never pass its surface.
 /// Convergence is linear, by halves, for lines that only touch, which is accurate enough there.
 FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
-  const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av, middle = zone.z0 * row.ad;
+  const double reach = zone.r0 + zone.r1, centre_u = zone.z0 * row.au, centre_v = zone.z0 * row.av,
+               middle = zone.z0 * row.ad;
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   const double dv = row.v - centre_v;
@@ -155,7 +159,8 @@ FIELDFAB_CLONES void ring_askew_row(const Row& row, const Zone& zone) {
     for (int side = 0; side < 2; ++side) {
       double s = side ? start : -start, f = 0;
       for (int step = 0; step < 12; ++step) {
-        const double height = level + s * row.ad, from_axis = std::sqrt(std::max(across + s * s - height * height, 1e-18));
+        const double height = level + s * row.ad,
+                     from_axis = std::sqrt(std::max(across + s * s - height * height, 1e-18));
         const double beyond = std::max(from_axis - zone.r0, 0.0),
                      distance = std::sqrt(std::max(beyond * beyond + height * height, 1e-18));
         f = distance - zone.r1;
@@ -205,7 +210,8 @@ FIELDFAB_CLONES void oblique_disc_row(const Row& row, double radius, double wu, 
   // At a distance from its centre the disc is a chord wide, half of it on each side.
   const Vec3 normal(row.au, row.av, row.ad), side = normal.cross(line) / std::sqrt(square);
   const auto d0 = static_cast<float>(first.dot(side)), d_step = static_cast<float>(step.dot(side));
-  const auto s0 = static_cast<float>(-first.dot(line) * inverse), s_step = static_cast<float>(-step.dot(line) * inverse);
+  const auto s0 = static_cast<float>(-first.dot(line) * inverse),
+             s_step = static_cast<float>(-step.dot(line) * inverse);
   const auto t0 = static_cast<float>((row.au * row.first_u + row.av * row.v) * share),
              t_step = static_cast<float>(row.au * row.step_u * share);
   const auto chord = static_cast<float>(1 / std::sqrt(square)), round = static_cast<float>(radius * radius);
@@ -241,9 +247,10 @@ FIELDFAB_CLONES void level_disc_row(const Row& row, double radius, double wu, do
   const double share = square > 0 ? 1 / square : 0;
   const auto t0 = static_cast<float>((row.first_u * wu + row.v * wv + static_cast<double>(s0) * wd) * share),
              t_step = static_cast<float>((row.step_u * wu - row.au * row.step_u / row.ad * wd) * share);
-  const auto u0 = static_cast<float>(row.first_u), u_step = static_cast<float>(row.step_u), v = static_cast<float>(row.v),
-             du = static_cast<float>(wu), dv = static_cast<float>(wv), dd = static_cast<float>(wd),
-             reach = static_cast<float>(radius * radius), origin = static_cast<float>(row.origin);
+  const auto u0 = static_cast<float>(row.first_u), u_step = static_cast<float>(row.step_u),
+             v = static_cast<float>(row.v), du = static_cast<float>(wu), dv = static_cast<float>(wv),
+             dd = static_cast<float>(wd), reach = static_cast<float>(radius * radius),
+             origin = static_cast<float>(row.origin);
   float* const __restrict entry = row.entry;
   float* const __restrict exit = row.exit;
   for (int i = 0; i < row.count; ++i) {

@@ -1,5 +1,5 @@
-// simulate_program SETUP PROGRAM FILE: runs a machine's program on a stock, tells what goes wrong, and writes what is left as a
-// mesh.
+// simulate_program SETUP PROGRAM FILE: runs a machine's program on a stock, tells what goes wrong, and writes what is
+// left as a mesh.
 #include <cstdio>
 #include <exception>
 

@@ -21,7 +21,9 @@ std::string as_bytes(double bytes) {
   return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
-double lattice_cost(const Box& bounds, double voxel) { return ((bounds.size().array() / voxel) + 6).prod() * bytes_a_place; }
+double lattice_cost(const Box& bounds, double voxel) {
+  return ((bounds.size().array() / voxel) + 6).prod() * bytes_a_place;
+}
 
 double surface_cost(double area, double voxel) { return area / (voxel * voxel) * bytes_a_cell; }
 
@@ -34,8 +36,8 @@ void require(double cost, double voxel, double power) {
   const double free = 0.9 * static_cast<double>(available_memory());
   if (cost <= free) return;
   throw Error(ErrorKind::too_large, "Voxel",
-              fmt::format("{:.3g} mm would take about {} of memory and {} are free; {:.2g} mm would fit", voxel, as_bytes(cost),
-                          as_bytes(free), 1.1 * voxel * std::pow(cost / free, 1 / power)));
+              fmt::format("{:.3g} mm would take about {} of memory and {} are free; {:.2g} mm would fit", voxel,
+                          as_bytes(cost), as_bytes(free), 1.1 * voxel * std::pow(cost / free, 1 / power)));
 }
 
 }  // namespace fieldfab::meshlab

@@ -41,11 +41,12 @@ std::vector<FileKind> files_written() { return {{"Fieldfab distance field", {"as
 std::vector<Parameter> reading_parameters(const std::string& extension) {
   if (is_of(FormatKind::volume, extension)) return volume_parameters();
   std::vector<Parameter> rows{number_parameter(
-      "Voxel", "Voxel (mm)", "Edge of the smallest cell of the mesh; 0 takes the file's own, or 1/128 of the longest side.", 0)};
+      "Voxel", "Voxel (mm)",
+      "Edge of the smallest cell of the mesh; 0 takes the file's own, or 1/128 of the longest side.", 0)};
   if (!is_of(FormatKind::distances, extension))
-    rows.push_back(
-        text_parameter("Bounds", "Bounds (mm)",
-                       "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""));
+    rows.push_back(text_parameter(
+        "Bounds", "Bounds (mm)",
+        "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""));
   return rows;
 }
 
@@ -58,9 +59,10 @@ Layer read_file_as_layer(const std::filesystem::path& file, const Values& values
   const std::optional<Box> bounds = bounded ? std::nullopt : bounds_of(values.text("Bounds"));
   const Model model = model_of_file(file, progress);
   log = model.notes;
-  Layer layer =
-      layer_of(model, bounds, values.not_negative("Voxel"), EmptySolid::refused, file.filename().string(), log, progress);
-  if (layer.mesh.triangles.empty()) throw Error(ErrorKind::bad_input, file.string(), "there is no solid within the bounds");
+  Layer layer = layer_of(model, bounds, values.not_negative("Voxel"), EmptySolid::refused, file.filename().string(),
+                         log, progress);
+  if (layer.mesh.triangles.empty())
+    throw Error(ErrorKind::bad_input, file.string(), "there is no solid within the bounds");
   return layer;
 }
 
@@ -72,8 +74,8 @@ void write_layer_as_asdf(const Layer& layer, const std::filesystem::path& file, 
   const Solid solid = solid_of(layer, fineness, 0, log, progress);
   const auto asdf = Asdf::build(*solid.field, *solid.bounds, {fineness.voxel}, progress);
   asdf->save(file, {}, progress);
-  log.push_back(
-      fmt::format("{}: {} cells of {:.3g} mm and larger", file.filename().string(), asdf->statistics().cells(), fineness.voxel));
+  log.push_back(fmt::format("{}: {} cells of {:.3g} mm and larger", file.filename().string(),
+                            asdf->statistics().cells(), fineness.voxel));
 }
 
 }  // namespace fieldfab::meshlab

@@ -55,13 +55,16 @@ struct Parameter {
 /// Values chosen by a user, and the layers they refer to.
 class Values {
  public:
-  Values(std::vector<Parameter> parameters, std::map<std::size_t, std::shared_ptr<const Layer>> layers, std::size_t current)
+  Values(std::vector<Parameter> parameters, std::map<std::size_t, std::shared_ptr<const Layer>> layers,
+         std::size_t current)
       : parameters_(std::move(parameters)), layers_(std::move(layers)), current_(current) {}
 
   [[nodiscard]] double number(const std::string& name) const { return std::get<double>(find(name).value); }
   [[nodiscard]] int whole(const std::string& name) const { return static_cast<int>(number(name)); }
   [[nodiscard]] bool flag(const std::string& name) const { return number(name) != 0; }
-  [[nodiscard]] const std::string& text(const std::string& name) const { return std::get<std::string>(find(name).value); }
+  [[nodiscard]] const std::string& text(const std::string& name) const {
+    return std::get<std::string>(find(name).value);
+  }
   /// Returns a finite length or number above 0 (positive) or not below 0 (not_negative). Throws
   /// bad_input otherwise.
   [[nodiscard]] double positive(const std::string& name) const;

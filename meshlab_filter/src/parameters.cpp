@@ -22,7 +22,8 @@ Parameter parameter(std::string name, std::string label, std::string help, Param
 
 }  // namespace
 
-Parameter length_parameter(std::string name, std::string label, std::string help, double value, double least, double most) {
+Parameter length_parameter(std::string name, std::string label, std::string help, double value, double least,
+                           double most) {
   Parameter row = parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::length, value);
   row.least = least, row.most = most;
   return row;
@@ -31,16 +32,19 @@ Parameter number_parameter(std::string name, std::string label, std::string help
   return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::number, value);
 }
 Parameter whole_parameter(std::string name, std::string label, std::string help, int value) {
-  return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::whole, static_cast<double>(value));
+  return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::whole,
+                   static_cast<double>(value));
 }
-Parameter choice_parameter(std::string name, std::string label, std::string help, std::vector<std::string> choices, int value) {
-  Parameter row =
-      parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::choice, static_cast<double>(value));
+Parameter choice_parameter(std::string name, std::string label, std::string help, std::vector<std::string> choices,
+                           int value) {
+  Parameter row = parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::choice,
+                            static_cast<double>(value));
   row.choices = std::move(choices);
   return row;
 }
 Parameter layer_parameter(std::string name, std::string label, std::string help, std::size_t value) {
-  return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::layer, static_cast<double>(value));
+  return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::layer,
+                   static_cast<double>(value));
 }
 Parameter text_parameter(std::string name, std::string label, std::string help, std::string value) {
   return parameter(std::move(name), std::move(label), std::move(help), Parameter::Kind::text, std::move(value));
@@ -56,19 +60,22 @@ std::vector<Parameter> fineness_parameters(const Document& document) {
   std::string cost;
   if (chosen.triangles > 0)
     cost = fmt::format(" For this layer {:.3g} mm takes about {}, {:.3g} mm about {}; {} are free.", voxel,
-                       as_bytes(lattice_cost(chosen.bounds, voxel)), voxel / 4, as_bytes(lattice_cost(chosen.bounds, voxel / 4)),
+                       as_bytes(lattice_cost(chosen.bounds, voxel)), voxel / 4,
+                       as_bytes(lattice_cost(chosen.bounds, voxel / 4)),
                        as_bytes(static_cast<double>(available_memory())));
-  return {length_parameter("Voxel", "Voxel (mm)",
-                           "Edge of the smallest cell. Lengths are in the units of the mesh, which are taken for millimetres. "
-                           "What is thinner than a voxel may be lost." +
-                               cost,
-                           voxel, 0, diagonal),
-          choice_parameter(
-              "Edges", "Sharp edges",
-              "Automatic keeps them where triangles are larger than a few voxels (drawn parts; of closed ones the faces stay "
-              "as they are, exactly), and samples distances on a lattice where they are smaller (scans) or walls thin, which is "
-              "faster. Keeping the edges of small triangles is slow.",
-              {"automatic", "keep", "round off"})};
+  return {length_parameter(
+              "Voxel", "Voxel (mm)",
+              "Edge of the smallest cell. Lengths are in the units of the mesh, which are taken for millimetres. "
+              "What is thinner than a voxel may be lost." +
+                  cost,
+              voxel, 0, diagonal),
+          choice_parameter("Edges", "Sharp edges",
+                           "Automatic keeps them where triangles are larger than a few voxels (drawn parts; of closed "
+                           "ones the faces stay "
+                           "as they are, exactly), and samples distances on a lattice where they are smaller (scans) "
+                           "or walls thin, which is "
+                           "faster. Keeping the edges of small triangles is slow.",
+                           {"automatic", "keep", "round off"})};
 }
 
 Fineness fineness_of(const Values& values) {

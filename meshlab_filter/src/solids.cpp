@@ -40,8 +40,9 @@ std::vector<std::uint32_t> merged(const std::vector<std::array<float, 3>>& verti
   };
   std::iota(stands.begin(), stands.end(), 0u);
   order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !finite(v); }), order.end());
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b; });
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return vertices[a] != vertices[b] ? vertices[a] < vertices[b] : a < b;
+  });
   for (std::size_t i = 1; i < order.size(); ++i)
     if (vertices[order[i]] == vertices[order[i - 1]]) stands[order[i]] = stands[order[i - 1]];
   return stands;
@@ -61,7 +62,8 @@ bool is_drawn(const TriangleMesh& mesh, const Fineness& fineness) {
     const double area = area_of(mesh, t);
     all += area;
     double longest = 0;
-    for (std::size_t i = 0; i < 3; ++i) longest = std::max(longest, (place(mesh, t[i]) - place(mesh, t[(i + 1) % 3])).norm());
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, (place(mesh, t[i]) - place(mesh, t[(i + 1) % 3])).norm());
     if (longest > 4 * fineness.voxel) large += area;
   }
   return large > 0.8 * all;
@@ -121,8 +123,8 @@ TriangleMesh usable_triangles(const Layer& layer, std::vector<std::string>& log)
     usable.triangles.push_back({name[own[0]], name[own[1]], name[own[2]]});
   }
   if (nowhere > 0)
-    log.push_back(
-        fmt::format("{}: {} triangles have places that are not finite numbers; they are left out", place_of_error, nowhere));
+    log.push_back(fmt::format("{}: {} triangles have places that are not finite numbers; they are left out",
+                              place_of_error, nowhere));
   if (flat > 0) log.push_back(fmt::format("{}: {} triangles have no area; they are left out", place_of_error, flat));
   if (usable.triangles.empty() || !(usable.area() > 0))
     throw Error(ErrorKind::bad_input, place_of_error,
@@ -150,7 +152,8 @@ std::optional<ExactSolid> exact_solid_of(const Layer& layer, const Fineness& fin
   return exact;
 }
 
-Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress) {
+Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log,
+               Progress& progress) {
   progress.report(0, "reading the layer");
   TriangleMesh mesh = usable_triangles(layer, log);
   const double voxel = fineness.voxel;
@@ -162,7 +165,8 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
     TriangleMesh closed = closed_by(lids, mesh);
     bool pieces = !lids.are_small(mesh);
     if (pieces) {  // then the winding number counts if triangles cover half of the view
-      const ContourMesh wrapped = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
+      const ContourMesh wrapped =
+          contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel, -1, false}, progress);
       pieces = std::abs(closed.volume()) < 0.5 * wrapped.volume();
       sharp = false;
       if (pieces) {
@@ -174,15 +178,18 @@ Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::
       throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'",
                   "encloses nothing; a sheet becomes solid by Shell, on both sides");
     log.push_back(
-        pieces ? fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half", layer.name)
-               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.rims, lids.area));
+        pieces ? fmt::format("layer '{}' is a soup of pieces: the solid is what they wind around by more than half",
+                             layer.name)
+               : fmt::format("layer '{}' is open: {} rims are closed by lids of {:.3g} mm2", layer.name, lids.rims,
+                             lids.area));
     mesh = std::move(closed);
   }
 
   if (sharp) {
     // Triangles within the solid are no surface to measure from.
     if (reach > 0 && inspect(mesh).self_intersections > 0) {
-      log.push_back(fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
+      log.push_back(
+          fmt::format("layer '{}' intersects itself: distances are those to the solid that it encloses", layer.name));
       ContourMesh enclosed = contour(*mesh_field(mesh, progress), tight.grown(2 * voxel), {voxel}, progress);
       warn_where_uncertain(layer, enclosed.certainty, log);
       mesh = std::move(enclosed);
@@ -207,8 +214,8 @@ std::optional<Layer> layer_of(const ExactSolid& solid, std::string name) {
 
 Layer layer_of(const FieldPtr& field, const Box& bounds, const Fineness& fineness, bool sharp, std::string name,
                std::vector<std::string>& log, Progress& progress) {
-  ContourMesh mesh =
-      contour(*field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp, depth_for(*field)}, progress);
+  ContourMesh mesh = contour(
+      *field, bounds, {fineness.voxel, (sharp ? 0.05 : 0.01) * fineness.voxel, sharp, depth_for(*field)}, progress);
   if (mesh.triangles.empty())
     throw Error(ErrorKind::bad_input, "result",
                 fmt::format("there is nothing left that is as thick as a voxel of {:.3g} mm", fineness.voxel));
@@ -226,7 +233,8 @@ Layer layer_of(const Model& model, const std::optional<Box>& bounds, double voxe
   ContourMesh& mesh = made.mesh;
   const std::string certain = mesh.certainty.text();
   if (mesh.triangles.empty()) {
-    log.push_back(fmt::format("{}: {}", name, mesh.certainty.certain() ? "is empty" : "no surface was found; it is " + certain));
+    log.push_back(
+        fmt::format("{}: {}", name, mesh.certainty.certain() ? "is empty" : "no surface was found; it is " + certain));
   } else {
     log.push_back(made.exact ? "the mesh has the solid's own faces" : "the mesh is " + certain);
     log.push_back(fmt::format("{}: {}, {} triangles, {:.6g} mm3, {:.6g} mm2, voxel {:.3g} mm", name, solid.kind,
@@ -252,7 +260,8 @@ Model model_of_file(const std::filesystem::path& file, Progress& progress) {
 
 Model model_of_text(const std::string& text, Progress& progress) {
   std::error_code ignored;
-  if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored)) return model_of_file(text, progress);
+  if (text.find('\n') == std::string::npos && std::filesystem::exists(text, ignored))
+    return model_of_file(text, progress);
   if (text.find_first_not_of(" \t\n") == std::string::npos) throw Error(ErrorKind::bad_input, "formula", "is empty");
   OpenSettings settings;
   settings.formats = &openscad::all_formats();

@@ -26,7 +26,8 @@ std::vector<Parameter> fineness_parameters(const Document& document);
 Fineness fineness_of(const Values& values);
 
 /// Row for a length: `value` mm, with a slider from `least` to `most`.
-Parameter length_parameter(std::string name, std::string label, std::string help, double value, double least, double most);
+Parameter length_parameter(std::string name, std::string label, std::string help, double value, double least,
+                           double most);
 Parameter number_parameter(std::string name, std::string label, std::string help, double value);
 Parameter whole_parameter(std::string name, std::string label, std::string help, int value);
 Parameter choice_parameter(std::string name, std::string label, std::string help, std::vector<std::string> choices,
@@ -52,7 +53,8 @@ inline int depth_for(const Field& field) { return field.sampled() ? 0 : ContourS
 /// offsets and walls need. Exact if triangles are larger than a few voxels or edges are to be kept;
 /// otherwise sampled on a lattice. Throws bad_input, too_large (before any work, with the memory
 /// needed), cancelled.
-Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log, Progress& progress);
+Solid solid_of(const Layer& layer, const Fineness& fineness, double reach, std::vector<std::string>& log,
+               Progress& progress);
 
 /// Returns the layer as an exact solid if it is a drawn part: closed, with triangles larger than a
 /// few voxels, and with edges not to be rounded; otherwise nullopt. Throws bad_input, too_large,

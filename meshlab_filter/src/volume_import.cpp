@@ -35,18 +35,19 @@ std::vector<std::string> volume_patterns() {
 std::string volume_patterns_text() { return fmt::format("{}", fmt::join(volume_patterns(), " ")); }
 
 std::vector<Parameter> volume_parameters() {
-  return {
-      text_parameter(
-          "Threshold", "Threshold",
-          "The density that separates solid from nothing: a number, otsu, halfway, 90% (of the samples are below), or automatic.",
-          "automatic"),
-      flag_parameter("Below", "Solid is what is less dense", "As air or pores.", false),
-      text_parameter("Denoise", "Denoise", "none, median:1 (samples), gaussian:0.8 (mm) or anisotropic:1.", "none"),
-      flag_parameter("KeepLargest", "Only the largest piece", "Without dust and whatever else lay in the scanner.", false),
-      number_parameter("Voxel", "Voxel (mm)", "Edge of the smallest cell; 0 takes the scan's own.", 0)};
+  return {text_parameter("Threshold", "Threshold",
+                         "The density that separates solid from nothing: a number, otsu, halfway, 90% (of the samples "
+                         "are below), or automatic.",
+                         "automatic"),
+          flag_parameter("Below", "Solid is what is less dense", "As air or pores.", false),
+          text_parameter("Denoise", "Denoise", "none, median:1 (samples), gaussian:0.8 (mm) or anisotropic:1.", "none"),
+          flag_parameter("KeepLargest", "Only the largest piece", "Without dust and whatever else lay in the scanner.",
+                         false),
+          number_parameter("Voxel", "Voxel (mm)", "Edge of the smallest cell; 0 takes the scan's own.", 0)};
 }
 
-Layer import_volume(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log, Progress& progress) {
+Layer import_volume(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log,
+                    Progress& progress) {
   if (file.empty()) throw Error(ErrorKind::bad_input, "File", "choose a volume");
   double voxel = values.not_negative("Voxel");
   ScanOptions options;
@@ -58,9 +59,9 @@ Layer import_volume(const std::filesystem::path& file, const Values& values, std
   const std::filesystem::path path = whole_volume(file);
   const Scan scan = open_scan(path, options, progress);
   const SampleLattice& lattice = scan.volume->lattice();
-  log.push_back(fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}", path.filename().string(),
-                            lattice.size[0], lattice.size[1], lattice.size[2], lattice.spacing.x(), lattice.spacing.y(),
-                            lattice.spacing.z(), scan.surface.threshold));
+  log.push_back(fmt::format("{}: {} x {} x {} samples of {:.4g} x {:.4g} x {:.4g} mm, threshold {:.6g}",
+                            path.filename().string(), lattice.size[0], lattice.size[1], lattice.size[2],
+                            lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z(), scan.surface.threshold));
   const auto solid = opened_scan(scan, progress);
   if (voxel == 0) voxel = *solid->voxel;
   const Box bounds = solid->bounds->grown(voxel);

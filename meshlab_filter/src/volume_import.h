@@ -18,6 +18,7 @@ std::vector<Parameter> volume_parameters();
 
 /// Reads a volume with the chosen parameters. A slice of a stack stands for its folder. Throws io,
 /// bad_input, too_large, cancelled.
-Layer import_volume(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log, Progress& progress);
+Layer import_volume(const std::filesystem::path& file, const Values& values, std::vector<std::string>& log,
+                    Progress& progress);
 
 }  // namespace fieldfab::meshlab

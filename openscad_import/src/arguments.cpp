@@ -82,7 +82,8 @@ std::vector<std::vector<double>> Arguments::points(std::string_view name, std::s
   for (const Value& item : *value->list()) {
     points.push_back(list_of_numbers(item, name));
     if (points.back().size() < coordinates)
-      fail(fmt::format("point {} of {} has {} coordinates, not {}", points.size() - 1, name, points.back().size(), coordinates));
+      fail(fmt::format("point {} of {} has {} coordinates, not {}", points.size() - 1, name, points.back().size(),
+                       coordinates));
     for (const double number : points.back())
       if (!std::isfinite(number)) fail(fmt::format("point {} of {} is not at a finite place", points.size() - 1, name));
   }
@@ -133,7 +134,8 @@ Eigen::Matrix4d Arguments::matrix() const {
       matrix(static_cast<int>(row), static_cast<int>(column)) = numbers[column];
   }
   if (!matrix.allFinite()) fail("the matrix has numbers that are not finite");
-  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, matrix(3, 3)) || matrix(3, 3) == 0) fail("the last row must be 0, 0, 0, 1");
+  if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, matrix(3, 3)) || matrix(3, 3) == 0)
+    fail("the last row must be 0, 0, 0, 1");
   return matrix / matrix(3, 3);
 }
 

@@ -119,7 +119,8 @@ class Assembly final : public Field {
       if (!kept.back().restriction.range.maybe_nan) upper = std::min(upper, kept.back().restriction.range.upper);
     }
     if (upper == std::numeric_limits<float>::infinity()) return;
-    std::erase_if(kept, [&](const Kept& one) { return one.restriction.range.lower > upper && !one.restriction.range.maybe_nan; });
+    std::erase_if(
+        kept, [&](const Kept& one) { return one.restriction.range.lower > upper && !one.restriction.range.maybe_nan; });
     std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.part < b.part; });
     Interval range{std::numeric_limits<float>::infinity(), upper, false};
     for (const Kept& one : kept) {
@@ -132,7 +133,8 @@ class Assembly final : public Field {
       return;
     }
     std::vector<Placed> fewer;
-    for (Kept& one : kept) fewer.push_back({std::move(one.restriction.field), parts_[one.part].box, parts_[one.part].steepness});
+    for (Kept& one : kept)
+      fewer.push_back({std::move(one.restriction.field), parts_[one.part].box, parts_[one.part].steepness});
     out[0].field = std::make_shared<Assembly>(std::move(fewer));
   }
 
@@ -144,7 +146,8 @@ class Assembly final : public Field {
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> distance(parts_.size());
     for (std::size_t i = 0; i < parts_.size(); ++i) distance[i] = apart(parts_[i].box, box);
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return distance[a] < distance[b]; });
     return order;
   }
 
@@ -152,7 +155,8 @@ class Assembly final : public Field {
   /// in order. `values` are the minima so far.
   template <class Ask>
   void visit(const Points& points, const float* values, const Ask& ask) const {
-    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+    Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+            Vec3::Constant(-std::numeric_limits<double>::infinity())};
     for (std::size_t i = 0; i < points.count; ++i) {
       const Vec3 p(points.x[i], points.y[i], points.z[i]);
       if (!p.allFinite()) {

@@ -19,7 +19,8 @@ using Planes = std::array<std::vector<double>, 3>;  // along each axis, ascendin
 /// Sorts planes. Of planes at most `same` mm apart only the first stays.
 void tidy(std::vector<double>& planes, double same) {
   std::sort(planes.begin(), planes.end());
-  planes.erase(std::unique(planes.begin(), planes.end(), [&](double a, double b) { return b - a <= same; }), planes.end());
+  planes.erase(std::unique(planes.begin(), planes.end(), [&](double a, double b) { return b - a <= same; }),
+               planes.end());
 }
 
 void add_planes(const Boxes& boxes, Planes& planes) {
@@ -60,7 +61,8 @@ constexpr bool hang_together(Octants cells) {
 bool touch(Octants solid) {
   static constexpr auto known = [] {
     std::array<bool, 256> table{};
-    for (Octants cells = 0; cells < table.size(); ++cells) table[cells] = !hang_together(cells) || !hang_together(~cells & 255U);
+    for (Octants cells = 0; cells < table.size(); ++cells)
+      table[cells] = !hang_together(cells) || !hang_together(~cells & 255U);
     return table;
   }();
   return known[solid];
@@ -99,7 +101,9 @@ struct Grid {
       cells |= Octants{first[(i & 1U) * stride[0] + (i >> 1U & 1U) * stride[1] + (i >> 2U) * stride[2]]} << i;
     return cells;
   }
-  [[nodiscard]] Vec3 point(const Place& place) const { return {planes[0][place[0]], planes[1][place[1]], planes[2][place[2]]}; }
+  [[nodiscard]] Vec3 point(const Place& place) const {
+    return {planes[0][place[0]], planes[1][place[1]], planes[2][place[2]]};
+  }
 };
 
 /// Returns the cell that contains a coordinate along an axis; the coordinate of a plane belongs to
@@ -255,8 +259,8 @@ class Surface {
     Octants cells = 0;
     for (std::size_t x = 0; x + 1 < grid_.size[0]; ++x) {
       const std::uint8_t* const next = row + x + 1;
-      const Octants beyond =
-          (Octants{next[0]} << 1U) | (Octants{next[up]} << 3U) | (Octants{next[back]} << 5U) | (Octants{next[up + back]} << 7U);
+      const Octants beyond = (Octants{next[0]} << 1U) | (Octants{next[up]} << 3U) | (Octants{next[back]} << 5U) |
+                             (Octants{next[up + back]} << 7U);
       cells = (cells >> 1U & 0b01010101U) | beyond;
       if (cells == 0 || cells == 255) continue;
       if (touch(cells)) throw Error(ErrorKind::bad_input, "boxes", "they touch along an edge or at a corner");
@@ -327,7 +331,8 @@ class Surface {
   }
 
   std::uint32_t corner(const Place& at) {
-    const auto [known, is_new] = corners_.try_emplace(grid_.index(at), static_cast<std::uint32_t>(surface_.vertices.size()));
+    const auto [known, is_new] =
+        corners_.try_emplace(grid_.index(at), static_cast<std::uint32_t>(surface_.vertices.size()));
     if (is_new) surface_.vertices.push_back(grid_.point(at));
     return known->second;
   }
@@ -357,7 +362,8 @@ std::optional<Box> box_of(const Polyhedron& solid) {
     corners.insert(octant[i]);
   }
   const auto is_in_face = [&](const Triangle& t) {
-    const unsigned same = octant[t[0]] & octant[t[1]] & octant[t[2]], differ = octant[t[0]] | octant[t[1]] | octant[t[2]];
+    const unsigned same = octant[t[0]] & octant[t[1]] & octant[t[2]],
+                   differ = octant[t[0]] | octant[t[1]] | octant[t[2]];
     return same != 0 || differ != 7;
   };
   const bool is_box = corners.size() == 8 && std::all_of(solid.triangles.begin(), solid.triangles.end(), is_in_face);

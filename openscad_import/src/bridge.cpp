@@ -34,7 +34,8 @@ std::string decoded(const Value& codes) {
   if (codes.list() == nullptr) return words;
   for (const Value& code : *codes.list()) {  // as UTF-8
     const double* number = code.number();
-    const auto c = number != nullptr && *number >= 0 && *number < 0x110000 ? static_cast<std::uint32_t>(*number) : 0xFFFDU;
+    const auto c =
+        number != nullptr && *number >= 0 && *number < 0x110000 ? static_cast<std::uint32_t>(*number) : 0xFFFDU;
     const auto add = [&](std::uint32_t byte) { words += static_cast<char>(byte); };
     if (c < 0x80) {
       add(c);
@@ -63,7 +64,8 @@ bool find_request(const Tree& tree, const Node& node, Request& request) {
   request.words = text.substr(words + 1);
   if (request.key.empty() || request.key.find_first_not_of("0123456789") != std::string::npos) return false;
   const Tree parsed = parse_csg("wanted(" + request.words + ");", tree.file);
-  if (parsed.nodes.size() != 2 || parsed.nodes[1].arguments.empty() || parsed.nodes[1].arguments[0].value.list() == nullptr)
+  if (parsed.nodes.size() != 2 || parsed.nodes[1].arguments.empty() ||
+      parsed.nodes[1].arguments[0].value.list() == nullptr)
     return false;
   request.values = *parsed.nodes[1].arguments[0].value.list();
   request.values.resize(3);
@@ -107,9 +109,9 @@ class Cache {
     const std::filesystem::path note = folder_ / (request.key + ".txt");
     auto& known = contents_[request.key];
     if (!known.empty() && known != content)
-      throw Error(
-          ErrorKind::bad_input, design_.string(),
-          fmt::format("two uses of {} differ in their children only: give one of them another name = \"...\"", request.kind));
+      throw Error(ErrorKind::bad_input, design_.string(),
+                  fmt::format("two uses of {} differ in their children only: give one of them another name = \"...\"",
+                              request.kind));
     if (known == content) return;
     known = content;
     if (std::filesystem::exists(mesh) && std::filesystem::exists(note) && read_file(note) == content) {
@@ -219,7 +221,8 @@ class Cache {
   /// Returns the shapes passed to a module. OpenSCAD wraps them in groups.
   [[nodiscard]] std::vector<NodeIndex> shapes_of(const Node& node) const {
     std::vector<NodeIndex> shapes(node.children.begin() + 1, node.children.end());
-    while (shapes.size() == 1 && tree_.nodes[shapes.front()].name == "group" && !tree_.nodes[shapes.front()].children.empty()) {
+    while (shapes.size() == 1 && tree_.nodes[shapes.front()].name == "group" &&
+           !tree_.nodes[shapes.front()].children.empty()) {
       const std::vector<NodeIndex> inner = tree_.nodes[shapes.front()].children;
       shapes = inner;
     }
@@ -240,12 +243,14 @@ class Cache {
       return total;
     };
     const std::string& kind = request.kind;
-    if (kind == "smooth_union") return join([](const E& a, const E& b, const E& r) { return shapes::smooth_unite(a, b, r); });
+    if (kind == "smooth_union")
+      return join([](const E& a, const E& b, const E& r) { return shapes::smooth_unite(a, b, r); });
     if (kind == "smooth_difference")
       return join([](const E& a, const E& b, const E& r) { return shapes::smooth_subtract(a, b, r); });
     if (kind == "smooth_intersection")
       return join([](const E& a, const E& b, const E& r) { return shapes::smooth_intersect(a, b, r); });
-    if (kind == "chamfer_union") return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_unite(a, b, r); });
+    if (kind == "chamfer_union")
+      return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_unite(a, b, r); });
     if (kind == "chamfer_difference")
       return join([](const E& a, const E& b, const E& r) { return shapes::chamfer_subtract(a, b, r); });
     if (kind == "chamfer_intersection")
@@ -269,7 +274,8 @@ class Cache {
 namespace {
 
 /// Returns the message with the name of the wanted file instead of that of the temporary one.
-std::string with_name(std::string message, const std::filesystem::path& temporary, const std::filesystem::path& wanted) {
+std::string with_name(std::string message, const std::filesystem::path& temporary,
+                      const std::filesystem::path& wanted) {
   const std::string name = std::filesystem::absolute(temporary).string();
   for (std::size_t at = message.find(name); at != std::string::npos; at = message.find(name, at))
     message.replace(at, name.size(), wanted.string());
@@ -296,7 +302,8 @@ void export_design(const std::filesystem::path& design, const std::filesystem::p
   } catch (const Error& error) {
     throw Error(error.kind(), "", with_name(error.what(), file.temporary(), output));
   }
-  if (std::filesystem::is_empty(file.temporary())) throw Error(ErrorKind::io, output.string(), "OpenSCAD wrote nothing");
+  if (std::filesystem::is_empty(file.temporary()))
+    throw Error(ErrorKind::io, output.string(), "OpenSCAD wrote nothing");
   file.commit();
 }
 

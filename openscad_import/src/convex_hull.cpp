@@ -17,7 +17,8 @@ using Point = Kernel::Point_3;
 Polyhedron convex_hull(std::span<const Vec3> points) {
   std::vector<Point> input;
   input.reserve(points.size());
-  Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+          Vec3::Constant(-std::numeric_limits<double>::infinity())};
   for (const Vec3& p : points) {
     input.emplace_back(p.x(), p.y(), p.z());
     box = {box.lower.cwiseMin(p), box.upper.cwiseMax(p)};
@@ -34,7 +35,8 @@ Polyhedron convex_hull(std::span<const Vec3> points) {
     std::vector<std::uint32_t> corners;
     for (const auto vertex : hull.vertices_around_face(hull.halfedge(face)))
       corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
-    for (std::size_t i = 2; i < corners.size(); ++i) result.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      result.triangles.push_back({corners[0], corners[i - 1], corners[i]});
   }
   if (result.triangles.size() < 4) return {};
   double volume = 0;

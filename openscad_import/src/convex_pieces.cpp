@@ -122,7 +122,8 @@ Polyhedron cut_off(const Polyhedron& convex, const Plane& plane, double slack) {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t u = t[i], v = t[(i + 1) % 3];
       if (height[u] < 0 && height[v] > 0)  // one of the two directions of each edge
-        kept.push_back(convex.vertices[u] + height[u] / (height[u] - height[v]) * (convex.vertices[v] - convex.vertices[u]));
+        kept.push_back(convex.vertices[u] +
+                       height[u] / (height[u] - height[v]) * (convex.vertices[v] - convex.vertices[u]));
     }
   return convex_hull(kept);
 }

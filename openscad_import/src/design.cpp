@@ -46,8 +46,8 @@ std::vector<int> dimensions_of(const Tree& tree) {
   return dimensions;
 }
 
-std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options,
-                                         Progress& progress) {
+std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder,
+                                         const DesignOptions& options, Progress& progress) {
   Evaluator evaluator(tree, folder, options, progress);
   progress.report(0, "building the solid");
   auto made = std::make_shared<OpenedSolid>();
@@ -66,7 +66,8 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
       constexpr double far_away = 1e9;
       const double farthest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
       if (!options.smooth)
-        design.faces = [region, farthest](std::optional<double> thickness, Progress& shown) -> std::optional<TriangleMesh> {
+        design.faces = [region, farthest](std::optional<double> thickness,
+                                          Progress& shown) -> std::optional<TriangleMesh> {
           if (!thickness) return std::nullopt;
           constexpr double narrow = 8e-6;  // times the farthest coordinate: several last places of single precision
           for (const Region& shape : {separated(region), without_narrows(region, narrow * farthest)}) {
@@ -81,8 +82,8 @@ std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem
         solid = extruded_leaf(region, -far_away, far_away, Eigen::Affine3d::Identity())->solid(making);
       else
         solid = {std::nullopt, flat_field(region, growth)};
-      design.voxel =
-          voxel_for(box.sizes().maxCoeff(), region.stroke(), 2 * region.area() + region.length() * box.sizes().maxCoeff() / 32);
+      design.voxel = voxel_for(box.sizes().maxCoeff(), region.stroke(),
+                               2 * region.area() + region.length() * box.sizes().maxCoeff() / 32);
     }
   } else {
     const PartPtr part = evaluator.solid(start, Eigen::Affine3d::Identity());

@@ -21,10 +21,12 @@ bool is_one_of(const std::string& name, std::initializer_list<const char*> known
 bool is_solid(const std::string& name) {
   return is_one_of(name, {"cube", "sphere", "cylinder", "polyhedron", "surface", "linear_extrude", "rotate_extrude"});
 }
-bool is_flat(const std::string& name) { return is_one_of(name, {"square", "circle", "polygon", "text", "projection", "offset"}); }
+bool is_flat(const std::string& name) {
+  return is_one_of(name, {"square", "circle", "polygon", "text", "projection", "offset"});
+}
 bool is_joint(const std::string& name) {
-  return is_one_of(name, {"group", "union", "intersection", "difference", "hull", "minkowski", "resize", "render", "color",
-                          "multmatrix", "translate", "rotate", "scale", "mirror"});
+  return is_one_of(name, {"group", "union", "intersection", "difference", "hull", "minkowski", "resize", "render",
+                          "color", "multmatrix", "translate", "rotate", "scale", "mirror"});
 }
 
 }  // namespace
@@ -43,7 +45,9 @@ void Evaluator::find_dimensions() {
   dimensions_.assign(tree_.nodes.size(), 0);
   for (std::size_t i = tree_.nodes.size(); i-- > 0;) {  // children come after their parents
     const Node& node = tree_.nodes[i];
-    const auto is_live = [&](NodeIndex child) { return !tree_.nodes[child].background && !tree_.nodes[child].disabled; };
+    const auto is_live = [&](NodeIndex child) {
+      return !tree_.nodes[child].background && !tree_.nodes[child].disabled;
+    };
     const bool is_made_of_children = is_one_of(node.name, {"linear_extrude", "rotate_extrude", "projection", "offset"});
     if (is_made_of_children && std::none_of(node.children.begin(), node.children.end(), is_live)) {
       continue;  // 0 dimensions: the node is ignored
@@ -70,8 +74,8 @@ std::vector<NodeIndex> Evaluator::children(const Node& node, int wanted) {
     if (dimensions_[child] == wanted)
       all.push_back(child);
     else
-      note(below,
-           fmt::format("{} is {}D among {}D shapes, and left out as OpenSCAD does", below.name, int{dimensions_[child]}, wanted));
+      note(below, fmt::format("{} is {}D among {}D shapes, and left out as OpenSCAD does", below.name,
+                              int{dimensions_[child]}, wanted));
   }
   return all;
 }
@@ -99,7 +103,8 @@ Eigen::Affine3d Evaluator::placement_of(const Arguments& a, const Node& node) {
     if (given == nullptr) return v;
     if (const double* number = given->number()) return Vec3(Vec3::Constant(*number));
     const std::vector<double> numbers = a.list_of_numbers(*given, name);
-    for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 3); ++i) v[static_cast<Eigen::Index>(i)] = numbers[i];
+    for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 3); ++i)
+      v[static_cast<Eigen::Index>(i)] = numbers[i];
     if (!v.allFinite()) a.fail("has numbers that are not finite");
     return v;
   };
@@ -117,7 +122,8 @@ Eigen::Affine3d Evaluator::placement_of(const Arguments& a, const Node& node) {
     if (angle != nullptr && angle->number() != nullptr) {
       const Vec3 axis = a.find("v") != nullptr ? vector("v", 0) : Vec3::UnitZ();
       if (axis.norm() > 0)
-        placement.linear() = Eigen::AngleAxisd(*angle->number() * radians_per_degree, axis.normalized()).toRotationMatrix();
+        placement.linear() =
+            Eigen::AngleAxisd(*angle->number() * radians_per_degree, axis.normalized()).toRotationMatrix();
     } else {
       const Vec3 turns = vector("a", 0) * radians_per_degree;
       placement = Eigen::AngleAxisd(turns.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(turns.y(), Vec3::UnitY()) *
@@ -155,15 +161,18 @@ PartPtr Evaluator::solid(NodeIndex index, const Eigen::Affine3d& outer, int dept
   // Chains of nodes with one child each are followed in a loop, without recursion.
   for (;;) {
     const bool is_placing = places(*node);
-    if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"})) break;
+    if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"}))
+      break;
     if (is_placing) placement = placement * placement_of(Arguments(tree_, *node), *node);
     const std::vector<NodeIndex> below = children(*node, 3);
-    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1)) break;
+    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1))
+      break;
     if (dimensions_[below.front()] != 3) return nothing();
     node = &tree_.nodes[below.front()];
   }
   if (depth > deepest)
-    throw Error(ErrorKind::bad_input, tree_.place(*node), fmt::format("is more than {} nodes deep within others", deepest));
+    throw Error(ErrorKind::bad_input, tree_.place(*node),
+                fmt::format("is more than {} nodes deep within others", deepest));
   const Arguments a(tree_, *node);
   const std::string& name = node->name;
   if (name == "cube") return cube(a, placement);
@@ -199,7 +208,8 @@ Region Evaluator::flat(NodeIndex index, int depth) {
   const Node* node = &tree_.nodes[index];
   for (;;) {
     const bool is_placing = places(*node);
-    if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"})) break;
+    if (!is_placing && !is_one_of(node->name, {"group", "union", "intersection", "difference", "render", "color"}))
+      break;
     if (is_placing) {
       const Eigen::Matrix4d m = placement_of(Arguments(tree_, *node), *node).matrix();
       Eigen::Affine2d here = Eigen::Affine2d::Identity();
@@ -208,12 +218,14 @@ Region Evaluator::flat(NodeIndex index, int depth) {
       placement = placement * here;
     }
     const std::vector<NodeIndex> below = children(*node, 2);
-    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1)) break;
+    if (below.size() != 1 || (is_one_of(node->name, {"intersection", "difference"}) && node->children.size() > 1))
+      break;
     index = below.front();
     node = &tree_.nodes[index];
   }
   if (depth > deepest)
-    throw Error(ErrorKind::bad_input, tree_.place(*node), fmt::format("is more than {} nodes deep within others", deepest));
+    throw Error(ErrorKind::bad_input, tree_.place(*node),
+                fmt::format("is more than {} nodes deep within others", deepest));
   const Arguments a(tree_, *node);
   const std::string& name = node->name;
   const auto make = [&]() -> Region {

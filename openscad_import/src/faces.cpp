@@ -106,7 +106,8 @@ Polyhedron grown(const Polyhedron& solid, double growth) {
   for (std::size_t i = 0; i < solid.vertices.size(); ++i) {
     if (normals[i].empty()) continue;
     Eigen::MatrixX3d planes(static_cast<Eigen::Index>(normals[i].size()), 3);
-    for (std::size_t j = 0; j < normals[i].size(); ++j) planes.row(static_cast<Eigen::Index>(j)) = normals[i][j].transpose();
+    for (std::size_t j = 0; j < normals[i].size(); ++j)
+      planes.row(static_cast<Eigen::Index>(j)) = normals[i][j].transpose();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixX3d> solver(planes.rows(), 3);
     solver.setThreshold(1e-3);
     const Vec3 step = solver.compute(planes).solve(Eigen::VectorXd::Ones(planes.rows()));
@@ -174,7 +175,8 @@ class Joiner {
     }
     if (part.kind == Kind::leaf) {
       const Polyhedron solid = drawing_.solid(*part.leaf, frames_.axes(at.frame));
-      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same) return Boxes{Kind::leaf, *box, {}};
+      if (const auto box = box_of(solid); box && box->size().minCoeff() > drawing_.same)
+        return Boxes{Kind::leaf, *box, {}};
       return ExactSolid(grows() ? grown(solid, drawing_.growth(at.taken)) : solid);
     }
     if (part.kind == Kind::subtract) return difference(part.children, at);
@@ -219,8 +221,8 @@ class Joiner {
     Joined first;
     if (has_own(*parts.front(), at)) {  // subtract the solids of the same frame in that frame
       const Place own{at.taken, frames_.of(*parts.front())};
-      const auto other =
-          std::stable_partition(rest.begin(), rest.end(), [&](const PartPtr& part) { return frames_.of(*part) == own.frame; });
+      const auto other = std::stable_partition(rest.begin(), rest.end(),
+                                               [&](const PartPtr& part) { return frames_.of(*part) == own.frame; });
       parts.resize(1);
       parts.insert(parts.end(), rest.begin(), other);
       rest.erase(rest.begin(), other);
@@ -296,8 +298,11 @@ std::optional<TriangleMesh> faces_of(const Part& part, Progress& progress) {
   const double step = 4e-6 * farthest, same = 0.5 * step;  // OpenSCAD's six digits lose less
   // A surface that is thinner remains only between different triangulations of faces in one plane,
   // or between solids that were grown; it is ignored.
-  const auto is_thin = [](const TriangleMesh& surface, double thinnest) { return surface.volume() < thinnest * surface.area(); };
-  if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement); surface && !is_thin(*surface, same))
+  const auto is_thin = [](const TriangleMesh& surface, double thinnest) {
+    return surface.volume() < thinnest * surface.area();
+  };
+  if (auto surface = mesh_of(part, {{as_drawn, same}, frames, progress}, placement);
+      surface && !is_thin(*surface, same))
     return surface;
   // Growth by different amounts separates faces that were in one plane and edges that were one
   // line. Subtracted solids grow more, so that no skin remains.

@@ -20,7 +20,8 @@ ClipperLib::Path to_path(const Outline& outline) {
   ClipperLib::Path path;
   path.reserve(outline.size());
   for (const Vec2& p : outline) {
-    if (!(p.cwiseAbs().maxCoeff() < largest)) throw Error(ErrorKind::bad_input, "polygon", "a point is too far away, or nowhere");
+    if (!(p.cwiseAbs().maxCoeff() < largest))
+      throw Error(ErrorKind::bad_input, "polygon", "a point is too far away, or nowhere");
     path.emplace_back(std::llround(p.x() * units_a_mm), std::llround(p.y() * units_a_mm));
   }
   return path;
@@ -57,8 +58,8 @@ Region to_region(const ClipperLib::Paths& found) {
   return region;
 }
 
-ClipperLib::Paths clipped(ClipperLib::ClipType operation, const ClipperLib::Paths& subject, const ClipperLib::Paths& clip,
-                          ClipperLib::PolyFillType filling = ClipperLib::pftNonZero) {
+ClipperLib::Paths clipped(ClipperLib::ClipType operation, const ClipperLib::Paths& subject,
+                          const ClipperLib::Paths& clip, ClipperLib::PolyFillType filling = ClipperLib::pftNonZero) {
   ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple);
   const bool has_subject = clipper.AddPaths(subject, ClipperLib::ptSubject, true);
   const bool has_clip = clipper.AddPaths(clip, ClipperLib::ptClip, true);
@@ -128,7 +129,8 @@ Region intersect(const std::vector<Region>& all) {
 Region subtract(const std::vector<Region>& all) {
   if (all.size() < 2) return all.empty() ? Region{} : all.front();
   std::vector<Outline> others;
-  for (std::size_t i = 1; i < all.size(); ++i) others.insert(others.end(), all[i].outlines.begin(), all[i].outlines.end());
+  for (std::size_t i = 1; i < all.size(); ++i)
+    others.insert(others.end(), all[i].outlines.begin(), all[i].outlines.end());
   return to_region(clipped(ClipperLib::ctDifference, to_paths(all.front().outlines), to_paths(others)));
 }
 
@@ -187,7 +189,8 @@ Region hull_of(const std::vector<Region>& all) {
   const auto chain = [&](auto first, auto last) {  // Andrew's monotone chain
     const std::size_t base = hull.size();
     for (auto p = first; p != last; ++p) {
-      while (hull.size() > base + 1 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0) hull.pop_back();
+      while (hull.size() > base + 1 && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0)
+        hull.pop_back();
       hull.push_back(*p);
     }
     if (hull.size() > base) hull.pop_back();
@@ -219,7 +222,9 @@ Region without_narrows(const Region& region, double width) {
 
 Region tidied(const Region& region) { return has_point_twice(region) ? without_narrows(region, 2 * little) : region; }
 
-Region separated(const Region& region) { return has_point_twice(region) ? offset(region, -little, Corner::mitre, 4) : region; }
+Region separated(const Region& region) {
+  return has_point_twice(region) ? offset(region, -little, Corner::mitre, 4) : region;
+}
 
 Region moved(const Region& region, const Eigen::Affine2d& placement) {
   const double determinant = placement.linear().determinant();

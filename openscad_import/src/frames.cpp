@@ -162,6 +162,8 @@ int Frames::of(const Part& part) const {
   return found != of_.end() ? found->second : any;
 }
 
-Eigen::Matrix3d Frames::turn(int from, int to) const { return (axes(to) * axes(from).inverse()).unaryExpr(&without_rounding); }
+Eigen::Matrix3d Frames::turn(int from, int to) const {
+  return (axes(to) * axes(from).inverse()).unaryExpr(&without_rounding);
+}
 
 }  // namespace fieldfab::openscad

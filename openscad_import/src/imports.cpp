@@ -84,8 +84,9 @@ std::vector<std::vector<double>> heights_of_picture(const std::filesystem::path&
   for (std::size_t y = 0; y < height; ++y)
     for (std::size_t x = 0; x < width; ++x) {
       const std::size_t first = ((height - 1 - y) * width + x) * channels;
-      const double light =
-          channels == 1 ? sample(first) : 0.2126 * sample(first) + 0.7152 * sample(first + 1) + 0.0722 * sample(first + 2);
+      const double light = channels == 1
+                               ? sample(first)
+                               : 0.2126 * sample(first) + 0.7152 * sample(first + 1) + 0.0722 * sample(first + 2);
       rows[y][x] = 100.0 / 255 * (invert ? 1 - light : light);
     }
   return rows;
@@ -106,7 +107,8 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
   for (Argument& argument : alone.nodes[0].arguments) {
     if (argument.name != "file") continue;
     const auto* name = argument.value.text();
-    if (name == nullptr) throw Error(ErrorKind::bad_input, tree.place(tree.nodes[node]), "import: file must be words in quotes");
+    if (name == nullptr)
+      throw Error(ErrorKind::bad_input, tree.place(tree.nodes[node]), "import: file must be words in quotes");
     const std::filesystem::path file = std::filesystem::absolute(folder / *name);
     if (!std::filesystem::is_regular_file(file))
       throw Error(ErrorKind::io, tree.place(tree.nodes[node]), file.string() + ": there is no such file");
@@ -121,7 +123,8 @@ Region drawn_by_openscad(const Tree& tree, NodeIndex node, const std::filesystem
   } catch (const Error& error) {
     const std::string message = error.what();
     // Texts without a stroke, layers without a line, empty texts.
-    if (message.find("object is empty") != std::string::npos || message.find("not a 2D object") != std::string::npos) return {};
+    if (message.find("object is empty") != std::string::npos || message.find("not a 2D object") != std::string::npos)
+      return {};
     if (error.kind() == ErrorKind::bad_input) throw Error(error.kind(), tree.place(tree.nodes[node]), message);
     throw;
   }

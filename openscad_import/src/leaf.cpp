@@ -56,7 +56,8 @@ Expression formula_of(const std::vector<Plane>& planes, double growth) {
 }
 
 [[noreturn]] void no_formula(const char* what) {
-  throw Error(ErrorKind::bad_input, what, "has no formula: only Booleans of primitives, hulls and straight extrusions do");
+  throw Error(ErrorKind::bad_input, what,
+              "has no formula: only Booleans of primitives, hulls and straight extrusions do");
 }
 
 class Convex final : public Leaf {
@@ -144,13 +145,14 @@ class Extruded final : public Leaf {
     return {std::nullopt, placed(extruded_field(region_, lower_, upper_, growth), placement_)};
   }
   [[nodiscard]] Polyhedron polyhedron() const override {
-    return moved(sweep(region_, 1, [&](const Vec2& p, int step) { return Vec3(p.x(), p.y(), step == 0 ? lower_ : upper_); }),
-                 placement_);
+    return moved(
+        sweep(region_, 1, [&](const Vec2& p, int step) { return Vec3(p.x(), p.y(), step == 0 ? lower_ : upper_); }),
+        placement_);
   }
   [[nodiscard]] Box bounds() const override {
     const Eigen::AlignedBox2d flat = region_.bounds();
-    return image_of({{flat.min().x(), flat.min().y(), lower_}, {flat.max().x(), flat.max().y(), upper_}}, placement_.linear(),
-                    placement_.translation());
+    return image_of({{flat.min().x(), flat.min().y(), lower_}, {flat.max().x(), flat.max().y(), upper_}},
+                    placement_.linear(), placement_.translation());
   }
   [[nodiscard]] double steepness() const override {
     const Stretch stretch = stretch_of(placement_);
@@ -189,7 +191,8 @@ class Extruded final : public Leaf {
       double least_area = std::numeric_limits<double>::infinity();
       for (std::size_t i = 0; i < outer.size(); ++i) {
         const Region around{{*outer[i]}};
-        if (around.area() < least_area && intersect({around, wound({outline})}).area() > 0.5 * -Region{{outline}}.area())
+        if (around.area() < least_area &&
+            intersect({around, wound({outline})}).area() > 0.5 * -Region{{outline}}.area())
           best = i, least_area = around.area();
       }
       taken[best].push_back(holes[hole++]);
@@ -224,8 +227,9 @@ class Turned final : public Leaf {
   [[nodiscard]] Polyhedron polyhedron() const override {
     constexpr int fine = 180;
     const bool round = shape_.turn.fragments == 0;
-    const int steps = round ? std::max(1, static_cast<int>(std::ceil(fine * std::abs(shape_.total) / (2 * std::numbers::pi))))
-                            : shape_.turn.fragments;
+    const int steps =
+        round ? std::max(1, static_cast<int>(std::ceil(fine * std::abs(shape_.total) / (2 * std::numbers::pi))))
+              : shape_.turn.fragments;
     return moved(turned(shape_.profile, shape_.turn.first, shape_.total / steps, steps, shape_.full), placement_);
   }
   [[nodiscard]] bool has_flat_faces() const override { return shape_.turn.fragments > 0; }

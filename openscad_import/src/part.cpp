@@ -46,7 +46,8 @@ Shape joined(const std::vector<Shape>& all, const JoinFormulas& join_formulas, c
   }
   while (formulas.size() > 1) {
     std::vector<frep::Expression> half;
-    for (std::size_t i = 0; i + 1 < formulas.size(); i += 2) half.push_back(join_formulas(formulas[i], formulas[i + 1]));
+    for (std::size_t i = 0; i + 1 < formulas.size(); i += 2)
+      half.push_back(join_formulas(formulas[i], formulas[i + 1]));
     if (formulas.size() % 2 == 1) half.push_back(formulas.back());
     formulas = std::move(half);
   }
@@ -103,7 +104,8 @@ PartPtr subtract(std::vector<PartPtr> parts) {
   if (parts.empty() || parts.front()->empty()) return nothing();
   const PartPtr first = parts.front();
   const Box box = bounds_of(*first);
-  std::erase_if(parts, [&](const PartPtr& part) { return part->empty() || (part != first && !meet(box, bounds_of(*part))); });
+  std::erase_if(parts,
+                [&](const PartPtr& part) { return part->empty() || (part != first && !meet(box, bounds_of(*part))); });
   return joined(Kind::subtract, std::move(parts));
 }
 
@@ -200,7 +202,9 @@ Region slice_of(const Part& part, Progress& progress) {
   }
   std::vector<Region> regions;
   for (const PartPtr& child : part.children) regions.push_back(slice_of(*child, progress));
-  return part.kind == Kind::unite ? unite(regions) : part.kind == Kind::intersect ? intersect(regions) : subtract(regions);
+  return part.kind == Kind::unite       ? unite(regions)
+         : part.kind == Kind::intersect ? intersect(regions)
+                                        : subtract(regions);
 }
 
 }  // namespace fieldfab::openscad

@@ -52,8 +52,9 @@ void PolygonDistance::divide(std::uint32_t first, std::uint32_t count) {
   const Vec2 size = group.upper - group.lower;
   const int axis = size.x() >= size.y() ? 0 : 1;
   const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, end,
-                   [axis](const Edge& a, const Edge& b) { return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis]; });
+  std::nth_element(begin, begin + half, end, [axis](const Edge& a, const Edge& b) {
+    return a.from[axis] + a.to[axis] < b.from[axis] + b.to[axis];
+  });
   divide(first, half);
   groups_[here].second = static_cast<std::uint32_t>(groups_.size());
   divide(first + half, count - half);
@@ -127,7 +128,8 @@ std::vector<PolygonDistance::Edge> PolygonDistance::within(const Vec2& centre, d
   return kept;
 }
 
-void PolygonDistance::slopes(const Vec2& centre, double reach, std::span<const Vec2> directions, std::span<Interval> out) const {
+void PolygonDistance::slopes(const Vec2& centre, double reach, std::span<const Vec2> directions,
+                             std::span<Interval> out) const {
   std::fill_n(out.begin(), directions.size(), Interval::unknown());
   const double distance = at(centre).distance;
   if (!std::isfinite(distance) || !std::isfinite(reach)) return;

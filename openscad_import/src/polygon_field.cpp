@@ -109,7 +109,8 @@ class Extruded final : public Field {
       std::array<Vec2, lanes> flat;
       std::array<Interval, lanes> across;
       for (std::size_t i = 0; i < some.size(); ++i) flat[i] = some[i].head<2>();
-      if (part.outlines) part.outlines->slopes(box.centre().head<2>(), half_diagonal(box), {flat.data(), some.size()}, across);
+      if (part.outlines)
+        part.outlines->slopes(box.centre().head<2>(), half_diagonal(box), {flat.data(), some.size()}, across);
       for (std::size_t i = 0; i < some.size(); ++i)
         out[first + i] = joined_slope(part, across[i], along_z(some[i].z()), some[i].norm());
     });
@@ -140,9 +141,11 @@ class Extruded final : public Field {
     if (!part.outlines) return along;
     if (across.maybe_nan) return across;
     const Span &d = part.across, &w = part.along;
-    if (d.upper <= 0 || w.upper <= 0) return d.lower >= w.upper ? across : w.lower > d.upper ? along : hull(across, along);
+    if (d.upper <= 0 || w.upper <= 0)
+      return d.lower >= w.upper ? across : w.lower > d.upper ? along : hull(across, along);
     const double right = 0.5 * std::numbers::pi;
-    const double least = std::atan2(std::max(w.lower, 0.0), d.upper), most = d.lower > 0 ? std::atan2(w.upper, d.lower) : right;
+    const double least = std::atan2(std::max(w.lower, 0.0), d.upper),
+                 most = d.lower > 0 ? std::atan2(w.upper, d.lower) : right;
     const double lower = least_mixture(across.lower, along.lower, least, most);
     const double upper = -least_mixture(-across.upper, -along.upper, least, most);
     return rounded({std::max(lower, -steepest), std::min(upper, steepest)});
@@ -172,7 +175,10 @@ class Extruded final : public Field {
 class Turned final : public Field {
  public:
   Turned(Distance profile, const Turn& turn, double growth)
-      : profile_(std::move(profile)), turn_(turn), growth_(growth), shrink_(turn.fragments > 0 ? std::cos(turn.step / 2) : 1) {}
+      : profile_(std::move(profile)),
+        turn_(turn),
+        growth_(growth),
+        shrink_(turn.fragments > 0 ? std::cos(turn.step / 2) : 1) {}
 
   void values(const Points& points, float* out) const noexcept override {
     for (std::size_t i = 0; i < points.count; ++i) {
@@ -186,8 +192,8 @@ class Turned final : public Field {
       const auto [distance, direction] = out_from_axis(points.x[i], points.y[i]);
       const Vec2 at(distance, points.z[i]);
       const PolygonDistance::Nearest nearest = profile_->at(at);
-      out[i] =
-          at.allFinite() ? static_cast<float>(shrink_ * nearest.distance - growth_) : std::numeric_limits<float>::quiet_NaN();
+      out[i] = at.allFinite() ? static_cast<float>(shrink_ * nearest.distance - growth_)
+                              : std::numeric_limits<float>::quiet_NaN();
       slopes.dx[i] = static_cast<float>(nearest.slope.x() * direction.x());
       slopes.dy[i] = static_cast<float>(nearest.slope.x() * direction.y());
       slopes.dz[i] = static_cast<float>(nearest.slope.y() * shrink_);
@@ -220,7 +226,8 @@ class Turned final : public Field {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       const Part part = restricted_to(boxes[i]);
       out[i].range = part.range;
-      out[i].field = part.profile == profile_ ? shared_from_this() : std::make_shared<Turned>(part.profile, turn_, growth_);
+      out[i].field =
+          part.profile == profile_ ? shared_from_this() : std::make_shared<Turned>(part.profile, turn_, growth_);
     }
   }
   [[nodiscard]] std::size_t cost() const noexcept override { return 40 + profile_->cost(); }

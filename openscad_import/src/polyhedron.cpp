@@ -148,7 +148,8 @@ Region shadow(const Polyhedron& solid) {
   // triangles is passed in both directions, which cancels. So the winding number of all rims around
   // a point is the number of triangles above it.
   const auto area = [&](const Triangle& t) {
-    const Vec2 a = solid.vertices[t[0]].head<2>(), u = solid.vertices[t[1]].head<2>() - a, v = solid.vertices[t[2]].head<2>() - a;
+    const Vec2 a = solid.vertices[t[0]].head<2>(), u = solid.vertices[t[1]].head<2>() - a,
+               v = solid.vertices[t[2]].head<2>() - a;
     return u.x() * v.y() - u.y() * v.x();
   };
   std::multimap<std::uint32_t, std::uint32_t> rims;  // from corner to corner

@@ -63,9 +63,9 @@ std::string run_openscad(const std::filesystem::path& input, const std::filesyst
   const bool complained = said.starts_with("ERROR:") || said.find("\nERROR:") != std::string::npos;
   if (WEXITSTATUS(status) != 0 || complained || !std::filesystem::exists(output)) {
     const std::string complaint = complaint_of(said);
-    throw Error(
-        ErrorKind::bad_input, input.string(),
-        complaint.empty() ? fmt::format("OpenSCAD failed with status {}", WEXITSTATUS(status)) : "OpenSCAD says: " + complaint);
+    throw Error(ErrorKind::bad_input, input.string(),
+                complaint.empty() ? fmt::format("OpenSCAD failed with status {}", WEXITSTATUS(status))
+                                  : "OpenSCAD says: " + complaint);
   }
   return said;
 }

@@ -19,7 +19,8 @@ constexpr double pi = std::numbers::pi;
 void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
   if (corners.size() < 3) return;
   const auto fan = [&] {
-    for (std::size_t i = 2; i < corners.size(); ++i) solid.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+    for (std::size_t i = 2; i < corners.size(); ++i)
+      solid.triangles.push_back({corners[0], corners[i - 1], corners[i]});
   };
   if (corners.size() == 3) return fan();
   Vec3 area = Vec3::Zero();
@@ -38,7 +39,8 @@ void add_face(Polyhedron& solid, const std::vector<std::uint32_t>& corners) {
   }
   if (convex) return fan();
   try {
-    for (const auto& t : triangulate({{outline}})) solid.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
+    for (const auto& t : triangulate({{outline}}))
+      solid.triangles.push_back({corners[t[0]], corners[t[1]], corners[t[2]]});
   } catch (const Error&) {
     fan();  // no better result for a face that intersects itself
   }
@@ -68,7 +70,8 @@ double way_of(double radius, double angle, double scale, double height) {
 /// Number of slices of an extrusion that is twisted or scaled unevenly, by OpenSCAD's rules for the
 /// default.
 int slices_of(const Arguments& a, const Region& region, double height, double twist, const Vec2& scale) {
-  const double fn = a.number("$fn", 0), fa = std::max(a.number("$fa", 12), 0.01), fs = std::max(a.number("$fs", 2), 0.01);
+  const double fn = a.number("$fn", 0), fa = std::max(a.number("$fa", 12), 0.01),
+               fs = std::max(a.number("$fs", 2), 0.01);
   double farthest = 0, widest = 0;  // distance from the axis; greatest outward movement of a corner
   for (const Outline& outline : region.outlines)
     for (const Vec2& p : outline) {
@@ -96,7 +99,8 @@ PartPtr Evaluator::cube(const Arguments& a, const Eigen::Affine3d& placement) {
   const Vec3 lower = a.truth("center", false) ? Vec3(-size[0] / 2, -size[1] / 2, -size[2] / 2) : Vec3(0, 0, 0);
   Polyhedron solid;
   for (int i = 0; i < 8; ++i)
-    solid.vertices.push_back(lower + Vec3((i & 1) != 0 ? size[0] : 0, (i & 2) != 0 ? size[1] : 0, (i & 4) != 0 ? size[2] : 0));
+    solid.vertices.push_back(lower +
+                             Vec3((i & 1) != 0 ? size[0] : 0, (i & 2) != 0 ? size[1] : 0, (i & 4) != 0 ? size[2] : 0));
   for (const auto& face :
        {std::vector<std::uint32_t>{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
     add_face(solid, face);
@@ -148,10 +152,12 @@ PartPtr Evaluator::polyhedron(const Arguments& a, const Node& node, const Eigen:
   if (solid.empty() || placement.linear().determinant() == 0) return nothing();
   if (const std::size_t open = open_edges(solid); open > 0)
     note(node,
-         fmt::format("{} edges of this polyhedron have not one face on each side; gaps are closed as its faces wind around it",
-                     open));
+         fmt::format(
+             "{} edges of this polyhedron have not one face on each side; gaps are closed as its faces wind around it",
+             open));
   double volume = 0;
-  for (const Triangle& t : solid.triangles) volume += solid.vertices[t[0]].dot(solid.vertices[t[1]].cross(solid.vertices[t[2]]));
+  for (const Triangle& t : solid.triangles)
+    volume += solid.vertices[t[0]].dot(solid.vertices[t[1]].cross(solid.vertices[t[2]]));
   if (volume < 0)
     for (Triangle& t : solid.triangles) std::swap(t[1], t[2]);
   return part_of(mesh_leaf(moved(solid, placement)));
@@ -171,7 +177,8 @@ PartPtr Evaluator::linear_extrude(const Arguments& a, const Node& node, const Ei
   const int steps = asked >= 1 ? static_cast<int>(std::min(asked, most)) : slices_of(a, region, height, twist, scale);
   const auto place = [&](const Vec2& p, int step) -> Vec3 {
     const double share = static_cast<double>(step) / steps, angle = -twist * pi / 180 * share;
-    const Vec2 turned(p.x() * std::cos(angle) - p.y() * std::sin(angle), p.x() * std::sin(angle) + p.y() * std::cos(angle));
+    const Vec2 turned(p.x() * std::cos(angle) - p.y() * std::sin(angle),
+                      p.x() * std::sin(angle) + p.y() * std::cos(angle));
     const Vec2 wide = turned.cwiseProduct(Vec2(1, 1) + share * (scale - Vec2(1, 1)));  // scaled after the rotation
     return {wide.x(), wide.y(), lower + height * share};
   };
@@ -229,8 +236,8 @@ PartPtr Evaluator::imported(const Arguments& a, const Node& node, const Eigen::A
   }
   if (mesh->empty() || placement.linear().determinant() == 0) return nothing();
   if (const std::size_t open = open_edges(*mesh); open > 0)
-    note(node,
-         fmt::format("{} edges of {} have not one face on each side; gaps are closed as its faces wind around it", open, name));
+    note(node, fmt::format("{} edges of {} have not one face on each side; gaps are closed as its faces wind around it",
+                           open, name));
   return part_of(mesh_leaf(moved(*mesh, placement)));
 }
 

@@ -55,7 +55,8 @@ void look(const Facet& f, const Vec3& p, Found& best) {
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0 && d2 >= 0 && d6 <= 0) return offer(ap - ac * (d2 / (d2 - d6)), 3);
   const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return offer(bp - (f.c - f.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))), 2);
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return offer(bp - (f.c - f.b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))), 2);
   if (height * height < best.square) best = {height * height, height * f.normals[0], &f, 0};
 }
 
@@ -139,7 +140,8 @@ class SurfaceField final : public Field {
       double distance = 0;
       out[i] = {range(boxes[i], distance), shared_from_this()};
       if (!boxes[i].lower.allFinite() || !boxes[i].upper.allFinite()) continue;
-      std::vector<std::uint32_t> near = within(boxes[i].centre(), (std::abs(distance) + boxes[i].diagonal()) * (1 + 1e-9) + 1e-9);
+      std::vector<std::uint32_t> near =
+          within(boxes[i].centre(), (std::abs(distance) + boxes[i].diagonal()) * (1 + 1e-9) + 1e-9);
       if (near.size() < kept_.size()) out[i].field = std::make_shared<SurfaceField>(facets_, std::move(near), growth_);
     }
   }

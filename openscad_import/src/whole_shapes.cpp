@@ -55,10 +55,12 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
     if (ball.kind != Part::Kind::leaf) continue;
     if (const auto round = ball.leaf->ball())
       return part_of(rounded_leaf(
-          fieldfab::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))), round->radius));
+          fieldfab::moved(polyhedron_of(other, progress_), Eigen::Affine3d(Eigen::Translation3d(round->centre))),
+          round->radius));
   }
   bool one_convex = true, two_convex = true;
-  std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_), second = pieces_of(*two, two_convex, progress_);
+  std::vector<Polyhedron> first = pieces_of(*one, one_convex, progress_),
+                          second = pieces_of(*two, two_convex, progress_);
   if (first.empty() || second.empty()) return nothing();
   std::vector<PartPtr> parts;
   // A solid that is not convex is cut into convex pieces. If that fails, the sum consists of the
@@ -69,7 +71,8 @@ PartPtr Evaluator::sum(const PartPtr& one, const PartPtr& two, const Arguments& 
       return;
     }
     const Polyhedron whole = polyhedron_of(*part, progress_);
-    parts.push_back(part_of(mesh_leaf(fieldfab::moved(whole, Eigen::Affine3d(Eigen::Translation3d(other.vertices.front()))))));
+    parts.push_back(
+        part_of(mesh_leaf(fieldfab::moved(whole, Eigen::Affine3d(Eigen::Translation3d(other.vertices.front()))))));
     pieces = triangles_of(whole);
   };
   const Polyhedron one_piece = first.front(), other_piece = second.front();

@@ -18,11 +18,11 @@ int main(int count, char** arguments) {
   // A wheel as in Fig. 2-3: rim, hub, five spokes.
   frep::Expression spokes = s::rectangle(0.16, 1.7);
   for (int i = 1; i < 5; ++i)
-    spokes =
-        s::unite(spokes, s::rotate_z(s::intersect(s::rectangle(0.16, 1.7), frep::Expression::y()), 2 * std::numbers::pi * i / 5));
-  const frep::Expression wheel = s::unite(
-      s::subtract(s::circle(1), s::circle(0.8)),
-      s::unite(s::subtract(s::circle(0.25), s::circle(0.1)), s::intersect(s::subtract(spokes, s::circle(0.2)), s::circle(0.9))));
+    spokes = s::unite(spokes, s::rotate_z(s::intersect(s::rectangle(0.16, 1.7), frep::Expression::y()),
+                                          2 * std::numbers::pi * i / 5));
+  const frep::Expression wheel = s::unite(s::subtract(s::circle(1), s::circle(0.8)),
+                                          s::unite(s::subtract(s::circle(0.25), s::circle(0.1)),
+                                                   s::intersect(s::subtract(spokes, s::circle(0.2)), s::circle(0.9))));
   const Box square{{-1.1, -1.1, 0}, {1.1, 1.1, 0}};
   std::ofstream wheel_file(folder + "/fig_2_4.csv");
   wheel_file << "resolution,octree,asdf\n";
@@ -46,8 +46,8 @@ int main(int count, char** arguments) {
   const FieldPtr cube = frep::make_field(s::box(1, 1, 1));
   for (int alpha = 0; alpha <= 180; alpha += 9)
     for (int beta = 0; beta <= 180; beta += 9) {
-      const FieldPtr turned =
-          rotate(rotate(cube, Vec3::UnitZ(), alpha * std::numbers::pi / 180), Vec3::UnitX(), beta * std::numbers::pi / 180);
+      const FieldPtr turned = rotate(rotate(cube, Vec3::UnitZ(), alpha * std::numbers::pi / 180), Vec3::UnitX(),
+                                     beta * std::numbers::pi / 180);
       cube_file << fmt::format(
           "{},{},{}\n", alpha, beta,
           Asdf::build(*turned, {Vec3::Constant(-1), Vec3::Constant(1)}, {1.0 / 128, -1, true})->statistics().cells());

@@ -60,7 +60,8 @@ void count_nodes(std::ofstream& file, const FieldPtr& root, const Box& square, i
       ++crossed;
       for (unsigned child = 0; child < 4; ++child) {
         Box part = box;
-        for (int axis = 0; axis < 2; ++axis) ((child >> axis & 1U) != 0 ? part.lower : part.upper)[axis] = box.centre()[axis];
+        for (int axis = 0; axis < 2; ++axis)
+          ((child >> axis & 1U) != 0 ? part.lower : part.upper)[axis] = box.centre()[axis];
         next.emplace_back(here.field, part);
       }
     }

@@ -31,7 +31,8 @@ const std::vector<std::pair<FieldPtr, Box>>& mtm_az() {
     for (int i = 0; i < 35; ++i) {
       char name[64];
       std::snprintf(name, sizeof name, "/frep/mtm_az/mtm_az_%02d.math", i);
-      const FieldPtr field = frep::make_field(frep::simplify(frep::parse_math(read_file(std::string(TEST_DATA) + name))));
+      const FieldPtr field =
+          frep::make_field(frep::simplify(frep::parse_math(read_file(std::string(TEST_DATA) + name))));
       const Box found = solid_bounds(*field).box;
       made.emplace_back(field, found.grown(found.size().maxCoeff() / 64));
     }
@@ -127,8 +128,8 @@ void MtmAzMeshes(benchmark::State& state) {
 }
 BENCHMARK(MtmAzMeshes)->Unit(benchmark::kMillisecond);
 
-/// Solids that are everywhere wider than two cells, with the proof that their meshes are complete and without it, in turn: the
-/// proof may cost a tenth of the time.
+/// Solids that are everywhere wider than two cells, with the proof that their meshes are complete and without it, in
+/// turn: the proof may cost a tenth of the time.
 void ProofOfWideSolids(benchmark::State& state) {
   const ThreadLimit one(1);
   std::vector<std::pair<FieldPtr, Box>> solids{{vm("tanglecube.vm"), tangle_box}};
@@ -191,7 +192,8 @@ BENCHMARK(TanglecubeHeights512)->Unit(benchmark::kMillisecond);
 /// Keeter's example of two lines of text.
 void TextBitmap2048(benchmark::State& state) {
   const ThreadLimit one(1);
-  const FieldPtr field = frep::make_field(frep::simplify(frep::parse_math(read_file(TEST_DATA "/frep/text/text_00.math"))));
+  const FieldPtr field =
+      frep::make_field(frep::simplify(frep::parse_math(read_file(TEST_DATA "/frep/text/text_00.math"))));
   const Box box = solid_bounds(*field).box;
   for (auto _ : state) benchmark::DoNotOptimize(render(*field, box, {RenderMode::bitmap, 2048}));
   compare(state, 0.078);

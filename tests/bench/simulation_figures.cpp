@@ -55,8 +55,8 @@ std::vector<ToolPose> donut(const Vec3& centre, double from, double to, double t
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, angle = 2 * pi * turns * t, r = from + t * (to - from);
     const Vec3 out(std::cos(angle), std::sin(angle), 0);
-    way.push_back(
-        about(centre + r * out + rise * t * Vec3::UnitZ(), std::sin(lean) * out + std::cos(lean) * Vec3::UnitZ(), radius));
+    way.push_back(about(centre + r * out + rise * t * Vec3::UnitZ(),
+                        std::sin(lean) * out + std::cos(lean) * Vec3::UnitZ(), radius));
   }
   return way;
 }
@@ -115,7 +115,8 @@ double pointer_grid(const Stock& stock) {
   StockSurface surface;
   surface.update(stock);
   double samples = 0;  // one per vertex; a closed mesh has about half as many vertices as triangles
-  for (std::size_t i = 0; i < surface.pieces(); ++i) samples += static_cast<double>(surface.piece(i).triangles.size()) / 2;
+  for (std::size_t i = 0; i < surface.pieces(); ++i)
+    samples += static_cast<double>(surface.piece(i).triangles.size()) / 2;
   // A surface has about two samples per triplet.
   return 8 * points + samples / 2 * 3 * 8;
 }
@@ -134,7 +135,8 @@ void splits(double density) {
                                  {"FEFS, CTD, SPT, RS", {358, 120, 96, 1163, 307, 560, 128, 12, 1, 12, 1}},
                                  {"FEFS-FFS, CTD, SPT, RS", {314, 103, 81, 1109, 293, 550, 163, 12, 1, 12, 1}},
                                  {"FEFS-FFS, SPT, CTD, RS", {379, 131, 125, 1059, 289, 547, 158, 10, 1, 15, 1}}};
-  fmt::print("Subdivisions at density {}, one direction a cell and one cell at first, as in the thesis\n{:24}", density, "");
+  fmt::print("Subdivisions at density {}, one direction a cell and one cell at first, as in the thesis\n{:24}", density,
+             "");
   const auto all = examples();
   for (const Example& e : all) fmt::print("{:>7}", e.name);
   fmt::print("\n");
@@ -159,7 +161,9 @@ void splits(double density) {
     line("thesis", [&](std::size_t i) { return fmt::format("{}", rules.theirs[i]); });
     line("ours / thesis", [&](std::size_t i) { return fmt::format("{:.2f}", ours[i] / rules.theirs[i]); });
     // Table 6.3: subdivisions by a rule, relative to random choice.
-    const auto share = [](double part, double whole) { return whole > 0 ? fmt::format("{:.0f}", 100 * part / whole) : "-"; };
+    const auto share = [](double part, double whole) {
+      return whole > 0 ? fmt::format("{:.0f}", 100 * part / whole) : "-";
+    };
     line("% of RS, ours", [&](std::size_t i) { return share(ours[i], chance[i]); });
     line("% of RS, thesis", [&](std::size_t i) { return share(rules.theirs[i], table[0].theirs[i]); });
     fmt::print("\n");
@@ -169,7 +173,8 @@ void splits(double density) {
 void time_and_memory(double density) {
   // Rules FEFS-FFS, CTD, SPT, RS: total seconds without rendering (Table 6.5), percentage of a 3D
   // pointer grid (Table 6.6).
-  const std::vector<double> seconds_of_thesis{197.83, 24.02, 12.88, 40.38, 27.77, 20.39, 17.06, 1.42, 3.23, 19.63, 7.45};
+  const std::vector<double> seconds_of_thesis{197.83, 24.02, 12.88, 40.38, 27.77, 20.39,
+                                              17.06,  1.42,  3.23,  19.63, 7.45};
   const std::vector<double> share_of_thesis{31.82, 5.92, 2.13, 5.38, 4.22, 24.62, 22.90, 6.92, 6.24, 4.66, 6.35};
   fmt::print("Time and memory at density {}, as they come (bricks of 64, both ends)\n", density);
   fmt::print("{:5}{:>8}{:>9}{:>9}{:>10}{:>16}{:>11}{:>8}{:>10}{:>15}\n", "", "splits", "cut s", "mesh s", "thesis s",
@@ -185,9 +190,9 @@ void time_and_memory(double density) {
     const double meshing = now() - start;
     const StockStatistics s = stock.statistics();
     const double share = 100 * static_cast<double>(s.bytes) / pointer_grid(stock);
-    fmt::print("{:5}{:>8}{:>9.3f}{:>9.3f}{:>10.2f}{:>16.0f}{:>11}{:>8.2f}{:>10.2f}{:>15.2f}\n", all[i].name, s.splits, seconds,
-               meshing, seconds_of_thesis[i], seconds_of_thesis[i] / (seconds + meshing), s.bytes, share, share_of_thesis[i],
-               share / share_of_thesis[i]);
+    fmt::print("{:5}{:>8}{:>9.3f}{:>9.3f}{:>10.2f}{:>16.0f}{:>11}{:>8.2f}{:>10.2f}{:>15.2f}\n", all[i].name, s.splits,
+               seconds, meshing, seconds_of_thesis[i], seconds_of_thesis[i] / (seconds + meshing), s.bytes, share,
+               share_of_thesis[i], share / share_of_thesis[i]);
   }
 }
 
@@ -207,7 +212,8 @@ Stock milled(ToolShape shape, double cell, double& cutting, double& meshing) {
     for (int step = 0; step <= 120; ++step) {
       const double x = row % 2 ? 60 - 0.5 * step : 0.5 * step;
       const ToolPose pose{{x, static_cast<double>(row), -4 + 2 * std::sin(x / 8) * std::cos(row / 9.0)}, axis};
-      if (row || step) strokes.push_back({&solid.pieces[0], last, pose, static_cast<std::uint32_t>(strokes.size() + 1), true});
+      if (row || step)
+        strokes.push_back({&solid.pieces[0], last, pose, static_cast<std::uint32_t>(strokes.size() + 1), true});
       last = pose;
     }
   StockSettings settings;
@@ -226,28 +232,29 @@ void tilted() {
     ToolShape shape;
     double cell, seconds, bytes;
   };
-  fmt::print("7381 poses of a leaning 6 mm cutter, cutsim's job\n{:6}{:>8}{:>8}{:>8}{:>10}{:>9}{:>15}{:>10}{:>15}\n", "", "cell",
-             "cut s", "mesh s", "cutsim s", "ratio", "bytes", "cutsim", "cutsim / ours");
+  fmt::print("7381 poses of a leaning 6 mm cutter, cutsim's job\n{:6}{:>8}{:>8}{:>8}{:>10}{:>9}{:>15}{:>10}{:>15}\n",
+             "", "cell", "cut s", "mesh s", "cutsim s", "ratio", "bytes", "cutsim", "cutsim / ours");
   for (const Rival& rival : {Rival{ToolShape::flat, 0.156, 31, 2.9e9}, Rival{ToolShape::ball, 0.313, 9.2, 0.74e9}}) {
     double cutting = 0, meshing = 0;
     const auto bytes = static_cast<double>(milled(rival.shape, rival.cell, cutting, meshing).statistics().bytes);
-    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell, cutting,
-               meshing, rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes, rival.bytes / bytes);
+    fmt::print("{:6}{:>8}{:>8.2f}{:>8.2f}{:>10}{:>9.1f}{:>15}{:>10.3g}{:>15.0f}\n", name_of(rival.shape), rival.cell,
+               cutting, meshing, rival.seconds, rival.seconds / (cutting + meshing), bytes, rival.bytes,
+               rival.bytes / bytes);
   }
 }
 
 /// The same job with doubling density: a surface grows with the square, a grid of points with the
 /// cube.
 void growth() {
-  fmt::print("The same job with a flat cutter as density doubles\n{:>8}{:>9}{:>9}{:>12}{:>9}{:>12}\n", "cell", "cut s", "mesh s",
-             "bytes", "time x", "bytes x");
+  fmt::print("The same job with a flat cutter as density doubles\n{:>8}{:>9}{:>9}{:>12}{:>9}{:>12}\n", "cell", "cut s",
+             "mesh s", "bytes", "time x", "bytes x");
   double last_time = 0, last_bytes = 0;
   for (const double cell : {0.8, 0.4, 0.2, 0.1, 0.05}) {
     double cutting = 0, meshing = 0;
     const auto bytes = static_cast<double>(milled(ToolShape::flat, cell, cutting, meshing).statistics().bytes);
     const auto times = [](double now, double before) { return before > 0 ? fmt::format("{:.2f}", now / before) : ""; };
-    fmt::print("{:>8}{:>9.3f}{:>9.3f}{:>12}{:>9}{:>12}\n", cell, cutting, meshing, bytes, times(cutting + meshing, last_time),
-               times(bytes, last_bytes));
+    fmt::print("{:>8}{:>9.3f}{:>9.3f}{:>12}{:>9}{:>12}\n", cell, cutting, meshing, bytes,
+               times(cutting + meshing, last_time), times(bytes, last_bytes));
     std::fflush(stdout);
     last_time = cutting + meshing, last_bytes = bytes;
   }
@@ -259,8 +266,8 @@ void error() {
   const double lean = 25 * pi / 180, radius = 0.15, major = 1.69;
   const Vec3 centre(2, 2, 0.6748);
   const std::vector<double> theirs{0.1082255, 0.0278254, 0.0069804, 0.0020188, 0.0005377, 0.0001459};
-  fmt::print("Closest-point error of Table 6.7\n{:>8}{:>12}{:>12}{:>15}{:>12}\n", "density", "3-map", "ours", "ours / thesis",
-             "a doubling");
+  fmt::print("Closest-point error of Table 6.7\n{:>8}{:>12}{:>12}{:>15}{:>12}\n", "density", "3-map", "ours",
+             "ours / thesis", "a doubling");
   double last = 0;
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     const double density = 4 << i;

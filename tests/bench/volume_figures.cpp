@@ -34,7 +34,9 @@ double seconds(const Work& work) {
   return best;
 }
 
-double megabytes(const std::filesystem::path& path) { return static_cast<double>(std::filesystem::file_size(path)) / 1e6; }
+double megabytes(const std::filesystem::path& path) {
+  return static_cast<double>(std::filesystem::file_size(path)) / 1e6;
+}
 
 /// Writes a raw volume, slice by slice.
 template <class Sample, class Density>
@@ -86,8 +88,8 @@ std::pair<double, double> distance(const Box& box, double voxel, const Of& of, c
   return {sum / std::max(found, 1), farthest};
 }
 
-void compare(const std::string& name, const std::filesystem::path& path, const VolumeFileOptions& options, double threshold,
-             const std::filesystem::path& folder) {
+void compare(const std::string& name, const std::filesystem::path& path, const VolumeFileOptions& options,
+             double threshold, const std::filesystem::path& folder) {
   const Scan scan{open_volume(path, options), {}};
   const Isosurface surface = isosurface(*scan.volume, threshold);
   const SampleLattice& lattice = scan.volume->lattice();
@@ -129,7 +131,8 @@ void compare(const std::string& name, const std::filesystem::path& path, const V
   });
   TriangleMesh theirs;
   for (const auto& p : points) theirs.vertices.push_back({p.x(), p.y(), p.z()});
-  for (const auto& q : quads) theirs.triangles.push_back({q[2], q[1], q[0]}), theirs.triangles.push_back({q[3], q[2], q[0]});
+  for (const auto& q : quads)
+    theirs.triangles.push_back({q[2], q[1], q[0]}), theirs.triangles.push_back({q[3], q[2], q[0]});
   const MeshVerdict their_verdict = inspect(theirs);
   const auto transform = openvdb::math::Transform::createLinearTransform(voxel);
   level_set = tools::meshToLevelSet<openvdb::FloatGrid>(*transform, points, triangles, quads, 3.0F);
@@ -139,7 +142,9 @@ void compare(const std::string& name, const std::filesystem::path& path, const V
 
   const auto of_field = [](const Field& field) { return [&field](const Vec3& p) { return double{field.value(p)}; }; };
   const tools::GridSampler<openvdb::FloatGrid, tools::BoxSampler> sampler(*level_set);
-  const auto of_level_set = [&](const Vec3& p) { return double{sampler.wsSample(openvdb::Vec3d(p.x(), p.y(), p.z()))}; };
+  const auto of_level_set = [&](const Vec3& p) {
+    return double{sampler.wsSample(openvdb::Vec3d(p.x(), p.y(), p.z()))};
+  };
   const Box box = lattice.box();
   const auto there = distance(box, voxel, of_field(*asdf), of_field(*truth)),
              back = distance(box, voxel, of_field(*truth), of_field(*asdf));
@@ -148,17 +153,19 @@ void compare(const std::string& name, const std::filesystem::path& path, const V
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   fmt::print(
-      "| {} | {} x {} x {} | {:.1f} | {:.2f} ({:.0f}x) | {:.1f} | {:.4f} / {:.3f}, {:.4f} / {:.3f} | {:.4f} / {:.3f}, {:.4f} / "
+      "| {} | {} x {} x {} | {:.1f} | {:.2f} ({:.0f}x) | {:.1f} | {:.4f} / {:.3f}, {:.4f} / {:.3f} | {:.4f} / {:.3f}, "
+      "{:.4f} / "
       "{:.3f} |\n",
       name, lattice.size[0], lattice.size[1], lattice.size[2], raw, megabytes(asdf_file), raw / megabytes(asdf_file),
-      megabytes(vdb_file), there.first, there.second, back.first, back.second, vdb_there.first, vdb_there.second, vdb_back.first,
-      vdb_back.second);
-  fmt::print(
-      stderr,
-      "{}: import {:.2f} s (OpenVDB's copyFromDense {:.2f} s); mesh {:.2f} s, {} triangles, valid {}, {} self-intersections; "
-      "volumeToMesh {:.2f} s, {} quads, manifold {}, closed {}, {} self-intersections\n",
-      name, import_seconds, theirs_seconds, mesh_seconds, mesh.triangles.size(), verdict.valid(), verdict.self_intersections,
-      theirs_mesh_seconds, quads.size(), their_verdict.manifold, their_verdict.closed, their_verdict.self_intersections);
+      megabytes(vdb_file), there.first, there.second, back.first, back.second, vdb_there.first, vdb_there.second,
+      vdb_back.first, vdb_back.second);
+  fmt::print(stderr,
+             "{}: import {:.2f} s (OpenVDB's copyFromDense {:.2f} s); mesh {:.2f} s, {} triangles, valid {}, {} "
+             "self-intersections; "
+             "volumeToMesh {:.2f} s, {} quads, manifold {}, closed {}, {} self-intersections\n",
+             name, import_seconds, theirs_seconds, mesh_seconds, mesh.triangles.size(), verdict.valid(),
+             verdict.self_intersections, theirs_mesh_seconds, quads.size(), their_verdict.manifold,
+             their_verdict.closed, their_verdict.self_intersections);
 }
 
 }  // namespace
@@ -170,7 +177,8 @@ int main(int count, char** arguments) {
   std::mt19937 random(1);
   std::normal_distribution<float> noise;
   fmt::print(
-      "| volume | samples | raw floats, MB | .asdf, MB | OpenVDB's level set, MB | .asdf to samples and back, voxels (mean / "
+      "| volume | samples | raw floats, MB | .asdf, MB | OpenVDB's level set, MB | .asdf to samples and back, voxels "
+      "(mean / "
       "most) | "
       "level set to samples and back |\n|---|---|---|---|---|---|---|\n");
   const std::filesystem::path data = TEST_DATA "/ct";
@@ -180,7 +188,8 @@ int main(int count, char** arguments) {
   const auto lace = folder / "lace_255x255x511_float32.raw";
   generate<float>(lace, {255, 255, 511}, [&](int i, int j, int k) {
     const float x = 0.25F * static_cast<float>(i), y = 0.25F * static_cast<float>(j), z = 0.25F * static_cast<float>(k);
-    const float web = std::abs(std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x)) - 0.4F;
+    const float web =
+        std::abs(std::sin(x) * std::cos(y) + std::sin(y) * std::cos(z) + std::sin(z) * std::cos(x)) - 0.4F;
     const float sheet = std::abs(32 + 12 * std::sin(0.05F * z) + 6 * std::sin(0.1F * y) - x) - 6;
     return 1000 - 500 * std::max(web, 0.3F * sheet) + 10 * noise(random);
   });

@@ -19,10 +19,12 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     thrown = printable(error.what());
   }
   const auto mistakes = frep::diagnostics(text);
-  if (mistakes.empty() != thrown.empty() || (!mistakes.empty() && !thrown.ends_with(mistakes.front().message))) std::abort();
+  if (mistakes.empty() != thrown.empty() || (!mistakes.empty() && !thrown.ends_with(mistakes.front().message)))
+    std::abort();
   std::size_t end = 0;
   for (const frep::Token& token : frep::tokens(text)) {
-    if (token.length == 0 || text.substr(end, token.offset - end).find_first_not_of(" \t\r\n") != std::string_view::npos)
+    if (token.length == 0 ||
+        text.substr(end, token.offset - end).find_first_not_of(" \t\r\n") != std::string_view::npos)
       std::abort();
     end = token.offset + token.length;
   }

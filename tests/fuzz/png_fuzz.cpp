@@ -18,7 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     std::filesystem::create_directories(made);
     return made;
   }();
-  for (const char* const name : {"1.png", "2.png"}) write_file(folder / name, {reinterpret_cast<const char*>(data), size});
+  for (const char* const name : {"1.png", "2.png"})
+    write_file(folder / name, {reinterpret_cast<const char*>(data), size});
   const auto checked = [](const auto& attempt) {
     try {
       attempt();

@@ -27,7 +27,8 @@ std::string file_of(const std::string& raw) {
   const std::uint64_t unpacked = raw.size();
   const std::string sized = std::string(reinterpret_cast<const char*>(&unpacked), 8) + body;
   const std::array<std::uint32_t, 2> numbers{
-      1, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(sized.data()), static_cast<uInt>(sized.size())))};
+      1, static_cast<std::uint32_t>(
+             crc32(0, reinterpret_cast<const Bytef*>(sized.data()), static_cast<uInt>(sized.size())))};
   return "FFSTOCK\n" + std::string(reinterpret_cast<const char*>(numbers.data()), 8) + sized;
 }
 
@@ -36,7 +37,8 @@ void cut(cam::Stock& stock) {
   tool.diameter = 0.3 * stock.lattice().box().size().minCoeff(), tool.flute = 10 * tool.diameter;
   const cam::ToolSolid solid = cam::tool_solid(tool);
   const Vec3 middle = stock.lattice().box().centre();
-  const cam::Stroke stroke{&solid.pieces[0], {stock.lattice().box().lower, Vec3::UnitZ()}, {middle, Vec3::UnitZ()}, 7, true};
+  const cam::Stroke stroke{
+      &solid.pieces[0], {stock.lattice().box().lower, Vec3::UnitZ()}, {middle, Vec3::UnitZ()}, 7, true};
   stock.cut({&stroke, 1});
 }
 

@@ -54,7 +54,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     if (read.mesh.triangles.size() > 10'000) return 0;
     write_mesh(read.mesh, path);
     const MeshFromFile again = load_mesh(path);
-    if (again.mesh.triangles != read.mesh.triangles || again.mesh.vertices != read.mesh.vertices || !again.notes.empty())
+    if (again.mesh.triangles != read.mesh.triangles || again.mesh.vertices != read.mesh.vertices ||
+        !again.notes.empty())
       std::abort();
     write_mesh_parts(parts, path);
     notes.clear();

@@ -73,8 +73,8 @@ void note_sync(int descriptor) {
   if (S_ISDIR(status.st_mode))
     note("folder\t%lu\n", inode);
   else
-    note("file\t%lu\t%ld\t%ld.%09ld\n", inode, static_cast<long>(status.st_size), static_cast<long>(status.st_mtim.tv_sec),
-         static_cast<long>(status.st_mtim.tv_nsec));
+    note("file\t%lu\t%ld\t%ld.%09ld\n", inode, static_cast<long>(status.st_size),
+         static_cast<long>(status.st_mtim.tv_sec), static_cast<long>(status.st_mtim.tv_nsec));
 }
 
 int (*real_main)(int, char**, char**);
@@ -115,8 +115,8 @@ bool no_memory() {
 
 extern "C" {
 
-int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*init)(), void (*fini)(), void (*loader)(),
-                      void* stack) {
+int __libc_start_main(int (*main)(int, char**, char**), int argc, char** argv, void (*init)(), void (*fini)(),
+                      void (*loader)(), void* stack) {
   real_main = main;
   return next<decltype(&__libc_start_main)>("__libc_start_main")(watched_main, argc, argv, init, fini, loader, stack);
 }
@@ -200,7 +200,9 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
 void* malloc(std::size_t size) { return no_memory() ? nullptr : __libc_malloc(size); }
 void* calloc(std::size_t count, std::size_t size) { return no_memory() ? nullptr : __libc_calloc(count, size); }
 void* realloc(void* old, std::size_t size) { return no_memory() ? nullptr : __libc_realloc(old, size); }
-void* memalign(std::size_t alignment, std::size_t size) { return no_memory() ? nullptr : __libc_memalign(alignment, size); }
+void* memalign(std::size_t alignment, std::size_t size) {
+  return no_memory() ? nullptr : __libc_memalign(alignment, size);
+}
 void* aligned_alloc(std::size_t alignment, std::size_t size) { return memalign(alignment, size); }
 int posix_memalign(void** result, std::size_t alignment, std::size_t size) {
   if (no_memory()) return ENOMEM;

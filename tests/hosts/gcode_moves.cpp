@@ -29,10 +29,11 @@ int main(int count, char** words) {
       fmt::format_to(std::back_inserter(out), "{} {} {} {}", kinds[static_cast<int>(motion.kind)], motion.line,
                      static_cast<int>(motion.plane), static_cast<int>(motion.mode));
       for (std::size_t k = 0; k < 9; ++k)
-        fmt::format_to(std::back_inserter(out), " {:.6f}", motion.end.at[k] * (k > 2 && k < 6 ? 180 / std::numbers::pi : 1));
-      fmt::format_to(std::back_inserter(out), " {:.6f} {:.6f} {} {:.6f} {:.6f} {} {} {:.6f} {:.6f} {:.6f}\n", motion.centre.x(),
-                     motion.centre.y(), motion.turns, motion.feed, motion.seconds, motion.tool, motion.spindle,
-                     motion.tool_offset.x(), motion.tool_offset.y(), motion.tool_offset.z());
+        fmt::format_to(std::back_inserter(out), " {:.6f}",
+                       motion.end.at[k] * (k > 2 && k < 6 ? 180 / std::numbers::pi : 1));
+      fmt::format_to(std::back_inserter(out), " {:.6f} {:.6f} {} {:.6f} {:.6f} {} {} {:.6f} {:.6f} {:.6f}\n",
+                     motion.centre.x(), motion.centre.y(), motion.turns, motion.feed, motion.seconds, motion.tool,
+                     motion.spindle, motion.tool_offset.x(), motion.tool_offset.y(), motion.tool_offset.z());
       if (out.size() > 1 << 16) {
         std::fwrite(out.data(), 1, out.size(), stdout);
         out.clear();

@@ -36,7 +36,8 @@ struct Fine {
       for (const auto& t : piece.triangles) {
         auto& corners = mesh.triangles.emplace_back();
         for (std::size_t k = 0; k < 3; ++k) {
-          const auto [found, fresh] = at.try_emplace(piece.vertices[t[k]], static_cast<std::uint32_t>(mesh.vertices.size()));
+          const auto [found, fresh] =
+              at.try_emplace(piece.vertices[t[k]], static_cast<std::uint32_t>(mesh.vertices.size()));
           if (fresh) mesh.vertices.push_back(piece.vertices[t[k]]), cuts.push_back(cuts_here[t[k]]);
           corners[k] = found->second;
         }
@@ -231,7 +232,8 @@ TEST_P(DeviationTwin, SaysWhatAllVerticesSay) {
   std::map<int, double> told;
   for (const SimulationEvent& e : result.report().events) {
     if (e.kind != SimulationEvent::Kind::gouge && e.kind != SimulationEvent::Kind::excess) continue;
-    const Place place{static_cast<float>(e.place.x()), static_cast<float>(e.place.y()), static_cast<float>(e.place.z())};
+    const Place place{static_cast<float>(e.place.x()), static_cast<float>(e.place.y()),
+                      static_cast<float>(e.place.z())};
     EXPECT_TRUE(std::find(fine.mesh.vertices.begin(), fine.mesh.vertices.end(), place) != fine.mesh.vertices.end());
     EXPECT_NEAR(std::abs(deviation(place)), e.amount, 1e-4);
     if (e.kind == SimulationEvent::Kind::gouge) told[pass_of(e.move.line)] = e.amount;

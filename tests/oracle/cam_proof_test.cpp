@@ -46,7 +46,10 @@ std::vector<Part> corpus() {
        {{-8, -8, 0}, {8, 8, 4}}},
       {"mtm_az_03", scaled("/frep/mtm_az/mtm_az_03.math", 3), {{-13, -12, -1}, {13, -7, 25}}},
       {"mtm_az_16", scaled("/frep/mtm_az/mtm_az_16.math", 6), {{-14, -16, -1}, {-9, 16, 14.5}}},
-      {"cthead", scale(united(open_model(TEST_DATA "/ct/cthead")).field, Vec3::Constant(0.1)), {{4, 12, 8}, {18, 22, 19.8}}, 0.1},
+      {"cthead",
+       scale(united(open_model(TEST_DATA "/ct/cthead")).field, Vec3::Constant(0.1)),
+       {{4, 12, 8}, {18, 22, 19.8}},
+       0.1},
   };
 }
 
@@ -101,24 +104,26 @@ TEST_P(Finishing, NeverGouges) {
       const auto& [from, to] = pieces[std::min(k, pieces.size() - 1)];
       const Vec3 tip = from + share(random) * (to - from);
       const double away = profile.radius() * std::sqrt(share(random)), angle = 2 * pi * share(random);
-      const Vec3 p(tip.x() + away * std::cos(angle), tip.y() + away * std::sin(angle), tip.z() + profile.height(away) + 1e-4);
+      const Vec3 p(tip.x() + away * std::cos(angle), tip.y() + away * std::sin(angle),
+                   tip.z() + profile.height(away) + 1e-4);
       if (!part.bounds.contains(p) || !Rectangle::of(part.bounds).grown(-0.05).contains(Vec2(p.head<2>())))
         continue;  // outside of the bounds nothing is to be machined
-      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())),
+          z.push_back(static_cast<float>(p.z()));
     }
     std::vector<float> value(x.size()), dx(x.size()), dy(x.size()), dz(x.size());
     part.solid->gradients({x.data(), y.data(), z.data(), x.size()}, value.data(), {dx.data(), dy.data(), dz.data()});
     double deepest = 0;
     std::size_t worst = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const double slope =
-          std::sqrt(static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] + static_cast<double>(dz[i]) * dz[i]);
+      const double slope = std::sqrt(static_cast<double>(dx[i]) * dx[i] + static_cast<double>(dy[i]) * dy[i] +
+                                     static_cast<double>(dz[i]) * dz[i]);
       if (const double depth = value[i] / std::max(slope, 1e-3); depth < deepest) deepest = depth, worst = i;
     }
     RecordProperty(std::string(name_of(t.shape)), std::to_string(deepest));
     // The tolerances of the surface and of the path.
-    EXPECT_GT(deepest, -2 * tolerance) << part.name << " " << name_of(t.shape) << " at " << x[worst] << " " << y[worst] << " "
-                                       << z[worst];
+    EXPECT_GT(deepest, -2 * tolerance) << part.name << " " << name_of(t.shape) << " at " << x[worst] << " " << y[worst]
+                                       << " " << z[worst];
   }
 }
 

@@ -88,7 +88,8 @@ std::vector<Part> parts_of(const std::string& shape) {
   if (shape == "v") return {{{{0, 0}, {0.4, 0}, {r, (r - 0.4) / std::tan(0.6)}, {r, flute}, {0, flute}}, 0}};
   if (shape == "tapered") {
     const double from = 0.6 * (1 - std::sin(0.15)), wide = 0.6 * std::cos(0.15);
-    return {{{{0, 0.6}}, 0.6}, {{{0, from}, {wide, from}, {wide + (flute - from) * std::tan(0.15), flute}, {0, flute}}, 0}};
+    return {{{{0, 0.6}}, 0.6},
+            {{{0, from}, {wide, from}, {wide + (flute - from) * std::tan(0.15), flute}, {0, flute}}, 0}};
   }
   return {{{{0, 0}, {r, 0}, {r, 1.2}, {0, 1.2}}, 0}, {{{0, 0}, {0.8, 0}, {0.8, flute}, {0, flute}}, 0}};
 }
@@ -145,13 +146,15 @@ struct Job {
         if (!box.contains(next.tip)) going = (box.centre() - pose.tip).normalized(), next.tip = pose.tip + 0.6 * going;
       }
       // Divided as for programs, until the sagitta of rotations is within the tolerance.
-      const int steps = std::max(1, static_cast<int>(std::ceil(std::acos(std::clamp(pose.axis.dot(next.axis), -1.0, 1.0)) *
-                                                               std::sqrt(flute / (8 * settings.cell / 50)))));
+      const int steps =
+          std::max(1, static_cast<int>(std::ceil(std::acos(std::clamp(pose.axis.dot(next.axis), -1.0, 1.0)) *
+                                                 std::sqrt(flute / (8 * settings.cell / 50)))));
       for (int k = 1; k <= steps; ++k) way.push_back(between(pose, next, static_cast<double>(k) / steps));
       pose = next;
     }
     if (std::string(c.start) == "ball") {
-      stock.emplace(*frep::make_field(frep::parse_infix("sqrt(square(x-4)+square(y-4)+square(z-3)) - 2.9")), box, settings);
+      stock.emplace(*frep::make_field(frep::parse_infix("sqrt(square(x-4)+square(y-4)+square(z-3)) - 2.9")), box,
+                    settings);
       start = {{{4, 4, 3}, Vec3::UnitZ()}, Part{{{0, 0}}, 2.9}, false};
     } else if (std::string(c.start) == "bored") {
       stock.emplace(*frep::make_field(frep::parse_infix("1.3 - sqrt(square(x-4.1)+square(z-2.9))")), box, settings);
@@ -161,7 +164,8 @@ struct Job {
     }
     for (std::size_t i = 1; i < way.size(); ++i)
       for (const ToolPiece& piece : solid.pieces)
-        if (piece.role == ToolRole::cutting) strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true});
+        if (piece.role == ToolRole::cutting)
+          strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true});
     stock->cut(strokes);
   }
 
@@ -170,7 +174,8 @@ struct Job {
   [[nodiscard]] std::vector<ToolPose> poses(std::size_t stroke, double step) const {
     const int count = std::max(1, static_cast<int>(std::ceil(farthest(way[stroke - 1], way[stroke]) / step)));
     std::vector<ToolPose> result;
-    for (int k = 0; k <= count; ++k) result.push_back(between(way[stroke - 1], way[stroke], static_cast<double>(k) / count));
+    for (int k = 0; k <= count; ++k)
+      result.push_back(between(way[stroke - 1], way[stroke], static_cast<double>(k) / count));
     return result;
   }
 
@@ -229,7 +234,8 @@ void subtract(Intervals& from, const Interval& less) {
 }
 
 bool contains(const Intervals& all, double at, double margin = 0) {
-  return std::any_of(all.begin(), all.end(), [&](const Interval& i) { return at > i.from + margin && at < i.to - margin; });
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Interval& i) { return at > i.from + margin && at < i.to - margin; });
 }
 
 double length(const Intervals& all) {
@@ -303,7 +309,9 @@ struct Dexels {
 
   template <class Body>
   void for_lines(const Box& box, const Body& body) {
-    const auto first = [&](int a) { return std::max(0, static_cast<int>(std::ceil(box.lower[a] / lattice.spacing()[a]))); };
+    const auto first = [&](int a) {
+      return std::max(0, static_cast<int>(std::ceil(box.lower[a] / lattice.spacing()[a])));
+    };
     const auto last = [&](int a) {
       return std::min(points(a) - 1, static_cast<int>(std::floor(box.upper[a] / lattice.spacing()[a])));
     };
@@ -342,7 +350,8 @@ struct Dexels {
       for (int k = std::max(0, static_cast<int>(i.from / h)); k < points(axis) && k * h <= i.to; ++k)
         seen |= contains(surely, k * h);
       if (seen) continue;
-      for (int k = std::max(0, static_cast<int>(i.from / h)); k < points(axis) && k * h <= i.to; ++k) hidden[line].push_back(k);
+      for (int k = std::max(0, static_cast<int>(i.from / h)); k < points(axis) && k * h <= i.to; ++k)
+        hidden[line].push_back(k);
     }
   }
 
@@ -350,7 +359,8 @@ struct Dexels {
     double sum = 0;
     for (int j = 0; j < points(v); ++j)
       for (int i = 0; i < points(u); ++i)
-        sum += (i == 0 || i == points(u) - 1 ? 0.5 : 1) * (j == 0 || j == points(v) - 1 ? 0.5 : 1) * length(lines[line(i, j)]);
+        sum += (i == 0 || i == points(u) - 1 ? 0.5 : 1) * (j == 0 || j == points(v) - 1 ? 0.5 : 1) *
+               length(lines[line(i, j)]);
     return sum * lattice.spacing()[u] * lattice.spacing()[v];
   }
 
@@ -490,12 +500,13 @@ openvdb::FloatGrid::Ptr cut_level_set(const Job& job, double step) {
         const Box here = part.bounds(pose, 4 * voxel);
         swept = swept ? hull(*swept, here) : here;
       }
-    const auto tool = level_set({swept->lower.cwiseMax(around.lower), swept->upper.cwiseMin(around.upper)}, [&](const Vec3& p) {
-      double least = 1e9;
-      for (const ToolPose& pose : poses)
-        for (const Part& part : job.parts) least = std::min(least, part.distance(pose, p));
-      return least;
-    });
+    const auto tool =
+        level_set({swept->lower.cwiseMax(around.lower), swept->upper.cwiseMin(around.upper)}, [&](const Vec3& p) {
+          double least = 1e9;
+          for (const ToolPose& pose : poses)
+            for (const Part& part : job.parts) least = std::min(least, part.distance(pose, p));
+          return least;
+        });
     openvdb::tools::csgDifference(*stock, *tool, true, true);
   }
   return stock;
@@ -513,7 +524,9 @@ TEST_P(StockOracle, AgreesWithLevelSetsOfOpenVDB) {
   const double bound = std::sqrt(3.0) / 2 * voxel + job.off(step);
   const auto grid = cut_level_set(job, step);
   openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> sampler(*grid);
-  const auto distance = [&](const Vec3& p) { return static_cast<double>(sampler.wsSample(openvdb::Vec3d(p.x(), p.y(), p.z()))); };
+  const auto distance = [&](const Vec3& p) {
+    return static_cast<double>(sampler.wsSample(openvdb::Vec3d(p.x(), p.y(), p.z())));
+  };
 
   std::size_t wrong = 0, told = 0;
   Index3 p;
@@ -548,19 +561,19 @@ TEST_P(StockOracle, AgreesWithLevelSetsOfOpenVDB) {
   EXPECT_NEAR(openvdb::tools::levelSetVolume(*grid), mesh.volume(), mesh.area() * voxel / 6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, StockOracle,
-                         ::testing::Values(Case{1, "flat", false, "block", 64, true}, Case{2, "ball", true, "block", 16, true},
-                                           Case{3, "bull", false, "ball", 16, true}, Case{4, "v", true, "bored", 64, true},
-                                           Case{5, "form", false, "block", 16, true}, Case{6, "tapered", true, "block", 0, true},
-                                           Case{7, "flat", true, "ball", 16, true}, Case{8, "ball", false, "bored", 64, false},
-                                           Case{9, "bull", true, "block", 0, false}, Case{10, "v", false, "block", 16, true},
-                                           Case{11, "form", true, "bored", 64, true},
-                                           Case{12, "tapered", false, "ball", 64, false},
-                                           Case{409, "bull", true, "block", 0, false}),
-                         [](const auto& of) {
-                           return fmt::format("{}_{}_{}_{}", of.param.seed, of.param.shape, of.param.jagged ? "jagged" : "smooth",
-                                              of.param.start);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Programs, StockOracle,
+    ::testing::Values(Case{1, "flat", false, "block", 64, true}, Case{2, "ball", true, "block", 16, true},
+                      Case{3, "bull", false, "ball", 16, true}, Case{4, "v", true, "bored", 64, true},
+                      Case{5, "form", false, "block", 16, true}, Case{6, "tapered", true, "block", 0, true},
+                      Case{7, "flat", true, "ball", 16, true}, Case{8, "ball", false, "bored", 64, false},
+                      Case{9, "bull", true, "block", 0, false}, Case{10, "v", false, "block", 16, true},
+                      Case{11, "form", true, "bored", 64, true}, Case{12, "tapered", false, "ball", 64, false},
+                      Case{409, "bull", true, "block", 0, false}),
+    [](const auto& of) {
+      return fmt::format("{}_{}_{}_{}", of.param.seed, of.param.shape, of.param.jagged ? "jagged" : "smooth",
+                         of.param.start);
+    });
 
 }  // namespace
 }  // namespace fieldfab::cam

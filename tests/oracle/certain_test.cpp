@@ -1,5 +1,5 @@
-// Complete, or it tells where not: hard solids from one cell thick to a thousandth, against closed forms and against a lattice 16
-// times finer, which knows nothing of intervals and slopes.
+// Complete, or it tells where not: hard solids from one cell thick to a thousandth, against closed forms and against a
+// lattice 16 times finer, which knows nothing of intervals and slopes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -52,14 +52,16 @@ std::vector<Hard> family(double t) {
   };
   add("plate", fmt::format("box(12, 10, {})", t), 120 * t, 1e-3, 2);
   add("plate between lattice planes", fmt::format("move(box(12, 10, {}), dz = 0.37)", t), 120 * t, 1e-3, 2);
-  add("plate beside a block", fmt::format("box(14, 12, {}) | move(box(4, 4, 5), dz = 2.5)", t), 168 * t + 80 - 8 * t, 2e-3, 2);
+  add("plate beside a block", fmt::format("box(14, 12, {}) | move(box(4, 4, 5), dz = 2.5)", t), 168 * t + 80 - 8 * t,
+      2e-3, 2);
   add("slit", fmt::format("difference(box(10, 10, 10), move(box(8, {}, 12), dy = 0.21))", t), 1000 - 80 * t, 1e-3, 0);
   add("wall between bores",
-      fmt::format("difference(difference(box(14, 8, 6), move(cylinder(2.5, 8), dx = {0})), move(cylinder(2.5, 8), dx = -{0}))",
-                  2.5 + t / 2),
+      fmt::format(
+          "difference(difference(box(14, 8, 6), move(cylinder(2.5, 8), dx = {0})), move(cylinder(2.5, 8), dx = -{0}))",
+          2.5 + t / 2),
       14 * 8 * 6 - 2 * pi * 6.25 * 6, 2e-3, -2);
-  add("shell of a ball", fmt::format("shell(sphere(6), {})", t), 4 * pi / 3 * (std::pow(6 + t / 2, 3) - std::pow(6 - t / 2, 3)),
-      0.02, 4);
+  add("shell of a ball", fmt::format("shell(sphere(6), {})", t),
+      4 * pi / 3 * (std::pow(6 + t / 2, 3) - std::pow(6 - t / 2, 3)), 0.02, 4);
   for (int turn = 1; turn <= 10; ++turn)
     add(fmt::format("plate turned {} times", turn).c_str(),
         fmt::format("rotate_z(rotate_x(box(9, 7, {}), {}), {})", t, 17 * turn, 23 * turn), 63 * t, 0.01, 2);
@@ -90,8 +92,8 @@ Outcome try_one(const Hard& hard, std::size_t most_divided) {
   return outcome;
 }
 
-/// Whether a mesh from the values at the lattice's points alone, which is all that OpenVDB's and libfive's meshers ask of a
-/// smallest cell, lacks a twentieth of the volume or is of another genus.
+/// Whether a mesh from the values at the lattice's points alone, which is all that OpenVDB's and libfive's meshers ask
+/// of a smallest cell, lacks a twentieth of the volume or is of another genus.
 bool lattice_loses(const Hard& hard) {
   ContourSettings settings{hard.voxel};
   settings.depth = 0;
@@ -105,8 +107,9 @@ TEST(Certain, ThinPartsAreThereOrAreTold) {
     for (const Hard& hard : family(t)) {
       const Outcome outcome = try_one(hard, t >= 0.1 ? 200'000 : 30'000);
       EXPECT_TRUE(outcome.valid) << hard.name;
-      EXPECT_TRUE(outcome.told || outcome.right) << hard.name << " is said to be certain: volume " << outcome.volume << " of "
-                                                 << hard.volume << ", Euler number " << outcome.euler << " of " << hard.euler;
+      EXPECT_TRUE(outcome.told || outcome.right)
+          << hard.name << " is said to be certain: volume " << outcome.volume << " of " << hard.volume
+          << ", Euler number " << outcome.euler << " of " << hard.euler;
       if (t >= 0.3) {
         EXPECT_FALSE(outcome.told) << hard.name;
       }
@@ -123,15 +126,16 @@ TEST(Certain, PointsEdgesAndTouchingBallsAreThereOrAreTold) {
   const double ball = 4 * pi / 3;
   std::vector<Hard> all{
       {"cone's tip", "cone(5, 12)", room, 1, 100 * pi, 0.01, 2},
-      {"knife edge", "rotate_x(rotate_x(box(8, 20, 20), 4) & move(rotate_x(box(9, 20, 20), -4), dz = 19.6), 12)", room, 1, -1,
-       0.02, -1},
-      {"faces a millionth apart", "union(move(box(4, 6, 6), dx = -2), move(box(4, 6, 6), dx = 2.000001))", room, 1, 288, 1e-3, 4},
+      {"knife edge", "rotate_x(rotate_x(box(8, 20, 20), 4) & move(rotate_x(box(9, 20, 20), -4), dz = 19.6), 12)", room,
+       1, -1, 0.02, -1},
+      {"faces a millionth apart", "union(move(box(4, 6, 6), dx = -2), move(box(4, 6, 6), dx = 2.000001))", room, 1, 288,
+       1e-3, 4},
       {"balls that touch", "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))", room, 1, 16 * ball, 0.02, -1},
   };
   for (const double gap : {0.3, 0.1, 0.03, 0.01, -0.01, -0.03, -0.1, -0.3})
     all.push_back({fmt::format("balls {} apart", gap),
-                   fmt::format("union(move(sphere(2), dx = -{0}), move(sphere(2), dx = {0}))", 2 + gap / 2), room, 1, 16 * ball,
-                   0.04, gap > 0 ? 4 : 2});
+                   fmt::format("union(move(sphere(2), dx = -{0}), move(sphere(2), dx = {0}))", 2 + gap / 2), room, 1,
+                   16 * ball, 0.04, gap > 0 ? 4 : 2});
   for (const Hard& hard : all) {
     const Outcome outcome = try_one(hard, 100'000);
     EXPECT_TRUE(outcome.valid) << hard.name;
@@ -205,8 +209,8 @@ TEST(Certain, LatticesHaveAllTheirHandles) {
             size[static_cast<std::size_t>(axis)] = reach;
             at[static_cast<std::size_t>((axis + 1) % 3)] = -7.5 + i * pitch;
             at[static_cast<std::size_t>((axis + 2) % 3)] = -7.5 + j * pitch;
-            text += fmt::format("{}move(box({}, {}, {}), dx = {}, dy = {}, dz = {})", text.empty() ? "" : " | ", size[0], size[1],
-                                size[2], at[0], at[1], at[2]);
+            text += fmt::format("{}move(box({}, {}, {}), dx = {}, dy = {}, dz = {})", text.empty() ? "" : " | ",
+                                size[0], size[1], size[2], at[0], at[1], at[2]);
           }
       const ContourMesh mesh = contour(*solid_of(text), cube_about_zero(9.1), {1});
       const long nodes = n * n * n, bars = 3 * n * n * (n - 1), handles = bars - nodes + 1;
@@ -214,7 +218,8 @@ TEST(Certain, LatticesHaveAllTheirHandles) {
       EXPECT_TRUE(mesh.certainty.certain() || bar < 0.5) << n << ' ' << bar << ' ' << mesh.certainty.text();
       if (!mesh.certainty.certain()) continue;
       EXPECT_EQ(euler(mesh), 2 - 2 * handles) << n << ' ' << bar;
-      const double volume = static_cast<double>(nodes) * bar * bar * bar + static_cast<double>(bars) * bar * bar * (pitch - bar);
+      const double volume =
+          static_cast<double>(nodes) * bar * bar * bar + static_cast<double>(bars) * bar * bar * (pitch - bar);
       EXPECT_NEAR(mesh.volume(), volume, 5e-3 * volume) << n << ' ' << bar;
     }
 }
@@ -231,7 +236,8 @@ class Mask {
         std::vector<double>& row = rows[static_cast<std::size_t>(y + side * z)];
         std::sort(row.begin(), row.end());
         for (int x = 0; x < side; ++x)
-          inside_[index(x, y, z)] = (std::upper_bound(row.begin(), row.end(), point(x, y, z).x()) - row.begin()) % 2 == 1;
+          inside_[index(x, y, z)] =
+              (std::upper_bound(row.begin(), row.end(), point(x, y, z).x()) - row.begin()) % 2 == 1;
       }
   }
   [[nodiscard]] Vec3 point(int x, int y, int z) const {
@@ -257,7 +263,9 @@ class Mask {
   static std::size_t count(int side) {
     return static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   }
-  [[nodiscard]] std::size_t index(int x, int y, int z) const { return static_cast<std::size_t>(x + side_ * (y + side_ * z)); }
+  [[nodiscard]] std::size_t index(int x, int y, int z) const {
+    return static_cast<std::size_t>(x + side_ * (y + side_ * z));
+  }
 
   void cross(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle,
              std::vector<std::vector<double>>& rows) const {
@@ -267,7 +275,8 @@ class Mask {
       p[i] = Vec3(v[0], v[1], v[2]);
     }
     const auto range = [&](int axis) {
-      const double low = std::min({p[0][axis], p[1][axis], p[2][axis]}), high = std::max({p[0][axis], p[1][axis], p[2][axis]});
+      const double low = std::min({p[0][axis], p[1][axis], p[2][axis]}),
+                   high = std::max({p[0][axis], p[1][axis], p[2][axis]});
       const double step = bounds_.size()[axis] / side_;
       return std::pair{std::max(0, static_cast<int>(std::floor((low - bounds_.lower[axis]) / step - 0.5))),
                        std::min(side_ - 1, static_cast<int>(std::ceil((high - bounds_.lower[axis]) / step - 0.5)))};
@@ -283,7 +292,8 @@ class Mask {
         const double a = side(p[1], p[2], at.y(), at.z()), b = side(p[2], p[0], at.y(), at.z()),
                      c = side(p[0], p[1], at.y(), at.z());
         if (!((a > 0) == (b > 0) && (b > 0) == (c > 0))) continue;
-        rows[static_cast<std::size_t>(y + side_ * z)].push_back((a * p[0].x() + b * p[1].x() + c * p[2].x()) / (a + b + c));
+        rows[static_cast<std::size_t>(y + side_ * z)].push_back((a * p[0].x() + b * p[1].x() + c * p[2].x()) /
+                                                                (a + b + c));
       }
   }
 
@@ -299,8 +309,8 @@ struct ThinSolid {
   std::string fault;             ///< What the mesh lacks although it is certain, or why it is not valid.
 };
 
-/// Contours a solid with few divisions and, where the mesh says that it is certain, compares it with the solid on a lattice 16
-/// times finer than the cells.
+/// Contours a solid with few divisions and, where the mesh says that it is certain, compares it with the solid on a
+/// lattice 16 times finer than the cells.
 ThinSolid contour_and_compare(const std::string& text) {
   constexpr int voxels = 6, finer = 16, side = voxels * finer;
   const Box bounds = cube_about_zero(3);
@@ -326,7 +336,8 @@ ThinSolid contour_and_compare(const std::string& text) {
       for (int l = 0; l < side; ++l) {
         const float here = value[static_cast<std::size_t>(l)];
         found.empty = found.empty && !(here < 0);
-        found.seen_by_lattice = found.seen_by_lattice || (here < 0 && l % finer == 0 && j % finer == 0 && k % finer == 0);
+        found.seen_by_lattice =
+            found.seen_by_lattice || (here < 0 && l % finer == 0 && j % finer == 0 && k % finer == 0);
         if ((here < 0) == made.at(l, j, k)) continue;
         // A mesh may be so small that it holds no point of the lattice.
         const Vec3 p = made.point(l, j, k);
@@ -352,14 +363,17 @@ TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   parallel_for(count, [&](std::size_t i) { found[i] = contour_and_compare(texts[i]); });
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(found[i].fault, "") << "number " << i << ": " << texts[i];
   const auto number = [&](bool ThinSolid::*property) {
-    return std::count_if(found.begin(), found.end(), [&](const ThinSolid& solid) { return solid.certain && solid.*property; });
+    return std::count_if(found.begin(), found.end(),
+                         [&](const ThinSolid& solid) { return solid.certain && solid.*property; });
   };
   const auto certain = number(&ThinSolid::certain);
   fmt::print(
-      "{} of {} certain, {} of them with nothing at the finer lattice's points; a lattice of the cells' size sees something of "
+      "{} of {} certain, {} of them with nothing at the finer lattice's points; a lattice of the cells' size sees "
+      "something of "
       "{}\n",
       certain, count, number(&ThinSolid::empty), number(&ThinSolid::seen_by_lattice));
-  EXPECT_GE(certain, static_cast<std::ptrdiff_t>(count / 5));  // most meet each other in edges sharper than the budget shows
+  EXPECT_GE(certain,
+            static_cast<std::ptrdiff_t>(count / 5));  // most meet each other in edges sharper than the budget shows
 }
 
 TEST(Certain, TellsWhichCellsWouldShowWhatIsMissing) {

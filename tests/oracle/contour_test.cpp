@@ -23,9 +23,9 @@ using frep::Expression;
 
 void expect_valid(const TriangleMesh& mesh, const std::string& what) {
   const MeshVerdict verdict = inspect(mesh);
-  EXPECT_TRUE(verdict.valid()) << what << ": manifold " << verdict.manifold << " closed " << verdict.closed << " outward "
-                               << verdict.outward << " self-intersections " << verdict.self_intersections << " degenerate "
-                               << verdict.degenerate;
+  EXPECT_TRUE(verdict.valid()) << what << ": manifold " << verdict.manifold << " closed " << verdict.closed
+                               << " outward " << verdict.outward << " self-intersections " << verdict.self_intersections
+                               << " degenerate " << verdict.degenerate;
 }
 
 struct Sample {
@@ -49,12 +49,14 @@ std::vector<Sample> samples() {
 TEST(Contour, IsValidForEveryShapeResolutionAndTurn) {
   for (const Sample& sample : samples())
     for (int turn = 0; turn < 10; ++turn) {
-      const FieldPtr solid = rotate(rotate(frep::make_field(sample.solid), Vec3::UnitZ(), 0.37 * turn), {1, 0.3, 0}, 0.53 * turn);
+      const FieldPtr solid =
+          rotate(rotate(frep::make_field(sample.solid), Vec3::UnitZ(), 0.37 * turn), {1, 0.3, 0}, 0.53 * turn);
       for (const double voxel : {0.2, 0.11, 0.06}) {
         // CGAL's check of the finest meshes takes most of the time
         if (voxel == 0.06 && turn % 4 != 0) continue;
         const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
-        const std::string what = std::string(sample.name) + " turn " + std::to_string(turn) + " voxel " + std::to_string(voxel);
+        const std::string what =
+            std::string(sample.name) + " turn " + std::to_string(turn) + " voxel " + std::to_string(voxel);
         expect_valid(mesh, what);
         if (sample.volume > 0) {
           EXPECT_NEAR(mesh.volume(), sample.volume, 0.3 * voxel * voxel * mesh.area()) << what;
@@ -65,7 +67,8 @@ TEST(Contour, IsValidForEveryShapeResolutionAndTurn) {
 
 TEST(Contour, KeepsACubeACube) {
   for (const double voxel : {0.3, 0.1, 0.037}) {
-    const TriangleMesh mesh = contour(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.5), Vec3::Constant(1.5)}, {voxel});
+    const TriangleMesh mesh =
+        contour(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.5), Vec3::Constant(1.5)}, {voxel});
     for (unsigned corner = 0; corner < 8; ++corner) {
       const Vec3 p((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1, (corner & 4U) != 0 ? 1 : -1);
       double nearest = 1;
@@ -108,7 +111,8 @@ TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
   for (int turn = 1; turn <= 8; ++turn)
     for (const double voxel : {0.2, 0.07}) {
       const Eigen::Matrix3d rotation =
-          (Eigen::AngleAxisd(0.37 * turn, Vec3(1, 0.3, 0).normalized()) * Eigen::AngleAxisd(0.53 * turn, Vec3::UnitZ())).matrix();
+          (Eigen::AngleAxisd(0.37 * turn, Vec3(1, 0.3, 0).normalized()) * Eigen::AngleAxisd(0.53 * turn, Vec3::UnitZ()))
+              .matrix();
       const FieldPtr solid = transform(frep::make_field(s::box(2, 2, 2)), Eigen::Affine3d(rotation));
       const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {voxel});
       EXPECT_LT(distance_quantile(mesh, *solid, voxel, 0.99), 1e-3) << "turn " << turn;
@@ -116,7 +120,8 @@ TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
       for (int i = 0; i < 8; ++i) {
         const Vec3 corner = rotation * Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
         double nearest = std::numeric_limits<double>::infinity();
-        for (const auto& v : mesh.vertices) nearest = std::min(nearest, (corner - Vec3(v[0], v[1], v[2])).norm() / voxel);
+        for (const auto& v : mesh.vertices)
+          nearest = std::min(nearest, (corner - Vec3(v[0], v[1], v[2])).norm() / voxel);
         EXPECT_LT(nearest, 0.03) << "turn " << turn << " corner " << i;
         exact += nearest < 1e-3;
         ++corners;
@@ -127,8 +132,8 @@ TEST(Contour, KeepsTheEdgesAndCornersOfTurnedCubes) {
 
 // A wedge of 20 degrees is thinner than a voxel up to three voxels from its edge.
 TEST(Contour, KeepsTheEdgeOfAKnife) {
-  const Expression knife =
-      s::intersect(s::intersect(s::half_space(0, 0.1736, 0.9848, 0), s::half_space(0, 0.1736, -0.9848, 0)), s::box(2, 2, 2));
+  const Expression knife = s::intersect(
+      s::intersect(s::half_space(0, 0.1736, 0.9848, 0), s::half_space(0, 0.1736, -0.9848, 0)), s::box(2, 2, 2));
   const FieldPtr solid = rotate(rotate(frep::make_field(knife), Vec3::UnitZ(), 0.6), Vec3::UnitX(), 0.4);
   const TriangleMesh mesh = contour(*solid, {Vec3::Constant(-2.1), Vec3::Constant(2.1)}, {0.04});
   expect_valid(mesh, "knife");
@@ -146,8 +151,9 @@ TEST(Contour, IsValidForFieldsThatAreNone) {
       {"saddles", frep::sin(x * 31.0) + frep::sin(y * 29.0 + x * 7.0) + frep::sin(z * 37.0 + y * 5.0)},
       {"steps", frep::floor(x * 3.0) + frep::floor(y * 3.0) - frep::floor(z * 5.0)},
       {"nan", frep::sqrt(x) - y},
-      {"touching", frep::min(frep::max(frep::max(frep::abs(x - 0.5) - 0.5, frep::abs(y) - 0.5), frep::abs(z) - 0.5),
-                             frep::max(frep::max(frep::abs(x + 0.5) - 0.5, frep::abs(y - 1.0) - 0.5), frep::abs(z) - 0.5))},
+      {"touching",
+       frep::min(frep::max(frep::max(frep::abs(x - 0.5) - 0.5, frep::abs(y) - 0.5), frep::abs(z) - 0.5),
+                 frep::max(frep::max(frep::abs(x + 0.5) - 0.5, frep::abs(y - 1.0) - 0.5), frep::abs(z) - 0.5))},
       {"sheet", frep::square(x)},
       {"compare", frep::compare(frep::square(x) + frep::square(y), 0.7)}};
   for (const auto& [name, expression] : wild)
@@ -194,8 +200,9 @@ TEST(Contour, RefusesNonsenseAndStopsWhenTold) {
 // OpenVDB's volume is a sum over the surface whose errors grow with the distance from the origin.
 TEST(Check, PassesWhatIsRightAtAnyScaleAndPlace) {
   for (const double size : {1e-3, 1.0, 1e3}) {
-    const FieldPtr solid = frep::make_field(s::move(
-        s::scale(s::rotate_x(s::subtract(s::box(2, 1, 1), s::sphere(0.7)), 0.4), size), 400 * size, -400 * size, 200 * size));
+    const FieldPtr solid =
+        frep::make_field(s::move(s::scale(s::rotate_x(s::subtract(s::box(2, 1, 1), s::sphere(0.7)), 0.4), size),
+                                 400 * size, -400 * size, 200 * size));
     const Vec3 centre = size * Vec3(400, -400, 200);
     const CheckReport report =
         check(*solid, {centre - Vec3::Constant(1.5 * size), centre + Vec3::Constant(1.5 * size)}, {0.015 * size});

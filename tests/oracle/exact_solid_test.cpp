@@ -12,7 +12,8 @@
 namespace fieldfab {
 namespace {
 
-TriangleMesh box(const Vec3& middle, const Vec3& half, const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
+TriangleMesh box(const Vec3& middle, const Vec3& half,
+                 const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity()) {
   TriangleMesh mesh;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 sign((corner & 4) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 1) != 0 ? 1 : -1);
@@ -48,7 +49,9 @@ TEST(ExactSolid, IsWhatManyBoxesWindAround) {
   int had = 0, with_hollows = 0;
   for (unsigned seed = 0; seed < 120; ++seed) {
     std::mt19937 random(seed);
-    const auto between = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto between = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(random);
+    };
     const auto anywhere = [&](double reach) {
       return Vec3(between(-reach, reach), between(-reach, reach), between(-reach, reach));
     };
@@ -59,7 +62,8 @@ TEST(ExactSolid, IsWhatManyBoxesWindAround) {
     std::vector<TriangleMesh> boxes;
     for (unsigned n = 0; n < 1 + seed % 5; ++n) {
       if (whole_numbers) {
-        boxes.push_back(box(anywhere(4).array().round(), Vec3(between(1, 4), between(1, 4), between(1, 4)).array().round()));
+        boxes.push_back(
+            box(anywhere(4).array().round(), Vec3(between(1, 4), between(1, 4), between(1, 4)).array().round()));
       } else {
         const Vec3 middle = anywhere(6), half(between(1, 4), between(1, 4), between(1, 4));
         const Eigen::Quaterniond turned = turn();

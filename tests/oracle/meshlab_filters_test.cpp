@@ -22,7 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 std::shared_ptr<const Layer> ball_layer(double voxel) {
   const FieldPtr ball = frep::make_field(frep::shapes::sphere(10));
-  return std::make_shared<const Layer>(Layer{"ball", contour(*ball, Box{Vec3::Constant(-11), Vec3::Constant(11)}, {voxel})});
+  return std::make_shared<const Layer>(
+      Layer{"ball", contour(*ball, Box{Vec3::Constant(-11), Vec3::Constant(11)}, {voxel})});
 }
 
 Document document_of(const std::map<std::size_t, std::shared_ptr<const Layer>>& layers) {
@@ -70,7 +71,8 @@ TEST(MeshlabFilters, MakeValidSolidsOfAnySoup) {
     Layer soup{"soup", {}};
     if (round % 2 == 0) soup = *ball_layer(2);
     for (int n = 0; n < 40; ++n) {  // random triangles, many of which intersect
-      for (int corner = 0; corner < 3; ++corner) soup.mesh.vertices.push_back({place(random), place(random), place(random)});
+      for (int corner = 0; corner < 3; ++corner)
+        soup.mesh.vertices.push_back({place(random), place(random), place(random)});
       const auto last = static_cast<std::uint32_t>(soup.mesh.vertices.size() - 1);
       soup.mesh.triangles.push_back({last - 2, last - 1, last});
     }

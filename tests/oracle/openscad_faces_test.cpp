@@ -35,7 +35,8 @@ std::string moved(double x, double y, double z, const std::string& text) {
 /// Rotated by an angle with irrational sine and cosine.
 std::string turned(const std::string& text) {
   return "multmatrix([[0.8660254037844387,-0.5,0,0],[0.5,0.8660254037844387,0,0],[0,0,1,0],[0,0,0,1]]) { "
-         "multmatrix([[1,0,0,0],[0,0.9659258262890683,-0.2588190451025207,0],[0,0.2588190451025207,0.9659258262890683,0],"
+         "multmatrix([[1,0,0,0],[0,0.9659258262890683,-0.2588190451025207,0],[0,0.2588190451025207,0.9659258262890683,"
+         "0],"
          "[0,0,0,1]]) { " +
          text + " } }";
 }
@@ -66,7 +67,8 @@ TEST(CsgFaces, HaveTheVolumesOfClosedForms) {
     check("difference() { " + block + moved(2, 2, 0, beam) + " }", 64 - beam_volume);
     check("difference() { " + block + moved(2, 2, -1, beam) + " }", 64 - 0.75 * beam_volume);
     check("intersection() { " + block + moved(3, 0, 0, block) + " }", 16);
-    check("difference() { " + block + " difference() { " + moved(1, 1, 1, block) + moved(2, 2, 2, block) + " } }", 64 - 27 + 8);
+    check("difference() { " + block + " difference() { " + moved(1, 1, 1, block) + moved(2, 2, 2, block) + " } }",
+          64 - 27 + 8);
     // one on top of another, one separate
     check(beam + moved(0, 0, 4, beam) + moved(5, 0, 0, beam), 3 * beam_volume);
     check("difference() { " + moved(0, 0, 0, "cylinder($fn = 360, h = 4, r1 = 2, r2 = 2);") +
@@ -79,8 +81,9 @@ TEST(CsgFaces, HaveTheVolumesOfClosedForms) {
 /// Rotated randomly about the origin, written with six digits as OpenSCAD does.
 std::string turned_anyhow(std::mt19937& random, const std::string& text) {
   std::normal_distribution<double> number;
-  const Eigen::Matrix3d turn =
-      Eigen::Quaterniond(number(random), number(random), number(random), number(random)).normalized().toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::Quaterniond(number(random), number(random), number(random), number(random))
+                                   .normalized()
+                                   .toRotationMatrix();
   std::ostringstream matrix;
   matrix << std::setprecision(6) << "multmatrix([";
   for (Eigen::Index row = 0; row < 3; ++row)
@@ -100,8 +103,11 @@ TEST(CsgFaces, AreThoseOfAssembliesTurnedEachItsOwnWay) {
     EXPECT_NEAR(volume(row), count * solid, 1e-4 * count * solid) << seed;
     const std::string around = turned_anyhow(random, "cube(size = [30, 30, 30], center = true);");
     const double whole = std::pow(hull_side, 3);
-    EXPECT_NEAR(volume("difference() { " + around + turned_anyhow(random, assembly) + " }"), whole - solid, 1e-5 * whole) << seed;
-    EXPECT_NEAR(volume("intersection() { " + around + turned_anyhow(random, assembly) + " }"), solid, 1e-4 * solid) << seed;
+    EXPECT_NEAR(volume("difference() { " + around + turned_anyhow(random, assembly) + " }"), whole - solid,
+                1e-5 * whole)
+        << seed;
+    EXPECT_NEAR(volume("intersection() { " + around + turned_anyhow(random, assembly) + " }"), solid, 1e-4 * solid)
+        << seed;
   }
 }
 
@@ -131,7 +137,8 @@ TEST(CsgFaces, AreNotHadOfWhatIsRoundOrEmptyOrOpen) {
   EXPECT_EQ(faces("intersection() { " + block + moved(9, 0, 0, block) + " }"), std::nullopt);
   // a common corner
   EXPECT_EQ(faces("intersection() { " + block + turned(moved(-4, -4, -4, block)) + " }"), std::nullopt);
-  EXPECT_EQ(faces("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);"), std::nullopt);
+  EXPECT_EQ(faces("polyhedron(points = [[0,0,0],[1,0,0],[0,1,0],[0,0,1]], faces = [[0,1,2],[0,3,1],[0,2,3]]);"),
+            std::nullopt);
   EXPECT_EQ(faces("square(size = 2);"), std::nullopt);
   EXPECT_EQ(faces(block, 2.0), std::nullopt);
 }
@@ -139,10 +146,13 @@ TEST(CsgFaces, AreNotHadOfWhatIsRoundOrEmptyOrOpen) {
 /// Leaves of a random tree.
 std::string leaf(std::mt19937& random) {
   std::uniform_real_distribution<double> number(1, 4);
-  const std::string a = std::to_string(number(random)), b = std::to_string(number(random)), c = std::to_string(number(random));
+  const std::string a = std::to_string(number(random)), b = std::to_string(number(random)),
+                    c = std::to_string(number(random));
   switch (random() % 4) {
     case 0: return "cube(size = [" + a + "," + b + "," + c + "]);";
-    case 1: return "cylinder($fn = " + std::to_string(3 + random() % 20) + ", h = " + a + ", r1 = " + b + ", r2 = " + c + ");";
+    case 1:
+      return "cylinder($fn = " + std::to_string(3 + random() % 20) + ", h = " + a + ", r1 = " + b + ", r2 = " + c +
+             ");";
     case 2: return "sphere($fn = " + std::to_string(4 + random() % 12) + ", r = " + a + ");";
     default: return "linear_extrude(height = " + a + ", twist = " + c + "0) { square(size = [" + b + ", " + c + "]); }";
   }
@@ -203,7 +213,8 @@ std::pair<std::string, Cells> boxes(std::mt19937& random, int depth) {
         for (int x = lower[0]; x < upper[0]; ++x) cells[static_cast<std::size_t>((z * across + y) * across + x)] = true;
     const std::string width = std::to_string(upper[0] - lower[0]), depth_of = std::to_string(upper[1] - lower[1]),
                       height = std::to_string(upper[2] - lower[2]);
-    return {moved(lower[0], lower[1], lower[2], "cube(size = [" + width + ", " + depth_of + ", " + height + "]);"), cells};
+    return {moved(lower[0], lower[1], lower[2], "cube(size = [" + width + ", " + depth_of + ", " + height + "]);"),
+            cells};
   }
   const std::size_t operation = random() % 4;  // unions are twice as likely
   const char* const names[] = {"group", "difference", "intersection", "group"};
@@ -273,7 +284,8 @@ TEST(BoxFaces, AreHadOfASponge) {
   const double wanted = 81.0 * 81 * 81 * std::pow(20.0 / 27, 3);
   EXPECT_NEAR(volume(turned(sponge)), wanted, 1e-5 * wanted);
   // One half, cut along a plane that is not a plane of the bars.
-  const std::string half = "difference() { " + turned(sponge) + moved(-100, -100, 0, "cube(size = [200, 200, 200]);") + " }";
+  const std::string half =
+      "difference() { " + turned(sponge) + moved(-100, -100, 0, "cube(size = [200, 200, 200]);") + " }";
   EXPECT_NEAR(volume(half), wanted / 2, 1e-5 * wanted);
 }
 

@@ -18,15 +18,18 @@ long euler(const TriangleMesh& mesh) {
   std::set<std::array<std::uint32_t, 2>> edges;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) edges.insert({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(edges.size()) + static_cast<long>(mesh.triangles.size());
+  return static_cast<long>(mesh.vertices.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(mesh.triangles.size());
 }
 
 /// Small cubes of a solid, centred at points that divide a box evenly, its border included, with
 /// air around them.
 class Cubes {
  public:
-  Cubes(const Field& field, const Box& box, const std::array<int, 3>& count) : size_{count[0] + 3, count[1] + 3, count[2] + 3} {
-    solid_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]));
+  Cubes(const Field& field, const Box& box, const std::array<int, 3>& count)
+      : size_{count[0] + 3, count[1] + 3, count[2] + 3} {
+    solid_.resize(static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) *
+                  static_cast<std::size_t>(size_[2]));
     const Vec3 side = box.size().cwiseQuotient(Vec3(count[0], count[1], count[2]));
     for (int k = 0; k <= count[2]; ++k)
       for (int j = 0; j <= count[1]; ++j)
@@ -76,7 +79,8 @@ TEST(ScanCertain, NoiseHasItsOwnTopology) {
     for (float& sample : samples) sample = noise(random) - (seed % 3 == 0 ? 1.0F : 0.3F);
     const FieldPtr field = volume_field(*volume_of(samples, lattice), {0, false, 0.3});
     const double finer = seed % 5 == 4 ? 0.4 : 1;
-    const ContourMesh mesh = contour(*field, field->known_bounds().grown(0.1), {finer * lattice.spacing.minCoeff(), -1, true});
+    const ContourMesh mesh =
+        contour(*field, field->known_bounds().grown(0.1), {finer * lattice.spacing.minCoeff(), -1, true});
     const MeshVerdict verdict = inspect(mesh);
     EXPECT_TRUE(verdict.valid()) << seed;
     if (!mesh.certainty.certain()) continue;
@@ -127,7 +131,8 @@ TEST(ScanCertain, AreCutWhereTheRegionEnds) {
   EXPECT_TRUE(whole.certainty.certain());
   EXPECT_NEAR(whole.volume(), 8 * 8 * 8, 2);
   for (const double inside : {0.1, 0.4, 0.7})
-    EXPECT_NEAR(contour(*field, lattice.box().grown(-inside), {1, -1, true}).bounds().size().x(), 8 - 2 * inside, 0.01) << inside;
+    EXPECT_NEAR(contour(*field, lattice.box().grown(-inside), {1, -1, true}).bounds().size().x(), 8 - 2 * inside, 0.01)
+        << inside;
 }
 
 }  // namespace

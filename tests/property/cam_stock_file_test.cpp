@@ -16,7 +16,8 @@
 namespace fieldfab::cam {
 namespace {
 
-const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("stock_file_{}.fieldstock", ::getpid());
+const std::filesystem::path path =
+    std::filesystem::temp_directory_path() / fmt::format("stock_file_{}.fieldstock", ::getpid());
 
 struct Remove {
   ~Remove() { std::filesystem::remove(path); }
@@ -34,7 +35,8 @@ void cut(Stock& stock, const ToolSolid& tool, std::uint32_t seed, int count) {
   std::vector<Stroke> strokes;
   Vec3 at(place(random), place(random), place(random));
   for (int i = 0; i < count; ++i) {
-    const Vec3 to(place(random), place(random), place(random)), axis = Vec3(lean(random), lean(random), 1.2).normalized();
+    const Vec3 to(place(random), place(random), place(random)),
+        axis = Vec3(lean(random), lean(random), 1.2).normalized();
     for (const ToolPiece& piece : tool.pieces)
       strokes.push_back({&piece, {at, axis}, {to, axis}, static_cast<std::uint32_t>(i + 1), true});
     at = to;
@@ -54,7 +56,8 @@ RC_GTEST_PROP(SavedStock, IsTheSameAndIsCutOnAlike, (std::uint32_t seed)) {
   Tool cutter = tool(*rc::gen::element<std::string>("flat", "ball"), 3);
   cutter.flute = 8;
   const ToolSolid solid = tool_solid(cutter);
-  Stock stock = *rc::gen::arbitrary<bool>() ? Stock(box, settings) : Stock(*formula("sqrt(x*x+y*y+z*z) - 11"), box, settings);
+  Stock stock =
+      *rc::gen::arbitrary<bool>() ? Stock(box, settings) : Stock(*formula("sqrt(x*x+y*y+z*z) - 11"), box, settings);
   cut(stock, solid, seed, *rc::gen::inRange(0, 20));
   const std::string saved = bytes_of(stock);
   Stock again = read_stock(path);
@@ -117,7 +120,8 @@ TEST(SavedStock, IsWhatASecondSetUpBeginsWith) {
   for (const int line : second.lines_of_vertices()) EXPECT_TRUE(line == 0 || line == 4 || line == 5) << line;
   setup.sampling.cell = 0.1;
   EXPECT_THROW(simulate(setup, folder / "b.ngc"), Error);
-  write_file(folder / "third.toml", "machine = \"linuxcnc\"\ncell = 0.1\n[stock]\nfile = \"first.fieldstock\"\n" + tools);
+  write_file(folder / "third.toml",
+             "machine = \"linuxcnc\"\ncell = 0.1\n[stock]\nfile = \"first.fieldstock\"\n" + tools);
   EXPECT_THROW((void)read_simulation_setup(folder / "third.toml"), Error);
   // A job may start with it, too.
   write_file(folder / "part.frep", "max(max(abs(x-10)-8, abs(y-10)-8), max(z+2, -8-z))");

@@ -67,7 +67,8 @@ struct Cloud {
     std::uniform_real_distribution<double> unit(0, 1);
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 p = box.lower + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.size());
-      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())),
+          z.push_back(static_cast<float>(p.z()));
     }
   }
   [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
@@ -110,7 +111,8 @@ RC_GTEST_PROP(FieldOperations, SlopesHoldDifferences, ()) {
 
 RC_GTEST_PROP(AsdfProperties, IntervalsHoldValuesAndRestrictionChangesNothing, ()) {
   const FieldPtr solid = random_solid(draw(0, 2));
-  const auto asdf = Asdf::build(*solid, {Vec3::Constant(-2), {2, 1.7, 2.3}}, {number(0.07, 0.3), number(0, 0.05), true});
+  const auto asdf =
+      Asdf::build(*solid, {Vec3::Constant(-2), {2, 1.7, 2.3}}, {number(0.07, 0.3), number(0, 0.05), true});
   const Box box = random_box();
   const Cloud cloud(box);
   std::vector<float> a(cloud.x.size()), b(a);

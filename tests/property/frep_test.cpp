@@ -27,7 +27,8 @@ struct Samples {
       Vec3 t(unit(random), unit(random), unit(random));
       if (i < 8) t = Vec3(static_cast<double>(i & 1U), static_cast<double>(i >> 1 & 1U), static_cast<double>(i >> 2));
       const Vec3 p = box.lower + t.cwiseProduct(box.size());
-      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())), z.push_back(static_cast<float>(p.z()));
+      x.push_back(static_cast<float>(p.x())), y.push_back(static_cast<float>(p.y())),
+          z.push_back(static_cast<float>(p.z()));
     }
   }
   [[nodiscard]] Points points() const { return {x.data(), y.data(), z.data(), x.size()}; }
@@ -75,7 +76,8 @@ RC_GTEST_PROP(Frep, GradientsGiveTheSameBits, ()) {
     for (std::size_t i = 0; i < out.size(); ++i) {
       const ValueAndGradient expected = evaluate_gradient(expression, samples.x[i], samples.y[i], samples.z[i]);
       RC_ASSERT(same(out[i], expected.value));
-      RC_ASSERT(same(dx[i], expected.gradient[0]) && same(dy[i], expected.gradient[1]) && same(dz[i], expected.gradient[2]));
+      RC_ASSERT(same(dx[i], expected.gradient[0]) && same(dy[i], expected.gradient[1]) &&
+                same(dz[i], expected.gradient[2]));
     }
   }
 }
@@ -199,7 +201,8 @@ RC_GTEST_PROP(Frep, EditorsAndParserAgreeOnTexts, ()) {
 
 RC_GTEST_PROP(Frep, SimplifyingKeepsTheValue, ()) {
   // Operations without cancellation or discontinuities, so that rounding errors stay small.
-  std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), 0.0, 1.0, -1.0, 2.0, random_constant()};
+  std::vector<Expression> parts{Expression::x(),  Expression::y(), Expression::z(), 0.0, 1.0, -1.0, 2.0,
+                                random_constant()};
   const auto any = [&] { return parts[static_cast<std::size_t>(draw(0, static_cast<int>(parts.size())))]; };
   constexpr Opcode calm[] = {Opcode::minimum, Opcode::maximum, Opcode::negate,   Opcode::absolute, Opcode::multiply,
                              Opcode::square,  Opcode::add,     Opcode::subtract, Opcode::divide,   Opcode::power};

@@ -34,8 +34,8 @@ std::string random_solid(std::mt19937& random, int depth) {
         fmt::format("torus({}, {})", number(0.6, 1.2), number(0.05, 0.5)),
         fmt::format("x * x * {} + y * y * z * {} + z - {}", number(0.2, 2), number(-2, 2), number(-1, 1)),
         fmt::format("sin({0} * x) * cos({0} * y) + sin({0} * z) - {1}", number(1, 4), number(-0.5, 0.5))};
-    return fmt::format("move(rotate_x(rotate_z({}, {}), {}), dx = {}, dy = {}, dz = {})", primitives[one_of(6)], number(0, 360),
-                       number(0, 360), number(-1, 1), number(-1, 1), number(-1, 1));
+    return fmt::format("move(rotate_x(rotate_z({}, {}), {}), dx = {}, dy = {}, dz = {})", primitives[one_of(6)],
+                       number(0, 360), number(0, 360), number(-1, 1), number(-1, 1), number(-1, 1));
   }
   const char* const joins[] = {"union", "intersection", "difference"};
   return fmt::format("{}({}, {})", joins[one_of(3)], random_solid(random, depth - 1), random_solid(random, depth - 1));
@@ -57,14 +57,14 @@ TEST(Measure, HoldsClosedForms) {
       {"move(cylinder(3, 8), dx = 0.2, dy = -0.7)", 9, 72 * pi, 66 * pi, 0.05, 5},
       {"torus(8, 2)", 11, 64 * pi * pi, 64 * pi * pi, 1.5, 25},
       {"cone(4, 6)", 7, 32 * pi, 16 * pi + 4 * pi * std::sqrt(52.0), 0.1, 15},
-      {"shell(sphere(8), 0.2)", 9, 4 * pi / 3 * (std::pow(8.1, 3) - std::pow(7.9, 3)), 4 * pi * (8.1 * 8.1 + 7.9 * 7.9), 60,
-       infinite},
+      {"shell(sphere(8), 0.2)", 9, 4 * pi / 3 * (std::pow(8.1, 3) - std::pow(7.9, 3)), 4 * pi * (8.1 * 8.1 + 7.9 * 7.9),
+       60, infinite},
       {"difference(box(10, 10, 10), sphere(4))", 5.6, 1000 - 256 * pi / 3, 600 + 64 * pi, 0.1, 4},
       {"x*x + y*y + z*z - 25", 6, 500 * pi / 3, 100 * pi, 0.2, 10},
   };
   for (const Known& known : all) {
-    const Measures found =
-        measure(*solid_of(known.text), {Vec3::Constant(-known.half), Vec3::Constant(known.half)}, {.most_boxes = 100'000});
+    const Measures found = measure(*solid_of(known.text), {Vec3::Constant(-known.half), Vec3::Constant(known.half)},
+                                   {.most_boxes = 100'000});
     EXPECT_LE(found.volume.lower, known.volume) << known.text;
     EXPECT_GE(found.volume.upper, known.volume) << known.text;
     EXPECT_LE(found.area.lower, known.area) << known.text;

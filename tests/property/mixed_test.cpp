@@ -70,7 +70,8 @@ RC_GTEST_PROP(MixedField, IsWhatTheReferenceEvaluatorSays, ()) {
   const FieldPtr field = frep::make_field(design);
   for (int i = 0; i < 40; ++i) {
     const Vec3 p = place();
-    const float wanted = frep::evaluate(design, static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    const float wanted =
+        frep::evaluate(design, static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
     RC_ASSERT(std::abs(field->value(p) - wanted) < 1e-4F * (1 + std::abs(wanted)));
   }
 }

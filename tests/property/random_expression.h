@@ -31,7 +31,8 @@ inline double random_constant() {
 /// A random expression of about `size` operations. Arguments are drawn from all previous
 /// subexpressions, so that many are shared; unused ones are joined at the end.
 inline Expression random_expression(int size) {
-  std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), random_constant(), random_constant()};
+  std::vector<Expression> parts{Expression::x(), Expression::y(), Expression::z(), random_constant(),
+                                random_constant()};
   std::vector<bool> used(parts.size(), true);
   const auto any = [&] {
     const auto i = static_cast<std::size_t>(draw(0, static_cast<int>(parts.size())));

@@ -36,14 +36,16 @@ inline std::vector<Vec3> directions_for_slopes(std::size_t count) {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   std::vector<Vec3> directions{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-  while (directions.size() < count) directions.push_back(Vec3(normal(random), normal(random), normal(random)).normalized());
+  while (directions.size() < count)
+    directions.push_back(Vec3(normal(random), normal(random), normal(random)).normalized());
   return directions;
 }
 
 /// Checks difference quotients between random points of a box, at least a thousandth of its side
 /// apart, against slopes(). `value` may return NaN for an unknown value. Returns the number of
 /// directions with known slopes.
-inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const std::function<RoundedValue(const Vec3&)>& value) {
+inline std::size_t expect_slopes_hold(const Field& field, const Box& box,
+                                      const std::function<RoundedValue(const Vec3&)>& value) {
   constexpr std::size_t count = 11;  // more than are processed together
   const std::vector<Vec3> directions = directions_for_slopes(count);
   std::array<Interval, count> slopes;
@@ -78,8 +80,8 @@ inline std::size_t expect_slopes_hold(const Field& field, const Box& box, const 
       }
       rounding += t * std::max({8 * last_place * sum, a.slope_rounding, b.slope_rounding});
       if (b.value - a.value < t * slope.lower - rounding || b.value - a.value > t * slope.upper + rounding)
-        RC_FAIL(fmt::format("a difference of {} for a step of {} is not in [{}, {}] times that; rounding {}", b.value - a.value,
-                            t, slope.lower, slope.upper, rounding));
+        RC_FAIL(fmt::format("a difference of {} for a step of {} is not in [{}, {}] times that; rounding {}",
+                            b.value - a.value, t, slope.lower, slope.upper, rounding));
     }
   }
   return known;

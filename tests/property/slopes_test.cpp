@@ -114,7 +114,8 @@ class Twin {
       case frep::Opcode::floor:
       case frep::Opcode::ceiling:
       case frep::Opcode::compare: return made.value == static_cast<double>(made.single);
-      case frep::Opcode::modulo: return std::floor(a.value / b.value) == static_cast<double>(std::floor(a.single / b.single));
+      case frep::Opcode::modulo:
+        return std::floor(a.value / b.value) == static_cast<double>(std::floor(a.single / b.single));
       case frep::Opcode::minimum: return (a.value <= b.value) == (a.single <= b.single);
       case frep::Opcode::maximum: return (a.value >= b.value) == (a.single >= b.single);
       default: return true;
@@ -183,7 +184,8 @@ RC_GTEST_PROP(Slopes, OfVolumesAreTight, ()) {
     const double nudge = 1e-3 * std::min(scan.lattice.spacing[axis], box.size()[axis]);
     const auto add = [&](double plane) {
       for (const double beside : {plane - nudge, plane + nudge})
-        if (beside >= box.lower[axis] && beside <= box.upper[axis]) at[static_cast<std::size_t>(axis)].push_back(beside);
+        if (beside >= box.lower[axis] && beside <= box.upper[axis])
+          at[static_cast<std::size_t>(axis)].push_back(beside);
     };
     add(box.lower[axis]), add(box.upper[axis]);
     for (int i = 0; i < scan.lattice.size[static_cast<std::size_t>(axis)]; ++i) {
@@ -208,8 +210,10 @@ RC_GTEST_PROP(Slopes, OfVolumesAreTight, ()) {
       }
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (slopes[i].maybe_nan) continue;  // too many cells
-    RC_ASSERT(found[i].lower - slopes[i].lower < 0.02 * steepest && found[i].lower - slopes[i].lower > -1e-3 * steepest);
-    RC_ASSERT(slopes[i].upper - found[i].upper < 0.02 * steepest && slopes[i].upper - found[i].upper > -1e-3 * steepest);
+    RC_ASSERT(found[i].lower - slopes[i].lower < 0.02 * steepest &&
+              found[i].lower - slopes[i].lower > -1e-3 * steepest);
+    RC_ASSERT(slopes[i].upper - found[i].upper < 0.02 * steepest &&
+              slopes[i].upper - found[i].upper > -1e-3 * steepest);
   }
 }
 
@@ -248,15 +252,16 @@ std::string random_design() {
   const std::string extruded = "linear_extrude(height = " + n(0.3, 2) +
                                ", center = true, convexity = 1, scale = [1, 1], $fn = 0, $fa = 12, $fs = 2) {\n" +
                                random_outline(0) + "}\n";
-  const std::string turned = "rotate_extrude(angle = " + n(40, 360) + ", convexity = 2, $fn = " + std::to_string(draw(3, 40)) +
-                             ", $fa = 12, $fs = 2) {\n" + random_outline(1.1) + "}\n";
-  const std::string moved = "multmatrix([[1, 0, 0, " + n(-1, 1) + "], [0, 0.8, -0.6, " + n(-1, 1) + "], [0, 0.6, 0.8, " +
-                            n(-1, 1) + "], [0, 0, 0, 1]]) {\n";
+  const std::string turned = "rotate_extrude(angle = " + n(40, 360) +
+                             ", convexity = 2, $fn = " + std::to_string(draw(3, 40)) + ", $fa = 12, $fs = 2) {\n" +
+                             random_outline(1.1) + "}\n";
+  const std::string moved = "multmatrix([[1, 0, 0, " + n(-1, 1) + "], [0, 0.8, -0.6, " + n(-1, 1) +
+                            "], [0, 0.6, 0.8, " + n(-1, 1) + "], [0, 0, 0, 1]]) {\n";
   // A pyramid with a dent in its base.
-  const std::string dented =
-      "polyhedron(points = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [" + n(-1, 1) + ", " + n(-1, 1) + ", 1], [" +
-      n(-0.1, 0.1) + ", " + n(-0.1, 0.1) + ", " + n(-0.95, -0.3) +
-      "]], faces = [[4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3], [5, 0, 1], [5, 1, 2], [5, 2, 3], [5, 3, 0]], convexity = 2);\n";
+  const std::string dented = "polyhedron(points = [[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [" + n(-1, 1) +
+                             ", " + n(-1, 1) + ", 1], [" + n(-0.1, 0.1) + ", " + n(-0.1, 0.1) + ", " + n(-0.95, -0.3) +
+                             "]], faces = [[4, 1, 0], [4, 2, 1], [4, 3, 2], [4, 0, 3], [5, 0, 1], [5, 1, 2], [5, 2, "
+                             "3], [5, 3, 0]], convexity = 2);\n";
   switch (draw(0, 6)) {
     case 5: return dented;
     case 0: return extruded;

@@ -28,7 +28,8 @@ class Files {
     Asdf::build(*ball, box, {0.2, -1, true})->save(folder_ / "ball.asdf", {-1, 2});
     const TriangleMesh mesh = contour(*ball, box, {0.5, -1, true});
     write_mesh(mesh, folder_ / "ball.stl");
-    write_mesh_parts(std::vector<MeshPart>{{mesh, "a: b", Colour{1, 2, 3}}, {mesh, "ö", {}}}, folder_ / "two parts.3mf");
+    write_mesh_parts(std::vector<MeshPart>{{mesh, "a: b", Colour{1, 2, 3}}, {mesh, "ö", {}}},
+                     folder_ / "two parts.3mf");
     constexpr int side = 24;
     std::string samples;
     for (int i = 0; i < side * side * side; ++i) {
@@ -36,8 +37,9 @@ class Files {
       samples += static_cast<char>(std::clamp(128 - 60 * ball->value(at), 0.0F, 255.0F));
     }
     write("ball.raw", samples);
-    write("ball.nrrd",
-          "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 24 24 24\nspacings: 0.25 0.25 0.25\nencoding: raw\n\n" + samples);
+    write(
+        "ball.nrrd",
+        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 24 24 24\nspacings: 0.25 0.25 0.25\nencoding: raw\n\n" + samples);
     write("lever.csg", "union() { cube(size = [4, 2, 1]); sphere($fn = 12, $fa = 12, $fs = 2, r = 1); }");
     write("inner/nested.frep",
           "part(open(\"../ball.stl\") - box(1, 1, 9), \"cut\", \"teal\")\npart(open(\"../ball.asdf\"), \"ball\")");
@@ -51,9 +53,12 @@ class Files {
   [[nodiscard]] std::string print(const Model& model) const { return print_model(model, folder_); }
 
  private:
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / fmt::format("fieldfab solid text {}", ::getpid());
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / fmt::format("fieldfab solid text {}", ::getpid());
   OpenSettings settings_;
 };
 
@@ -108,7 +113,8 @@ RC_GTEST_PROP(ModelText, IsReadAsTheSameModel, ()) {
   const int parts = draw(1, 4);
   if (parts == 1) text = random_text(draw(0, 4));
   for (int i = 0; parts > 1 && i < parts; ++i)
-    text += fmt::format("part({}, \"part {} ü\"{})\n", random_text(draw(0, 4)), i, colours[static_cast<std::size_t>(draw(0, 3))]);
+    text += fmt::format("part({}, \"part {} ü\"{})\n", random_text(draw(0, 4)), i,
+                        colours[static_cast<std::size_t>(draw(0, 3))]);
   const Model one = files.parse(text);
   const std::string written = files.print(one);
   RC_LOG() << text << "\n" << written;

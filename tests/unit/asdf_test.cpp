@@ -62,9 +62,10 @@ TEST(AsdfTest, KeepsEverySampleToMaxError) {
 }
 
 TEST(AsdfTest, MergesFlatThingsAndNeedsFewBytes) {
-  const auto cube = Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100});
-  const auto plain =
-      Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100, 0, false});
+  const auto cube =
+      Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)}, {2.6 / 100});
+  const auto plain = Asdf::build(*frep::make_field(s::box(2, 2, 2)), {Vec3::Constant(-1.3), Vec3::Constant(1.3)},
+                                 {2.6 / 100, 0, false});
   EXPECT_LT(cube->statistics().cells() * 5, plain->statistics().cells());
   for (const auto& asdf : {cube, plain}) {
     const AsdfStatistics counts = asdf->statistics();
@@ -74,8 +75,8 @@ TEST(AsdfTest, MergesFlatThingsAndNeedsFewBytes) {
 }
 
 TEST(AsdfTest, TakesAnyRegion) {
-  for (const Box& region :
-       {Box{{-1.1, -1.1, -0.05}, {1.1, 1.1, 0.031}}, Box{{-1.5, -1.2, 0}, {1.5, 1.2, 0}}, Box{{0.2, -2, -1}, {0.9, 2, 1.7}}}) {
+  for (const Box& region : {Box{{-1.1, -1.1, -0.05}, {1.1, 1.1, 0.031}}, Box{{-1.5, -1.2, 0}, {1.5, 1.2, 0}},
+                            Box{{0.2, -2, -1}, {0.9, 2, 1.7}}}) {
     const auto asdf = Asdf::build(*ball, region, {0.03});
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
@@ -113,7 +114,8 @@ TEST(AsdfTest, SlicesScalesAndShootsRays) {
 class AsdfFiles : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove(path); }
-  std::filesystem::path path = std::filesystem::temp_directory_path() / ("fieldfab_" + std::to_string(::getpid()) + ".asdf");
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("fieldfab_" + std::to_string(::getpid()) + ".asdf");
 };
 
 TEST_F(AsdfFiles, ComeBackAsTheyWere) {
@@ -131,7 +133,8 @@ TEST_F(AsdfFiles, ComeBackAsTheyWere) {
   }
   again->save(path);
   const auto once_more = Asdf::load(path);
-  for (double x = -1.1; x < 1.2; x += 0.0371) EXPECT_NEAR(once_more->value({x, 0.1, 0.2}), again->value({x, 0.1, 0.2}), 4e-5);
+  for (double x = -1.1; x < 1.2; x += 0.0371)
+    EXPECT_NEAR(once_more->value({x, 0.1, 0.2}), again->value({x, 0.1, 0.2}), 4e-5);
 }
 
 TEST_F(AsdfFiles, HoldLevelsAndRegions) {

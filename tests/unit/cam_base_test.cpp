@@ -41,10 +41,12 @@ TEST(Names, AreReadBack) {
 }
 
 TEST(Names, UnknownOnesAreRefusedWithTheNearest) {
-  EXPECT_EQ(refusal([] { (void)tool_shape_named("bal", "job.toml:3"); }),
-            "job.toml:3: shape is 'bal'; it must be one of flat, ball, bull, v, tapered, drill, profile, form; did you mean "
-            "'ball'?");
-  EXPECT_EQ(refusal([] { (void)coolant_named("water", "x"); }), "x: coolant is 'water'; it must be one of none, mist, flood");
+  EXPECT_EQ(
+      refusal([] { (void)tool_shape_named("bal", "job.toml:3"); }),
+      "job.toml:3: shape is 'bal'; it must be one of flat, ball, bull, v, tapered, drill, profile, form; did you mean "
+      "'ball'?");
+  EXPECT_EQ(refusal([] { (void)coolant_named("water", "x"); }),
+            "x: coolant is 'water'; it must be one of none, mist, flood");
 }
 
 // Each error names its line when the file is read.
@@ -75,15 +77,19 @@ class ToolLibraries : public ::testing::Test {
 };
 
 std::string bit(const std::string& shape, const std::string& parameters) {
-  return fmt::format(R"({{"version": 2, "name": "a tool", "shape": "{}.fcstd", "parameter": {{{}}}, "attribute": {{}}}})", shape,
-                     parameters);
+  return fmt::format(
+      R"({{"version": 2, "name": "a tool", "shape": "{}.fcstd", "parameter": {{{}}}, "attribute": {{}}}})", shape,
+      parameters);
 }
 
 TEST_F(ToolLibraries, OfFreeCad) {
-  write("Bit/end.fctb", bit("endmill", R"("CuttingEdgeHeight": "30.0000 mm", "Diameter": "1/4 in", "Length": "50.0000 mm",
+  write("Bit/end.fctb",
+        bit("endmill", R"("CuttingEdgeHeight": "30.0000 mm", "Diameter": "1/4 in", "Length": "50.0000 mm",
     "ShankDiameter": "3.0000 mm")"));
-  write("Bit/bull.fctb", bit("bullnose", R"("Diameter": "6.0000 mm", "FlatRadius": "1.0000 mm", "CuttingEdgeHeight": "20 mm")"));
-  write("Bit/v.fctb", bit("v-bit", R"("Diameter": "10.0000 mm", "TipDiameter": "1.0000 mm", "CuttingEdgeAngle": "60.0000 \u00b0",
+  write("Bit/bull.fctb",
+        bit("bullnose", R"("Diameter": "6.0000 mm", "FlatRadius": "1.0000 mm", "CuttingEdgeHeight": "20 mm")"));
+  write("Bit/v.fctb",
+        bit("v-bit", R"("Diameter": "10.0000 mm", "TipDiameter": "1.0000 mm", "CuttingEdgeAngle": "60.0000 \u00b0",
     "CuttingEdgeHeight": "1.0000 mm")"));
   write("Bit/probe.fctb", bit("probe", R"("Diameter": "6.0000 mm")"));
   write("Library/all.fctl", R"({"version": 1, "tools": [{"nr": 1, "path": "end.fctb"}, {"nr": 4, "path": "bull.fctb"},
@@ -102,8 +108,8 @@ TEST_F(ToolLibraries, OfFreeCad) {
   EXPECT_NEAR(all[2].angle, std::numbers::pi / 3, 1e-12);
   EXPECT_NEAR(all[2].flute, 4.5 / std::tan(std::numbers::pi / 6), 1e-9);  // up to the end of its edge
   // One of them, with settings of its own; and a single tool, with the next number.
-  const std::vector<Tool> some =
-      tools("[[tool]]\nlibrary = \"Library/all.fctl\"\nnumber = 4\nlength = 33\n[[tool]]\nlibrary = \"Bit/end.fctb\"\n");
+  const std::vector<Tool> some = tools(
+      "[[tool]]\nlibrary = \"Library/all.fctl\"\nnumber = 4\nlength = 33\n[[tool]]\nlibrary = \"Bit/end.fctb\"\n");
   ASSERT_EQ(some.size(), 2u);
   EXPECT_EQ(some[0].number, 4);
   EXPECT_DOUBLE_EQ(some[0].length, 33);
@@ -146,7 +152,9 @@ TEST_F(ToolLibraries, RefuseNonsense) {
   write("list.json", "{\"tools\": 3}");
   write("wrong.json", R"({"data": [{"type": "drill", "geometry": {"DC": "x"}}]})");
   write("one.fctl", R"({"tools": [{"nr": 1, "path": "end.fctb"}]})");
-  const auto said = [&](const std::string& rest) { return refusal([&] { (void)tools("[[tool]]\nlibrary = " + rest); }); };
+  const auto said = [&](const std::string& rest) {
+    return refusal([&] { (void)tools("[[tool]]\nlibrary = " + rest); });
+  };
   EXPECT_NE(said("\"number.fctb\"").find("Diameter is 'six mm'"), std::string::npos);
   EXPECT_NE(said("\"unit.fctb\"").find("a number with a unit"), std::string::npos);
   EXPECT_NE(said("\"probe.fctb\"").find("shape 'probe.fcstd'"), std::string::npos);

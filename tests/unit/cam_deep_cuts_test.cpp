@@ -64,7 +64,8 @@ TEST_F(DeepJobs, GoAsDeepAsAskedWhereUpperLevelsMadeRoom) {
 TEST_F(DeepJobs, BackOutWhereTheShankIsTooWide) {
   const Job job = plan(tool_table(1, "flute = 12\nshank = 8\nlength = 40"), rough);
   ASSERT_EQ(job.notes().size(), 1u);
-  EXPECT_NE(job.notes()[0].find("1 rough: tool 1 is too short with flutes of 12 mm"), std::string::npos) << job.notes()[0];
+  EXPECT_NE(job.notes()[0].find("1 rough: tool 1 is too short with flutes of 12 mm"), std::string::npos)
+      << job.notes()[0];
   const SimulationResult result = proved();
   EXPECT_GT(result.report().removed, 6000);  // a flute's length of the pocket, and more in its middle
   proved(0.11);

@@ -32,7 +32,8 @@ TEST(Dialects, HaveNames) {
 }
 
 TEST(Dialects, TakeTheHeaderThatMostPostsWrite) {
-  const std::string header = "%\nO1000 (PART)\nN1 G00 G17 G21 G40 G49 G80 G90\nN2 T1 M6\nN3 G43 H1 Z5 M8\nN4 X1 Y2\nM30\n%\n";
+  const std::string header =
+      "%\nO1000 (PART)\nN1 G00 G17 G21 G40 G49 G80 G90\nN2 T1 M6\nN3 G43 H1 Z5 M8\nN4 X1 Y2\nM30\n%\n";
   refused(header, 3, "G0 and G80");
   for (const Dialect dialect : forgiving) {
     const Reading r = gcode(header, of(dialect));
@@ -123,7 +124,8 @@ TEST(Dialects, LeaveOutCommandsToTheControl) {
 }
 
 TEST(Dialects, AreForgivingOfComments) {
-  const Reading r = gcode("%1234\n:77\nG0 X1 (never closed\nG0 X2\nM30\nthis is not G-code any more (\n", of(Dialect::mach3));
+  const Reading r =
+      gcode("%1234\n:77\nG0 X1 (never closed\nG0 X2\nM30\nthis is not G-code any more (\n", of(Dialect::mach3));
   ASSERT_EQ(r.motions.size(), 3U);
   EXPECT_TRUE(r.noted("without its ')'"));
 }
@@ -177,8 +179,9 @@ TEST(Camotics, ProjectsAreSetups) {
 }
 
 TEST(Camotics, WorkpiecesFollowThePathsWhereTheyAreTold) {
-  const Project project(std::string("{") + tools + R"(, "workpiece": {"automatic": true, "margin": 10}, "files": ["part.nc"]})",
-                        "G21 G90 F100\nG0 X-50 Z5\nG0 X0\nG1 Z-2\nG1 X20\nG1 Y10\nM2\n");
+  const Project project(
+      std::string("{") + tools + R"(, "workpiece": {"automatic": true, "margin": 10}, "files": ["part.nc"]})",
+      "G21 G90 F100\nG0 X-50 Z5\nG0 X0\nG1 Z-2\nG1 X20\nG1 Y10\nM2\n");
   const Box box = project.read().stock_box;
   EXPECT_EQ(box.lower, Vec3(-2, -2, -4));
   EXPECT_EQ(box.upper, Vec3(22, 12, 0));
@@ -187,8 +190,8 @@ TEST(Camotics, WorkpiecesFollowThePathsWhereTheyAreTold) {
 TEST(Camotics, NonsenseIsRefusedInALine) {
   const std::string box = R"(, "workpiece": {"bounds": {"min": [0, 0, -5], "max": [5, 6, 0]}}})";
   for (const std::string& text :
-       {std::string("{"), std::string("[1, 2]"), "{\"tools\": {}" + box, "{\"tools\": 5" + box, std::string("{") + tools + "}",
-        std::string("{\"units\": \"furlongs\", ") + tools + box,
+       {std::string("{"), std::string("[1, 2]"), "{\"tools\": {}" + box, "{\"tools\": 5" + box,
+        std::string("{") + tools + "}", std::string("{\"units\": \"furlongs\", ") + tools + box,
         "{\"tools\": {\"1\": {\"shape\": \"spoon\", \"length\": 1, \"diameter\": 1}}" + box,
         "{\"tools\": {\"1\": {\"shape\": \"conical\", \"length\": \"x\", \"diameter\": 1}}" + box,
         std::string("{") + tools + R"(, "workpiece": {"bounds": {"min": [0, 0, 0], "max": [5, 6, 0]}}})",

@@ -158,7 +158,8 @@ TEST(gcode, blocks_that_contradict_themselves) {
 }
 
 TEST(gcode, straight_moves_units_and_distance) {
-  const Reading r = moves("G0 X1 Y2 Z3 A90 B-45 C720 U1 V2 W3\nG91 G1 X1 A90\nG20 X1 F10\nG21 G90 X0 A0 F100\nG1 A90\n");
+  const Reading r =
+      moves("G0 X1 Y2 Z3 A90 B-45 C720 U1 V2 W3\nG91 G1 X1 A90\nG20 X1 F10\nG21 G90 X0 A0 F100\nG1 A90\n");
   near(r.at(0), {1, 2, 3});
   EXPECT_NEAR(r.motions[0].end[Axis::a], pi / 2, 1e-12);
   EXPECT_NEAR(r.motions[0].end[Axis::c], 4 * pi, 1e-12);
@@ -175,7 +176,8 @@ TEST(gcode, straight_moves_units_and_distance) {
 }
 
 TEST(gcode, inverse_time_and_feed_per_revolution) {
-  const Reading r = moves("G93 G1 X10 F2\nX10 Y5 A90 F.5\nA180 F1\nG2 X10 Y15 J5 F1\nG94 F60 G1 X0\nG95 F.2 S100 M3\nX5\n");
+  const Reading r =
+      moves("G93 G1 X10 F2\nX10 Y5 A90 F.5\nA180 F1\nG2 X10 Y15 J5 F1\nG94 F60 G1 X0\nG95 F.2 S100 M3\nX5\n");
   EXPECT_DOUBLE_EQ(r.motions[0].feed, 20);
   EXPECT_DOUBLE_EQ(r.motions[0].seconds, 30);
   EXPECT_DOUBLE_EQ(r.motions[1].feed, 2.5);
@@ -251,7 +253,8 @@ TEST(gcode, work_offsets_and_their_rotation) {
 }
 
 TEST(gcode, axis_offsets_and_machine_coordinates) {
-  Reading r = moves("G0 X5 Y5\nG92 X1 Y0\nG0 X0 Y0\nG92.2\nG0 X0\nG92.3\nG0 X0\nG92.1\nG0 X0\nG52 X3\nG0 X0\nG53 G0 X1\n");
+  Reading r =
+      moves("G0 X5 Y5\nG92 X1 Y0\nG0 X0 Y0\nG92.2\nG0 X0\nG92.3\nG0 X0\nG92.1\nG0 X0\nG52 X3\nG0 X0\nG53 G0 X1\n");
   near(r.at(1), {4, 5, 0});
   near(r.at(2), {0, 5, 0});
   near(r.at(3), {4, 5, 0});
@@ -264,7 +267,8 @@ TEST(gcode, axis_offsets_and_machine_coordinates) {
 
 TEST(gcode, tool_lengths) {
   Reading r = gcode(
-      "T1 M6\nG43\nG0 Z0\nG43.2 H2\nG0 Z0\nG49 G0 Z0\nG43.1 X1 Z2\nG53 G0 Z5\nM61 Q2\nG43 H0 G0 Z1\nG10 L1 P3 Z7 R2\nG43 H3 G0 "
+      "T1 M6\nG43\nG0 Z0\nG43.2 H2\nG0 Z0\nG49 G0 Z0\nG43.1 X1 Z2\nG53 G0 Z5\nM61 Q2\nG43 H0 G0 Z1\nG10 L1 P3 Z7 "
+      "R2\nG43 H3 G0 "
       "Z1\nM2");
   EXPECT_EQ(r.motions[0].kind, Kind::tool_change);
   EXPECT_EQ(r.motions[0].tool, 1);
@@ -445,7 +449,8 @@ TEST(gcode, splines_stay_near_the_curve) {
   }
   near(last, {20, 0, 0});
   r = moves("G5.1 X2 Y0 I1 J2\n");  // y = 2 x - x^2
-  for (const Motion& m : r.motions) EXPECT_NEAR(m.end[Axis::y], 2 * m.end[Axis::x] - m.end[Axis::x] * m.end[Axis::x], 1e-9);
+  for (const Motion& m : r.motions)
+    EXPECT_NEAR(m.end[Axis::y], 2 * m.end[Axis::x] - m.end[Axis::x] * m.end[Axis::x], 1e-9);
   // A quarter circle as a NURBS curve of order 3.
   r = moves("G0 X1 Y0\nG5.2 P1 L3\nX1 Y1 P" + std::to_string(std::sqrt(0.5)) + "\nX0 Y1 P1\nG5.3\nG1 X5\n");
   for (std::size_t i = 1; i + 1 < r.motions.size(); ++i) EXPECT_NEAR(r.at(i).norm(), 1, 1e-6);
@@ -500,7 +505,8 @@ TEST(gcode, cutter_compensation_that_cannot_be) {
 }
 
 TEST(gcode, dwells_stops_spindle_and_tools) {
-  const Reading r = gcode("G4 P1.5\nM0\nM1\nM60\nS100 M4\nG0 X1\nM5 X2\nT2\nM6\nG96 S100 D2000 M3\nX10\nX.1\nM30\nG0 X9");
+  const Reading r =
+      gcode("G4 P1.5\nM0\nM1\nM60\nS100 M4\nG0 X1\nM5 X2\nT2\nM6\nG96 S100 D2000 M3\nX10\nX.1\nM30\nG0 X9");
   EXPECT_EQ(r.motions[0].seconds, 1.5);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(r.motions[i].kind, Kind::stop);
   EXPECT_EQ(r.motions[4].spindle, -100);
@@ -513,8 +519,9 @@ TEST(gcode, dwells_stops_spindle_and_tools) {
 }
 
 TEST(gcode, what_has_no_meaning_here_is_noted_once) {
-  const Reading r =
-      gcode("M101\nM101\nM400\nM62 P1\nM66 P0 L0\nG0 X#5399\nG4 S3\n#1=#<_hal[foo.bar]>\n#2=#<_ini[a]b>\nG38.2 Z-5 F9\nT7\nM2");
+  const Reading r = gcode(
+      "M101\nM101\nM400\nM62 P1\nM66 P0 L0\nG0 X#5399\nG4 S3\n#1=#<_hal[foo.bar]>\n#2=#<_ini[a]b>\nG38.2 Z-5 "
+      "F9\nT7\nM2");
   EXPECT_TRUE(r.noted("M101"));
   EXPECT_TRUE(r.noted("M400"));
   EXPECT_TRUE(r.noted("M62"));
@@ -543,7 +550,8 @@ TEST(gcode, conditions_and_loops) {
   near(moves("o1 if [0]\nG0 X1 garbage\no1 elseif [1]\nG0 X2\no1 else\nG0 X3\no1 endif\n").at(0), {2, 0, 0});
   near(moves("o1 if [0]\nG0 X1\no1 elseif [0]\nG0 X2\no1 else\nG0 X3\no1 endif\n").at(0), {3, 0, 0});
   Reading r = moves(
-      "#1=0\no1 while [#1 lt 5]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\no3 if [#1 eq 4]\no1 break\no3 endif\nG0 "
+      "#1=0\no1 while [#1 lt 5]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\no3 if [#1 eq 4]\no1 break\no3 "
+      "endif\nG0 "
       "X#1\no1 endwhile\nG0 Z1\n");
   ASSERT_EQ(r.motions.size(), 3U);
   near(r.at(1), {3, 0, 0});
@@ -585,7 +593,8 @@ TEST(gcode, entry_of_compensation_along_an_arc) {
 
 TEST(gcode, subroutines) {
   Reading r = moves(
-      "o<Move> sub\nG0 X#1 Y#2\n#2=9\n#<in>=1\no<move> return [5]\nG0 X9\no<move> endsub\n#2=4\no<move> call [1] [3]\nG0 "
+      "o<Move> sub\nG0 X#1 Y#2\n#2=9\n#<in>=1\no<move> return [5]\nG0 X9\no<move> endsub\n#2=4\no<move> call [1] "
+      "[3]\nG0 "
       "X#<_value> Z#2\n");
   ASSERT_EQ(r.motions.size(), 2U);
   near(r.at(0), {1, 3, 0});

@@ -24,7 +24,8 @@ Loop rectangle(double w, double h) { return {{{0, 0}, {w, 0}, {w, h}, {0, h}}}; 
 Loop ring(const Vec2& centre, double radius, bool hole, int n = 256) {
   Loop loop;
   for (int i = 0; i < n; ++i)
-    loop.points.push_back(centre + radius * Vec2(std::cos((hole ? -2 : 2) * pi * i / n), std::sin((hole ? -2 : 2) * pi * i / n)));
+    loop.points.push_back(
+        centre + radius * Vec2(std::cos((hole ? -2 : 2) * pi * i / n), std::sin((hole ? -2 : 2) * pi * i / n)));
   return loop;
 }
 Outline outline(const Loops& loops, const Rectangle& bounds) { return {outline_field(loops), bounds, 0.1}; }
@@ -110,8 +111,18 @@ TEST(Pocket, ReachesEveryPlaceTheToolFits) {
 
 TEST(Pocket, TellsWhatTheToolIsTooLargeFor) {
   // A round pocket, and a neck between two wide ones.
-  const Loop dumbbell{
-      {{0, 20}, {10, 20}, {10, 24}, {20, 24}, {20, 20}, {30, 20}, {30, 30}, {20, 30}, {20, 26}, {10, 26}, {10, 30}, {0, 30}}};
+  const Loop dumbbell{{{0, 20},
+                       {10, 20},
+                       {10, 24},
+                       {20, 24},
+                       {20, 20},
+                       {30, 20},
+                       {30, 30},
+                       {20, 30},
+                       {20, 26},
+                       {10, 26},
+                       {10, 30},
+                       {0, 30}}};
   const Outline area = outline({rectangle(20, 10), ring({30, 5}, 1, false), dumbbell}, {{0, 0}, {32, 30}});
   EXPECT_FALSE(pocket(area, {1}, cut_of(1.5, 1)).empty());
   std::vector<Vec2> left = too_narrow(area, 1.5);
@@ -160,7 +171,8 @@ TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
       Loop loop;
       const int corners = 3 + island;
       for (int k = 0; k < corners; ++k)
-        loop.points.push_back(at + radius * Vec2(std::cos(angle - 2 * pi * k / corners), std::sin(angle - 2 * pi * k / corners)));
+        loop.points.push_back(
+            at + radius * Vec2(std::cos(angle - 2 * pi * k / corners), std::sin(angle - 2 * pi * k / corners)));
       area.push_back(loop);
     }
     for (const double stepover : {0.6, 1.6}) {
@@ -194,7 +206,8 @@ TEST(Adaptive, KeepsItsEngagementAndLeavesNothing) {
       };
       EXPECT_LE(at(0.999), 1.15 * stepover);
       EXPECT_LE(at(1), 1.6 * stepover);
-      EXPECT_GE(std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size()), 0.7 * stepover);
+      EXPECT_GE(std::accumulate(widths.begin(), widths.end(), 0.0) / static_cast<double>(widths.size()),
+                0.7 * stepover);
       EXPECT_LE(in_links, 0.3);
       // The remaining material is out of the tool's reach, except slivers thinner than twice the
       // tolerance.
@@ -324,8 +337,10 @@ TEST(Link, WindsDownWhereThereIsRoom) {
     ++arcs;
     Path piece;
     piece.points = {{moves[i - 1].to, moves[i].bulge}, {moves[i].to}};
-    for (const PathPoint& p : points_along(piece, 0.1)) EXPECT_TRUE(p.at.x() >= -1e-6 && p.at.y() >= -1e-6) << p.at.transpose();
-    const double way = length_between(moves[i - 1].to, moves[i].to, moves[i].bulge), down = moves[i - 1].to.z() - moves[i].to.z();
+    for (const PathPoint& p : points_along(piece, 0.1))
+      EXPECT_TRUE(p.at.x() >= -1e-6 && p.at.y() >= -1e-6) << p.at.transpose();
+    const double way = length_between(moves[i - 1].to, moves[i].to, moves[i].bulge),
+                 down = moves[i - 1].to.z() - moves[i].to.z();
     EXPECT_LE(std::asin(down / way), settings.ramp_angle + 1e-9);
   }
   EXPECT_GE(arcs, 4U);
@@ -362,11 +377,14 @@ TEST(Material, IsWhatTheToolLeaves) {
 }
 
 /// A ball of radius 10 whose centre is 4 mm below a plate's top.
-FieldPtr knob() { return formula("min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-16, max(abs(y)-16, abs(z+1)-1)))"); }
+FieldPtr knob() {
+  return formula("min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-16, max(abs(y)-16, abs(z+1)-1)))");
+}
 const Box knob_bounds{{-16, -16, -2}, {16, 16, 6}};
 
 TEST(Rough, ClearsWhatTheTipReachesAndNothingElse) {
-  const auto tips = std::make_shared<TipSurface>(Surface::of(*knob(), knob_bounds, {0.1, 0.01}), tool("ball", 5).profile(), 0.3);
+  const auto tips =
+      std::make_shared<TipSurface>(Surface::of(*knob(), knob_bounds, {0.1, 0.01}), tool("ball", 5).profile(), 0.3);
   for (const bool adaptive : {false, true}) {
     SCOPED_TRACE(adaptive);
     RoughSettings settings;
@@ -415,9 +433,9 @@ TEST(Pencil, RunsAlongValleys) {
   }
   EXPECT_NEAR(length, 2 * pi * away, 0.3);
   EXPECT_EQ(paths.size(), 1U);
-  EXPECT_THROW(
-      (void)pencil(TipSurface(Surface::of(*knob(), knob_bounds, {0.2, 0.02}), tool("flat", 3).profile()), settings, 0.2, 0.35),
-      Error);
+  EXPECT_THROW((void)pencil(TipSurface(Surface::of(*knob(), knob_bounds, {0.2, 0.02}), tool("flat", 3).profile()),
+                            settings, 0.2, 0.35),
+               Error);
 }
 
 TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
@@ -436,7 +454,8 @@ TEST(TakeAway, LowersWhatAnotherPlaneHasCut) {
     for (int trial = 0; trial < 2000; ++trial) {
       // No remaining material is above the heights.
       const Vec3 p =
-          (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array()).matrix();
+          (block.lower.array() + block.size().array() * Vec3(share(random), share(random), share(random)).array())
+              .matrix();
       const Vec3 q = plane.into(p);
       const bool left = p.z() < above.highest(p.head<2>(), 0) - 0.5;
       if (left) {

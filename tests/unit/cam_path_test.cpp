@@ -18,8 +18,8 @@ Path circle(const Vec2& centre, double radius, int level = 0) {
   path.closed = true;
   path.level = level;
   for (int i = 0; i < 4; ++i)
-    path.points.push_back(
-        {{centre.x() + radius * std::cos(i * pi / 2), centre.y() + radius * std::sin(i * pi / 2), 0}, std::tan(pi / 8)});
+    path.points.push_back({{centre.x() + radius * std::cos(i * pi / 2), centre.y() + radius * std::sin(i * pi / 2), 0},
+                           std::tan(pi / 8)});
   return path;
 }
 
@@ -43,7 +43,8 @@ double deviation(const Path& path, const std::vector<Vec2>& points) {
     double nearest = 1e9;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec2 a = points[i], along = points[(i + 1) % points.size()] - a, q = p.at.head<2>();
-      nearest = std::min(nearest, (q - a - std::clamp((q - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm());
+      nearest =
+          std::min(nearest, (q - a - std::clamp((q - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm());
     }
     worst = std::max(worst, nearest);
   }
@@ -92,7 +93,8 @@ TEST(Order, CutsWhatIsInsideFirstAndLevelsInTurn) {
   std::vector<double> radius;
   for (const Path& p : paths) radius.push_back(p.bounds().size().x() / 2);
   const auto place = [&](double r) {
-    return std::find_if(radius.begin(), radius.end(), [&](double x) { return std::abs(x - r) < 1e-6; }) - radius.begin();
+    return std::find_if(radius.begin(), radius.end(), [&](double x) { return std::abs(x - r) < 1e-6; }) -
+           radius.begin();
   };
   EXPECT_LT(place(3), place(6));
   EXPECT_LT(place(0.5), place(6));

@@ -165,7 +165,8 @@ TEST(Offset, IsTheMinkowskiSumWithADiscByBruteForce) {
         for (const Loop& edge : part)
           for (std::size_t k = 0; k < edge.points.size(); ++k) {
             const Vec2 a = edge.points[k], along = edge.points[(k + 1) % edge.points.size()] - a;
-            nearest = std::min(nearest, (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm());
+            nearest = std::min(nearest,
+                               (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm());
           }
         EXPECT_NEAR(nearest, std::abs(by), 5e-4);
       }
@@ -211,7 +212,8 @@ TEST(LatticeField, IsBilinearAndBounded) {
   EXPECT_EQ(field->value({-1 + 0.5 * 3, 2 + 0.5 * 4, 0}), lattice.at(3, 4));
   EXPECT_NEAR(field->value({-1 + 0.5 * 3.5, 2 + 0.5 * 4, 0}), (lattice.at(3, 4) + lattice.at(4, 4)) / 2, 1e-6);
   for (int round = 0; round < 300; ++round) {
-    const double x = std::uniform_real_distribution<>(-3, 46)(random), y = std::uniform_real_distribution<>(0, 40)(random);
+    const double x = std::uniform_real_distribution<>(-3, 46)(random),
+                 y = std::uniform_real_distribution<>(0, 40)(random);
     const Box box{{x, y, 0}, {x + static_cast<double>(random() % 40), y + static_cast<double>(random() % 30), 0}};
     const Interval range = field->interval(box);
     for (int k = 0; k < 20; ++k) {

@@ -57,13 +57,15 @@ void same_way(const std::vector<Motion>& motions, double within, bool rapids) {
 TEST(written_programs, gcode_machines) {
   for (const char* machine : {"linuxcnc", "grbl", "mach3", "marlin", "othermill", "gcode_inch"}) {
     std::vector<Motion> motions;
-    const auto notes = read_gcode(written(machine), machine, with_tools(), [&](const Motion& m) { motions.push_back(m); });
+    const auto notes =
+        read_gcode(written(machine), machine, with_tools(), [&](const Motion& m) { motions.push_back(m); });
     same_way(motions, 2e-3, true);
   }
 }
 
 TEST(written_programs, shopbot) {
-  for (const auto& [machine, unit] : std::vector<std::pair<std::string, double>>{{"shopbot", 25.4}, {"shopbot_mm", 1}}) {
+  for (const auto& [machine, unit] :
+       std::vector<std::pair<std::string, double>>{{"shopbot", 25.4}, {"shopbot_mm", 1}}) {
     std::vector<Motion> motions;
     const auto notes = read_sbp(written(machine), machine, {}, unit, [&](const Motion& m) { motions.push_back(m); });
     same_way(motions, 1e-3, true);
@@ -76,8 +78,8 @@ TEST(written_programs, shopbot) {
 }
 
 TEST(written_programs, rml) {
-  for (const auto& [machine, tick] :
-       std::vector<std::pair<std::string, double>>{{"modela", 0.025}, {"srm20", 0.01}, {"mdx40", 0.01}, {"imodela", 0.01}}) {
+  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{
+           {"modela", 0.025}, {"srm20", 0.01}, {"mdx40", 0.01}, {"imodela", 0.01}}) {
     std::vector<Motion> motions;
     const auto notes = read_rml(written(machine), machine, {}, tick, [&](const Motion& m) { motions.push_back(m); });
     same_way(motions, tick, false);
@@ -91,10 +93,14 @@ TEST(written_programs, rml) {
 }
 
 TEST(written_programs, hpgl) {
-  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{
-           {"hpgl", 0.025}, {"gcc_vinyl", 0.025}, {"gcc_laser", 0.1}, {"roland_vinyl", 0.025}, {"epilog", 25.4 / 600}}) {
+  for (const auto& [machine, tick] : std::vector<std::pair<std::string, double>>{{"hpgl", 0.025},
+                                                                                 {"gcc_vinyl", 0.025},
+                                                                                 {"gcc_laser", 0.1},
+                                                                                 {"roland_vinyl", 0.025},
+                                                                                 {"epilog", 25.4 / 600}}) {
     std::vector<Motion> motions;
-    const auto notes = read_hpgl(written(machine), machine, {}, tick, 5, -1, [&](const Motion& m) { motions.push_back(m); });
+    const auto notes =
+        read_hpgl(written(machine), machine, {}, tick, 5, -1, [&](const Motion& m) { motions.push_back(m); });
     std::vector<Vec3> cut;
     for (const Motion& m : motions)
       if (m.kind == Kind::feed) cut.push_back(m.end.xyz());
@@ -109,7 +115,8 @@ TEST(written_programs, hpgl) {
 
 Reading sbp(const std::string& text, double unit = 1) {
   Reading reading;
-  reading.notes = read_sbp(text, "part.sbp", {}, unit, [&](const Motion& motion) { reading.motions.push_back(motion); });
+  reading.notes =
+      read_sbp(text, "part.sbp", {}, unit, [&](const Motion& motion) { reading.motions.push_back(motion); });
   return reading;
 }
 template <class Read>
@@ -147,7 +154,8 @@ TEST(sbp, moves_and_jogs) {
 }
 
 TEST(sbp, circles) {
-  Reading r = sbp("MS,10,5\nCG,,2,0,1,0,T,1\nCG,,0,0,-1,0,T,-1\nCG,2,2,0,,,T,1\nJ2,0,0\nCG,,0,0,5,0,T,1,-2,2,,,3,1\nEND");
+  Reading r =
+      sbp("MS,10,5\nCG,,2,0,1,0,T,1\nCG,,0,0,-1,0,T,-1\nCG,2,2,0,,,T,1\nJ2,0,0\nCG,,0,0,5,0,T,1,-2,2,,,3,1\nEND");
   EXPECT_EQ(r.motions[0].turns, -1);
   EXPECT_EQ(r.motions[0].centre, Vec2(1, 0));
   EXPECT_DOUBLE_EQ(r.motions[0].feed, 600);
@@ -207,7 +215,8 @@ TEST(sbp, what_it_refuses) {
 TEST(rml, pens_and_places) {
   std::vector<Motion> m;
   const auto sink = [&](const Motion& motion) { m.push_back(motion); };
-  read_rml("PA;VS10;!VZ5;!PZ-40,80;!RC8000;!MC1;PU100,0;PD200,0,200,100;PR;Z0,0,-40;PA;PU;H;!MC0;", "a.rml", {}, 0.025, sink);
+  read_rml("PA;VS10;!VZ5;!PZ-40,80;!RC8000;!MC1;PU100,0;PD200,0,200,100;PR;Z0,0,-40;PA;PU;H;!MC0;", "a.rml", {}, 0.025,
+           sink);
   near(m[0].end.xyz(), {0, 0, 2});
   near(m[1].end.xyz(), {2.5, 0, 2});
   EXPECT_EQ(m[1].kind, Kind::rapid);
@@ -229,7 +238,8 @@ TEST(rml, pens_and_places) {
 TEST(hpgl, lines_arcs_and_circles) {
   std::vector<Motion> m;
   const auto sink = [&](const Motion& motion) { m.push_back(motion); };
-  read_hpgl("IN;SP1;VS2;PU400,0;PD;AA0,0,90;PR-40,0;PA;AA0,0,-720;PU;PA0,0;CI40;SP0;", "a.hpgl", {}, 0.025, 5, -1, sink);
+  read_hpgl("IN;SP1;VS2;PU400,0;PD;AA0,0,90;PR-40,0;PA;AA0,0,-720;PU;PA0,0;CI40;SP0;", "a.hpgl", {}, 0.025, 5, -1,
+            sink);
   EXPECT_EQ(m[0].kind, Kind::rapid);
   EXPECT_EQ(m[1].kind, Kind::tool_change);
   near(m[2].end.xyz(), {10, 0, 5});

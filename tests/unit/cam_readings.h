@@ -33,7 +33,8 @@ inline ReadingOptions with_tools() {
 
 inline Reading gcode(const std::string& text, const ReadingOptions& options = with_tools()) {
   Reading reading;
-  reading.notes = read_gcode(text, "part.ngc", options, [&](const Motion& motion) { reading.motions.push_back(motion); });
+  reading.notes =
+      read_gcode(text, "part.ngc", options, [&](const Motion& motion) { reading.motions.push_back(motion); });
   return reading;
 }
 
@@ -50,7 +51,8 @@ inline void near(const Vec3& a, const Vec3& b, double within = 1e-9) {
 }
 
 /// Expects that reading throws Error(bad_input) at a line, with a message that contains a text.
-inline void refused(const std::string& text, int line, const std::string& message, const ReadingOptions& options = with_tools()) {
+inline void refused(const std::string& text, int line, const std::string& message,
+                    const ReadingOptions& options = with_tools()) {
   try {
     gcode(text, options);
     ADD_FAILURE() << "read without an error: " << text;

@@ -44,7 +44,8 @@ class SimulationFiles : public ::testing::Test {
     return path;
   }
   struct Folder {
-    std::filesystem::path at = std::filesystem::temp_directory_path() / fmt::format("fieldfab_simulation_{}", ::getpid());
+    std::filesystem::path at =
+        std::filesystem::temp_directory_path() / fmt::format("fieldfab_simulation_{}", ::getpid());
     Folder() { std::filesystem::create_directories(at); }
     ~Folder() { std::filesystem::remove_all(at); }
     [[nodiscard]] const std::filesystem::path& path() const { return at; }
@@ -140,7 +141,8 @@ TEST_F(SimulationFiles, CancelledMomentsDoNoHarm) {
 TEST_F(SimulationFiles, TheFirstMoveIsHeldAgainstLimitsAsWell) {
   SimulationSetup limited = setup();
   limited.limits[0] = {0, 20};
-  const SimulationResult result = simulate(limited, write("far.nc", {"G21 G90", "T1 M6", "G0 X-5 Y3 Z5", "G1 X5 F100", "M2"}));
+  const SimulationResult result =
+      simulate(limited, write("far.nc", {"G21 G90", "T1 M6", "G0 X-5 Y3 Z5", "G1 X5 F100", "M2"}));
   ASSERT_EQ(result.events().size(), 1u);
   EXPECT_EQ(result.events()[0].move.line, 3);
   EXPECT_EQ(name_of(result.events()[0].kind), "over-travel");
@@ -152,8 +154,8 @@ TEST_F(SimulationFiles, EventsOfOneKindAlongAPassAreOne) {
   SimulationSetup wide = setup();
   wide.tools[1].shank = 4;
   const SimulationResult result =
-      simulate(wide, write("two.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-4.5", "G1 X8 F600", "X12 Z-5", "X30 Z-6",
-                                      "G0 Z5", "X-5 Y14", "Z-5", "G1 X30", "G0 Z5", "M2"}));
+      simulate(wide, write("two.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-4.5", "G1 X8 F600", "X12 Z-5",
+                                      "X30 Z-6", "G0 Z5", "X-5 Y14", "Z-5", "G1 X30", "G0 Z5", "M2"}));
   ASSERT_EQ(result.events().size(), 2u);
   const SimulationEvent &first = result.events()[0], &second = result.events()[1];
   EXPECT_EQ(first.kind, SimulationEvent::Kind::shank_contact);
@@ -172,8 +174,8 @@ TEST_F(SimulationFiles, GougesOfOnePassAreOne) {
   SimulationSetup aimed = setup();
   aimed.target = box_field({{0, 0, -8}, {20, 20, -2}});
   const SimulationResult result =
-      simulate(aimed, write("deep.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-2.2", "G1 X8 F600", "X12 Z-3", "X30",
-                                        "G0 Z5", "X-5 Y14", "Z-2.5", "G1 X30", "M2"}));
+      simulate(aimed, write("deep.nc", {"G21 G90", "T1 M6", "S1000 M3", "G0 X-5 Y4 Z5", "Z-2.2", "G1 X8 F600",
+                                        "X12 Z-3", "X30", "G0 Z5", "X-5 Y14", "Z-2.5", "G1 X30", "M2"}));
   ASSERT_EQ(result.events().size(), 2u);
   EXPECT_EQ(result.events()[0].first_line, 6);
   EXPECT_EQ(result.events()[0].last_line, 8);
@@ -186,7 +188,8 @@ TEST_F(SimulationFiles, GougesOfOnePassAreOne) {
 // program.
 TEST_F(SimulationFiles, ProgramsInARow) {
   const std::vector<std::string> head{"G21 G90", "T1 M6", "S1000 M3"};
-  const std::vector<std::string> one{"G0 X-5 Y4 Z5", "Z-3", "G1 X30 F600", "G0 Z5"}, two{"G0 X-5 Y14 Z5", "Z-3", "G0 X30", "Z5"};
+  const std::vector<std::string> one{"G0 X-5 Y4 Z5", "Z-3", "G1 X30 F600", "G0 Z5"},
+      two{"G0 X-5 Y14 Z5", "Z-3", "G0 X30", "Z5"};
   const auto joined = [&](std::vector<std::string> lines, const std::vector<std::string>& more) {
     lines.insert(lines.end(), more.begin(), more.end());
     return lines;

@@ -42,7 +42,8 @@ bool in_tool(const Tool& tool, const ToolPose& pose, const Vec3& p) {
     for (std::size_t i = 1; i < tool.points.size(); ++i) {
       const Vec2 &a = tool.points[i - 1], &b = tool.points[i];
       if (z < a.y() || z > b.y()) continue;
-      widest = std::max(widest, b.y() > a.y() ? a.x() + (z - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) : std::max(a.x(), b.x()));
+      widest = std::max(
+          widest, b.y() > a.y() ? a.x() + (z - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) : std::max(a.x(), b.x()));
     }
     if (z >= tool.points.back().y()) widest = std::max(widest, tool.points.back().x());
     return r <= widest;
@@ -70,7 +71,8 @@ std::vector<Stroke> strokes_of(const ToolSolid& solid, const std::vector<ToolPos
   std::vector<Stroke> strokes;
   for (std::size_t i = 1; i < way.size(); ++i)
     for (const ToolPiece& piece : solid.pieces)
-      if (piece.role == ToolRole::cutting) strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true});
+      if (piece.role == ToolRole::cutting)
+        strokes.push_back({&piece, way[i - 1], way[i], static_cast<std::uint32_t>(i), true});
   return strokes;
 }
 
@@ -87,7 +89,8 @@ std::vector<ToolPose> random_way(std::mt19937& random, int count, double turn) {
     for (int a = 0; a < 3; ++a)
       if (pose.tip[a] < 1 || pose.tip[a] > (a == 2 ? 7 : 9))
         direction[a] = -direction[a], pose.tip[a] = std::clamp(pose.tip[a], 1.0, a == 2 ? 7.0 : 9.0);
-    if (turn > 0) pose.axis = (pose.axis + turn * Vec3(unit(random), unit(random), unit(random)) / std::sqrt(3.0)).normalized();
+    if (turn > 0)
+      pose.axis = (pose.axis + turn * Vec3(unit(random), unit(random), unit(random)) / std::sqrt(3.0)).normalized();
     way.push_back(pose);
   }
   return way;
@@ -185,18 +188,18 @@ TEST_P(StockTwin, AgreesWithMembershipAtManyPoses) {
   EXPECT_LE(off, checked / 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Tools, StockTwin,
-                         ::testing::Values(Case{"flat", 0, 64, true}, Case{"ball", 0, 16, true}, Case{"bull", 0, 64, true},
-                                           Case{"v", 0, 64, true}, Case{"drill", 0, 16, true}, Case{"tapered", 0, 64, true},
-                                           Case{"form", 0, 64, true}, Case{"flat", 0.05, 16, true}, Case{"ball", 0.05, 64, true},
-                                           Case{"bull", 0.05, 64, true}, Case{"v", 0.05, 0, true},
-                                           Case{"tapered", 0.05, 64, true}, Case{"form", 0.05, 16, true},
-                                           Case{"flat", 0.05, 0, false}, Case{"ball", 0.05, 64, false},
-                                           Case{"bull", 0.05, 16, false}),
-                         [](const auto& test) {
-                           return fmt::format("{}_{}_{}_{}", test.param.shape, test.param.turn > 0 ? "turning" : "straight",
-                                              test.param.brick, test.param.both_ends ? "both" : "one");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Tools, StockTwin,
+    ::testing::Values(Case{"flat", 0, 64, true}, Case{"ball", 0, 16, true}, Case{"bull", 0, 64, true},
+                      Case{"v", 0, 64, true}, Case{"drill", 0, 16, true}, Case{"tapered", 0, 64, true},
+                      Case{"form", 0, 64, true}, Case{"flat", 0.05, 16, true}, Case{"ball", 0.05, 64, true},
+                      Case{"bull", 0.05, 64, true}, Case{"v", 0.05, 0, true}, Case{"tapered", 0.05, 64, true},
+                      Case{"form", 0.05, 16, true}, Case{"flat", 0.05, 0, false}, Case{"ball", 0.05, 64, false},
+                      Case{"bull", 0.05, 16, false}),
+    [](const auto& test) {
+      return fmt::format("{}_{}_{}_{}", test.param.shape, test.param.turn > 0 ? "turning" : "straight",
+                         test.param.brick, test.param.both_ends ? "both" : "one");
+    });
 
 // A ball along an oblique straight line: every vertex of the groove lies on the capsule.
 TEST(Stock, GrooveOfABallIsExact) {
@@ -251,7 +254,8 @@ TEST(Stock, SlidingAlongTheAxisWhileTurningLeavesNothing) {
       for (p[0] = 0; p[0] <= lattice.cells()[0]; ++p[0]) {
         const auto near = about(lattice.spacing().cwiseProduct(Vec3(p[0], p[1], p[2])), 2.5 * settings.tolerance);
         for (int k = 0; k <= 40; ++k)
-          if (std::all_of(near.begin(), near.end(), [&](const Vec3& q) { return in_tool(tool, between(a, b, k / 40.0), q); })) {
+          if (std::all_of(near.begin(), near.end(),
+                          [&](const Vec3& q) { return in_tool(tool, between(a, b, k / 40.0), q); })) {
             ++inside, left += stock.solid(p);
             break;
           }

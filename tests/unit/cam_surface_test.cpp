@@ -34,20 +34,22 @@ TEST(Profile, HeightsAreThoseOfTheShapes) {
 }
 
 TEST(Profile, GrownIsTheMinkowskiSumWithABall) {
-  for (const Tool& t :
-       {tool("flat", 6), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
+  for (const Tool& t : {tool("flat", 6), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2),
+                        tool("tapered", 6, 0.5, pi / 9)}) {
     const Profile p = t.profile(), grown = p.grown(0.4);
     std::vector<Vec2> points;
     for (int i = 0; i <= 200; ++i) points.emplace_back(3.0 * i / 200, p.height(3.0 * i / 200));
     Tool free = tool("profile", 0);
     free.points = points;
     const Profile sampled = free.profile().grown(0.4);
-    for (double d = 0; d < 2.95; d += 0.05) EXPECT_NEAR(grown.height(d), sampled.height(d), 0.02) << name_of(t.shape) << " " << d;
+    for (double d = 0; d < 2.95; d += 0.05)
+      EXPECT_NEAR(grown.height(d), sampled.height(d), 0.02) << name_of(t.shape) << " " << d;
   }
 }
 
 TEST(Profile, DistanceIsTheInverseOfHeight) {
-  for (const Tool& t : {tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
+  for (const Tool& t :
+       {tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 6, 0.5, pi / 9)}) {
     const Profile p = t.profile();
     for (double d = 2.1; d < 2.99; d += 0.1) EXPECT_NEAR(p.distance(p.height(d)), d, 1e-9) << name_of(t.shape);
   }
@@ -71,7 +73,8 @@ TEST(Surface, KeepsWallsToTheTolerance) {
 
 TEST(Surface, FindsRibsThatNoSampleMeets) {
   const FieldPtr rib = box_field({{0.10, -3, 0}, {0.15, 3, 5}});
-  const auto surface = Surface::of(*unite(rib, box_field({{-4, -4, -1}, {4, 4, 0}})), {{-4, -4, -1}, {4, 4, 5}}, {0.3, 0.02});
+  const auto surface =
+      Surface::of(*unite(rib, box_field({{-4, -4, -1}, {4, 4, 0}})), {{-4, -4, -1}, {4, 4, 5}}, {0.3, 0.02});
   EXPECT_NEAR(surface->top(), 5, 1e-3);
   EXPECT_NEAR(surface->height({0.125, 1.234}), 5, 1e-2);
 }
@@ -89,7 +92,9 @@ TEST(Surface, KeepsWhatIsThinnerThanAnySample) {
     Vec2 from, to;  ///< along its centre line
     double top;
   };
-  const auto line = [](double angle, double length) { return Vec2(length * std::cos(angle), length * std::sin(angle)); };
+  const auto line = [](double angle, double length) {
+    return Vec2(length * std::cos(angle), length * std::sin(angle));
+  };
   const Rib all[] = {
       {"high", with(box_field({{0.1, -3, 0}, {0.1001, 3, 4}})), {0.10005, -3}, {0.10005, 3}, 4},
       {"low", with(box_field({{0.1, -3, 0}, {0.1004, 3, 0.3}})), {0.1002, -3}, {0.1002, 3}, 0.3},
@@ -124,7 +129,8 @@ TEST(Surface, RaisesNothingWhereNothingStands) {
   std::uniform_real_distribution<double> at(-5.9, 5.9);
   for (int i = 0; i < 20000; ++i) {
     const double x = at(random), y = at(random);
-    EXPECT_NEAR(surface->height({x, y}), std::sin(x) * std::cos(y) + 0.3 * std::sin(3 * x + 1) * std::sin(2 * y) + 1.5, 0.02);
+    EXPECT_NEAR(surface->height({x, y}), std::sin(x) * std::cos(y) + 0.3 * std::sin(3 * x + 1) * std::sin(2 * y) + 1.5,
+                0.02);
   }
 }
 
@@ -132,7 +138,8 @@ TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
   const FieldPtr knot =
       formula("max(min(sqrt(x*x+y*y+z*z)-4, max(abs(x+3)-1, max(abs(y)-5, abs(z-1)-1))), 0-(sqrt((y-2)*(y-2)+z*z)-1))");
   const TriangleMesh mesh = contour(*knot, {{-5, -6, -5}, {5, 6, 5}}, {0.35});
-  for (const FieldPtr& solid : {mesh_field(mesh), rotate(scale(mesh_field(mesh), Vec3::Constant(1.3)), {0.2, 0.9, 0.3}, 0.7)}) {
+  for (const FieldPtr& solid :
+       {mesh_field(mesh), rotate(scale(mesh_field(mesh), Vec3::Constant(1.3)), {0.2, 0.9, 0.3}, 0.7)}) {
     const Box bounds{{-7, -7, -3}, {7, 7, 7}};
     const auto surface = Surface::of(*solid, bounds, {0.1, 0.01});
     std::mt19937 random(1);
@@ -141,7 +148,8 @@ TEST(Surface, OfAMeshIsTheTopOfItsSolid) {
     for (int trial = 0; trial < 500; ++trial) {
       const Vec2 p(at(random), at(random));
       const double h = surface->height(p);
-      for (double z = h + 0.02; z < 7; z += 0.9) EXPECT_GT(solid->value({p.x(), p.y(), z}), -0.01) << p.transpose() << " " << z;
+      for (double z = h + 0.02; z < 7; z += 0.9)
+        EXPECT_GT(solid->value({p.x(), p.y(), z}), -0.01) << p.transpose() << " " << z;
       if (h < bounds.lower.z() + 0.02) continue;
       bool at_a_wall = false;  // heights there are intermediate
       for (const Vec2& q : {Vec2(0.02, 0), Vec2(-0.02, 0), Vec2(0, 0.02), Vec2(0, -0.02)})
@@ -158,7 +166,8 @@ TEST(TipSurface, FollowsClosedForms) {
   // A dome: the centre of a ball cutter keeps its radius as distance.
   const auto dome = Surface::of(*formula("sqrt(x*x+y*y+z*z) - 10"), {{-12, -12, 0}, {12, 12, 10}}, {0.1, 0.01});
   const TipSurface ball(dome, tool("ball", 6).profile());
-  for (double x = 0; x < 9; x += 0.37) EXPECT_NEAR(ball.tip({x, 0.2}), std::sqrt(13 * 13 - x * x - 0.04) - 3, 0.01) << x;
+  for (double x = 0; x < 9; x += 0.37)
+    EXPECT_NEAR(ball.tip({x, 0.2}), std::sqrt(13 * 13 - x * x - 0.04) - 3, 0.01) << x;
   // A flat cutter touches a dome with its rim.
   const TipSurface flat(dome, tool("flat", 6).profile());
   for (double x = 3.1; x < 12; x += 0.37) EXPECT_NEAR(flat.tip({x, 0}), std::sqrt(100 - (x - 3) * (x - 3)), 0.01) << x;
@@ -176,8 +185,8 @@ TEST(TipSurface, IsThatOfBruteForce) {
   HeightMap map(60, 50, 0.5, {1, 2}, 0);
   for (float& z : map.values) z = std::uniform_real_distribution<float>(0, 3)(random);
   const auto surface = Surface::of(map, 0);
-  for (const Tool& t :
-       {tool("flat", 4), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2), tool("tapered", 5, 0.5, pi / 4)}) {
+  for (const Tool& t : {tool("flat", 4), tool("ball", 6), tool("bull", 6, 1), tool("v", 6, 0, pi / 2),
+                        tool("tapered", 5, 0.5, pi / 4)}) {
     const Profile profile = t.profile();
     const TipSurface tips(surface, profile);
     std::uniform_real_distribution<> x(-2, 34), y(-2, 30);
@@ -199,9 +208,9 @@ TEST(TipSurface, IsThatOfBruteForce) {
       const Vec2 low(x(random), y(random)), high = low + Vec2(1.3, 0.7) * static_cast<double>(i % 7);
       const Interval range = tips.range({low, high});
       for (int k = 0; k < 20; ++k) {
-        const Vec2 p =
-            low + (high - low)
-                      .cwiseProduct(Vec2(std::uniform_real_distribution<>()(random), std::uniform_real_distribution<>()(random)));
+        const Vec2 p = low + (high - low)
+                                 .cwiseProduct(Vec2(std::uniform_real_distribution<>()(random),
+                                                    std::uniform_real_distribution<>()(random)));
         EXPECT_TRUE(range.contains(static_cast<float>(tips.tip(p)))) << name_of(t.shape);
       }
     }
@@ -223,8 +232,8 @@ TEST(TipSurface, NeverCutsTheSolid) {
   std::mt19937 random(3);
   for (const Case& c : cases) {
     const auto surface = Surface::of(*c.solid, c.bounds, {0.1, 0.01});
-    for (const Tool& t :
-         {tool("flat", 3), tool("ball", 4), tool("bull", 4, 0.7), tool("v", 4, 0, pi / 3), tool("tapered", 4, 0.5, pi / 6)}) {
+    for (const Tool& t : {tool("flat", 3), tool("ball", 4), tool("bull", 4, 0.7), tool("v", 4, 0, pi / 3),
+                          tool("tapered", 4, 0.5, pi / 6)}) {
       const Profile profile = t.profile();
       const TipSurface tips(surface, profile);
       std::uniform_real_distribution<> x(c.bounds.lower.x() + 2, c.bounds.upper.x() - 2), share(0, 1);
@@ -236,7 +245,8 @@ TEST(TipSurface, NeverCutsTheSolid) {
           const double away = profile.radius() * std::sqrt(share(random)), angle = 2 * pi * share(random);
           const Vec3 at(p.x() + away * std::cos(angle), p.y() + away * std::sin(angle), tip + profile.height(away));
           if (at.z() < c.bounds.lower.z()) continue;
-          deepest = std::min(deepest, static_cast<double>(c.solid->value(at)) / std::max(1.0, c.solid->gradient(at).norm()));
+          deepest =
+              std::min(deepest, static_cast<double>(c.solid->value(at)) / std::max(1.0, c.solid->gradient(at).norm()));
         }
       }
       EXPECT_GT(deepest, -0.015) << name_of(t.shape);

@@ -49,8 +49,8 @@ void each_point(const Vec3& tip, const Vec3& axis, const Frustum& piece, double 
 TEST(FreeSpace, NeverCallsClearWhatIsNot) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> at(-20, 20), height(-4, 20), one(-1, 1), radius(0.2, 4), length(1, 40);
-  for (const auto& [part, bounds] :
-       {std::pair{dome_in_a_corner(), Box{{-14, -12, -2}, {14, 12, 14}}}, std::pair{waves(), Box{{-12, -12, -2}, {12, 12, 5}}}}) {
+  for (const auto& [part, bounds] : {std::pair{dome_in_a_corner(), Box{{-14, -12, -2}, {14, 12, 14}}},
+                                     std::pair{waves(), Box{{-12, -12, -2}, {12, 12, 5}}}}) {
     const FieldPtr solid = intersect(part, box_field(bounds));
     const FreeSpace space(solid, bounds);
     int clear = 0, blocked = 0;
@@ -59,7 +59,8 @@ TEST(FreeSpace, NeverCallsClearWhatIsNot) {
       Frustum piece;
       piece.from = 0, piece.to = length(random), piece.radius_from = radius(random), piece.radius_to = radius(random);
       bool touches = false, near = false;
-      each_point(tip, axis, piece, 1e9, [&](const Vec3& p) { touches |= solid->value(p) < 0, near |= solid->value(p) < 0.4; });
+      each_point(tip, axis, piece, 1e9,
+                 [&](const Vec3& p) { touches |= solid->value(p) < 0, near |= solid->value(p) < 0.4; });
       const bool called_clear = space.clear(tip, axis, piece, 0.05);
       EXPECT_FALSE(called_clear && touches) << tip.transpose() << " along " << axis.transpose();
       // Poses with a wide clearance are reported as clear: samples are at most 2 mm apart.

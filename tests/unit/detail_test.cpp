@@ -34,7 +34,8 @@ TEST(DetailMesh, IsFineWhereTheEyeIsNear) {
     const double distance = (part.box.centre() - eye).norm(), cell = part.box.size().x() / 12;
     const Vec3 close = eye.cwiseMax(part.box.lower).cwiseMin(part.box.upper);
     EXPECT_TRUE(cell / (close - eye).norm() <= 0.04 || part.level == 3);
-    (distance < 0.5 ? nearest : farthest) = distance < 0.5 ? std::max(nearest, part.level) : std::min(farthest, part.level);
+    (distance < 0.5 ? nearest : farthest) =
+        distance < 0.5 ? std::max(nearest, part.level) : std::min(farthest, part.level);
     for (const auto& v : part.mesh->vertices) {
       const Vec3 p(v[0], v[1], v[2]);
       EXPECT_NEAR(p.norm(), 1, 0.15 * cell);

@@ -58,7 +58,8 @@ TEST(Evaluators, AgreeOnEveryModel) {
     const Samples samples(203, 2);
     const std::vector<float> expected = all_numbers(*make_field(expression, Evaluator::reference), samples);
     for (const Evaluator evaluator : those_there_are())
-      ASSERT_EQ(all_numbers(*make_field(expression, evaluator), samples), expected) << entry.path() << ' ' << name(evaluator);
+      ASSERT_EQ(all_numbers(*make_field(expression, evaluator), samples), expected)
+          << entry.path() << ' ' << name(evaluator);
   }
   EXPECT_GT(models, 50);
 }
@@ -105,8 +106,8 @@ int anonymous_pages(const char* permissions) {
   std::ifstream maps("/proc/self/maps");
   int found = 0;
   for (std::string line; std::getline(maps, line);)
-    found +=
-        line.find(permissions) != std::string::npos && line.find('/') == std::string::npos && line.find('[') == std::string::npos;
+    found += line.find(permissions) != std::string::npos && line.find('/') == std::string::npos &&
+             line.find('[') == std::string::npos;
   return found;
 }
 

@@ -62,7 +62,8 @@ void expect_bounds(const FieldPtr& field, const Box& expected) {
 }
 
 TEST(Operations, ABlendIsAUnionAwayFromItsFillet) {
-  const FieldPtr a = box_field({{-1, -1, -1}, {1, 1, 1}}), b = box_field({{9, -1, -1}, {11, 1, 1}}), both = blend(a, b, 2);
+  const FieldPtr a = box_field({{-1, -1, -1}, {1, 1, 1}}), b = box_field({{9, -1, -1}, {11, 1, 1}}),
+                 both = blend(a, b, 2);
   EXPECT_EQ(both->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field,
             a->restricted({{-1.2, -0.5, -0.5}, {-0.9, 0.5, 0.5}}).field);
   // Between two balls that nearly touch the blend is solid.
@@ -116,8 +117,8 @@ TEST(Bounds, AreFoundOfWhatIsTwistedTaperedAndTurned) {
 TEST(Framed, IsTheSameFieldInOtherCoordinates) {
   const frep::Expression shape = s::unite(s::twist(s::box(1.4, 1.4, 2), 0.6), s::taper(s::torus(1, 0.3), 4, 0.5));
   for (int turn = 1; turn < 10; ++turn)
-    for (const FieldPtr& solid :
-         {frep::make_field(turned(shape, turn)), offset(rotate(frep::make_field(turned(shape, turn)), {1, 2, 3}, 0.8), 0.1)}) {
+    for (const FieldPtr& solid : {frep::make_field(turned(shape, turn)),
+                                  offset(rotate(frep::make_field(turned(shape, turn)), {1, 2, 3}, 0.8), 0.1)}) {
       const Framed framed = solid->framed();
       ASSERT_NE(framed.field, solid);
       for (int i = 0; i < 100; ++i) {

@@ -20,21 +20,23 @@ class TemporaryFolder : public testing::Test {
  protected:
   void SetUp() override { std::filesystem::create_directories(folder); }
   void TearDown() override { std::filesystem::remove_all(folder); }
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("fieldfab_files_" + std::to_string(::getpid()));
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("fieldfab_files_" + std::to_string(::getpid()));
 };
 using MeshFiles = TemporaryFolder;
 using Pictures = TemporaryFolder;
 
 /// A tetrahedron with coordinates that test the round trip of floats.
 TriangleMesh tetrahedron() {
-  return {{{0.1F, 1e-7F, 0}, {1.3333334F, 0, 0}, {0, 123456.7F, 0}, {0, 0, -0.3F}}, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
+  return {{{0.1F, 1e-7F, 0}, {1.3333334F, 0, 0}, {0, 123456.7F, 0}, {0, 0, -0.3F}},
+          {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}};
 }
 
 TEST(Meshes, KnowTheirVolumeAreaAndBounds) {
   TriangleMesh cube;
   for (int i = 0; i < 8; ++i)
-    cube.vertices.push_back(
-        {10.0F + 2.0F * static_cast<float>(i & 1), 2.0F * static_cast<float>(i >> 1 & 1), 2.0F * static_cast<float>(i >> 2)});
+    cube.vertices.push_back({10.0F + 2.0F * static_cast<float>(i & 1), 2.0F * static_cast<float>(i >> 1 & 1),
+                             2.0F * static_cast<float>(i >> 2)});
   cube.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   EXPECT_DOUBLE_EQ(cube.volume(), 8);
@@ -58,7 +60,8 @@ TEST_F(MeshFiles, OfPlyHoldPropertiesOfVertices) {
   EXPECT_EQ(back.triangles, mesh.triangles);
   const std::string bytes = read_file(path), end = "end_header\n";
   const std::size_t first = bytes.find(end) + end.size(), stride = 12 + 3 + 4 + 4;
-  EXPECT_NE(bytes.find("property uchar blue\nproperty float deviation\nproperty int line\nelement face"), std::string::npos);
+  EXPECT_NE(bytes.find("property uchar blue\nproperty float deviation\nproperty int line\nelement face"),
+            std::string::npos);
   ASSERT_EQ(bytes.size(), first + 4 * stride + 4 * 13);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(std::memcmp(bytes.data() + first + i * stride + 12, &colours[i], 3), 0);

@@ -49,7 +49,8 @@ TEST(Expressions, AreSimplified) {
 }
 
 TEST(MathStrings, AreReadAsKokopelliReadsThem) {
-  EXPECT_EQ(parse_math("-+qXqYf1"), Expression::make(Opcode::subtract, Expression::make(Opcode::add, square(x), square(y)), 1.0));
+  EXPECT_EQ(parse_math("-+qXqYf1"),
+            Expression::make(Opcode::subtract, Expression::make(Opcode::add, square(x), square(y)), 1.0));
   EXPECT_EQ(parse_math("m+XYX X"), Expression::make(Opcode::add, x, y));  // the example of Appendix A
   EXPECT_EQ(parse_math("mY  +XZ"), Expression::make(Opcode::add, y, z));
   EXPECT_EQ(parse_math("m+Xf1  m+Xf2  X"), Expression::make(Opcode::add, Expression::make(Opcode::add, x, 1.0), 2.0));
@@ -91,7 +92,9 @@ TEST(VmPrograms, AreReadAndRefused) {
 
 Expression parse_text(std::string_view text, std::string_view name) { return parse_infix(text, name); }
 
-float at(std::string_view text, float px, float py = 0, float pz = 0) { return evaluate(parse_infix(text), px, py, pz); }
+float at(std::string_view text, float px, float py = 0, float pz = 0) {
+  return evaluate(parse_infix(text), px, py, pz);
+}
 
 TEST(FrepText, HasTheUsualPrecedence) {
   EXPECT_EQ(at("1 + 2 * 3", 0), 7);
@@ -130,8 +133,8 @@ TEST(FrepText, TellsSolidsFromNumbers) {
 }
 
 TEST(FrepText, MakesNamedParts) {
-  const auto parts =
-      parse_parts("a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
+  const auto parts = parse_parts(
+      "a = part(sphere(1), \"ball\", \"tomato\")\npart(move(a, 3), name = \"other\", colour = \"#102030\")");
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].name, "ball");
   EXPECT_EQ(*parts[0].colour, (Colour{255, 99, 71}));
@@ -144,7 +147,8 @@ TEST(FrepText, MakesNamedParts) {
   EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\")\npart(sphere(2), \"a\")"), "t:2:1");
   EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\", \"blurple\")"), "t:1:22");
   EXPECT_EQ(refusal(parse_text, "part(sphere(1))"), "t:1:1");
-  EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\")\nsphere(2)"), "t:2:1") << "a shape that is no part would be lost";
+  EXPECT_EQ(refusal(parse_text, "part(sphere(1), \"a\")\nsphere(2)"), "t:2:1")
+      << "a shape that is no part would be lost";
   EXPECT_EQ(refusal(parse_text, "sphere(1)\nsphere(2)"), "t:1:1") << "the first would be lost";
   EXPECT_EQ(parse_parts("f(r) = part(sphere(r), \"one\")\nf(2)").size(), 1U) << "trying a function makes no part";
 }
@@ -242,8 +246,10 @@ TEST(Pruning, DropsWhatCannotMatter) {
   const FieldPtr both = make_field(max(x, y - 5.0));
   const Box box{{-3, 4, 0}, {-1, 6, 0}};
   EXPECT_EQ(active_nodes(*both->restricted(box).field), active_nodes(*both));
-  EXPECT_LT(active_nodes(*make_field(max(sin(x) - 2.0, y - 5.0))->restricted({{-3, 2, 0}, {-1, 6, 0}}, Purpose::occupancy).field),
-            4U);
+  EXPECT_LT(
+      active_nodes(
+          *make_field(max(sin(x) - 2.0, y - 5.0))->restricted({{-3, 2, 0}, {-1, 6, 0}}, Purpose::occupancy).field),
+      4U);
 }
 
 }  // namespace

@@ -28,7 +28,9 @@ std::vector<std::string> inserts(std::string text, std::span<const Word> options
   return all;
 }
 
-bool has(const std::vector<std::string>& all, const std::string& name) { return std::ranges::find(all, name) != all.end(); }
+bool has(const std::vector<std::string>& all, const std::string& name) {
+  return std::ranges::find(all, name) != all.end();
+}
 
 TEST(Language, DividesATextIntoTokens) {
   const std::string text = "r = 1.5e3 # rad\n  text(\"é\\n\", h) // ½\n\"open ½ 2x.5";
@@ -71,7 +73,8 @@ TEST(Language, TellsAllMistakes) {
   EXPECT_EQ(mistakes("a = @\nb = a * sphere(a)\npeg(h) = cylinder(h, q)\npart(peg(3), \"n\", a) | b"),
             (Places{{1, 5}, {3, 22}, {4, 19}}))
       << "what is made of a wrong definition is no mistake, but for the words that part() wants";
-  EXPECT_EQ(mistakes("a = box(1, 2\nb = 3\nc = spheer(b)\na | c"), (Places{{2, 1}, {3, 5}})) << "a parenthesis left open";
+  EXPECT_EQ(mistakes("a = box(1, 2\nb = 3\nc = spheer(b)\na | c"), (Places{{2, 1}, {3, 5}}))
+      << "a parenthesis left open";
   EXPECT_EQ(mistakes("a = union(\nbox(1, q),\nsphere(3))\na | p"), (Places{{2, 8}, {4, 5}}));
   EXPECT_EQ(mistakes("sphere(1)\nsphere(2)\nsphere(q)"), (Places{{1, 1}, {2, 1}, {3, 8}})) << "values that are lost";
   EXPECT_EQ(mistakes("a = \"open\nb = 2x\nsphere(a, b, 3)"), (Places{{1, 5}, {2, 6}, {3, 11}}));
@@ -90,12 +93,14 @@ TEST(Language, TellsAllMistakes) {
 }
 
 TEST(Language, ParametersOfFunctionsMayBePlainNumbers) {
-  EXPECT_EQ(parse_infix("f(n) = array_polar(move(sphere(1), 4), n)\nf(5)"), parse_infix("array_polar(move(sphere(1), 4), 5)"));
+  EXPECT_EQ(parse_infix("f(n) = array_polar(move(sphere(1), 4), n)\nf(5)"),
+            parse_infix("array_polar(move(sphere(1), 4), 5)"));
   EXPECT_EQ(mistakes("f(n) = array_polar(move(sphere(1), 4), n)\na = f(x)\nf(y)"), (Places{{1, 8}})) << "told once";
 }
 
 TEST(Language, OffersWhatFits) {
-  EXPECT_EQ(inserts("roundness = 2\nROU|"), (std::vector<std::string>{"rounded_box()", "rounded_rectangle()", "roundness"}));
+  EXPECT_EQ(inserts("roundness = 2\nROU|"),
+            (std::vector<std::string>{"rounded_box()", "rounded_rectangle()", "roundness"}));
   EXPECT_EQ(inserts("rounded_b|(3)"), (std::vector<std::string>{"rounded_box"})) << "it has its parentheses";
   const auto arguments = inserts("box(1, |)");
   EXPECT_EQ(std::vector(arguments.begin(), arguments.begin() + 2), (std::vector<std::string>{"dy = ", "dz = "}));

@@ -23,7 +23,8 @@ double uniform(std::mt19937& random, double low, double high) {
 
 TriangleMesh ball_mesh(double radius = 1, const Vec3& centre = Vec3::Zero()) {
   const FieldPtr ball = translate(frep::make_field(frep::shapes::sphere(radius)), centre);
-  return contour(*ball, Box{Vec3::Constant(-1.2 * radius) + centre, Vec3::Constant(1.2 * radius) + centre}, {0.12 * radius});
+  return contour(*ball, Box{Vec3::Constant(-1.2 * radius) + centre, Vec3::Constant(1.2 * radius) + centre},
+                 {0.12 * radius});
 }
 
 void append(TriangleMesh& mesh, const TriangleMesh& other) {
@@ -169,7 +170,8 @@ TEST(MeshField, IntervalsHoldEveryValue) {
       decided += range.decided();
       for (int m = 0; m < 20; ++m)
         EXPECT_TRUE(range.contains(solid->value(
-            box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))))));
+            box.lower +
+            box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))))));
     }
     EXPECT_GT(decided, 500);
   }
@@ -189,20 +191,22 @@ TEST(MeshField, WaysAlongItsNormalsDoNotEnterTheSolid) {
   map.rotate(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized())).scale(Vec3(1, 0.6, 1.3));
   const FieldPtr bar = frep::make_field(frep::parse_infix("box(0.5, 0.5, 3)"));
   std::mt19937 random(3);
-  for (const FieldPtr& solid : {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
+  for (const FieldPtr& solid :
+       {mesh, transform(mesh, map), subtract(bar, mesh), subtract(mesh, translate(mesh, {0.5, 0, 0}))}) {
     ASSERT_TRUE(solid->faceted());
     int told = 0, crossed = 0;
     for (int n = 0; n < 1500; ++n) {
       const double reach = std::pow(10.0, uniform(random, -2, 0.3));
       const Vec3 lower(uniform(random, -1.5, 1.2), uniform(random, -1.5, 1.2), uniform(random, -1.5, 1.2));
-      const Box box{lower, lower + reach * Vec3(uniform(random, 0.1, 1), uniform(random, 0.1, 1), uniform(random, 0.1, 1))};
+      const Box box{lower,
+                    lower + reach * Vec3(uniform(random, 0.1, 1), uniform(random, 0.1, 1), uniform(random, 0.1, 1))};
       std::vector<Eigen::Vector3f> normals;
       if (!solid->facing(box, normals)) continue;
       ++told;
       for (int m = 0; m < 60; ++m) {
         const auto place = [&] {
-          return Vec3(box.lower +
-                      box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))));
+          return Vec3(box.lower + box.size().cwiseProduct(
+                                      Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1))));
         };
         const Vec3 from = place(), to = place();
         bool along = true;

@@ -56,11 +56,12 @@ class MeshParts : public testing::Test {
       PendingFile file(path("b.3mf"));
       ZipWriter zip(file);
       zip.add_part("_rels/.rels", relationships);
-      zip.add_part("3D/3dmodel.model",
-                   fmt::format(R"(<model unit="centimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" )"
-                               R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">)"
-                               "<resources>{}</resources><build>{}</build></model>",
-                               resources, build));
+      zip.add_part(
+          "3D/3dmodel.model",
+          fmt::format(R"(<model unit="centimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" )"
+                      R"(xmlns:m="http://schemas.microsoft.com/3dmanufacturing/material/2015/02">)"
+                      "<resources>{}</resources><build>{}</build></model>",
+                      resources, build));
       zip.finish();
       file.commit();
     }
@@ -84,9 +85,12 @@ TEST_F(MeshParts, OfA3mfFileComeBackToTheLastBit) {
     EXPECT_EQ(back[i].mesh.triangles, parts[i].mesh.triangles);
   }
   std::string model;
-  ZipReader(read_file(path("a.3mf")), path("a.3mf")).read("3D/3dmodel.model", [&](std::string_view text) { model += text; });
+  ZipReader(read_file(path("a.3mf")), path("a.3mf")).read("3D/3dmodel.model", [&](std::string_view text) {
+    model += text;
+  });
   EXPECT_NE(model.find("name=\"Zahnrad &quot;groß&quot; &lt;1&gt; &amp; 'zwei' 歯車 🔩\""), std::string::npos);
-  EXPECT_EQ(model.find("displaycolor=\"#ff8001\""), model.rfind("displaycolor=\"#ff8001\"")) << "a colour is written once";
+  EXPECT_EQ(model.find("displaycolor=\"#ff8001\""), model.rfind("displaycolor=\"#ff8001\""))
+      << "a colour is written once";
   const MeshFromFile merged = load_mesh(path("a.3mf"));
   EXPECT_EQ(merged.mesh.triangles.size(), 16U);
   EXPECT_EQ(merged.notes, Notes{"a.3mf: left out: colours and materials, names of objects"});
@@ -144,7 +148,8 @@ TEST_F(MeshParts, OfItemsArePlacedAndNamed) {
   Notes notes;
   const auto parts =
       read(two_colours + "<object id=\"1\" name=\"gear\" pid=\"9\" pindex=\"1\">" + mesh_element + "</object>" +
-               "<object id=\"2\" type=\"support\">" + mesh_element + "</object><object id=\"3\">" + mesh_element + "</object>",
+               "<object id=\"2\" type=\"support\">" + mesh_element + "</object><object id=\"3\">" + mesh_element +
+               "</object>",
            "<item objectid=\"1\" partnumber=\"17\"/><item objectid=\"2\" partnumber=\"18\"/>"
            "<item objectid=\"3\" partnumber=\"19\" transform=\"-1 0 0 0 1 0 0 0 1 5 6 7\"/><item objectid=\"1\"/>",
            notes);
@@ -195,8 +200,10 @@ TEST_F(MeshParts, WithOtherColoursAreTold) {
   std::string of_triangles = object_with("pid=\"9\" pindex=\"0\"");
   of_triangles.replace(of_triangles.find("v3=\"1\""), 6, "v3=\"1\" pid=\"9\" p1=\"1\"");
   const std::vector<std::pair<std::string, std::optional<Colour>>> cases{
-      {R"(<m:colorgroup id="8"><m:color color="#00FF00"/></m:colorgroup>)" + object_with("pid=\"8\" pindex=\"0\""), std::nullopt},
-      {R"(<basematerials id="7"><base name="glass" displaycolor="#11223344"/></basematerials>)" + object_with("pid=\"7\""),
+      {R"(<m:colorgroup id="8"><m:color color="#00FF00"/></m:colorgroup>)" + object_with("pid=\"8\" pindex=\"0\""),
+       std::nullopt},
+      {R"(<basematerials id="7"><base name="glass" displaycolor="#11223344"/></basematerials>)" +
+           object_with("pid=\"7\""),
        Colour{0x11, 0x22, 0x33}},
       {two_colours + of_triangles, Colour{255, 0, 0}}};
   for (const auto& [resources, colour] : cases) {
@@ -215,9 +222,9 @@ TEST_F(MeshParts, WithOtherColoursAreTold) {
   }
   for (const std::string colour : {"red", "#12345", "#GG0000", "", "#1"}) {
     Notes notes;
-    const auto parts =
-        read("<basematerials id=\"9\"><base displaycolor=\"" + colour + "\"/></basematerials>" + object_with("pid=\"9\""),
-             "<item objectid=\"1\"/>", notes);
+    const auto parts = read(
+        "<basematerials id=\"9\"><base displaycolor=\"" + colour + "\"/></basematerials>" + object_with("pid=\"9\""),
+        "<item objectid=\"1\"/>", notes);
     ASSERT_EQ(parts.size(), 1U) << colour;
     EXPECT_EQ(parts[0].colour, std::nullopt) << colour;
   }
@@ -249,9 +256,9 @@ TEST_F(MeshParts, OfAnObjFileAreObjectsWithMaterials) {
   for (std::size_t at = 0, end = 0; (end = text.find('\n', at)) != std::string::npos; at = end + 1)
     if (const std::string line = text.substr(at, end - at); !line.starts_with("v ") && !line.starts_with("f "))
       lines.push_back(line);
-  EXPECT_EQ(lines, (std::vector<std::string>{"# by Fieldfab, mm", "mtllib my parts.mtl", "o a_b___", "usemtl colour_ff3300",
-                                             "o a_b____2", "usemtl colourless", "o a_b____", "usemtl colour_ff3300", "o part",
-                                             "usemtl colour_000001"}));
+  EXPECT_EQ(lines, (std::vector<std::string>{"# by Fieldfab, mm", "mtllib my parts.mtl", "o a_b___",
+                                             "usemtl colour_ff3300", "o a_b____2", "usemtl colourless", "o a_b____",
+                                             "usemtl colour_ff3300", "o part", "usemtl colour_000001"}));
   EXPECT_NE(text.find("\nf 5 7 6\n"), std::string::npos) << "indices go on from part to part";
   EXPECT_EQ(read_file(path("my parts.mtl")),
             "# by Fieldfab\nnewmtl colour_ff3300\nKd 1 0.2 0\nnewmtl colourless\nKd 0.8 0.8 0.8\nnewmtl colour_000001\n"
@@ -280,8 +287,9 @@ TEST_F(MeshParts, OfAPlyFileColourTheirVertices) {
   const std::vector<MeshPart> parts{{tetrahedron(), "a", Colour{1, 2, 3}}, {tetrahedron(2), "b", std::nullopt}};
   write_mesh_parts(parts, path("a.ply"));
   const std::string bytes = read_file(path("a.ply")), end = "end_header\n";
-  EXPECT_NE(bytes.find("property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face 8\n"),
-            std::string::npos);
+  EXPECT_NE(
+      bytes.find("property float z\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face 8\n"),
+      std::string::npos);
   const std::size_t first = bytes.find(end) + end.size();
   ASSERT_EQ(bytes.size(), first + 8 * 15 + 8 * 13);
   for (std::size_t i = 0; i < 8; ++i)
@@ -325,8 +333,9 @@ struct Glb {
 };
 
 TEST_F(MeshParts, OfAGlbFileAreNodes) {
-  const std::vector<MeshPart> parts{
-      {tetrahedron(0.1F), awkward, Colour{255, 128, 10}}, {TriangleMesh{}, "empty", {}}, {tetrahedron(-3, 7), "", std::nullopt}};
+  const std::vector<MeshPart> parts{{tetrahedron(0.1F), awkward, Colour{255, 128, 10}},
+                                    {TriangleMesh{}, "empty", {}},
+                                    {tetrahedron(-3, 7), "", std::nullopt}};
   write_mesh_parts(parts, path("a.glb"));
   const Glb file(read_file(path("a.glb")));
   const Json& json = file.json;
@@ -353,7 +362,8 @@ TEST_F(MeshParts, OfAGlbFileAreNodes) {
     const Json& primitive = json["meshes"][i]["primitives"][0];
     EXPECT_EQ(primitive["material"], i);
     EXPECT_EQ(json["materials"][i]["doubleSided"], false);
-    const auto places = primitive["attributes"]["POSITION"].get<std::size_t>(), corners = primitive["indices"].get<std::size_t>();
+    const auto places = primitive["attributes"]["POSITION"].get<std::size_t>(),
+               corners = primitive["indices"].get<std::size_t>();
     EXPECT_EQ(file.triples<float>(places), mesh.vertices);
     EXPECT_EQ(file.triples<std::uint32_t>(corners), mesh.triangles);
     const Json& accessor = json["accessors"][places];
@@ -386,7 +396,8 @@ TEST_F(MeshParts, OfMoreThanFourGigabytesAreNoGlbFile) {
     ADD_FAILURE();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::too_large);
-    EXPECT_EQ(error.what(), path("a.glb").string() + ": a .glb file holds at most 4 GiB; .3mf and .ply files hold more");
+    EXPECT_EQ(error.what(),
+              path("a.glb").string() + ": a .glb file holds at most 4 GiB; .3mf and .ply files hold more");
   }
 }
 
@@ -427,13 +438,15 @@ TEST_F(MeshParts, ThatCannotBeAreRefused) {
     return std::string("none");
   };
   const MeshPart part{tetrahedron(), "a", {}};
-  EXPECT_EQ(message_of([&] { write_mesh_parts({}, path("a.3mf")); }), path("a.3mf").string() + ": there is no part to write");
+  EXPECT_EQ(message_of([&] { write_mesh_parts({}, path("a.3mf")); }),
+            path("a.3mf").string() + ": there is no part to write");
   EXPECT_EQ(message_of([&] {
               write_mesh_parts({&part, 1}, path("a.xyz"));
             }),
             path("a.xyz").string() + ": cannot write a mesh as '.xyz'; known are .stl .ply .off .obj .3mf .glb");
   write_mesh_parts({&part, 1}, path("a.glb"));
-  const std::string not_read = path("a.glb").string() + ": is written, not read; meshes are read from .stl .ply .off .obj .3mf";
+  const std::string not_read =
+      path("a.glb").string() + ": is written, not read; meshes are read from .stl .ply .off .obj .3mf";
   Notes notes;
   EXPECT_EQ(message_of([&] { (void)load_mesh(path("a.glb")); }), not_read);
   EXPECT_EQ(message_of([&] { (void)load_mesh_parts(path("a.glb"), Progress::none(), notes); }), not_read);

@@ -34,8 +34,8 @@ double volume(std::string_view text, double voxel, const DesignOptions& options 
 }
 
 TEST(CsgText, IsReadWithModifiersAndValues) {
-  const Tree tree =
-      parse_csg("%group(){#cube(size=[1,2.5,-3e-2],center=true);*sphere(r=inf);}!text(text=\"a\"b\", t = undef);// end", "t");
+  const Tree tree = parse_csg(
+      "%group(){#cube(size=[1,2.5,-3e-2],center=true);*sphere(r=inf);}!text(text=\"a\"b\", t = undef);// end", "t");
   ASSERT_EQ(tree.nodes.size(), 5U);
   EXPECT_TRUE(tree.nodes[1].background);
   EXPECT_TRUE(tree.nodes[2].highlight && !tree.nodes[1].highlight);
@@ -77,7 +77,8 @@ TEST(CsgText, OfAnyDepthIsReadOrRefusedInOneLine) {
 }
 
 TEST(CsgText, PrintsAndReadsBack) {
-  const Tree tree = parse_csg("group() { cube(size = [1, 2, 3], center = false); text(text = \"q\\\"\", size = 0.1); }", "t");
+  const Tree tree =
+      parse_csg("group() { cube(size = [1, 2, 3], center = false); text(text = \"q\\\"\", size = 0.1); }", "t");
   const std::string text = print_csg(tree, 0);
   const Tree again = parse_csg(text, "t");
   EXPECT_EQ(print_csg(again, again.top().children[0]), text);
@@ -90,7 +91,8 @@ TEST(CsgSolids, HaveTheirDistances) {
   const FieldPtr plate = solid("linear_extrude(height = 2) { square(size = [4, 4], center = true); }");
   EXPECT_NEAR(plate->value({5, 0, 6}), 5, 1e-4);  // 3 out, 4 up: exact
   EXPECT_NEAR(plate->value({0, 0, 1.5}), -0.5, 1e-4);
-  const FieldPtr ring = solid("linear_extrude(height = 2) { difference() { circle(r = 4, $fn = 4); circle(r = 2, $fn = 4); } }");
+  const FieldPtr ring =
+      solid("linear_extrude(height = 2) { difference() { circle(r = 4, $fn = 4); circle(r = 2, $fn = 4); } }");
   EXPECT_GT(ring->value({0, 0, 1}), 1.4);
   EXPECT_LT(ring->value({3, 0, 1}), 0);
   const FieldPtr ball = solid("sphere(r = 3);", {true, false});
@@ -115,13 +117,14 @@ TEST(CsgSolids, KeepWhatModifiersSay) {
 
 TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
   // Common faces coincide with lattice planes here.
-  const OpenedSolid two =
-      design("cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
+  const OpenedSolid two = design(
+      "cube(size = [4, 4, 4]); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [4, 4, 4]); }");
   const TriangleMesh joined = contour(*two.field, {{-1, -1, -1}, {9, 5, 5}}, {0.5, -1, true});
   EXPECT_NEAR(joined.volume(), 128, 0.05);
   EXPECT_NEAR(joined.area(), 2 * (16 + 32 + 32), 0.05);
   const OpenedSolid open = design(
-      "difference() { cube(size = [4, 4, 4]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,0],[0,0,0,1]]) { cube(size = [2, 2, 4]); } "
+      "difference() { cube(size = [4, 4, 4]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,0],[0,0,0,1]]) { cube(size = [2, "
+      "2, 4]); } "
       "}");
   const TriangleMesh tube = contour(*open.field, {{-1, -1, -1}, {5, 5, 5}}, {0.5, -1, true});
   EXPECT_NEAR(tube.volume(), 48, 0.05);
@@ -131,10 +134,13 @@ TEST(CsgSolids, TouchWithoutSkinsBetweenThem) {
 TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
   const double six = 6 * std::sin(std::numbers::pi / 3) / 2;  // area of a hexagon of radius 1
   EXPECT_NEAR(volume("cylinder($fn = 6, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * six, 0.3);
-  EXPECT_NEAR(volume("cylinder($fn = 60, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * 30 * std::sin(std::numbers::pi / 30), 0.3);
+  EXPECT_NEAR(volume("cylinder($fn = 60, h = 2, r1 = 5, r2 = 5);", 0.3), 50 * 30 * std::sin(std::numbers::pi / 30),
+              0.3);
   EXPECT_NEAR(volume("cylinder(h = 2, r1 = 5, r2 = 5);", 0.3, {true, false}), 50 * std::numbers::pi, 0.3);
-  EXPECT_NEAR(volume("hull() { cube(size = 1); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = 1); } }", 0.1),
-              5, 0.02);
+  EXPECT_NEAR(
+      volume("hull() { cube(size = 1); multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = 1); } }",
+             0.1),
+      5, 0.02);
   EXPECT_NEAR(volume("minkowski() { cube(size = 2); cube(size = [1, 2, 3]); }", 0.2), 60, 0.1);
   EXPECT_NEAR(volume("resize(newsize = [8, 0, 0], auto = [0, 1, 0]) { cube(size = [2, 1, 1]); }", 0.2), 32, 0.1);
   // Half a ring of square section: Pappus's theorem with the factor of hexagonal sides.
@@ -144,9 +150,10 @@ TEST(CsgSolids, HaveTheVolumesOfTheirFacets) {
   EXPECT_NEAR(volume("minkowski() { cube(size = 2); sphere(r = 1); }", 0.1, {true, false}), rounded, 0.2);
   // A hollow block plus a cube.
   EXPECT_NEAR(
-      volume("minkowski() { difference() { cube(size = [6,6,2]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1],[0,0,0,1]]) { "
-             "cube(size = [4,4,4]); } } cube(size = 1); }",
-             0.2),
+      volume(
+          "minkowski() { difference() { cube(size = [6,6,2]); multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,-1],[0,0,0,1]]) { "
+          "cube(size = [4,4,4]); } } cube(size = 1); }",
+          0.2),
       (49 - 9) * 3, 0.3);
 }
 
@@ -170,8 +177,9 @@ TEST(CsgFields, AgreeWithTheirIntervalsAndRestrictions) {
       const Box box{corner, corner + Vec3(size, size * share(random), size * share(random))};
       const Restriction inside = field->restricted(box), sign = field->restricted(box, Purpose::occupancy);
       for (int k = 0; k < 4; ++k) {
-        const Vec3 p =
-            (box.lower + Vec3(share(random), share(random), share(random)).cwiseProduct(box.size())).cast<float>().cast<double>();
+        const Vec3 p = (box.lower + Vec3(share(random), share(random), share(random)).cwiseProduct(box.size()))
+                           .cast<float>()
+                           .cast<double>();
         if (!box.contains(p)) continue;
         const float value = field->value(p);
         EXPECT_TRUE(inside.range.contains(value)) << p.transpose() << " " << value;
@@ -195,7 +203,8 @@ TEST(CsgFields, NeverExceedTheDistance) {
 
 TEST(CsgFormulas, AreTheSameSolids) {
   const char* const text =
-      "difference() { cylinder($fn = 50, h = 9, r1 = 6, r2 = 5); linear_extrude(height = 20, center = true) { difference() { "
+      "difference() { cylinder($fn = 50, h = 9, r1 = 6, r2 = 5); linear_extrude(height = 20, center = true) { "
+      "difference() { "
       "circle(r = "
       "4, $fn = 8); circle(r = 2, $fn = 5); } } }";
   const FieldPtr field = solid(text), formula = solid(text, {false, true});

@@ -30,7 +30,8 @@ TEST(Bitmaps, AreWhatEachPixelsCentreSays) {
       const Vec3 p(-1 + (column + 0.5) * 2 / image.width, 0.7 - (row + 0.5) * 1.3 / image.height, 0);
       const bool inside = prospero->value(p) < 0;
       white += inside;
-      ASSERT_EQ(image.pixels8[static_cast<std::size_t>(row * image.width + column)], inside ? 255 : 0) << row << ' ' << column;
+      ASSERT_EQ(image.pixels8[static_cast<std::size_t>(row * image.width + column)], inside ? 255 : 0)
+          << row << ' ' << column;
     }
   EXPECT_GT(white, 1000);
 }
@@ -80,7 +81,8 @@ TEST(Perspective, ShowsWhatRaysThroughTheEyeMeet) {
     for (int column = 0; column < size; ++column) {
       const auto i = static_cast<std::size_t>(row * size + column);
       // The ray from the eye through this pixel's point in the plane z = 0.
-      const Vec3 eye(0, 0, distance), through((column + 0.5) * 2 * half / size - half, half - (row + 0.5) * 2 * half / size, 0);
+      const Vec3 eye(0, 0, distance),
+          through((column + 0.5) * 2 * half / size - half, half - (row + 0.5) * 2 * half / size, 0);
       const Vec3 along = (through - eye).normalized();
       const double b = eye.dot(along), c = eye.squaredNorm() - 1, root = b * b - c;
       if (std::abs(root) < 0.02) continue;  // grazing

@@ -47,7 +47,8 @@ class Solids : public testing::Test {
     return "accepted";
   }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() / ("fieldfab_solid_" + std::to_string(::getpid()));
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("fieldfab_solid_" + std::to_string(::getpid()));
   OpenSettings settings_;
 };
 
@@ -62,9 +63,9 @@ TEST_F(Solids, OfAllKindsAreOneLanguage) {
 }
 
 TEST_F(Solids, WrittenAsTextAreTheSameSolids) {
-  for (const char* text :
-       {"rotate_z(open(\"ball.asdf\", level = 0), 30) | move(open(\"ball.stl\"), 1, 2, 3)", "open(\"lever.csg\", smooth = 1)",
-        "blend(open(\"ball.stl\"), open(\"lever.csg\"), 0.5) - open(\"ball.frep\")"}) {
+  for (const char* text : {"rotate_z(open(\"ball.asdf\", level = 0), 30) | move(open(\"ball.stl\"), 1, 2, 3)",
+                           "open(\"lever.csg\", smooth = 1)",
+                           "blend(open(\"ball.stl\"), open(\"lever.csg\"), 0.5) - open(\"ball.frep\")"}) {
     const Solid one = solid(text);
     const std::string written = print_model({{one}, {}}, folder_);
     EXPECT_EQ(written.find(folder_.string()), std::string::npos) << "names are relative to the folder: " << written;
@@ -74,7 +75,8 @@ TEST_F(Solids, WrittenAsTextAreTheSameSolids) {
       EXPECT_EQ(one.field->value(p), other.field->value(p)) << written;
     }
   }
-  EXPECT_THROW((void)print_model({{solid_of(solid("open(\"ball.stl\")").field, "mesh")}, {}}), Error) << "made in memory";
+  EXPECT_THROW((void)print_model({{solid_of(solid("open(\"ball.stl\")").field, "mesh")}, {}}), Error)
+      << "made in memory";
 }
 
 TEST_F(Solids, KeepWhatStaysTrue) {
@@ -86,7 +88,8 @@ TEST_F(Solids, KeepWhatStaysTrue) {
   EXPECT_EQ(faces->triangles.size(), lever.faces(std::nullopt, Progress::none())->triangles.size());
   EXPECT_NEAR(faces->volume(), 8, 1e-4);
   for (const auto& corner : faces->vertices)
-    EXPECT_NEAR(moved.field->value({corner[0], corner[1], corner[2]}), 0, 1e-4) << "the Field and the faces are one solid";
+    EXPECT_NEAR(moved.field->value({corner[0], corner[1], corner[2]}), 0, 1e-4)
+        << "the Field and the faces are one solid";
   EXPECT_EQ(solid("mirror_x(open(\"lever.csg\"))").faces, nullptr) << "mirrored faces would face inward";
   EXPECT_EQ(solid("open(\"lever.csg\") | sphere(1)").faces, nullptr);
 

@@ -93,8 +93,9 @@ TEST(TrianglePictures, ShowWhatRaysMeet) {
         const double x = region.lower.x() + (column + 0.5) * region.size().x() / picture.image.width,
                      y = region.upper.y() - (row + 0.5) * region.size().y() / picture.image.height;
         const double wanted = first_height(mesh, picture.turn, x, y);
-        const float found = picture.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.image.width) +
-                                            static_cast<std::size_t>(column)];
+        const float found =
+            picture.heights[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.image.width) +
+                            static_cast<std::size_t>(column)];
         seen += std::isfinite(wanted);
         different += std::isfinite(wanted) ? !(std::abs(found - wanted) < 1e-4) : std::isfinite(found);
       }
@@ -137,7 +138,8 @@ TEST(TrianglePictures, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(TrianglePictures, HaveTheirVerticesColours) {
-  Mesh plate{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, std::vector<Colour>(4, {178, 24, 43})};
+  Mesh plate{
+      {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, std::vector<Colour>(4, {178, 24, 43})};
   RenderSettings settings;
   settings.size = 33, settings.samples = 3;
   const Image red = render(plate.view(), settings).image;
@@ -178,7 +180,8 @@ TEST(TrianglePictures, RefuseWhatTheyCannotShow) {
   settings.perspective = 0, settings.mode = RenderMode::bitmap;
   EXPECT_THROW(render(good.view(), settings), Error);
   settings.mode = RenderMode::shaded, settings.window = Box{{0, 0, 0}, {2, 1, 0}};
-  EXPECT_EQ(render(Mesh{}.view(), settings).heights, std::vector<float>(512 * 256, -std::numeric_limits<float>::infinity()));
+  EXPECT_EQ(render(Mesh{}.view(), settings).heights,
+            std::vector<float>(512 * 256, -std::numeric_limits<float>::infinity()));
 }
 
 }  // namespace

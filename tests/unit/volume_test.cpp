@@ -20,7 +20,8 @@
 namespace fieldfab {
 namespace {
 
-SampleLattice lattice_of(int nx, int ny, int nz, const Vec3& spacing = Vec3::Ones(), const Vec3& origin = Vec3::Zero()) {
+SampleLattice lattice_of(int nx, int ny, int nz, const Vec3& spacing = Vec3::Ones(),
+                         const Vec3& origin = Vec3::Zero()) {
   SampleLattice lattice;
   lattice.size = {nx, ny, nz};
   lattice.spacing = spacing;
@@ -34,8 +35,8 @@ VolumePtr volume_by(const SampleLattice& lattice, const Density& density) {
   for (int k = 0; k < lattice.size[2]; ++k)
     for (int j = 0; j < lattice.size[1]; ++j)
       for (int i = 0; i < lattice.size[0]; ++i)
-        densities.push_back(
-            static_cast<float>(density(Vec3(lattice.origin + lattice.axes * lattice.spacing.cwiseProduct(Vec3(i, j, k))))));
+        densities.push_back(static_cast<float>(
+            density(Vec3(lattice.origin + lattice.axes * lattice.spacing.cwiseProduct(Vec3(i, j, k))))));
   return volume_of(std::move(densities), lattice);
 }
 
@@ -48,7 +49,8 @@ VolumePtr random_volume(const SampleLattice& lattice, unsigned seed) {
 float density_at(const Volume& volume, int i, int j, int k) {
   std::vector<float> slice(volume.lattice().slice());
   volume.read(k, 1, slice.data());
-  return slice[static_cast<std::size_t>(i) + static_cast<std::size_t>(volume.lattice().size[0]) * static_cast<std::size_t>(j)];
+  return slice[static_cast<std::size_t>(i) +
+               static_cast<std::size_t>(volume.lattice().size[0]) * static_cast<std::size_t>(j)];
 }
 
 /// Trilinear interpolation of densities, the slow twin; `at` in samples.
@@ -77,8 +79,9 @@ TEST(VolumeField, StaysSmoothWhereItIsJoinedWithOtherSolids) {
   // if another solid is adjacent.
   std::mt19937 random(5);
   std::normal_distribution<double> grain(0, 6);
-  const VolumePtr scan = volume_by(
-      lattice_of(14, 14, 14), [&](const Vec3& p) { return 100 + 20 * (5 - (p - Vec3::Constant(6.5)).norm()) + grain(random); });
+  const VolumePtr scan = volume_by(lattice_of(14, 14, 14), [&](const Vec3& p) {
+    return 100 + 20 * (5 - (p - Vec3::Constant(6.5)).norm()) + grain(random);
+  });
   const FieldPtr noise = scale(volume_field(*scan, {100, false, 0.02}), Vec3::Constant(0.8));
   EXPECT_TRUE(noise->sampled());
   EXPECT_TRUE(offset(noise, 0.1)->sampled());
@@ -156,8 +159,8 @@ TEST(VolumeField, IntervalsHoldEveryValue) {
     const Box box{a, a + Vec3(uniform(random, 0, reach), uniform(random, 0, reach), uniform(random, 0, reach))};
     const Interval range = solid->interval(box);
     for (int m = 0; m < 60; ++m) {
-      const Vec3 p =
-          box.lower + box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)));
+      const Vec3 p = box.lower +
+                     box.size().cwiseProduct(Vec3(uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)));
       EXPECT_TRUE(range.contains(solid->value(p)));
     }
   }
@@ -165,8 +168,9 @@ TEST(VolumeField, IntervalsHoldEveryValue) {
 
 /// A scanned ball: a ramp of densities a few mm wide, constant elsewhere.
 FieldPtr scanned_ball(double radius) {
-  const VolumePtr ball = volume_by(lattice_of(41, 41, 41, Vec3::Ones(), Vec3::Constant(-20)),
-                                   [&](const Vec3& p) { return std::clamp(100 - 40 * (p.norm() - radius), 0.0, 200.0); });
+  const VolumePtr ball = volume_by(lattice_of(41, 41, 41, Vec3::Ones(), Vec3::Constant(-20)), [&](const Vec3& p) {
+    return std::clamp(100 - 40 * (p.norm() - radius), 0.0, 200.0);
+  });
   return volume_field(*ball, isosurface(*ball, 100));
 }
 
@@ -335,7 +339,8 @@ TEST(Threshold, PercentilesLeaveThatManyBelow) {
 
 TEST(Threshold, DensitiesThatAreNoNumbersAreRefused) {
   for (const double wild : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    const VolumePtr volume = volume_by(lattice_of(6, 5, 4), [&](const Vec3& p) { return p == Vec3(3, 2, 1) ? wild : p.x(); });
+    const VolumePtr volume =
+        volume_by(lattice_of(6, 5, 4), [&](const Vec3& p) { return p == Vec3(3, 2, 1) ? wild : p.x(); });
     try {
       histogram(*volume, 1 << 20);
       FAIL();
@@ -457,9 +462,9 @@ TEST_F(Import, TheSurfaceIsThatOfTheSamples) {
     std::mt19937 random(15);
     int found = 0, missed = 0;
     while (found < 4000) {
-      Vec3 low =
-          asdf->region().lower + asdf->region().size().cwiseProduct(
-                                     Vec3(uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96)));
+      Vec3 low = asdf->region().lower +
+                 asdf->region().size().cwiseProduct(
+                     Vec3(uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96), uniform(random, 0.02, 0.96)));
       Vec3 high = low + uniform(random, 0.2, 1) * Vec3::Unit(static_cast<Eigen::Index>(random() % 3));
       const bool inside = of.value(low) < 0;
       if (inside == (of.value(high) < 0)) continue;

@@ -60,11 +60,12 @@ class Refinement:
         mesh = self._faces(progress)
         if mesh is None:
             mesh = self.source.mesh(progress, **self.settings)
+        blocks_are_shown = self.in_blocks
         self.sharp, self.in_blocks, self.doubt = True, False, doubt_of(mesh)
         if len(mesh.triangles) <= self.most:
             self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
-        elif self._fit_region(mesh):  # the guess was too small: parts of the solid were not seen
+        elif self._fit_region(mesh) or blocks_are_shown:  # parts outside of the guess were not seen; blocks need replacing
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)
 

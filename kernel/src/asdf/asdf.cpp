@@ -58,14 +58,16 @@ float interpolate(const LeafSamples& s, const std::array<float, 3>& t) {
 double Asdf::voxel() const {
   double largest = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (lattice_[axis] > 0) largest = std::max(largest, region_.size()[static_cast<Eigen::Index>(axis)] / lattice_[axis]);
+    if (lattice_[axis] > 0)
+      largest = std::max(largest, region_.size()[static_cast<Eigen::Index>(axis)] / lattice_[axis]);
   return largest;
 }
 
 double Asdf::finest() const {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (lattice_[axis] > 0) smallest = std::min(smallest, region_.size()[static_cast<Eigen::Index>(axis)] / lattice_[axis]);
+    if (lattice_[axis] > 0)
+      smallest = std::min(smallest, region_.size()[static_cast<Eigen::Index>(axis)] / lattice_[axis]);
   return smallest;
 }
 
@@ -154,11 +156,13 @@ Interval Asdf::interval(const Box& box) const noexcept {
   if (!box.lower.allFinite() || !box.upper.allFinite()) return anything;
   // Points are rounded to floats before the lookup, so the box gets a margin.
   constexpr double slack = 1e-3;
-  std::array<double, 3> low = lattice_point(region_, lattice_, box.lower), high = lattice_point(region_, lattice_, box.upper);
+  std::array<double, 3> low = lattice_point(region_, lattice_, box.lower),
+                        high = lattice_point(region_, lattice_, box.upper);
   Interval range = Interval::of(0);
   bool any = false;
   const auto add = [&](float lower, float upper) {
-    range = any ? Interval{std::min(range.lower, lower), std::max(range.upper, upper), false} : Interval{lower, upper, false};
+    range = any ? Interval{std::min(range.lower, lower), std::max(range.upper, upper), false}
+                : Interval{lower, upper, false};
     any = true;
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -168,20 +172,22 @@ Interval Asdf::interval(const Box& box) const noexcept {
     if (box.lower[a] < region_.lower[a] || box.upper[a] > region_.upper[a]) {
       const double beyond = std::max({region_.lower[a] - box.lower[a], box.upper[a] - region_.upper[a], 0.0});
       add(far, far + static_cast<float>(beyond) * 1.000001F + far);
-      if (range.upper < far + static_cast<float>((box.upper - region_.upper).cwiseMax(region_.lower - box.lower).maxCoeff()))
+      if (range.upper <
+          far + static_cast<float>((box.upper - region_.upper).cwiseMax(region_.lower - box.lower).maxCoeff()))
         range.upper = std::numeric_limits<float>::infinity();
     }
   }
   std::vector<Place> open{{tree_->cells[root_], {first_, count_}}};
   for (int looked = 0; !open.empty(); ++looked) {
     if (looked > 2048)
-      return {std::min(range.lower, -std::max(tree_->greatest, far)), std::max(range.upper, std::max(tree_->greatest, far)),
-              false};
+      return {std::min(range.lower, -std::max(tree_->greatest, far)),
+              std::max(range.upper, std::max(tree_->greatest, far)), false};
     const Place place = open.back();
     open.pop_back();
     bool meets = true;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      meets = meets && high[axis] >= place.range.first[axis] && low[axis] <= place.range.first[axis] + place.range.count[axis];
+      meets = meets && high[axis] >= place.range.first[axis] &&
+              low[axis] <= place.range.first[axis] + place.range.count[axis];
     if (!meets) continue;
     switch (place.word.kind()) {
       case CellKind::filled: add(-far, -far); break;
@@ -251,7 +257,8 @@ AsdfStatistics Asdf::statistics() const {
       case CellKind::leaf: ++counts.leafs; break;
       case CellKind::branch:
         ++counts.branches;
-        for (unsigned i = 0; i < 1U << std::popcount(word.axes()); ++i) open.push_back({word.first_child() + i, depth + 1});
+        for (unsigned i = 0; i < 1U << std::popcount(word.axes()); ++i)
+          open.push_back({word.first_child() + i, depth + 1});
     }
   }
   counts.bytes = tree_->cells.capacity() * sizeof(CellWord) + tree_->leafs.capacity() * sizeof(LeafSamples);

@@ -67,7 +67,8 @@ class Encoder {
 
   void add(const BuildCell& cell, const LatticeRange& range) {
     ++block.cells;
-    kinds_ += static_cast<char>(static_cast<unsigned>(cell.kind) | (cell.kind == CellKind::branch ? cell.axes << 2U : 0U));
+    kinds_ +=
+        static_cast<char>(static_cast<unsigned>(cell.kind) | (cell.kind == CellKind::branch ? cell.axes << 2U : 0U));
     if (cell.kind == CellKind::leaf) add_corners(cell, range);
     for (std::size_t i = 0; i < cell.children.size(); ++i)
       add(cell.children[i], range.child(cell.axes, static_cast<unsigned>(i)));
@@ -103,7 +104,8 @@ class Encoder {
 
 class Decoder {
  public:
-  Decoder(std::string_view raw, const EncodedBlock& counts, const LatticeRange& range, double quantum, const std::string& place)
+  Decoder(std::string_view raw, const EncodedBlock& counts, const LatticeRange& range, double quantum,
+          const std::string& place)
       : kinds_(raw.substr(0, counts.cells)),
         numbers_(raw.substr(counts.cells)),
         corners_(range),

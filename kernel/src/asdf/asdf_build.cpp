@@ -20,7 +20,8 @@ constexpr int task_side = 32;  // cells per axis below which a cell is one threa
 class Builder {
  public:
   Builder(const Box& region, const std::array<int, 3>& lattice, const AsdfSettings& settings, Progress& progress)
-      : maker_(region, lattice, settings.max_error, settings.merge_leafs, available_memory() / 10 * 9), progress_(progress) {}
+      : maker_(region, lattice, settings.max_error, settings.merge_leafs, available_memory() / 10 * 9),
+        progress_(progress) {}
 
   BuildCell run(const Field& field) { return cell(field.restricted(maker_.box(maker_.whole())), maker_.whole()); }
 
@@ -49,7 +50,9 @@ class Builder {
     std::array<Restriction, 8> parts;
     for (unsigned i = 0; i < children.size(); ++i) boxes[i] = maker_.box(range.child(axes, i));
     here.field->restrict_all({boxes.data(), children.size()}, Purpose::value, parts);
-    const auto build_child = [&](std::size_t i) { children[i] = cell(parts[i], range.child(axes, static_cast<unsigned>(i))); };
+    const auto build_child = [&](std::size_t i) {
+      children[i] = cell(parts[i], range.child(axes, static_cast<unsigned>(i)));
+    };
     if (range.longest() > task_side)
       parallel_for(children.size(), build_child);
     else
@@ -64,7 +67,8 @@ class Builder {
     std::array<std::array<float, 3>, 3> at;  // by axis: first, middle, last
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
-      at[axis] = {static_cast<float>(whole.lower[a]), static_cast<float>(whole.centre()[a]), static_cast<float>(whole.upper[a])};
+      at[axis] = {static_cast<float>(whole.lower[a]), static_cast<float>(whole.centre()[a]),
+                  static_cast<float>(whole.upper[a])};
     }
     std::array<float, 27> x, y, z, value;
     for (std::size_t i = 0; i < 27; ++i) {
@@ -92,10 +96,12 @@ class Builder {
     std::array<std::array<float, block_side + 1>, 3> planes;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < points[axis]; ++i)
-        planes[axis][i] = static_cast<float>(maker_.plane(static_cast<int>(axis), range.first[axis] + static_cast<int>(i)));
+        planes[axis][i] =
+            static_cast<float>(maker_.plane(static_cast<int>(axis), range.first[axis] + static_cast<int>(i)));
     for (std::size_t k = 0; k < points[2]; ++k)
       for (std::size_t j = 0; j < points[1]; ++j)
-        for (std::size_t i = 0; i < points[0]; ++i, ++at) x[at] = planes[0][i], y[at] = planes[1][j], z[at] = planes[2][k];
+        for (std::size_t i = 0; i < points[0]; ++i, ++at)
+          x[at] = planes[0][i], y[at] = planes[1][j], z[at] = planes[2][k];
     field.values({x.data(), y.data(), z.data(), at}, samples.value.data());
     return maker_.block(samples.all(points), range);
   }
@@ -117,13 +123,15 @@ std::array<int, 3> lattice_of(const Box& region, double voxel) {
   const Vec3 size = region.size();
   if (!region.valid() || size.x() <= 0 || size.y() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x and y");
-  if (!std::isfinite(voxel) || voxel <= 0) throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
+  if (!std::isfinite(voxel) || voxel <= 0)
+    throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
   std::array<int, 3> lattice{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[static_cast<Eigen::Index>(axis)] / voxel * (1 - 1e-9));
     if (cells > (1 << 24))
       throw Error(ErrorKind::too_large, "voxel",
-                  fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most 2^24 are possible", voxel, cells));
+                  fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most 2^24 are possible", voxel,
+                              cells));
     lattice[axis] = static_cast<int>(cells);
   }
   return lattice;
@@ -131,12 +139,14 @@ std::array<int, 3> lattice_of(const Box& region, double voxel) {
 
 }  // namespace
 
-std::shared_ptr<const Asdf> Asdf::build(const Field& field, const Box& region, const AsdfSettings& wanted, Progress& progress) {
+std::shared_ptr<const Asdf> Asdf::build(const Field& field, const Box& region, const AsdfSettings& wanted,
+                                        Progress& progress) {
   const std::array<int, 3> lattice = lattice_of(region, wanted.voxel);
   AsdfSettings settings = wanted;
   if (settings.max_error < 0) settings.max_error = wanted.voxel / 10;
   const BuildCell root = Builder(region, lattice, settings, progress).run(field);
-  return std::shared_ptr<const Asdf>(new Asdf(region, lattice, settings.max_error, std::make_shared<Tree>(packed(root))));
+  return std::shared_ptr<const Asdf>(
+      new Asdf(region, lattice, settings.max_error, std::make_shared<Tree>(packed(root))));
 }
 
 }  // namespace fieldfab

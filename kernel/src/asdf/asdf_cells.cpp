@@ -12,8 +12,8 @@ LatticeSamples LatticeSamples::from(const LatticeRange& whole, const LatticeRang
   for (std::size_t axis = 0; axis < 3; ++axis)
     samples.value += stride[axis] * static_cast<std::size_t>(part.first[axis] - whole.first[axis]);
   samples.shift += static_cast<unsigned>(part.first[0] - whole.first[0]);
-  samples.inside +=
-      (part.first[1] - whole.first[1]) + static_cast<std::ptrdiff_t>(stride[2] / stride[1]) * (part.first[2] - whole.first[2]);
+  samples.inside += (part.first[1] - whole.first[1]) +
+                    static_cast<std::ptrdiff_t>(stride[2] / stride[1]) * (part.first[2] - whole.first[2]);
   return samples;
 }
 
@@ -78,8 +78,8 @@ BuildCell CellMaker::block(const LatticeSamples& samples, const LatticeRange& ra
   unsigned inside = 0, outside = 0;
   for (int k = 0; k <= range.count[2]; ++k)
     for (int j = 0; j <= range.count[1]; ++j) {
-      const unsigned row =
-          samples.inside[static_cast<std::size_t>(j) + samples.stride[2] / samples.stride[1] * static_cast<std::size_t>(k)];
+      const unsigned row = samples.inside[static_cast<std::size_t>(j) +
+                                          samples.stride[2] / samples.stride[1] * static_cast<std::size_t>(k)];
       inside |= row;
       outside |= ~row;
     }
@@ -94,7 +94,8 @@ BuildCell CellMaker::block(const LatticeSamples& samples, const LatticeRange& ra
   const unsigned axes = range.divisible();
   if (axes == 0) {
     cell.kind = CellKind::leaf;
-    for (std::size_t corner = 0; corner < 8; ++corner) cell.corners[corner] = samples.corner(corner, {1, 1, range.count[2]});
+    for (std::size_t corner = 0; corner < 8; ++corner)
+      cell.corners[corner] = samples.corner(corner, {1, 1, range.count[2]});
     return cell;
   }
   if (merges() && one_leaf(samples, range.count, size_of(range), cell)) return cell;
@@ -106,8 +107,8 @@ BuildCell CellMaker::block(const LatticeSamples& samples, const LatticeRange& ra
   return joined(std::move(children), axes, range);
 }
 
-bool CellMaker::one_leaf(const LatticeSamples& samples, const std::array<int, 3>& count, const std::array<double, 3>& size,
-                         BuildCell& leaf) const {
+bool CellMaker::one_leaf(const LatticeSamples& samples, const std::array<int, 3>& count,
+                         const std::array<double, 3>& size, BuildCell& leaf) const {
   for (std::size_t corner = 0; corner < 8; ++corner) {
     leaf.corners[corner] = samples.corner(corner, count);
     if (!std::isfinite(leaf.corners[corner])) return false;

@@ -40,7 +40,8 @@ struct BlockSamples {
 /// several threads at once.
 class CellMaker {
  public:
-  CellMaker(const Box& region, const std::array<int, 3>& lattice, double max_error, bool merge_leafs, std::uintmax_t memory);
+  CellMaker(const Box& region, const std::array<int, 3>& lattice, double max_error, bool merge_leafs,
+            std::uintmax_t memory);
 
   /// Returns the cells of a block of samples: one leaf if that suffices, otherwise built bottom-up.
   BuildCell block(const LatticeSamples& samples, const LatticeRange& range);

@@ -23,7 +23,8 @@ constexpr std::uint32_t most_levels = 32;
 constexpr unsigned char block_bit = 32;  // in a cell's byte
 
 std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return static_cast<std::uint32_t>(
+      crc32_z(crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 LatticeRange whole(const std::array<int, 3>& lattice) {
@@ -50,7 +51,9 @@ struct Level {
   std::vector<Block> blocks;
 };
 
-std::string_view text_of(std::span<const std::byte> bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+std::string_view text_of(std::span<const std::byte> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 Header read_header(std::string_view file, const std::filesystem::path& path) {
   if (!file.starts_with(magic) || file.size() < header_size) damaged(path, "it does not begin as one");
@@ -126,7 +129,8 @@ class Assembly {
     require_memory(24 * total(), path_.string());
     tree_.cells.resize(1);
     add(0, whole(level_.lattice));
-    if (next_kind_ != level_.kinds.size() || next_block_ != level_.blocks.size() || next_corner_ != level_.corners.size())
+    if (next_kind_ != level_.kinds.size() || next_block_ != level_.blocks.size() ||
+        next_corner_ != level_.corners.size())
       damaged(path_, "its directory holds more than its tree");
     std::vector<Asdf::Tree> parts(wanted_.size());
     parallel_for(wanted_.size(), [&](std::size_t i) {
@@ -236,7 +240,8 @@ BuildCell unpacked(const Asdf::Tree& tree, CellWord word) {
 }
 
 /// Writes the blocks below a cell and returns the cells above them.
-BuildCell trunk_of(const Asdf::Tree& tree, CellWord word, const LatticeRange& range, double quantum, AsdfWriter& writer) {
+BuildCell trunk_of(const Asdf::Tree& tree, CellWord word, const LatticeRange& range, double quantum,
+                   AsdfWriter& writer) {
   if (word.kind() != CellKind::branch) return unpacked(tree, word);
   if (range.longest() <= brick_side) {
     writer.add(range, encode_block(unpacked(tree, word), range, quantum));
@@ -246,7 +251,8 @@ BuildCell trunk_of(const Asdf::Tree& tree, CellWord word, const LatticeRange& ra
   cell.kind = CellKind::branch;
   cell.axes = word.axes();
   for (unsigned i = 0; i < 1U << std::popcount(cell.axes); ++i)
-    cell.children.push_back(trunk_of(tree, tree.cells[word.first_child() + i], range.child(cell.axes, i), quantum, writer));
+    cell.children.push_back(
+        trunk_of(tree, tree.cells[word.first_child() + i], range.child(cell.axes, i), quantum, writer));
   return cell;
 }
 
@@ -273,8 +279,9 @@ void AsdfWriter::begin_level(const Box& region, const std::array<int, 3>& lattic
 }
 
 void AsdfWriter::add(const LatticeRange& range, const EncodedBlock& block) {
-  records_[range.first] = {
-      size_, static_cast<std::uint32_t>(block.bytes.size()), block.raw_size, checksum(block.bytes), block.cells, block.leafs};
+  records_[range.first] = {size_,          static_cast<std::uint32_t>(block.bytes.size()),
+                           block.raw_size, checksum(block.bytes),
+                           block.cells,    block.leafs};
   file_.write(block.bytes);
   size_ += block.bytes.size();
 }
@@ -288,7 +295,8 @@ void AsdfWriter::add_trunk(const BuildCell& cell, const LatticeRange& range) {
     kinds_ += static_cast<char>(block_bit);
     return;
   }
-  kinds_ += static_cast<char>(static_cast<unsigned>(cell.kind) | (cell.kind == CellKind::branch ? cell.axes << 2U : 0U));
+  kinds_ +=
+      static_cast<char>(static_cast<unsigned>(cell.kind) | (cell.kind == CellKind::branch ? cell.axes << 2U : 0U));
   if (cell.kind == CellKind::leaf)
     for (const float corner : cell.corners) append(corners_, quantised(corner, header_.quantum));
   for (std::size_t i = 0; i < cell.children.size(); ++i)
@@ -297,8 +305,8 @@ void AsdfWriter::add_trunk(const BuildCell& cell, const LatticeRange& range) {
 
 void AsdfWriter::end_level(const BuildCell& trunk) {
   add_trunk(trunk, whole(lattice_));
-  for (const double bound :
-       {region_.lower.x(), region_.lower.y(), region_.lower.z(), region_.upper.x(), region_.upper.y(), region_.upper.z()})
+  for (const double bound : {region_.lower.x(), region_.lower.y(), region_.lower.z(), region_.upper.x(),
+                             region_.upper.y(), region_.upper.z()})
     append(directory_, bound);
   append(directory_, lattice_);
   for (const std::size_t size : {kinds_.size(), corners_.size(), table_.size() / 28})
@@ -360,9 +368,9 @@ std::shared_ptr<const Asdf> Asdf::load(const std::filesystem::path& path, const 
   const Level& level = levels[static_cast<std::size_t>(part.level)];
   for (const int n : level.lattice)
     if (n < 0 || n > 1 << 24) damaged(path, "its lattice is not possible");
-  return AsdfFile::make(
-      {level.region, level.lattice, header.max_error, header.placement, Assembly(file, header, level, part.region, path).run()},
-      path);
+  return AsdfFile::make({level.region, level.lattice, header.max_error, header.placement,
+                         Assembly(file, header, level, part.region, path).run()},
+                        path);
 }
 
 AsdfFileInfo Asdf::look(const std::filesystem::path& path) {
@@ -376,7 +384,8 @@ AsdfFileInfo Asdf::look(const std::filesystem::path& path) {
   info.placement = header.placement;
   for (const Level& level : read_directory(file, header, path)) {
     info.levels.push_back({level.region, level.lattice, level.blocks.size(), level.kinds.size(), 0});
-    for (const auto& block : level.blocks) info.levels.back().cells += block.cells - 1, info.levels.back().bytes += block.size;
+    for (const auto& block : level.blocks)
+      info.levels.back().cells += block.cells - 1, info.levels.back().bytes += block.size;
   }
   return info;
 }

@@ -25,9 +25,9 @@ struct Slab {
   std::array<int, 3> points{};
 
   [[nodiscard]] const float* row(int y, int z) const {
-    return values.data() +
-           static_cast<std::size_t>(points[0]) * (static_cast<std::size_t>(y - first[1]) +
-                                                  static_cast<std::size_t>(points[1]) * static_cast<std::size_t>(z - first[2]));
+    return values.data() + static_cast<std::size_t>(points[0]) *
+                               (static_cast<std::size_t>(y - first[1]) +
+                                static_cast<std::size_t>(points[1]) * static_cast<std::size_t>(z - first[2]));
   }
 };
 
@@ -120,7 +120,8 @@ class BrickMaker {
     slab.points = {source_.points[0], to.first[1] + to.count[1] - from.first[1] + 1, from.count[2] + 1};
     const std::size_t part = static_cast<std::size_t>(slab.points[0]) * static_cast<std::size_t>(slab.points[1]);
     const std::size_t slice = static_cast<std::size_t>(source_.points[0]) * static_cast<std::size_t>(source_.points[1]);
-    require_memory(sizeof(float) * (part * static_cast<std::size_t>(slab.points[2]) + (part == slice ? 0 : 2 * slice)), "volume");
+    require_memory(sizeof(float) * (part * static_cast<std::size_t>(slab.points[2]) + (part == slice ? 0 : 2 * slice)),
+                   "volume");
     slab.values.resize(part * static_cast<std::size_t>(slab.points[2]));
     parallel_for(static_cast<std::size_t>(slab.points[2]), [&](std::size_t k) {
       progress_.check();
@@ -128,8 +129,8 @@ class BrickMaker {
       if (part == slice) return source_.read(z, 1, slab.values.data() + k * part);
       std::vector<float> whole(slice);
       source_.read(z, 1, whole.data());
-      std::copy_n(whole.data() + static_cast<std::size_t>(slab.first[1]) * static_cast<std::size_t>(slab.points[0]), part,
-                  slab.values.data() + k * part);
+      std::copy_n(whole.data() + static_cast<std::size_t>(slab.first[1]) * static_cast<std::size_t>(slab.points[0]),
+                  part, slab.values.data() + k * part);
     });
     return slab;
   }
@@ -147,7 +148,8 @@ class BrickMaker {
     }
     const unsigned axes = range.divisible();
     std::vector<BuildCell> children(std::size_t{1} << std::popcount(axes));
-    for (std::size_t i = 0; i < children.size(); ++i) children[i] = cells(slab, range.child(axes, static_cast<unsigned>(i)));
+    for (std::size_t i = 0; i < children.size(); ++i)
+      children[i] = cells(slab, range.child(axes, static_cast<unsigned>(i)));
     return maker_.joined(std::move(children), axes, range);
   }
 
@@ -202,11 +204,13 @@ double smallest_side(const LatticeSource& source) {
 /// Error and quantum that the settings give for these levels.
 struct Precision {
   double max_error, quantum;
-  Precision(const std::vector<LatticeSource>& levels, const ImportSettings& settings, const std::filesystem::path& path) {
+  Precision(const std::vector<LatticeSource>& levels, const ImportSettings& settings,
+            const std::filesystem::path& path) {
     for (const LatticeSource& level : levels)
       if (!level.region.valid() || level.region.size().minCoeff() <= 0 ||
           std::min({level.points[0], level.points[1], level.points[2]}) < 2)
-        throw Error(ErrorKind::bad_input, path.string(), "a lattice needs two points and a positive length along each axis");
+        throw Error(ErrorKind::bad_input, path.string(),
+                    "a lattice needs two points and a positive length along each axis");
     const double side = smallest_side(levels.front());
     max_error = settings.max_error < 0 ? side / 10 : settings.max_error;
     quantum = settings.file.quantum_for(side);
@@ -223,7 +227,8 @@ std::vector<LatticeRange> share_of(std::vector<LatticeRange> bricks, const Impor
   for (const LatticeRange& brick : bricks)
     if (layers.empty() || layers.back() != brick.first[2]) layers.push_back(brick.first[2]);
   std::erase_if(bricks, [&](const LatticeRange& brick) {
-    const auto layer = static_cast<std::size_t>(std::find(layers.begin(), layers.end(), brick.first[2]) - layers.begin());
+    const auto layer =
+        static_cast<std::size_t>(std::find(layers.begin(), layers.end(), brick.first[2]) - layers.begin());
     return layer * static_cast<std::size_t>(share.parts) / layers.size() != static_cast<std::size_t>(share.part);
   });
   return bricks;
@@ -247,8 +252,8 @@ ImportCounts import_asdf(const std::vector<LatticeSource>& levels, const std::fi
   return counts;
 }
 
-void import_part(const std::vector<LatticeSource>& levels, const std::filesystem::path& path, const ImportSettings& settings,
-                 const ImportShare& share, Progress& progress) {
+void import_part(const std::vector<LatticeSource>& levels, const std::filesystem::path& path,
+                 const ImportSettings& settings, const ImportShare& share, Progress& progress) {
   if (share.parts < 1 || share.part < 0 || share.part >= share.parts)
     throw Error(ErrorKind::bad_input, "part", fmt::format("there is no part {} of {}", share.part, share.parts));
   const Precision precision(levels, settings, path);
@@ -258,18 +263,19 @@ void import_part(const std::vector<LatticeSource>& levels, const std::filesystem
   file.write(head);
   for (const LatticeSource& source : levels)
     BrickMaker(source, precision.max_error, precision.quantum, settings.memory, progress)
-        .run(share_of(bricks_of({{0, 0, 0}, lattice_of(source)}), share), [&](const LatticeRange& range, const Brick& brick) {
-          std::string record;
-          append(record, range.first);
-          append(record, brick.root.kind);
-          append(record, brick.root.slack);
-          append(record, brick.root.corners);
-          for (const std::uint32_t number :
-               {brick.block.raw_size, brick.block.cells, brick.block.leafs, static_cast<std::uint32_t>(brick.block.bytes.size())})
-            append(record, number);
-          file.write(record);
-          file.write(brick.block.bytes);
-        });
+        .run(share_of(bricks_of({{0, 0, 0}, lattice_of(source)}), share),
+             [&](const LatticeRange& range, const Brick& brick) {
+               std::string record;
+               append(record, range.first);
+               append(record, brick.root.kind);
+               append(record, brick.root.slack);
+               append(record, brick.root.corners);
+               for (const std::uint32_t number : {brick.block.raw_size, brick.block.cells, brick.block.leafs,
+                                                  static_cast<std::uint32_t>(brick.block.bytes.size())})
+                 append(record, number);
+               file.write(record);
+               file.write(brick.block.bytes);
+             });
   file.commit();
 }
 
@@ -290,7 +296,8 @@ ImportCounts merge_parts(const std::vector<LatticeSource>& levels, const std::ve
     const auto share = open.back()->reader.take<ImportShare>();
     if (std::string_view(magic.data(), magic.size()) != part_magic || share.part != static_cast<int>(i) ||
         share.parts != static_cast<int>(parts.size()))
-      throw Error(ErrorKind::bad_input, parts[i].string(), fmt::format("is not part {} of {} of an import", i, parts.size()));
+      throw Error(ErrorKind::bad_input, parts[i].string(),
+                  fmt::format("is not part {} of {} of an import", i, parts.size()));
   }
   ImportCounts counts;
   for (const LatticeSource& source : levels) {

@@ -70,8 +70,9 @@ namespace {
 /// a function that is linear along each axis; so the difference is greatest at a corner, and only
 /// the four corners in the middle can differ. Its sum with the earlier slack of both bounds the
 /// distance to each sample that was merged; it must not exceed max_error.
-bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double share, const std::array<double, 3>& size_a,
-                const std::array<double, 3>& size_b, double max_error, BuildCell& joined) {
+bool join_leafs(const BuildCell& a, const BuildCell& b, std::size_t axis, double share,
+                const std::array<double, 3>& size_a, const std::array<double, 3>& size_b, double max_error,
+                BuildCell& joined) {
   double off = 0;
   for (std::size_t corner = 0; corner < 8; ++corner) {
     if ((corner >> axis & 1U) != 0) continue;
@@ -99,7 +100,8 @@ bool join(BuildCell& a, BuildCell& b, unsigned axis, const LatticeRange& range_a
   }
   if (a.kind == CellKind::leaf) {
     std::array<double, 3> size_a, size_b;
-    for (std::size_t i = 0; i < 3; ++i) size_a[i] = range_a.count[i] * cell_size[i], size_b[i] = range_b.count[i] * cell_size[i];
+    for (std::size_t i = 0; i < 3; ++i)
+      size_a[i] = range_a.count[i] * cell_size[i], size_b[i] = range_b.count[i] * cell_size[i];
     const double share = static_cast<double>(range_a.count[axis]) / (range_a.count[axis] + range_b.count[axis]);
     return join_leafs(a, b, axis, share, size_a, size_b, max_error, joined);
   }
@@ -153,8 +155,8 @@ BuildCell simplified(std::vector<BuildCell> children, unsigned axes, const Latti
     };
     for (unsigned i = 0; i < pairs && all; ++i) {
       const auto [a, b] = pair(i);
-      all = children[a].kind == children[b].kind &&
-            join(children[a], children[b], axis, range.child(axes, a), range.child(axes, b), cell_size, max_error, joined[i]);
+      all = children[a].kind == children[b].kind && join(children[a], children[b], axis, range.child(axes, a),
+                                                         range.child(axes, b), cell_size, max_error, joined[i]);
     }
     if (!all) continue;
     std::vector<BuildCell> fewer(pairs);

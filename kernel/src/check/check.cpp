@@ -39,7 +39,8 @@ std::vector<Vec3> random_points(const Box& bounds, const TriangleMesh& mesh, con
     if (i % 2 == 0 || mesh.vertices.empty()) {
       points.push_back(bounds.lower + r.cwiseProduct(bounds.size()));
     } else {
-      const auto& v = mesh.vertices[static_cast<std::size_t>(unit(random) * static_cast<double>(mesh.vertices.size() - 1))];
+      const auto& v =
+          mesh.vertices[static_cast<std::size_t>(unit(random) * static_cast<double>(mesh.vertices.size() - 1))];
       points.push_back(Vec3(v[0], v[1], v[2]) + (r.array() - 0.5).matrix() * 8 * settings.voxel);
     }
   }
@@ -56,7 +57,8 @@ struct ProvedBox {
 /// among those that the interval leaves undecided. So thin parts are found in proportion to their
 /// area, not to their volume, and independently of any lattice. Returns the last proved boxes of
 /// each search, next to the surface.
-std::vector<ProvedBox> proved_boxes(const FieldPtr& solid, const Box& bounds, const CheckSettings& settings, Progress& progress) {
+std::vector<ProvedBox> proved_boxes(const FieldPtr& solid, const Box& bounds, const CheckSettings& settings,
+                                    Progress& progress) {
   constexpr std::size_t kept = 3;
   const double smallest = settings.voxel / 64;
   std::vector<std::vector<ProvedBox>> found(static_cast<std::size_t>(settings.searches));
@@ -102,7 +104,8 @@ std::vector<Vec3> surface_points(const TriangleMesh& mesh, const CheckSettings& 
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<Vec3> points;
   for (int i = 0; i < settings.samples; ++i) {
-    const auto at = std::lower_bound(area_up_to.begin(), area_up_to.end() - 1, total * unit(random)) - area_up_to.begin();
+    const auto at =
+        std::lower_bound(area_up_to.begin(), area_up_to.end() - 1, total * unit(random)) - area_up_to.begin();
     const auto& t = mesh.triangles[static_cast<std::size_t>(at)];
     double u = unit(random), v = unit(random);
     if (u + v > 1) u = 1 - u, v = 1 - v;
@@ -133,7 +136,8 @@ double sharp_length(const TriangleMesh& mesh) {
   double length = 0;
   for (std::size_t i = 0; i + 1 < halves.size(); ++i)
     if (halves[i].edge == halves[i + 1].edge && normal(halves[i].triangle).dot(normal(halves[i + 1].triangle)) < 0.866)
-      length += (at(static_cast<std::uint32_t>(halves[i].edge >> 32)) - at(static_cast<std::uint32_t>(halves[i].edge))).norm();
+      length += (at(static_cast<std::uint32_t>(halves[i].edge >> 32)) - at(static_cast<std::uint32_t>(halves[i].edge)))
+                    .norm();
   return length;
 }
 
@@ -180,7 +184,8 @@ class Checker {
     std::array<float, 48> x, y, z, value;
     std::size_t count = 0;
     const auto add = [&](const Vec3& at) {
-      x[count] = static_cast<float>(at.x()), y[count] = static_cast<float>(at.y()), z[count] = static_cast<float>(at.z());
+      x[count] = static_cast<float>(at.x()), y[count] = static_cast<float>(at.y()),
+      z[count] = static_cast<float>(at.z());
       ++count;
     };
     const double voxel = settings_.voxel;
@@ -214,7 +219,8 @@ class Checker {
     row("mesh: not oriented outward (CGAL)", verdict.outward ? 0 : 1, 0);
     row("mesh: self-intersections (CGAL)", static_cast<double>(verdict.self_intersections), 0);
     row("mesh: degenerate triangles (CGAL)", static_cast<double>(verdict.degenerate), 0);
-    row("mesh: volume against CGAL's", std::abs(mesh_.volume() - verdict.volume), 1e-6 * std::abs(verdict.volume), "mm3");
+    row("mesh: volume against CGAL's", std::abs(mesh_.volume() - verdict.volume), 1e-6 * std::abs(verdict.volume),
+        "mm3");
   }
 
   void check_asdf() {
@@ -288,7 +294,8 @@ class Checker {
     const Enclosed& proved = report_.measures.volume;
     row("volume beyond what its Field proves", std::max({0.0, proved.lower - volume, volume - proved.upper}),
         0.25 * area * voxel + thin * voxel, "mm3");
-    row("volume against OpenVDB's level set", std::abs(level_set->volume() - volume), 0.25 * area * voxel + thin * voxel, "mm3");
+    row("volume against OpenVDB's level set", std::abs(level_set->volume() - volume),
+        0.25 * area * voxel + thin * voxel, "mm3");
     // A level set rounds each sharp edge by about a voxel, and may miss thin parts.
     row("area against OpenVDB's level set", std::abs(level_set->area() - area),
         0.1 * area + 2 * voxel * sharp_length(mesh_) + thin, "mm2");

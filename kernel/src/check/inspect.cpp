@@ -36,7 +36,8 @@ MeshVerdict inspect(const TriangleMesh& mesh) {
   std::vector<std::pair<Surface::Face_index, Surface::Face_index>> crossings;
   processing::self_intersections(surface, std::back_inserter(crossings));
   verdict.self_intersections = crossings.size();
-  for (const auto face : surface.faces()) verdict.degenerate += processing::is_degenerate_triangle_face(face, surface) ? 1U : 0U;
+  for (const auto face : surface.faces())
+    verdict.degenerate += processing::is_degenerate_triangle_face(face, surface) ? 1U : 0U;
   auto label = surface.add_property_map<Surface::Face_index, std::size_t>("f:component").first;
   verdict.components = processing::connected_components(surface, label);
   verdict.area = processing::area(surface);
@@ -44,7 +45,8 @@ MeshVerdict inspect(const TriangleMesh& mesh) {
   verdict.volume = processing::volume(surface);
   // For CGAL, an inverted mesh bounds a volume, too: the complement.
   verdict.outward =
-      surface.is_empty() || (verdict.volume > 0 && (verdict.self_intersections > 0 || processing::does_bound_a_volume(surface)));
+      surface.is_empty() ||
+      (verdict.volume > 0 && (verdict.self_intersections > 0 || processing::does_bound_a_volume(surface)));
   return verdict;
 }
 

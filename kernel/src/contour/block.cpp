@@ -30,8 +30,8 @@ class BlockSampler {
       : field_(field), lattice_(lattice), lower_(lower), settings_(settings) {
     for (int axis = 0; axis < 3; ++axis)
       for (int i = 0; i <= block_side; ++i)
-        plane_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)] =
-            static_cast<float>(lattice.plane(axis, lower[static_cast<std::size_t>(axis)] + (i << lattice.voxel_level())));
+        plane_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)] = static_cast<float>(
+            lattice.plane(axis, lower[static_cast<std::size_t>(axis)] + (i << lattice.voxel_level())));
   }
 
   BlockView view(Block& block) {
@@ -76,7 +76,8 @@ class BlockSampler {
     seen.complete = true;
     if (settings_.depth == 0) return;
     seen.unclear = unclear_cells(field_, lattice_, lower_, {value_.data(), signs, points}, seen.known);
-    seen.complete = std::all_of(seen.unclear.begin(), seen.unclear.end(), [](const UnclearCell& cell) { return !cell.field; });
+    seen.complete =
+        std::all_of(seen.unclear.begin(), seen.unclear.end(), [](const UnclearCell& cell) { return !cell.field; });
   }
 
   std::optional<Patch> merge_all(Block& block) {
@@ -88,7 +89,8 @@ class BlockSampler {
     block.crossings.reserve(edges_.size());
     for (const Edge& edge : edges_)
       if (edge.lower[0] < block_side && edge.lower[1] < block_side && edge.lower[2] < block_side)
-        block.crossings.push_back({edge.axis, edge.lower, inside(edge.lower[0], edge.lower[1], edge.lower[2]), edge.point});
+        block.crossings.push_back(
+            {edge.axis, edge.lower, inside(edge.lower[0], edge.lower[1], edge.lower[2]), edge.point});
     return merge(block);
   }
 
@@ -109,7 +111,8 @@ class BlockSampler {
     field_.values({x.data(), y.data(), z.data(), point_count}, value_.data());
     for (std::size_t row = 0; row < inside_.size(); ++row) {
       unsigned bits = 0;
-      for (unsigned i = 0; i < points_a_side; ++i) bits |= static_cast<unsigned>(value_[row * points_a_side + i] < 0) << i;
+      for (unsigned i = 0; i < points_a_side; ++i)
+        bits |= static_cast<unsigned>(value_[row * points_a_side + i] < 0) << i;
       inside_[row] = static_cast<std::uint16_t>(bits);
     }
   }
@@ -143,7 +146,8 @@ class BlockSampler {
     edges_.reserve(2 * block_side * block_side);
     for (int axis = 0; axis < 3; ++axis)
       for_sign_changes(axis, [&](int x, int y, int z) {
-        edge_at_[static_cast<std::size_t>(axis * point_count + point_index(x, y, z))] = static_cast<std::int16_t>(edges_.size());
+        edge_at_[static_cast<std::size_t>(axis * point_count + point_index(x, y, z))] =
+            static_cast<std::int16_t>(edges_.size());
         edges_.push_back({static_cast<std::uint8_t>(axis),
                           {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)}});
       });
@@ -183,7 +187,8 @@ class BlockSampler {
       const unsigned wanted = ((1U << nx) - 1) << x;
       for (int k = z; k < z + nz; ++k)
         for (int j = y; j < y + ny; ++j) {
-          unsigned changes = changes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(j + points_a_side * k)] & wanted;
+          unsigned changes =
+              changes_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(j + points_a_side * k)] & wanted;
           for (; changes != 0; changes &= changes - 1) {
             const int at = axis * point_count + point_index(std::countr_zero(changes), j, k);
             const SurfacePoint& point = edges_[static_cast<std::size_t>(edge_at_[static_cast<std::size_t>(at)])].point;
@@ -210,21 +215,24 @@ class BlockSampler {
     if (settings_.max_error <= 0 || !is_simple(bits)) return false;
     Vec3 slope;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      slope[static_cast<Eigen::Index>(axis)] = (double{value_[static_cast<std::size_t>(block_side * stride[axis])]} - value_[0]) /
-                                               (double{plane_[axis][block_side]} - plane_[axis][0]);
+      slope[static_cast<Eigen::Index>(axis)] =
+          (double{value_[static_cast<std::size_t>(block_side * stride[axis])]} - value_[0]) /
+          (double{plane_[axis][block_side]} - plane_[axis][0]);
     const double length = slope.norm();
     if (!std::isfinite(length) || length == 0) return false;
     const auto tolerance = static_cast<float>(1e-3 * settings_.max_error * length);
     std::array<std::array<float, points_a_side>, 3> part;
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t i = 0; i < points_a_side; ++i)
-        part[axis][i] = static_cast<float>(slope[static_cast<Eigen::Index>(axis)] * (double{plane_[axis][i]} - plane_[axis][0]));
+        part[axis][i] =
+            static_cast<float>(slope[static_cast<Eigen::Index>(axis)] * (double{plane_[axis][i]} - plane_[axis][0]));
     const float* value = value_.data();
     for (std::size_t k = 0; k < points_a_side; ++k)
       for (std::size_t j = 0; j < points_a_side; ++j, value += points_a_side) {
         const float start = value_[0] + part[1][j] + part[2][k];
         bool off = false;
-        for (std::size_t i = 0; i < points_a_side; ++i) off |= !(std::abs(value[i] - (start + part[0][i])) <= tolerance);
+        for (std::size_t i = 0; i < points_a_side; ++i)
+          off |= !(std::abs(value[i] - (start + part[0][i])) <= tolerance);
         if (off) return false;
       }
 
@@ -243,15 +251,16 @@ class BlockSampler {
         SurfacePoint point{{plane_[0][static_cast<std::size_t>(x)], plane_[1][static_cast<std::size_t>(y)],
                             plane_[2][static_cast<std::size_t>(z)]},
                            normal};
-        point.position[static_cast<Eigen::Index>(axis)] =
-            static_cast<float>(plane_[axis][t] + here / (here - next) * (double{plane_[axis][t + 1]} - plane_[axis][t]));
+        point.position[static_cast<Eigen::Index>(axis)] = static_cast<float>(
+            plane_[axis][t] + here / (here - next) * (double{plane_[axis][t + 1]} - plane_[axis][t]));
         patch.points.push_back(point);
         sum += point.position.cast<double>();
         if (p < block_side && q < block_side)
-          block.crossings.push_back({static_cast<std::uint8_t>(axis),
-                                     {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)},
-                                     here < 0,
-                                     point});
+          block.crossings.push_back(
+              {static_cast<std::uint8_t>(axis),
+               {static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y), static_cast<std::uint8_t>(z)},
+               here < 0,
+               point});
       });
     patch.vertex = sum / static_cast<double>(patch.points.size());
     thin(patch.points, lattice_.cube(lower_, lattice_.voxel_level() + block_level));
@@ -326,14 +335,16 @@ class BlockSampler {
       if (is_uniform(signs)) continue;
       division.leafs[child] = static_cast<std::uint32_t>(block.leafs.size());
       const int level = division.level;
-      const LatticePoint lower = moved(division.lower, static_cast<int>(child & 1U) << level,
-                                       static_cast<int>(child >> 1 & 1U) << level, static_cast<int>(child >> 2) << level);
+      const LatticePoint lower =
+          moved(division.lower, static_cast<int>(child & 1U) << level, static_cast<int>(child >> 1 & 1U) << level,
+                static_cast<int>(child >> 2) << level);
       block.leafs.push_back({lower, level, signs, patch.has_value(), patch ? patch->vertex : Vec3(Vec3::Zero())});
     }
   }
 
   static std::size_t cube_index(int x, int y, int z, int level) {
-    return static_cast<std::size_t>((x >> level) + (block_side >> level) * ((y >> level) + (block_side >> level) * (z >> level)));
+    return static_cast<std::size_t>((x >> level) +
+                                    (block_side >> level) * ((y >> level) + (block_side >> level) * (z >> level)));
   }
 
   /// Finds the cubes that contain one patch or none by their signs, bottom-up by level.
@@ -343,7 +354,8 @@ class BlockSampler {
         for (int x = 0; x < block_side; ++x) {
           const std::uint8_t bits = corners(x, y, z, 1);
           const std::uint32_t division = divided_.empty() ? Division::none : divided_[Block::cell(x, y, z)];
-          const bool simple = division == Division::none ? is_uniform(bits) || is_simple(bits) : patches_[division].has_value();
+          const bool simple =
+              division == Division::none ? is_uniform(bits) || is_simple(bits) : patches_[division].has_value();
           cubes_[0][cube_index(x, y, z, 0)] = {bits, simple};
         }
     for (int level = 1; level <= block_level; ++level) {
@@ -393,7 +405,8 @@ class BlockSampler {
                        reproduces(points_, lattice_.cube(lower, voxel + level), settings_, vertex);
       if (!one) {
         for (int child = 0; child < 8; ++child)
-          descend(block, x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2, level - 1);
+          descend(block, x + (child & 1) * side / 2, y + (child >> 1 & 1) * side / 2, z + (child >> 2) * side / 2,
+                  level - 1);
         return {};
       }
       if (level == block_level) return Patch{cube.corners, std::move(points_), vertex};
@@ -432,8 +445,8 @@ class BlockSampler {
 
 }  // namespace
 
-BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
-                     Block& block) {
+BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
+                     const ContourSettings& settings, Block& block) {
   return BlockSampler(field, lattice, lower, settings).view(block);
 }
 
@@ -448,7 +461,8 @@ bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& ve
   if (normal.isZero(0)) return false;
   Vec3 sum = Vec3::Zero();
   for (const SurfacePoint& point : points) {
-    if ((point.normal - normal).squaredNorm() > 1e-8F || std::abs(normal.dot(point.position - origin)) > tolerance) return false;
+    if ((point.normal - normal).squaredNorm() > 1e-8F || std::abs(normal.dot(point.position - origin)) > tolerance)
+      return false;
     sum += point.position.cast<double>();
   }
   vertex = sum / static_cast<double>(points.size());
@@ -499,7 +513,8 @@ static double off_straight(const std::vector<SurfacePoint>& points, int axis, co
   return farthest;
 }
 
-bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings, Vec3& vertex) {
+bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings,
+                Vec3& vertex) {
   const double max_error = settings.max_error;
   if (is_flat(points, max_error, vertex)) return true;
   const PlacedVertex placed = place_vertex(points, cell);

@@ -29,8 +29,8 @@ struct BlockView {
 /// and merges the cells. `field` must equal the solid in the block and around it. If the whole
 /// block is one patch, `block` gets its crossings only, since the largest cube that it merges into
 /// is not known yet.
-BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower, const ContourSettings& settings,
-                     Block& block);
+BlockView view_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
+                     const ContourSettings& settings, Block& block);
 
 /// Samples a block whose divided cells are in `block`, and treats all other cells as clear.
 std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, const LatticePoint& lower,
@@ -45,6 +45,7 @@ void thin(std::vector<SurfacePoint>& points, const Box& cell);
 
 /// Returns whether one vertex in `cell`, and with `features` one more on each face, reproduces all
 /// `points` within `max_error`. Sets `vertex`.
-bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings, Vec3& vertex);
+bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings,
+                Vec3& vertex);
 
 }  // namespace fieldfab::contouring

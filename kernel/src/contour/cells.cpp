@@ -29,7 +29,8 @@ constexpr std::uint32_t first_new = 1U << 31;
 
 class CellFiller {
  public:
-  CellFiller(const Field& solid, const Lattice& lattice, const Curves& curves, const ContourSettings& settings, Piece& piece)
+  CellFiller(const Field& solid, const Lattice& lattice, const Curves& curves, const ContourSettings& settings,
+             Piece& piece)
       : solid_(solid),
         lattice_(lattice),
         curves_(curves),
@@ -66,7 +67,9 @@ class CellFiller {
   [[nodiscard]] Box box(const Leaf& leaf) const { return lattice_.cube(leaf.lower, leaf.level); }
   /// Edge of the cells that were merged into a leaf, or a voxel: the resolution of the surface
   /// there.
-  [[nodiscard]] double cell_side(const Leaf& leaf) const { return lattice_.side(std::min(leaf.level, lattice_.voxel_level())); }
+  [[nodiscard]] double cell_side(const Leaf& leaf) const {
+    return lattice_.side(std::min(leaf.level, lattice_.voxel_level()));
+  }
   [[nodiscard]] std::uint32_t bend_vertex(std::uint32_t bend) const {
     return static_cast<std::uint32_t>(curves_.positions.size()) + bend;
   }
@@ -170,20 +173,24 @@ class CellFiller {
     const bool centre_inside = solid_.value(cell.centre()) < 0;
     std::array<std::uint32_t, 8> drawn;
     drawn.fill(no_vertex);
-    const auto is_other = [&](unsigned corner) { return (leaf.corners >> corner & 1U) != static_cast<unsigned>(centre_inside); };
+    const auto is_other = [&](unsigned corner) {
+      return (leaf.corners >> corner & 1U) != static_cast<unsigned>(centre_inside);
+    };
     const auto draw = [&](unsigned corner) {
       if (drawn[corner] != no_vertex) return drawn[corner];
-      const Vec3 place((corner & 1U) != 0 ? cell.upper.x() : cell.lower.x(), (corner & 2U) != 0 ? cell.upper.y() : cell.lower.y(),
+      const Vec3 place((corner & 1U) != 0 ? cell.upper.x() : cell.lower.x(),
+                       (corner & 2U) != 0 ? cell.upper.y() : cell.lower.y(),
                        (corner & 4U) != 0 ? cell.upper.z() : cell.lower.z());
       return drawn[corner] = add(0.5 * (place + cell.centre()));
     };
     for (unsigned axis = 0; axis < 3; ++axis)
-      for (unsigned side = 0; side < 2; ++side) fill_face_regions(cell, axis, side, centre_inside, around, is_other, draw);
+      for (unsigned side = 0; side < 2; ++side)
+        fill_face_regions(cell, axis, side, centre_inside, around, is_other, draw);
   }
 
   template <class IsOther, class Draw>
-  void fill_face_regions(const Box& cell, unsigned axis, unsigned side, bool centre_inside, std::span<const CellCurve> around,
-                         const IsOther& is_other, const Draw& draw) {
+  void fill_face_regions(const Box& cell, unsigned axis, unsigned side, bool centre_inside,
+                         std::span<const CellCurve> around, const IsOther& is_other, const Draw& draw) {
     const auto a = static_cast<Eigen::Index>(axis), u = static_cast<Eigen::Index>((axis + 1) % 3),
                v = static_cast<Eigen::Index>((axis + 2) % 3);
     const double plane = side != 0 ? cell.upper[a] : cell.lower[a];
@@ -206,7 +213,8 @@ class CellFiller {
         for (std::size_t i = 0; i < 4; ++i) {
           const unsigned one = corner[i], next = corner[(i + 1) % 4];
           const Eigen::Index fixed = ((one ^ next) >> u & 1U) != 0 ? v : u;
-          if (at(vertex, fixed) == ((one >> fixed & 1U) != 0 ? cell.upper[fixed] : cell.lower[fixed])) crossing[i] = vertex;
+          if (at(vertex, fixed) == ((one >> fixed & 1U) != 0 ? cell.upper[fixed] : cell.lower[fixed]))
+            crossing[i] = vertex;
         }
     }
 
@@ -277,12 +285,14 @@ FilledCells fill_cells(const Field& solid, const Lattice& lattice, const Octree&
   mesh.vertices.insert(mesh.vertices.end(), curves.bends.begin(), curves.bends.end());
   std::size_t vertices = mesh.vertices.size(), triangles = 0;
   for (const Piece& piece : pieces) vertices += piece.vertices.size(), triangles += piece.triangles.size();
-  if (vertices >= first_new) throw Error(ErrorKind::too_large, "contour", "the mesh would have more than 2^31 vertices");
+  if (vertices >= first_new)
+    throw Error(ErrorKind::too_large, "contour", "the mesh would have more than 2^31 vertices");
   mesh.vertices.reserve(vertices);
   mesh.triangles.reserve(triangles);
   for (Piece& piece : pieces) {
     const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const std::uint32_t t : piece.creased) filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
+    for (const std::uint32_t t : piece.creased)
+      filled.creased.push_back(static_cast<std::uint32_t>(mesh.triangles.size()) + t);
     for (Triangle triangle : piece.triangles) {
       for (std::uint32_t& vertex : triangle)
         if (vertex >= first_new) vertex = vertex - first_new + offset;

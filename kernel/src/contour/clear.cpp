@@ -88,7 +88,8 @@ class BlockInspector {
       if (field.faceted()) return add_faceted(at, field, proof.folded);
       // After many failures a closer examination gets less effort.
       constexpr int patience = 24;
-      const SurfaceProof closer = prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
+      const SurfaceProof closer =
+          prove_sheet_by_parts(field, box, normals_, 0, failures_ > patience + successes_ ? 0 : 2);
       ++(closer.one_sheet ? successes_ : failures_);
       if (!closer.one_sheet) add(at, field.shared_from_this(), closer.folded || is_ambiguous(at));
       return;
@@ -96,7 +97,8 @@ class BlockInspector {
     inspect_parts(at, side / 2, field, proof.known, points);
   }
 
-  void inspect_parts(const Corner& at, int half, const Field& field, bool known, std::span<const std::uint32_t> points) {
+  void inspect_parts(const Corner& at, int half, const Field& field, bool known,
+                     std::span<const std::uint32_t> points) {
     std::array<Corner, 8> corner;
     std::array<Box, 8> boxes;
     std::size_t count = 0;

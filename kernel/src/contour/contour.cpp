@@ -73,7 +73,8 @@ ContourMesh contour(const Field& field, const Box& bounds, const ContourSettings
   FilledCells filled = fill_cells(*solid, lattice, octree, curves, settings, progress);
   progress.report(0.95, "sharpening edges");
   const double side = lattice.voxel();
-  sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased, filled.mesh, progress);
+  sharpen(*solid, side, std::clamp(0.1 * settings.max_error, 0.005 * side, 0.05 * side), filled.creased, filled.mesh,
+          progress);
   ContourMesh mesh{std::move(filled.mesh), octree.certainty()};
   if (mesh.certainty.doubt == Doubt::too_many) estimate_needs(*solid, octree.uncertain(), mesh.certainty);
   return mesh;

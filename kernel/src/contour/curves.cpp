@@ -82,7 +82,8 @@ class CurveTracer {
       bool halved = false;
       for (std::size_t quadrant = 0; quadrant < 4; ++quadrant)
         cells[quadrant] = leaf_at(neighbours, cell_beside(crossing, quadrant), halved);
-      if (!halved) add_point(crossing, cells, lattice_.plane_range(block.lower, lattice_.voxel_level(), crossing.lower), found);
+      if (!halved)
+        add_point(crossing, cells, lattice_.plane_range(block.lower, lattice_.voxel_level(), crossing.lower), found);
     }
     for (const Division& division : block.divisions)
       for (const Crossing& crossing : division.crossings) add_point_of_division(division, crossing, found);
@@ -122,7 +123,8 @@ class CurveTracer {
   }
 
   /// Adds the point on an edge, also to the rims of the faces between the four leafs around it.
-  void add_point(const Crossing& crossing, const std::array<std::uint32_t, 4>& cells, const Box& edge, BlockPoints& found) const {
+  void add_point(const Crossing& crossing, const std::array<std::uint32_t, 4>& cells, const Box& edge,
+                 BlockPoints& found) const {
     // An edge inside a leaf, or inside the face between two leafs, is not an edge of the leafs.
     int distinct = 1;
     for (std::size_t i = 1; i < 4; ++i)
@@ -163,7 +165,8 @@ class CurveTracer {
 
   static std::uint32_t checked(std::uint32_t leaf) {
     if (leaf == Division::none)
-      throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
+      throw Error(ErrorKind::internal, "contour",
+                  "a Field's interval or its restriction does not agree with its values");
     return leaf;
   }
 
@@ -175,7 +178,8 @@ class CurveTracer {
     for (int axis = 0; axis < 3; ++axis) {
       double place = edge.lower[axis];
       if (axis == crossing.axis)
-        place = std::clamp(static_cast<double>(crossing.point.position[axis]), place + margin, edge.upper[axis] - margin);
+        place =
+            std::clamp(static_cast<double>(crossing.point.position[axis]), place + margin, edge.upper[axis] - margin);
       position[static_cast<std::size_t>(axis)] = static_cast<float>(place);
     }
     return position;
@@ -195,16 +199,18 @@ class CurveTracer {
     std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
     for (const RimPoint& point : rim_) sorted[next[point.lower]++] = point;
     for (std::size_t i = 0; i + 1 < start.size(); ++i)
-      std::sort(sorted.begin() + start[i], sorted.begin() + start[i + 1], [](const RimPoint& one, const RimPoint& other) {
-        return one.upper != other.upper ? one.upper < other.upper : one.side < other.side;
-      });
+      std::sort(sorted.begin() + start[i], sorted.begin() + start[i + 1],
+                [](const RimPoint& one, const RimPoint& other) {
+                  return one.upper != other.upper ? one.upper < other.upper : one.side < other.side;
+                });
     rim_ = std::move(sorted);
   }
 
   void join_rim_points() {
     out_.curves.reserve(rim_.size() / 2);
     for (std::size_t first = 0, last = 0; first < rim_.size(); first = last) {
-      while (last < rim_.size() && rim_[last].lower == rim_[first].lower && rim_[last].upper == rim_[first].upper) ++last;
+      while (last < rim_.size() && rim_[last].lower == rim_[first].lower && rim_[last].upper == rim_[first].upper)
+        ++last;
       if (last - first == 2 && rim_[first].leaving != rim_[first + 1].leaving)
         join(rim_[first], rim_[first + 1]);
       else if (last - first == 4)
@@ -297,7 +303,8 @@ class CurveTracer {
 
   [[nodiscard]] std::optional<Vec3> propose_bend(const FaceCurve& curve) const {
     // Cells with several patches are filled from straight curves only.
-    if (!is_simple(octree_.leafs()[curve.lower].corners) || !is_simple(octree_.leafs()[curve.upper].corners)) return std::nullopt;
+    if (!is_simple(octree_.leafs()[curve.lower].corners) || !is_simple(octree_.leafs()[curve.upper].corners))
+      return std::nullopt;
     const SurfacePoint& from = out_.points[curve.from];
     const SurfacePoint& to = out_.points[curve.to];
     if (from.normal.dot(to.normal) > 0.9999F) return std::nullopt;
@@ -316,7 +323,8 @@ class CurveTracer {
     Vec3 place = face.lower;
     place[u] = bend.x();
     place[v] = bend.y();
-    if (!face.grown(lattice_.side(std::min(level_of(curve), lattice_.voxel_level()))).contains(place)) return std::nullopt;
+    if (!face.grown(lattice_.side(std::min(level_of(curve), lattice_.voxel_level()))).contains(place))
+      return std::nullopt;
     return place;
   }
 
@@ -330,7 +338,8 @@ class CurveTracer {
 
 }  // namespace
 
-Curves trace_curves(const Field& solid, const Lattice& lattice, const Octree& octree, bool features, Progress& progress) {
+Curves trace_curves(const Field& solid, const Lattice& lattice, const Octree& octree, bool features,
+                    Progress& progress) {
   return CurveTracer(solid, lattice, octree, progress).run(features);
 }
 

@@ -30,6 +30,7 @@ struct Curves {
 
 /// Finds the curves. Evaluates `solid` where a face is ambiguous, and to test whether a bend meets
 /// the surface.
-Curves trace_curves(const Field& solid, const Lattice& lattice, const Octree& octree, bool features, Progress& progress);
+Curves trace_curves(const Field& solid, const Lattice& lattice, const Octree& octree, bool features,
+                    Progress& progress);
 
 }  // namespace fieldfab::contouring

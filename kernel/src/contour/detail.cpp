@@ -30,18 +30,22 @@ constexpr std::size_t parts_at_a_time = 8;
 /// Returns for each triangle whether it closes the mesh at the sides of its region, a cell beyond
 /// the part's box: it lies in one of those sides as a whole, or has a corner out there that is not
 /// on the solid's surface.
-std::vector<bool> find_caps(const TriangleMesh& mesh, const Field& solid, const Box& part, const Box& bounds, double cell) {
+std::vector<bool> find_caps(const TriangleMesh& mesh, const Field& solid, const Box& part, const Box& bounds,
+                            double cell) {
   const std::size_t count = mesh.vertices.size();
   std::vector<float> x(count), y(count), z(count), value(count), dx(count), dy(count), dz(count);
-  for (std::size_t i = 0; i < count; ++i) x[i] = mesh.vertices[i][0], y[i] = mesh.vertices[i][1], z[i] = mesh.vertices[i][2];
+  for (std::size_t i = 0; i < count; ++i)
+    x[i] = mesh.vertices[i][0], y[i] = mesh.vertices[i][1], z[i] = mesh.vertices[i][2];
   solid.gradients({x.data(), y.data(), z.data(), count}, value.data(), {dx.data(), dy.data(), dz.data()});
   std::vector<unsigned> sides(count);  // one bit per side of the region, set if the vertex lies on it
   std::vector<bool> stray(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 p(x[i], y[i], z[i]);
     for (int axis = 0; axis < 3; ++axis) {
-      if (part.lower[axis] > bounds.lower[axis] && p[axis] < part.lower[axis] - 0.9 * cell) sides[i] |= 1U << (2 * axis);
-      if (part.upper[axis] < bounds.upper[axis] && p[axis] > part.upper[axis] + 0.9 * cell) sides[i] |= 2U << (2 * axis);
+      if (part.lower[axis] > bounds.lower[axis] && p[axis] < part.lower[axis] - 0.9 * cell)
+        sides[i] |= 1U << (2 * axis);
+      if (part.upper[axis] < bounds.upper[axis] && p[axis] > part.upper[axis] + 0.9 * cell)
+        sides[i] |= 2U << (2 * axis);
     }
     const double slope = Vec3(dx[i], dy[i], dz[i]).norm();
     stray[i] = !part.contains(p) && std::isfinite(slope) && std::abs(value[i]) > 0.15 * cell * slope;
@@ -77,7 +81,8 @@ TriangleMesh without(const std::vector<bool>& unwanted, const TriangleMesh& whol
 DetailMesh::DetailMesh(FieldPtr solid, const Box& bounds, const DetailSettings& settings) : settings_(settings) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
-  if (settings.cells < 4 || settings.cells > 256 || settings.deepest < 0 || settings.deepest > 20 || !(settings.angle > 0))
+  if (settings.cells < 4 || settings.cells > 256 || settings.deepest < 0 || settings.deepest > 20 ||
+      !(settings.angle > 0))
     throw Error(ErrorKind::bad_input, "detail", "cells are from 4 to 256, levels from 0 to 20, the angle above 0");
   root_ = std::make_unique<Node>();
   root_->box = bounds;
@@ -99,7 +104,8 @@ void DetailMesh::divide(Node& node) {
   const double cell = node.box.size().maxCoeff() / settings_.cells / 2;
   for (unsigned i = 0; i < 8; ++i) {
     box[i] = node.box;
-    for (int axis = 0; axis < 3; ++axis) ((i >> axis & 1U) != 0 ? box[i].lower : box[i].upper)[axis] = node.box.centre()[axis];
+    for (int axis = 0; axis < 3; ++axis)
+      ((i >> axis & 1U) != 0 ? box[i].lower : box[i].upper)[axis] = node.box.centre()[axis];
     reached[i] = intersection(box[i].grown(2 * cell), root_->box);
   }
   node.solid->restrict_all(reached, Purpose::value, here);
@@ -119,7 +125,8 @@ void DetailMesh::mesh(const std::vector<Node*>& nodes, Progress& progress) {
     const double cell = node.box.size().maxCoeff() / settings_.cells;
     const Box reached = node.level == 0 ? node.box : intersection(node.box.grown(cell), root_->box);
     const TriangleMesh whole = contour(*node.solid, reached, {cell, -1, true, 0}, progress);
-    node.mesh = std::make_shared<const TriangleMesh>(without(find_caps(whole, *node.solid, node.box, root_->box, cell), whole));
+    node.mesh =
+        std::make_shared<const TriangleMesh>(without(find_caps(whole, *node.solid, node.box, root_->box, cell), whole));
   });
   for (const Node* node : nodes) triangles_ += node->mesh->triangles.size();
 }

@@ -37,7 +37,8 @@ void BlockRefiner::add_unclear(std::vector<UnclearCell> cells) {
 void BlockRefiner::give_up(bool (*which)(const UnclearCell&)) {
   const auto left =
       std::stable_partition(unclear_.begin(), unclear_.end(), [&](const UnclearCell& cell) { return !which(cell); });
-  for (auto cell = left; cell != unclear_.end(); ++cell) given_up_.push_back({cell->lower, cell->level, nullptr, false});
+  for (auto cell = left; cell != unclear_.end(); ++cell)
+    given_up_.push_back({cell->lower, cell->level, nullptr, false});
   unclear_.erase(left, unclear_.end());
 }
 
@@ -77,7 +78,8 @@ void BlockRefiner::advance() {
         given_up_.push_back({child_of(cell.lower, child, level), level, nullptr, false});
         continue;
       }
-      const SurfaceProof closer = part.faceted() ? proof : prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
+      const SurfaceProof closer =
+          part.faceted() ? proof : prove_sheet_by_parts(part, boxes[child], normals, halvings, 0);
       if (closer.one_sheet) continue;
       const bool folded = closer.folded || ambiguous;
       parts.push_back({child_of(cell.lower, child, level), level, std::move(here[child].field), folded});
@@ -190,7 +192,8 @@ std::uint32_t BlockRefiner::make(const LatticePoint& lower, int level, const Fie
            {static_cast<std::uint8_t>(i % 3), static_cast<std::uint8_t>(i / 3 % 3), static_cast<std::uint8_t>(i / 9)},
            (division.inside >> i & 1U) != 0,
            {}});
-      edges.push_back({static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / stride[axis] % 3 + 1], value[i], value[next]});
+      edges.push_back(
+          {static_cast<int>(axis), {x[i], y[i], z[i]}, plane[axis][i / stride[axis] % 3 + 1], value[i], value[next]});
     }
   locate_crossings(field, edges, lattice_.side(division.level), static_cast<float>(lattice_.float_step()), points);
   for (std::size_t i = 0; i < points.size(); ++i) division.crossings[i].point = points[i];

@@ -20,7 +20,8 @@ constexpr double floats_across = 256;  // the least number of floats across a ce
 void check(const Box& bounds, double voxel) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
     throw Error(ErrorKind::bad_input, "bounds", "a region must be finite and have a positive size along x, y and z");
-  if (!std::isfinite(voxel) || voxel <= 0) throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
+  if (!std::isfinite(voxel) || voxel <= 0)
+    throw Error(ErrorKind::bad_input, "voxel", "must be a positive number of mm");
 }
 
 }  // namespace
@@ -44,15 +45,16 @@ void Lattice::set_levels(const Box& bounds, int depth) {
   while (root <= greatest_level && cells > std::ldexp(1.0, root)) ++root;
   if (root > greatest_level)
     throw Error(ErrorKind::too_large, "voxel",
-                fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", shortest, cells,
-                            1 << greatest_level));
+                fmt::format("{:.3g} mm divides the region into {:.3g} cells a side; at most {} are possible", shortest,
+                            cells, 1 << greatest_level));
 
   const double farthest =
       std::max(origin_.cwiseAbs().maxCoeff(), (origin_ + std::ldexp(1.0, root) * voxel_).cwiseAbs().maxCoeff());
   float_step_ = std::ldexp(farthest, -23);
   if (shortest < floats_across * float_step_ || farthest > 1e30)
-    throw Error(ErrorKind::bad_input, "voxel",
-                fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", shortest, farthest));
+    throw Error(
+        ErrorKind::bad_input, "voxel",
+        fmt::format("{:.3g} mm is too fine for coordinates of {:.3g} mm in single precision", shortest, farthest));
   voxel_level_ = 0;
   while (voxel_level_ < depth && std::ldexp(shortest, -voxel_level_ - 1) >= floats_across * float_step_) ++voxel_level_;
   finest_ = std::ldexp(1.0, -voxel_level_) * voxel_;

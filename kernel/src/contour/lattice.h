@@ -20,7 +20,9 @@ using LatticePoint = std::array<std::int32_t, 3>;
 inline constexpr int block_level = 3;
 inline constexpr int block_side = 1 << block_level;
 
-inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) { return {point[0] + x, point[1] + y, point[2] + z}; }
+inline LatticePoint moved(const LatticePoint& point, int x, int y, int z) {
+  return {point[0] + x, point[1] + y, point[2] + z};
+}
 
 /// Equally spaced planes along three axes, each rounded to a float, with `bounds` strictly inside.
 /// Cells are a voxel wide; they are halved down to the finest level if that is not enough. Voxels

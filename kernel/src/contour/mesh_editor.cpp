@@ -84,7 +84,8 @@ bool overlap(const TriangleMesh& mesh, const Triangle& one, const Triangle& othe
   if (count == 3) return true;
   const std::size_t lone = 3 - common[0] - common[1];
   const std::uint32_t p = one[common[0]], q = one[common[1]];
-  const std::uint32_t third = *std::find_if(other.begin(), other.end(), [&](std::uint32_t v) { return v != p && v != q; });
+  const std::uint32_t third =
+      *std::find_if(other.begin(), other.end(), [&](std::uint32_t v) { return v != p && v != q; });
   const Point ends[2] = {point(p), point(q)};
   return CGAL::coplanar(ends[0], ends[1], point(one[lone]), point(third)) &&
          CGAL::coplanar_orientation(ends[0], ends[1], point(one[lone]), point(third)) == CGAL::POSITIVE;
@@ -174,7 +175,8 @@ void MeshEditor::enlist(std::uint32_t triangle) {
 }
 
 bool MeshEditor::fits(const Triangle& triangle, std::span<const std::uint32_t> old) {
-  if (CGAL::collinear(point_of(mesh_, triangle[0]), point_of(mesh_, triangle[1]), point_of(mesh_, triangle[2]))) return false;
+  if (CGAL::collinear(point_of(mesh_, triangle[0]), point_of(mesh_, triangle[1]), point_of(mesh_, triangle[2])))
+    return false;
   const FloatBox box = box_of(mesh_, triangle);
   near_.clear();
   const bool all_open = for_cells(box, cell_, [&](std::uint64_t key) {

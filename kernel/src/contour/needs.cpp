@@ -36,7 +36,8 @@ std::optional<double> thickness_in(const Field& solid, const UncertainCell& cell
     const Vec3 slope = solid.gradient(p);
     if (!std::isfinite(value) || !slope.allFinite() || !(slope.norm() > 0)) return std::nullopt;
     const Vec3 direction = slope.normalized();
-    if (const auto through = way_out(solid, p, direction, reach), back = way_out(solid, p, -direction, reach); through && back)
+    if (const auto through = way_out(solid, p, direction, reach), back = way_out(solid, p, -direction, reach);
+        through && back)
       return *through + *back;
     const Vec3 way = -1.2 * value / slope.squaredNorm() * slope;
     p += way * std::min(1.0, cell.side / std::max(way.norm(), 1e-300));

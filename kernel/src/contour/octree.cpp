@@ -21,7 +21,8 @@ namespace {
 constexpr std::size_t bytes_a_block = 8192;  // a typical Block with its crossings, leafs, records and triangles
 
 LatticePoint child_of(const LatticePoint& lower, unsigned child, int child_level) {
-  return {lower[0] + (static_cast<int>(child & 1U) << child_level), lower[1] + (static_cast<int>(child >> 1 & 1U) << child_level),
+  return {lower[0] + (static_cast<int>(child & 1U) << child_level),
+          lower[1] + (static_cast<int>(child >> 1 & 1U) << child_level),
           lower[2] + (static_cast<int>(child >> 2) << child_level)};
 }
 
@@ -60,8 +61,9 @@ void Octree::subdivide(const Field& solid, Progress& progress) {
         settle({&nodes_[first + 8 * i], 8});
       });
 
-    const auto open = static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
-                                                             [](const Node& node) { return !node.patch; }));
+    const auto open =
+        static_cast<std::size_t>(std::count_if(nodes_.begin() + static_cast<std::ptrdiff_t>(first), nodes_.end(),
+                                               [](const Node& node) { return !node.patch; }));
     // A surface has four times as many cells on each finer level, so this is the number of blocks
     // to expect.
     const double blocks = static_cast<double>(open) * std::pow(4.0, level - block_root());
@@ -89,7 +91,8 @@ void Octree::settle(std::span<Node> siblings) const {
   parent->restrict_all({cube.data(), siblings.size()}, Purpose::value, here);
   for (std::size_t i = 0; i < siblings.size(); ++i) {
     siblings[i].field = here[i].range.decided() ? nullptr : std::move(here[i].field);
-    if (here[i].range.decided()) siblings[i].patch = Patch{static_cast<std::uint8_t>(here[i].range.inside() ? 255 : 0), {}};
+    if (here[i].range.decided())
+      siblings[i].patch = Patch{static_cast<std::uint8_t>(here[i].range.inside() ? 255 : 0), {}};
   }
 }
 
@@ -151,7 +154,8 @@ void Octree::sample_blocks(const ContourSettings& settings, Progress& progress) 
   }
 }
 
-bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks, const ContourSettings& settings) const {
+bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_t blocks,
+                             const ContourSettings& settings) const {
   constexpr std::size_t few = 4000;  // halving so many one by one takes less time than a new start
   constexpr std::size_t sheet =
       200;  // a block with more of its 512 cells is rough and contains no sheet; half the voxel does not help
@@ -160,8 +164,8 @@ bool Octree::half_voxel_pays(std::size_t folded, std::size_t crossed, std::size_
 }
 
 /// Halves unclear cells, level by level, and then the cells that their neighbours need halved.
-void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed, Progress& progress,
-                    std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
+void Octree::refine(std::span<Node* const> open, const ContourSettings& settings, std::size_t crossed,
+                    Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   std::vector<std::size_t> active;
   for (std::size_t i = 0; i < refiners.size(); ++i)
     if (refiners[i]) active.push_back(i);
@@ -169,10 +173,11 @@ void Octree::refine(std::span<Node* const> open, const ContourSettings& settings
   if (finest < lattice_.voxel_level()) halve_neighbours(open, std::move(active), finest, settings, progress, refiners);
 }
 
-/// Returns the finest level made. Cells that only lack a proof are divided if they are few compared with the folded cells or with
-/// the whole surface.
-int Octree::halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
-                                Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
+/// Returns the finest level made. Cells that only lack a proof are divided if they are few compared with the folded
+/// cells or with the whole surface.
+int Octree::halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings,
+                                std::size_t crossed, Progress& progress,
+                                std::vector<std::unique_ptr<BlockRefiner>>& refiners) {
   int finest = lattice_.voxel_level();
   std::size_t budget = settings.most_divided, folded_before = 0;
   while (finest > 0 && certainty_.doubt != Doubt::slopes_unknown) {
@@ -244,7 +249,8 @@ void Octree::halve_neighbours(std::span<Node* const> open, std::vector<std::size
       const auto found = number.find(requests[i].block);
       if (found == number.end() && !must) continue;
       if (found == number.end())
-        throw Error(ErrorKind::internal, "contour", "a Field's interval or its restriction does not agree with its values");
+        throw Error(ErrorKind::internal, "contour",
+                    "a Field's interval or its restriction does not agree with its values");
       of_block.emplace_back(&requests[i], next - i);
       active.push_back(found->second);
     }
@@ -329,8 +335,9 @@ void Octree::number_leafs() {
   }
   block_order_.resize(blocks_.size());
   std::iota(block_order_.begin(), block_order_.end(), 0U);
-  std::sort(block_order_.begin(), block_order_.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return block_key(blocks_[a].lower) < block_key(blocks_[b].lower); });
+  std::sort(block_order_.begin(), block_order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return block_key(blocks_[a].lower) < block_key(blocks_[b].lower);
+  });
   block_keys_.reserve(blocks_.size());
   for (const std::uint32_t block : block_order_) block_keys_.push_back(block_key(blocks_[block].lower));
 }
@@ -353,8 +360,8 @@ std::array<const Block*, 8> Octree::lower_neighbours(const Block& block) const {
   const int side = 1 << block_root();
   std::array<const Block*, 8> neighbours{};
   for (unsigned which = 0; which < 8; ++which)
-    neighbours[which] =
-        block_at(moved(block.lower, (which & 1U) != 0 ? -side : 0, (which & 2U) != 0 ? -side : 0, (which & 4U) != 0 ? -side : 0));
+    neighbours[which] = block_at(moved(block.lower, (which & 1U) != 0 ? -side : 0, (which & 2U) != 0 ? -side : 0,
+                                       (which & 4U) != 0 ? -side : 0));
   return neighbours;
 }
 

@@ -68,11 +68,15 @@ struct Block {
   std::vector<std::uint32_t> division_of;  ///< by cell: index into divisions, or none; empty if no cell is halved
   std::uint32_t first_leaf = 0;            ///< index of leafs[0] among all leafs
 
-  [[nodiscard]] std::uint16_t leaf_at(std::size_t cell) const { return leaf_of.empty() ? std::uint16_t{0} : leaf_of[cell]; }
+  [[nodiscard]] std::uint16_t leaf_at(std::size_t cell) const {
+    return leaf_of.empty() ? std::uint16_t{0} : leaf_of[cell];
+  }
   [[nodiscard]] std::uint32_t division_at(std::size_t cell) const {
     return division_of.empty() ? Division::none : division_of[cell];
   }
-  static std::size_t cell(int x, int y, int z) { return static_cast<std::size_t>(x + block_side * (y + block_side * z)); }
+  static std::size_t cell(int x, int y, int z) {
+    return static_cast<std::size_t>(x + block_side * (y + block_side * z));
+  }
 };
 
 /// Result of the search for a cell of some level: the cell itself if it is divided, or else the
@@ -122,8 +126,9 @@ class Octree {
               std::vector<std::unique_ptr<BlockRefiner>>& refiners);
   int halve_unclear_cells(std::span<const std::size_t> active, const ContourSettings& settings, std::size_t crossed,
                           Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
-  void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest, const ContourSettings& settings,
-                        Progress& progress, std::vector<std::unique_ptr<BlockRefiner>>& refiners);
+  void halve_neighbours(std::span<Node* const> open, std::vector<std::size_t> active, int finest,
+                        const ContourSettings& settings, Progress& progress,
+                        std::vector<std::unique_ptr<BlockRefiner>>& refiners);
   void merge_blocks(const ContourSettings& settings);
   void number_leafs();
   [[nodiscard]] const Block* block_at(const LatticePoint& lower) const;

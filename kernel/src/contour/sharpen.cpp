@@ -45,8 +45,8 @@ constexpr float area_side = 16;  // in voxels; for a large expression, restricti
 
 class Sharpener {
  public:
-  Sharpener(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
-            Progress& progress)
+  Sharpener(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased,
+            TriangleMesh& mesh, Progress& progress)
       : solid_(solid),
         voxel_(static_cast<float>(voxel)),
         tolerance_(static_cast<float>(tolerance)),
@@ -74,7 +74,9 @@ class Sharpener {
   }
 
  private:
-  [[nodiscard]] Eigen::Vector3f at(std::uint32_t vertex) const { return Eigen::Vector3f(mesh_.vertices[vertex].data()); }
+  [[nodiscard]] Eigen::Vector3f at(std::uint32_t vertex) const {
+    return Eigen::Vector3f(mesh_.vertices[vertex].data());
+  }
   [[nodiscard]] Eigen::Vector3f middle(const Flaw& flaw) const {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int i = 0; i < flaw.count; ++i) sum += at(flaw.vertices[static_cast<std::size_t>(i)]);
@@ -100,9 +102,10 @@ class Sharpener {
       return one.count != other.count ? one.count < other.count : one.vertices < other.vertices;
     };
     std::sort(places.begin(), places.end(), order);
-    places.erase(std::unique(places.begin(), places.end(),
-                             [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
-                 places.end());
+    places.erase(
+        std::unique(places.begin(), places.end(),
+                    [&](const Flaw& one, const Flaw& other) { return !order(one, other) && !order(other, one); }),
+        places.end());
 
     constexpr std::size_t chunk = 256;  // close to each other, since their numbers are
     parallel_for((places.size() + chunk - 1) / chunk, [&](std::size_t part) {
@@ -206,7 +209,8 @@ class Sharpener {
   }
 
   template <std::size_t count>
-  bool place_within(const Star& star, const Eigen::Vector3f& centre, const Misfit& before, std::array<float, count> reaches) {
+  bool place_within(const Star& star, const Eigen::Vector3f& centre, const Misfit& before,
+                    std::array<float, count> reaches) {
     for (float& reach : reaches) reach *= voxel_;
     constexpr int most_tries = 2;
     int tries = 0;
@@ -246,7 +250,8 @@ class Sharpener {
       for (std::size_t i = 0; i < fresh.size(); ++i)
         if (!faces_out(i, fresh[i])) folded.push_back(i);
       if (folded.empty())
-        return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) && commit(star.old, fresh);
+        return (after.closer_than(before) || (on_surface && after.farthest < 1.02F * before.farthest)) &&
+               commit(star.old, fresh);
       for (const std::size_t i : folded)
         if (!grow(star, i, before)) return false;
     }
@@ -258,11 +263,14 @@ class Sharpener {
     const auto [a, b] = star.rim[edge];
     std::array<std::uint32_t, 2> sides{};
     if (!editor_.sides(a, b, sides)) return false;
-    const auto is_old = [&](std::uint32_t t) { return std::find(star.old.begin(), star.old.end(), t) != star.old.end(); };
+    const auto is_old = [&](std::uint32_t t) {
+      return std::find(star.old.begin(), star.old.end(), t) != star.old.end();
+    };
     if (is_old(sides[0]) == is_old(sides[1])) return false;
     const std::uint32_t beyond = is_old(sides[0]) ? sides[1] : sides[0];
     const std::uint32_t corner = opposite(beyond, a, b);
-    if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; })) return false;
+    if (std::any_of(star.rim.begin(), star.rim.end(), [&](const auto& other) { return other[0] == corner; }))
+      return false;
     if (!local_box_.contains(at(corner).cast<double>())) return false;
     const Misfit added = misfit({&mesh_.triangles[beyond], 1});
     before = {std::max(before.farthest, added.farthest), before.squares + added.squares};
@@ -409,8 +417,8 @@ class Sharpener {
 
 }  // namespace
 
-void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
-             Progress& progress) {
+void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased,
+             TriangleMesh& mesh, Progress& progress) {
   if (!creased.empty()) Sharpener(solid, voxel, tolerance, creased, mesh, progress).run();
 }
 

@@ -13,7 +13,7 @@ namespace fieldfab::contouring {
 /// the mesh there is within `tolerance` mm of the solid's surface or no step improves it. Each step
 /// brings the mesh closer and is made only if the mesh stays valid (mesh_editor.h). `voxel` is the
 /// size of the smallest cells, mm. Throws cancelled.
-void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased, TriangleMesh& mesh,
-             Progress& progress);
+void sharpen(const Field& solid, double voxel, double tolerance, std::span<const std::uint32_t> creased,
+             TriangleMesh& mesh, Progress& progress);
 
 }  // namespace fieldfab::contouring

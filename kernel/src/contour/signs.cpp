@@ -26,7 +26,8 @@ bool has_ambiguous_face(unsigned corners) {
     for (unsigned side = 0; side < 2; ++side) {
       const unsigned u = 1U << (axis + 1) % 3, v = 1U << (axis + 2) % 3, base = side << axis;
       const auto inside = [&](unsigned corner) { return (corners >> corner & 1U) != 0; };
-      if (inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) && inside(base) != inside(base | u))
+      if (inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) &&
+          inside(base) != inside(base | u))
         return true;
     }
   return false;
@@ -35,8 +36,8 @@ bool has_ambiguous_face(unsigned corners) {
 std::array<bool, 256> find_simple() {
   std::array<bool, 256> simple{};
   for (unsigned corners = 1; corners < 255; ++corners)
-    simple[corners] =
-        component(corners) == corners && component(~corners & 255U) == (~corners & 255U) && !has_ambiguous_face(corners);
+    simple[corners] = component(corners) == corners && component(~corners & 255U) == (~corners & 255U) &&
+                      !has_ambiguous_face(corners);
   return simple;
 }
 
@@ -69,7 +70,8 @@ std::array<bool, 512> find_plain_faces() {
     good = good && (between(at(1, 1), at(0, 0), at(2, 0)) || between(at(1, 1), at(0, 2), at(2, 2)));
     good = good && !differs_diagonally(at(0, 0), at(2, 0), at(0, 2), at(2, 2));
     for (unsigned u = 0; u < 2; ++u)
-      for (unsigned v = 0; v < 2; ++v) good = good && !differs_diagonally(at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1));
+      for (unsigned v = 0; v < 2; ++v)
+        good = good && !differs_diagonally(at(u, v), at(u + 1, v), at(u, v + 1), at(u + 1, v + 1));
     plain[inside] = good;
   }
   return plain;

@@ -48,11 +48,13 @@ std::vector<PlacedVertex> features_near(const Field& solid, const Box& known, co
     for (std::size_t i = directions * r; i < directions * (r + 1); ++i) {
       const float length = around.slope(i).norm();
       if (length > 0 && std::isfinite(length) && std::abs(around.distance(i)) < 0.01F * reach &&
-          (around.point(i) - centre).squaredNorm() < 4 * reach * reach && known.contains(around.point(i).cast<double>()))
+          (around.point(i) - centre).squaredNorm() < 4 * reach * reach &&
+          known.contains(around.point(i).cast<double>()))
         found.push_back({around.point(i), around.slope(i) / length});
     }
     const Vec3 side = Vec3::Constant(1.5 * static_cast<double>(reach));
-    features.push_back(found.empty() ? PlacedVertex{middle, 0, 0} : place_vertex(found, {middle - side, middle + side}));
+    features.push_back(found.empty() ? PlacedVertex{middle, 0, 0}
+                                     : place_vertex(found, {middle - side, middle + side}));
   }
   return features;
 }

@@ -80,11 +80,13 @@ std::optional<Colour> colour_of_hex(std::string_view text) {
 Colour colour_named(std::string_view text) {
   if (const auto colour = colour_of_hex(text)) return *colour;
   std::string name(text);
-  std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   const auto* const found = std::ranges::lower_bound(named_colours, std::string_view(name), {}, &NamedColour::name);
   if (found != std::end(named_colours) && found->name == name) return colour_of(found->rgb);
   throw Error(ErrorKind::bad_input, "",
-              fmt::format("unknown colour '{:.40}'; a CSS name or #rrggbb{}", printable(text), suggestion(name, colour_names())));
+              fmt::format("unknown colour '{:.40}'; a CSS name or #rrggbb{}", printable(text),
+                          suggestion(name, colour_names())));
 }
 
 std::vector<std::string_view> colour_names() {

@@ -23,7 +23,8 @@ namespace {
   std::signal(SIGINT, SIG_IGN);  // a terminal sends it to both; the original handles it
   const rlimit none{0, 0};
   setrlimit(RLIMIT_CORE, &none);
-  if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0) dup2(nothing, STDOUT_FILENO), dup2(nothing, STDERR_FILENO);
+  if (const int nothing = open("/dev/null", O_RDWR); nothing >= 0)
+    dup2(nothing, STDOUT_FILENO), dup2(nothing, STDERR_FILENO);
   try {
     work();
   } catch (...) {  // the original will throw it, too

@@ -101,7 +101,8 @@ std::string read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     if (got < 0) fail(path, "read");
     if (got == 0) return bytes;
     bytes.append(chunk.data(), static_cast<std::size_t>(got));
-    if (bytes.size() > limit) throw Error(ErrorKind::too_large, path.string(), fmt::format("is larger than {} bytes", limit));
+    if (bytes.size() > limit)
+      throw Error(ErrorKind::too_large, path.string(), fmt::format("is larger than {} bytes", limit));
   }
 }
 
@@ -255,8 +256,8 @@ void require_memory(std::uintmax_t bytes, const std::string& what) {
   const std::uintmax_t available = available_memory();
   if (bytes > available / 10 * 9)
     throw Error(ErrorKind::too_large, "",
-                fmt::format("{} would need {:.1f} GB of memory, {:.1f} GB are free", what, static_cast<double>(bytes) / 1e9,
-                            static_cast<double>(available) / 1e9));
+                fmt::format("{} would need {:.1f} GB of memory, {:.1f} GB are free", what,
+                            static_cast<double>(bytes) / 1e9, static_cast<double>(available) / 1e9));
 }
 
 }  // namespace fieldfab

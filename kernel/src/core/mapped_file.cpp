@@ -27,7 +27,8 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
   if (size_ > 0) bytes_ = ::mmap(nullptr, size_, PROT_READ, MAP_SHARED, descriptor, 0);
   const int why = errno;
   ::close(descriptor);
-  if (bytes_ == MAP_FAILED) throw Error(ErrorKind::io, path.string(), fmt::format("cannot map: {}", std::strerror(why)));
+  if (bytes_ == MAP_FAILED)
+    throw Error(ErrorKind::io, path.string(), fmt::format("cannot map: {}", std::strerror(why)));
 }
 
 MappedFile::~MappedFile() {

@@ -27,7 +27,8 @@ void try_threads() {
   std::vector<std::jthread> threads;
   std::promise<void> over;  // destroyed before the threads, which ends them
   const std::shared_future<void> end = over.get_future();
-  for (unsigned i = 0; i < std::max(2U, std::thread::hardware_concurrency()); ++i) threads.emplace_back([end] { end.wait(); });
+  for (unsigned i = 0; i < std::max(2U, std::thread::hardware_concurrency()); ++i)
+    threads.emplace_back([end] { end.wait(); });
 }
 
 }  // namespace

@@ -16,7 +16,9 @@ struct Suspect {
   FieldPtr field;
   double reach;  // coordinate of the box's end in the direction searched
   int depth;     // among equal reaches the smallest box comes first, since a box inside the solid ends the search
-  bool operator<(const Suspect& other) const { return reach != other.reach ? reach < other.reach : depth < other.depth; }
+  bool operator<(const Suspect& other) const {
+    return reach != other.reach ? reach < other.reach : depth < other.depth;
+  }
 };
 
 /// NaN is outside, as 0 is.

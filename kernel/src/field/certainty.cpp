@@ -23,13 +23,15 @@ std::string Certainty::text() const {
     case Doubt::none: break;
     case Doubt::not_looked: return "not certain, since it was not looked whether anything is missing";
     case Doubt::finest_size: why = "the smallest cells"; break;
-    case Doubt::not_proved: why = "nothing is seen to be missing, but its slopes there are too roughly known for a proof"; break;
+    case Doubt::not_proved:
+      why = "nothing is seen to be missing, but its slopes there are too roughly known for a proof";
+      break;
     case Doubt::too_many: why = "the limit of divided cells was reached"; break;
     case Doubt::slopes_unknown: why = "this kind of solid does not tell its slopes"; break;
   }
-  const std::string text =
-      fmt::format("not certain at {} place{}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({}",
-                  count, count == 1 ? "" : "s", largest, thickness, why);
+  const std::string text = fmt::format(
+      "not certain at {} place{}, the largest {:.3g} mm: parts thinner than {:.3g} mm may be missing there ({}", count,
+      count == 1 ? "" : "s", largest, thickness, why);
   if (!(wanted_voxel > 0)) return text + ")";
   return text + fmt::format("; cells of {:.2g} mm would show them, with some {:.2g} million triangles)", wanted_voxel,
                             std::max(0.01, 1e-6 * wanted_triangles));
@@ -118,7 +120,8 @@ class CellInspector {
   }
 
   [[nodiscard]] Certainty certainty() {
-    std::sort(cells_.begin(), cells_.end(), [](const UncertainCell& a, const UncertainCell& b) { return a.voxel < b.voxel; });
+    std::sort(cells_.begin(), cells_.end(),
+              [](const UncertainCell& a, const UncertainCell& b) { return a.voxel < b.voxel; });
     Certainty certainty;
     certainty.finest = side_;
     certainty.doubt = known_ ? Doubt::finest_size : Doubt::slopes_unknown;
@@ -188,7 +191,8 @@ class CellInspector {
       // Where it has been to no avail often, it is not worth much more.
       constexpr std::size_t patience = 64;
       const bool hopeless = task.cells.size() > patience + task.proved;
-      const bool proved = !field.faceted() && prove_sheet_by_parts(field, box, task.normals, 0, hopeless ? 0 : 2).one_sheet;
+      const bool proved =
+          !field.faceted() && prove_sheet_by_parts(field, box, task.normals, 0, hopeless ? 0 : 2).one_sheet;
       if (proved)
         ++task.proved;
       else
@@ -221,7 +225,9 @@ class CellInspector {
 bool divides_samples(const Field& field, const Box& region, const std::array<std::int32_t, 3>& counts) {
   const std::optional<Sampling> samples = field.sampling();
   if (!samples) return false;
-  const auto is_whole = [](double number) { return std::abs(number - std::round(number)) < 1e-6 && std::abs(number) < 1e9; };
+  const auto is_whole = [](double number) {
+    return std::abs(number - std::round(number)) < 1e-6 && std::abs(number) < 1e9;
+  };
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const double cell = region.size()[axis] / counts[static_cast<std::size_t>(axis)];
     const double parts = samples->spacing[axis] / cell;
@@ -239,7 +245,8 @@ Certainty certainty_of_cells(const Field& field, const Box& region, double voxel
   std::array<std::int32_t, 3> counts{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double cells = std::ceil(size[static_cast<Eigen::Index>(axis)] / voxel * (1 - 1e-9));
-    if (cells > (1 << 24)) throw Error(ErrorKind::too_large, "voxel", "divides the region into more than 2^24 cells a side");
+    if (cells > (1 << 24))
+      throw Error(ErrorKind::too_large, "voxel", "divides the region into more than 2^24 cells a side");
     counts[axis] = std::max(1, static_cast<std::int32_t>(cells));
   }
   if (field.sampled()) {

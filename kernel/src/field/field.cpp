@@ -38,7 +38,9 @@ Restriction Field::restricted(const Box& box, Purpose purpose) const {
   return result;
 }
 
-Framed Field::framed(Purpose /*purpose*/) const { return {shared_from_this(), Eigen::Matrix3d::Identity(), Vec3::Zero()}; }
+Framed Field::framed(Purpose /*purpose*/) const {
+  return {shared_from_this(), Eigen::Matrix3d::Identity(), Vec3::Zero()};
+}
 
 float Field::value(const Vec3& point) const noexcept {
   const Eigen::Vector3f p = point.cast<float>();

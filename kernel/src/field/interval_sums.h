@@ -20,7 +20,8 @@ inline Interval hull(const Interval& a, const Interval& b) {
 }
 inline Interval times(const Interval& a, const Interval& b) {
   const float ll = a.lower * b.lower, lu = a.lower * b.upper, ul = a.upper * b.lower, uu = a.upper * b.upper;
-  const float lower = std::min(std::min(ll, lu), std::min(ul, uu)), upper = std::max(std::max(ll, lu), std::max(ul, uu));
+  const float lower = std::min(std::min(ll, lu), std::min(ul, uu)),
+              upper = std::max(std::max(ll, lu), std::max(ul, uu));
   if (a.maybe_nan || b.maybe_nan || !std::isfinite(ll + lu) || !std::isfinite(ul + uu)) return Interval::unknown();
   return {lower, upper, false};
 }

@@ -30,7 +30,8 @@ class Moved : public Field {
       const Gradients mine{slopes.dx + first, slopes.dy + first, slopes.dz + first};
       a_->gradients(map_.points(part, x, y, z), out + first, mine);
       for (std::size_t i = 0; i < part.count; ++i) {
-        const Eigen::Vector3f slope = map_.slope({part.x[i], part.y[i], part.z[i]}, {mine.dx[i], mine.dy[i], mine.dz[i]});
+        const Eigen::Vector3f slope =
+            map_.slope({part.x[i], part.y[i], part.z[i]}, {mine.dx[i], mine.dy[i], mine.dz[i]});
         mine.dx[i] = slope.x(), mine.dy[i] = slope.y(), mine.dz[i] = slope.z();
       }
     });
@@ -93,7 +94,8 @@ struct AffineMap {
   [[nodiscard]] Eigen::Vector3f slope(const Eigen::Vector3f& /*at*/, const Eigen::Vector3f& inner) const {
     return {rows.col(0).dot(inner), rows.col(1).dot(inner), rows.col(2).dot(inner)};
   }
-  void slopes(const Field& inner, const Box& outer, std::span<const Vec3> directions, std::span<Interval> out) const noexcept {
+  void slopes(const Field& inner, const Box& outer, std::span<const Vec3> directions,
+              std::span<Interval> out) const noexcept {
     for_few(directions, [&](std::span<const Vec3> some, std::size_t first) {
       std::array<Vec3, slope_lanes> turned;
       for (std::size_t i = 0; i < some.size(); ++i) turned[i] = to_inner.linear() * some[i];
@@ -146,7 +148,9 @@ class Affine final : public Moved<AffineMap> {
 
  private:
   [[nodiscard]] bool keeps_axes() const { return map_.to_inner.linear().isDiagonal(1e-12); }
-  [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<Affine>(std::move(other), map_); }
+  [[nodiscard]] FieldPtr over(FieldPtr other) const override {
+    return std::make_shared<Affine>(std::move(other), map_);
+  }
 };
 
 /// Perspective: scales x and y towards an axis along z through a centre, more at greater height,
@@ -171,7 +175,8 @@ struct EyeMap {
     const float far = nearness(static_cast<float>(box.lower.z())), near = nearness(static_cast<float>(box.upper.z()));
     Box inner = box;
     for (int axis = 0; axis < 2; ++axis) {
-      const float l = static_cast<float>(box.lower[axis]) - centre[axis], u = static_cast<float>(box.upper[axis]) - centre[axis];
+      const float l = static_cast<float>(box.lower[axis]) - centre[axis],
+                  u = static_cast<float>(box.upper[axis]) - centre[axis];
       const auto [least, most] = std::minmax({l * far, l * near, u * far, u * near});
       inner.lower[axis] = least + centre[axis];
       inner.upper[axis] = most + centre[axis];
@@ -195,7 +200,9 @@ class SeenFromNear final : public Moved<EyeMap> {
   using Moved::Moved;
 
  private:
-  [[nodiscard]] FieldPtr over(FieldPtr other) const override { return std::make_shared<SeenFromNear>(std::move(other), map_); }
+  [[nodiscard]] FieldPtr over(FieldPtr other) const override {
+    return std::make_shared<SeenFromNear>(std::move(other), map_);
+  }
 };
 
 /// a(x(p), y(p), z(p)).
@@ -269,9 +276,10 @@ class Mapped final : public Field {
       bool same = here.field == a_;
       for (std::size_t axis = 0; axis < 3; ++axis) same = same && coordinate[axis][i].field == coordinate_[axis];
       here.range = known;
-      here.field = same ? shared_from_this()
-                        : std::make_shared<Mapped>(std::move(here.field), std::move(coordinate[0][i].field),
-                                                   std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
+      here.field = same
+                       ? shared_from_this()
+                       : std::make_shared<Mapped>(std::move(here.field), std::move(coordinate[0][i].field),
+                                                  std::move(coordinate[1][i].field), std::move(coordinate[2][i].field));
     }
   }
   [[nodiscard]] bool smooth() const noexcept override {
@@ -304,11 +312,14 @@ FieldPtr transform(FieldPtr a, const Eigen::Affine3d& placement) {
   return std::make_shared<Affine>(std::move(a), AffineMap(placement.inverse()));
 }
 
-FieldPtr translate(FieldPtr a, const Vec3& by) { return transform(std::move(a), Eigen::Affine3d(Eigen::Translation3d(by))); }
+FieldPtr translate(FieldPtr a, const Vec3& by) {
+  return transform(std::move(a), Eigen::Affine3d(Eigen::Translation3d(by)));
+}
 
 FieldPtr scale(FieldPtr a, const Vec3& factors) {
   if ((factors.array() == 0).any()) throw Error(ErrorKind::bad_input, "scale", "no factor may be 0");
-  return scaled_values(transform(std::move(a), Eigen::Affine3d(Eigen::Scaling(factors))), factors.cwiseAbs().minCoeff());
+  return scaled_values(transform(std::move(a), Eigen::Affine3d(Eigen::Scaling(factors))),
+                       factors.cwiseAbs().minCoeff());
 }
 
 FieldPtr rotate(FieldPtr a, const Vec3& axis, double angle) {

@@ -59,7 +59,8 @@ std::array<double, 3> weights_of(const PlaneBounds& plane, double& error) {
 Enclosed volume_in(const PlaneBounds& plane, double box_volume) {
   double error = plane.error;
   const auto weights = weights_of(plane, error);
-  return {box_volume * part_below(weights, -plane.value - error), box_volume * part_below(weights, -plane.value + error)};
+  return {box_volume * part_below(weights, -plane.value - error),
+          box_volume * part_below(weights, -plane.value + error)};
 }
 
 /// Area of the surface as a graph over the plane across `axis`, if the value is monotone along it;
@@ -218,7 +219,9 @@ std::string text_of(const Enclosed& number, const char* unit) {
 
 }  // namespace
 
-std::string Measures::text() const { return fmt::format("volume {}, area {}", text_of(volume, "mm3"), text_of(area, "mm2")); }
+std::string Measures::text() const {
+  return fmt::format("volume {}, area {}", text_of(volume, "mm3"), text_of(area, "mm2"));
+}
 
 Measures measure(const Field& field, const Box& bounds, const MeasureSettings& settings, Progress& progress) {
   if (!bounds.valid()) throw Error(ErrorKind::bad_input, "bounds", "must be finite to measure a solid");
@@ -254,7 +257,8 @@ Measures measure(const Field& field, const Box& bounds, const MeasureSettings& s
   }
   // Margin for the rounding of long sums.
   constexpr double rounding = 1e-11;
-  for (Enclosed* const number : {&whole.volume, &whole.area}) number->lower *= 1 - rounding, number->upper *= 1 + rounding;
+  for (Enclosed* const number : {&whole.volume, &whole.area})
+    number->lower *= 1 - rounding, number->upper *= 1 + rounding;
   return whole;
 }
 

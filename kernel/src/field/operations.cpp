@@ -62,7 +62,9 @@ struct Union {
   }
   /// The slope of a minimum or maximum lies between the least and the greatest slope of its
   /// arguments.
-  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
+  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) {
+    return hull(da, db);
+  }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.outside() ? Only::first : a.outside() ? Only::second : Only::both;
@@ -78,7 +80,9 @@ struct Intersection {
   }
   /// The slope of a minimum or maximum lies between the least and the greatest slope of its
   /// arguments.
-  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) { return hull(da, db); }
+  static Interval slope(const Interval&, const Interval&, const Interval& da, const Interval& db) {
+    return hull(da, db);
+  }
   static constexpr bool signs_are_enough = true, joins_smoothly = false;
   Only decides_sign(const Interval& a, const Interval& b) const {
     return b.inside() ? Only::first : a.inside() ? Only::second : Only::both;
@@ -87,7 +91,9 @@ struct Intersection {
 
 struct Blend {
   float root;  // square root of the radius
-  float value(float a, float b) const { return least(least(a, b), std::sqrt(std::abs(a)) + std::sqrt(std::abs(b)) - root); }
+  float value(float a, float b) const {
+    return least(least(a, b), std::sqrt(std::abs(a)) + std::sqrt(std::abs(b)) - root);
+  }
   Weights weights(float a, float b) const {
     const float ra = std::sqrt(std::abs(a)), rb = std::sqrt(std::abs(b));
     if (least(a, b) <= ra + rb - root) return Union{}.weights(a, b);
@@ -149,7 +155,9 @@ class Combined final : public Field {
       for (std::size_t i = 0; i < part.count; ++i) {
         const float a = out[first + i], b = other[i];
         const Weights w = rule_.weights(a, b);
-        const auto mixed = [&](float one, float two) { return (w.a == 0 ? 0 : w.a * one) + (w.b == 0 ? 0 : w.b * two); };
+        const auto mixed = [&](float one, float two) {
+          return (w.a == 0 ? 0 : w.a * one) + (w.b == 0 ? 0 : w.b * two);
+        };
         mine.dx[i] = mixed(mine.dx[i], dx[i]);
         mine.dy[i] = mixed(mine.dy[i], dy[i]);
         mine.dz[i] = mixed(mine.dz[i], dz[i]);
@@ -176,13 +184,16 @@ class Combined final : public Field {
   }
 
   // The surface of a union or an intersection consists of those of its arguments.
-  [[nodiscard]] bool faceted() const noexcept override { return Rule::signs_are_enough && (a_->faceted() || b_->faceted()); }
+  [[nodiscard]] bool faceted() const noexcept override {
+    return Rule::signs_are_enough && (a_->faceted() || b_->faceted());
+  }
   bool facing(const Box& box, std::vector<Eigen::Vector3f>& directions) const noexcept override {
     if (!Rule::signs_are_enough) return Field::facing(box, directions);
     const Interval a = a_->interval(box), b = b_->interval(box);
     Only only = Only::both;
     if (!a.maybe_nan && !b.maybe_nan) only = rule_.decides(a, b);
-    return (only == Only::second || a_->facing(box, directions)) && (only == Only::first || b_->facing(box, directions));
+    return (only == Only::second || a_->facing(box, directions)) &&
+           (only == Only::first || b_->facing(box, directions));
   }
 
   void restrict_all(std::span<const Box> boxes, Purpose purpose, std::span<Restriction> out) const override {
@@ -256,7 +267,8 @@ class Linear final : public Field {
     a_->restrict_all(boxes, shift_ == 0 ? purpose : Purpose::value, out);
     for (Restriction& here : out.first(boxes.size())) {
       here.range = moved(here.range);
-      here.field = here.field == a_ ? shared_from_this() : std::make_shared<Linear>(std::move(here.field), factor_, shift_);
+      here.field =
+          here.field == a_ ? shared_from_this() : std::make_shared<Linear>(std::move(here.field), factor_, shift_);
     }
   }
   [[nodiscard]] Box known_bounds() const noexcept override {
@@ -271,8 +283,12 @@ class Linear final : public Field {
   }
   [[nodiscard]] bool sampled() const noexcept override { return a_->sampled(); }
   // An offset moves the ends of a scan off its samples.
-  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override { return shift_ == 0 ? a_->sampling() : std::nullopt; }
-  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override { return shift_ == 0 && a_->corners_tell(box); }
+  [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
+    return shift_ == 0 ? a_->sampling() : std::nullopt;
+  }
+  [[nodiscard]] bool corners_tell(const Box& box) const noexcept override {
+    return shift_ == 0 && a_->corners_tell(box);
+  }
   [[nodiscard]] bool smooth() const noexcept override { return a_->smooth(); }
   [[nodiscard]] std::size_t cost() const noexcept override { return a_->cost() + 1; }
 
@@ -345,7 +361,8 @@ class BoxField final : public Field {
       out[i] = {std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
       for (int axis = 0; axis < 3; ++axis) {
         const auto along = static_cast<float>(directions[i][axis]);
-        if (lower_[axis] - static_cast<float>(box.lower[axis]) >= all.lower) out[i] = hull(out[i], Interval::of(-along));
+        if (lower_[axis] - static_cast<float>(box.lower[axis]) >= all.lower)
+          out[i] = hull(out[i], Interval::of(-along));
         if (static_cast<float>(box.upper[axis]) - upper_[axis] >= all.lower) out[i] = hull(out[i], Interval::of(along));
       }
     }
@@ -373,7 +390,9 @@ FieldPtr unite(FieldPtr a, FieldPtr b) { return combined(std::move(a), std::move
 FieldPtr intersect(FieldPtr a, FieldPtr b) { return combined(std::move(a), std::move(b), Intersection{}); }
 FieldPtr subtract(FieldPtr a, FieldPtr b) { return intersect(std::move(a), complement(std::move(b))); }
 FieldPtr complement(FieldPtr a) { return std::make_shared<Linear>(std::move(a), -1.0F, 0.0F); }
-FieldPtr offset(FieldPtr a, double distance) { return std::make_shared<Linear>(std::move(a), 1.0F, -finite(distance, "offset")); }
+FieldPtr offset(FieldPtr a, double distance) {
+  return std::make_shared<Linear>(std::move(a), 1.0F, -finite(distance, "offset"));
+}
 
 FieldPtr shell(const FieldPtr& a, double thickness) {
   if (!(thickness > 0)) throw Error(ErrorKind::bad_input, "shell", "the thickness must be above 0 mm");

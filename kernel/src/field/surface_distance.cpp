@@ -33,7 +33,8 @@ class Walks {
     if (!far_ones.empty()) go(solid, far_ones, steps * longest_step, nullptr);
     std::vector<std::size_t> doubtful;
     for (const std::size_t i : all_)
-      if (distances_[i] < -doubted || (distances_[i] > 2 * std::max<double>(estimate_[i], doubted) && estimate_[i] < widest))
+      if (distances_[i] < -doubted ||
+          (distances_[i] > 2 * std::max<double>(estimate_[i], doubted) && estimate_[i] < widest))
         doubtful.push_back(i);
     look_around(solid, std::move(doubtful));
   }
@@ -55,7 +56,8 @@ class Walks {
     for (const std::size_t i : points) at_.col(i) = place(i).cast<float>();
     for (int step = 0; step < steps && !points.empty(); ++step) {
       const std::size_t n = points.size();
-      for (std::size_t k = 0; k < n; ++k) x_[k] = at_(0, points[k]), y_[k] = at_(1, points[k]), z_[k] = at_(2, points[k]);
+      for (std::size_t k = 0; k < n; ++k)
+        x_[k] = at_(0, points[k]), y_[k] = at_(1, points[k]), z_[k] = at_(2, points[k]);
       here.field->gradients({x_.data(), y_.data(), z_.data(), n}, value_.data(), {dx_.data(), dy_.data(), dz_.data()});
       std::size_t on_the_way = 0;
       for (std::size_t k = 0; k < n; ++k) {
@@ -70,7 +72,8 @@ class Walks {
         const double left = leads ? std::abs(value_[k]) / steepness : far;
         if (step == 0) estimate_[i] = std::min(left, std::abs(static_cast<double>(value_[k])));
         if (leads)
-          at_.col(i) -= (slope * (std::clamp(value_[k] / steepness, -longest_step, longest_step) / steepness)).cast<float>();
+          at_.col(i) -=
+              (slope * (std::clamp(value_[k] / steepness, -longest_step, longest_step) / steepness)).cast<float>();
         const double way = walked(i);
         if (leavers != nullptr && (way > reach || !leads)) {
           leavers->push_back(i);
@@ -105,7 +108,8 @@ class Walks {
     constexpr std::size_t around = 27;
     std::array<float, around> x, y, z, value;
     for (std::size_t k = 0; k < around; ++k) {
-      const Eigen::Vector3f way(static_cast<float>(k % 3) - 1, static_cast<float>(k / 3 % 3) - 1, static_cast<float>(k / 9) - 1);
+      const Eigen::Vector3f way(static_cast<float>(k % 3) - 1, static_cast<float>(k / 3 % 3) - 1,
+                                static_cast<float>(k / 9) - 1);
       const Eigen::Vector3f p = place(i).cast<float>() + (k == around / 2 ? way : way.normalized() * radius);
       x[k] = p.x(), y[k] = p.y(), z[k] = p.z();
     }

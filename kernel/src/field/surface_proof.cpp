@@ -9,8 +9,9 @@
 namespace fieldfab {
 namespace {
 
-// Five directions about a middle one span a pyramid. A Field that grows along all five grows along all directions of the round
-// cone in it; the tangent of the cone's half angle is that of the pyramid's edges times the cosine of 36 degrees.
+// Five directions about a middle one span a pyramid. A Field that grows along all five grows along all directions of
+// the round cone in it; the tangent of the cone's half angle is that of the pyramid's edges times the cosine of 36
+// degrees.
 constexpr std::size_t edges_of_pyramid = 5;
 constexpr double cosine_36 = 0.80901699;
 
@@ -32,7 +33,8 @@ std::array<Vec3, 3 + edges_of_pyramid> directions_about(const Vec3& outward, dou
   return directions;
 }
 
-/// Adds the directions of the gradients at the corners of a box: where planes meet in it, each of them shows at some corner.
+/// Adds the directions of the gradients at the corners of a box: where planes meet in it, each of them shows at some
+/// corner.
 void add_gradients(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals) {
   std::array<float, 8> x, y, z, value, dx, dy, dz;
   for (unsigned i = 0; i < 8; ++i) {
@@ -61,9 +63,9 @@ const Eigen::Vector3f& farthest_from(const Eigen::Vector3f& axis, const std::vec
   return *farthest;
 }
 
-/// A narrow cone: the narrowest about the two or three directions that differ most, which then is turned towards what it leaves
-/// out (Badoiu and Clarkson 2003, for balls). Not looked for where two directions differ so much that none has a cosine of
-/// `least`.
+/// A narrow cone: the narrowest about the two or three directions that differ most, which then is turned towards what
+/// it leaves out (Badoiu and Clarkson 2003, for balls). Not looked for where two directions differ so much that none
+/// has a cosine of `least`.
 Cone cone_about(const std::vector<Eigen::Vector3f>& directions, float least) {
   Cone cone;
   if (directions.empty()) return cone;
@@ -119,8 +121,8 @@ std::array<Box, 8> halves(const Box& box) {
   return parts;
 }
 
-/// Whether the Field grows along all `directions` wherever in the box its interval leaves room for a surface, as far as its
-/// halves and quarters tell.
+/// Whether the Field grows along all `directions` wherever in the box its interval leaves room for a surface, as far as
+/// its halves and quarters tell.
 bool grows_where_undecided(const Field& field, const Box& box, std::span<const Vec3> directions, int depth) {
   std::array<Interval, edges_of_pyramid> slopes;
   field.slopes(box, directions, slopes);
@@ -130,12 +132,15 @@ bool grows_where_undecided(const Field& field, const Box& box, std::span<const V
   std::array<Restriction, 8> here;
   field.restrict_all(parts, Purpose::value, here);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!here[i].range.decided() && !grows_where_undecided(*here[i].field, parts[i], directions, depth - 1)) return false;
+    if (!here[i].range.decided() && !grows_where_undecided(*here[i].field, parts[i], directions, depth - 1))
+      return false;
   return true;
 }
 
-/// The gradients at the corners of a box, or of those of its parts that the Field's interval leaves room for a surface in.
-void add_gradients_where_undecided(const Field& field, const Box& box, int depth, std::vector<Eigen::Vector3f>& normals) {
+/// The gradients at the corners of a box, or of those of its parts that the Field's interval leaves room for a surface
+/// in.
+void add_gradients_where_undecided(const Field& field, const Box& box, int depth,
+                                   std::vector<Eigen::Vector3f>& normals) {
   if (depth == 0) return add_gradients(field, box, normals);
   const std::array<Box, 8> parts = halves(box);
   std::array<Restriction, 8> here;
@@ -150,8 +155,9 @@ std::array<Box, 8> slabs(const Box& box, Eigen::Index axis) {
   parts.fill(box);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto plane = [&](std::size_t n) {
-      return n == parts.size() ? box.upper[axis]
-                               : box.lower[axis] + static_cast<double>(n) / static_cast<double>(parts.size()) * box.size()[axis];
+      return n == parts.size()
+                 ? box.upper[axis]
+                 : box.lower[axis] + static_cast<double>(n) / static_cast<double>(parts.size()) * box.size()[axis];
     };
     parts[i].lower[axis] = plane(i);
     parts[i].upper[axis] = plane(i + 1);
@@ -159,9 +165,10 @@ std::array<Box, 8> slabs(const Box& box, Eigen::Index axis) {
   return parts;
 }
 
-/// Whether the slabs across the axis that the surface is seen to face most show one sheet: of thin plates along the axes the
-/// other face lies in slabs of its own.
-bool is_one_sheet_in_slabs(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, const Wanted& wanted) {
+/// Whether the slabs across the axis that the surface is seen to face most show one sheet: of thin plates along the
+/// axes the other face lies in slabs of its own.
+bool is_one_sheet_in_slabs(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
+                           const Wanted& wanted) {
   if (normals.empty()) return false;
   Eigen::Vector3f facing = Eigen::Vector3f::Zero();
   for (const Eigen::Vector3f& normal : normals) facing += normal.cwiseAbs();
@@ -184,8 +191,8 @@ bool is_one_sheet_in_slabs(const Field& field, const Box& box, std::vector<Eigen
   return true;
 }
 
-/// prove_sheet() from Field::facing(). Edges of triangles are not folded unless they are sharper than 30 degrees: those of scans
-/// are too many, and are seen all the same.
+/// prove_sheet() from Field::facing(). Edges of triangles are not folded unless they are sharper than 30 degrees: those
+/// of scans are too many, and are seen all the same.
 SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
   static thread_local std::vector<Eigen::Vector3f> directions;
   directions.clear();
@@ -203,7 +210,8 @@ SurfaceProof prove_by_facing(const Field& field, const Box& box, int halvings) {
 
 }  // namespace
 
-SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings) {
+SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
+                         int halvings) {
   if (field.faceted()) return prove_by_facing(field, box, halvings);
   const std::size_t given = normals.size();
   add_gradients(field, box, normals);
@@ -227,8 +235,8 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
   if (proof.folded || !proof.known) return proof;
   const std::span<Interval> along{slopes.data() + 3, edges_of_pyramid};
   proof.one_sheet = grows(along);
-  // Where a face of the solid may reach into the box that no sample is on, the directions in which the Field may fall tell which
-  // way to turn.
+  // Where a face of the solid may reach into the box that no sample is on, the directions in which the Field may fall
+  // tell which way to turn.
   constexpr int turns = 3;
   constexpr double step = 0.3;
   auto edges = directions;
@@ -245,8 +253,8 @@ SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::
   return proof;
 }
 
-SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings,
-                                  int deep) {
+SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
+                                  int halvings, int deep) {
   const Wanted wanted(halvings);
   SurfaceProof proof;
   proof.one_sheet = is_one_sheet_in_slabs(field, box, normals, wanted);

@@ -208,7 +208,8 @@ struct Dual {
 
 /// Slopes of op(a, b) along one axis. The most frequent operations have their own loops, with the
 /// same bits as chain().
-void run_slopes(Opcode op, const Dual& a, const Dual& b, const float* da, const float* db, int axis, float* out, std::size_t n) {
+void run_slopes(Opcode op, const Dual& a, const Dual& b, const float* da, const float* db, int axis, float* out,
+                std::size_t n) {
   const float* ga = a.slope[axis];
   const float* gb = b.slope[axis];
   const float* va = a.value;
@@ -241,13 +242,15 @@ void run_slopes(Opcode op, const Dual& a, const Dual& b, const float* da, const 
 }
 
 constexpr bool needs_partials(Opcode op) {
-  return op != Opcode::add && op != Opcode::subtract && op != Opcode::minimum && op != Opcode::maximum && op != Opcode::multiply;
+  return op != Opcode::add && op != Opcode::subtract && op != Opcode::minimum && op != Opcode::maximum &&
+         op != Opcode::multiply;
 }
 
 /// Forward differentiation: each slot holds a value and three slopes, `stride` floats each.
 void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float* dz) {
   const std::size_t stride = run.stride, n = run.count;
-  float da[gradient_points], db[gradient_points], value[gradient_points], a_space[gradient_points], b_space[gradient_points];
+  float da[gradient_points], db[gradient_points], value[gradient_points], a_space[gradient_points],
+      b_space[gradient_points];
   float zeros[gradient_points], ones[gradient_points];
   for (std::size_t i = 0; i < gradient_points; ++i) zeros[i] = 0, ones[i] = 1;
   const auto slope = [&](Operand operand, int axis) -> const float* {
@@ -276,7 +279,9 @@ void run_gradients(const BatchRun& run, float* out, float* dx, float* dy, float*
   copy_root({slope(run.root, 2), 0}, dz, n);
 }
 
-void run_operation(Opcode op, const float* in, float* out, std::size_t n) { run_clause(op, {in, 0}, {in + n, 0}, out, n); }
+void run_operation(Opcode op, const float* in, float* out, std::size_t n) {
+  run_clause(op, {in, 0}, {in + n, 0}, out, n);
+}
 void run_operation_partials(Opcode op, const float* in, float* out, std::size_t n) {
   run_partials(op, in, in + n, in + 2 * n, out, out + n, n);
 }

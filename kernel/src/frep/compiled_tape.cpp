@@ -55,7 +55,8 @@ bool emit_value(VectorAssembler& out, Opcode op, const Vec& to, const Vec& a, co
 /// Code for values: the first slots are in registers, the others in the frame.
 class ValuesCode {
  public:
-  ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers) : out_(out), tape_(tape), helpers_(helpers) {}
+  ValuesCode(VectorAssembler& out, const Tape& tape, const Runners& helpers)
+      : out_(out), tape_(tape), helpers_(helpers) {}
 
   void emit() {
     out_.begin(3);
@@ -90,7 +91,8 @@ class ValuesCode {
       out_.binary(*simple, to, a, place(clause.b));
     } else {
       const Vec b = clause.b == clause.a ? a : in_register(clause.b, b_);
-      if (!emit_value(out_, clause.op, to, a, b, made_, out_.mask(static_cast<int>(slot_registers_)))) call(clause, a, b, to);
+      if (!emit_value(out_, clause.op, to, a, b, made_, out_.mask(static_cast<int>(slot_registers_))))
+        call(clause, a, b, to);
     }
     if (result.isMem()) out_.store(result.as<x86::Mem>(), to);
   }
@@ -99,7 +101,9 @@ class ValuesCode {
   void call(const Clause& clause, const Vec& a, const Vec& b, const Vec& to) {
     constexpr int in = VectorAssembler::frame_call, made = in + 2;
     const std::uint32_t used = std::min(tape_.slots, slot_registers_);
-    const auto in_frame = [&](std::uint32_t slot) { return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot)); };
+    const auto in_frame = [&](std::uint32_t slot) {
+      return out_.frame(VectorAssembler::frame_slots + static_cast<int>(slot));
+    };
     out_.store(out_.frame(in), a);
     out_.store(out_.frame(in + 1), b);
     for (std::uint32_t slot = 0; slot < used; ++slot) out_.store(in_frame(slot), out_.vector(static_cast<int>(slot)));
@@ -440,7 +444,8 @@ class IntervalsCode {
   const Tape& tape_;
   const Runners& helpers_;
   const bool by_sign_;
-  const Pair a_{out_.vector(0), out_.vector(1)}, b_{out_.vector(2), out_.vector(3)}, made_{out_.vector(4), out_.vector(5)};
+  const Pair a_{out_.vector(0), out_.vector(1)}, b_{out_.vector(2), out_.vector(3)},
+      made_{out_.vector(4), out_.vector(5)};
   const Vec t_ = out_.vector(6), spare_ = out_.vector(7), wild_ = out_.vector(8);
   const VectorAssembler::Mask mask_ = out_.mask(9), other_ = out_.mask(10);
 };
@@ -458,7 +463,8 @@ std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Make
       GradientsCode(assembler, tape, helpers).emit();
       break;
     default:
-      if (!std::all_of(tape.constants->begin(), tape.constants->end(), [](float c) { return std::isfinite(c); })) return nullptr;
+      if (!std::all_of(tape.constants->begin(), tape.constants->end(), [](float c) { return std::isfinite(c); }))
+        return nullptr;
       vectors = 2;
       IntervalsCode(assembler, tape, helpers, what == Makes::sign_intervals).emit();
   }
@@ -471,7 +477,8 @@ std::unique_ptr<const CompiledTape> CompiledTape::compile(const Tape& tape, Make
 std::uint32_t CompiledTape::run(const IntervalRun& run, LaneRanges& root) const noexcept {
   std::fill_n(run.choices, run.clauses, Choice{0, 0});
   std::array<float, box_lanes> wild;
-  VectorAssembler::Arguments arguments{{}, {root.lower, root.upper, wild.data()}, 0, scratch<float>(frame_floats_), run.choices};
+  VectorAssembler::Arguments arguments{
+      {}, {root.lower, root.upper, wild.data()}, 0, scratch<float>(frame_floats_), run.choices};
   for (std::size_t axis = 0; axis < 3; ++axis)
     arguments.in[2 * axis] = run.box[axis].lower, arguments.in[2 * axis + 1] = run.box[axis].upper;
   const std::size_t lanes = (run.lanes + lanes_ - 1) / lanes_ * lanes_;

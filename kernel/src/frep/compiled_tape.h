@@ -23,7 +23,8 @@ class CompiledTape {
   /// `lanes` is 8 for AVX2 and 16 for AVX-512; the processor must support it. `helpers` compute
   /// operations without an instruction. Returns null if there is no executable memory, or for
   /// intervals with a constant that is not finite. Linear in the size of the tape.
-  static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes, const Runners& helpers);
+  static std::unique_ptr<const CompiledTape> compile(const Tape& tape, Makes what, std::size_t lanes,
+                                                     const Runners& helpers);
 
   /// Writes values, or gradients in the order value, d/dx, d/dy, d/dz.
   void run(const Points& points, const std::array<float*, 4>& out) const noexcept;
@@ -33,7 +34,10 @@ class CompiledTape {
 
  private:
   CompiledTape(std::unique_ptr<CodeMemory> code, Makes what, std::size_t lanes, std::size_t frame_vectors)
-      : code_(std::move(code)), outs_(what == Makes::values ? 1 : 4), lanes_(lanes), frame_floats_(frame_vectors * lanes) {}
+      : code_(std::move(code)),
+        outs_(what == Makes::values ? 1 : 4),
+        lanes_(lanes),
+        frame_floats_(frame_vectors * lanes) {}
 
   std::unique_ptr<CodeMemory> code_;
   std::size_t outs_, lanes_, frame_floats_;

@@ -71,8 +71,8 @@ struct EqualNode {
   bool operator()(const Node* one, const Node* other) const { return one == other; }
   bool operator()(const std::pair<Key, std::size_t>& key, const Node* node) const { return (*this)(node, key); }
   bool operator()(const Node* node, const std::pair<Key, std::size_t>& key) const {
-    return node->op == key.first.op && node->constant == key.first.constant && node->a == key.first.a && node->b == key.first.b &&
-           node->c() == key.first.c && node->source() == key.first.source.get();
+    return node->op == key.first.op && node->constant == key.first.constant && node->a == key.first.a &&
+           node->b == key.first.b && node->c() == key.first.c && node->source() == key.first.source.get();
   }
 };
 
@@ -168,17 +168,20 @@ Expression Expression::y() { return Expression(unique_nodes().find_or_make({Opco
 Expression Expression::z() { return Expression(unique_nodes().find_or_make({Opcode::z, 0, nullptr, nullptr})); }
 
 Expression Expression::make(Opcode op, const Expression& a) {
-  if (info(op).arity != 1) throw Error(ErrorKind::internal, "Expression::make", "this operation does not take one argument");
+  if (info(op).arity != 1)
+    throw Error(ErrorKind::internal, "Expression::make", "this operation does not take one argument");
   return Expression(unique_nodes().find_or_make({op, 0, a.node_, nullptr}));
 }
 
 Expression Expression::make(Opcode op, const Expression& a, const Expression& b) {
-  if (info(op).arity != 2) throw Error(ErrorKind::internal, "Expression::make", "this operation does not take two arguments");
+  if (info(op).arity != 2)
+    throw Error(ErrorKind::internal, "Expression::make", "this operation does not take two arguments");
   return Expression(unique_nodes().find_or_make({op, 0, a.node_, b.node_}));
 }
 
 Expression Expression::opened(const SourcePtr& source, const Expression& x, const Expression& y, const Expression& z) {
-  if (source == nullptr || source->field == nullptr) throw Error(ErrorKind::internal, "Expression::opened", "there is no Field");
+  if (source == nullptr || source->field == nullptr)
+    throw Error(ErrorKind::internal, "Expression::opened", "there is no Field");
   return Expression(unique_nodes().find_or_make({Opcode::opened, 0, x.node_, y.node_, z.node_, source}));
 }
 
@@ -220,7 +223,8 @@ Flat flatten(const Expression& root) {
 
 bool has_opened(const Expression& root) {
   const Flat flat = flatten(root);
-  return std::any_of(flat.order.begin(), flat.order.end(), [](const auto& entry) { return entry.op == Opcode::opened; });
+  return std::any_of(flat.order.begin(), flat.order.end(),
+                     [](const auto& entry) { return entry.op == Opcode::opened; });
 }
 
 std::size_t node_count(const Expression& root) { return flatten(root).order.size(); }
@@ -231,7 +235,8 @@ Expression made_again(const Flat::Entry& entry, std::span<const Expression> made
     case Opcode::x: return Expression::x();
     case Opcode::y: return Expression::y();
     case Opcode::z: return Expression::z();
-    case Opcode::opened: return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
+    case Opcode::opened:
+      return Expression::opened(entry.source->shared_from_this(), made[entry.a], made[entry.b], made[entry.c]);
     default: break;
   }
   return info(entry.op).arity == 1 ? Expression::make(entry.op, made[entry.a])
@@ -243,7 +248,10 @@ Expression remap(const Expression& root, const Expression& x, const Expression& 
   std::vector<Expression> made;
   made.reserve(flat.order.size());
   for (const Flat::Entry& entry : flat.order)
-    made.push_back(entry.op == Opcode::x ? x : entry.op == Opcode::y ? y : entry.op == Opcode::z ? z : made_again(entry, made));
+    made.push_back(entry.op == Opcode::x   ? x
+                   : entry.op == Opcode::y ? y
+                   : entry.op == Opcode::z ? z
+                                           : made_again(entry, made));
   return made.back();
 }
 

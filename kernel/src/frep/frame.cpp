@@ -29,7 +29,9 @@ Form form_of(const Flat::Entry& entry, const std::vector<Form>& forms) {
   }
   if (entry.op == Opcode::opened) return {};
   const Form &a = forms[entry.a], &b = forms[entry.b];
-  const auto scaled = [](const Form& form, double by) { return Form{form.slope * by, form.shift * by, std::isfinite(by)}; };
+  const auto scaled = [](const Form& form, double by) {
+    return Form{form.slope * by, form.shift * by, std::isfinite(by)};
+  };
   if (!a.holds) return {};
   if (entry.op == Opcode::negate) return scaled(a, -1);
   if (info(entry.op).arity < 2 || !b.holds) return {};
@@ -53,7 +55,8 @@ struct Direction {
 /// Returns three independent directions as rows, those of most forms first; axes fill the missing
 /// ones.
 Eigen::Matrix3d choose_rows(std::vector<Direction> directions) {
-  std::stable_sort(directions.begin(), directions.end(), [](const auto& a, const auto& b) { return a.forms > b.forms; });
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const auto& a, const auto& b) { return a.forms > b.forms; });
   for (int axis = 0; axis < 3; ++axis) directions.push_back({Gradient::Unit(axis), 0});
   Eigen::Matrix3d rows, orthonormal;
   int chosen = 0;
@@ -93,7 +96,8 @@ std::optional<FramedExpression> in_own_frame(const Expression& expression) {
     if (forms[i].holds) continue;
     const Flat::Entry& entry = flat.order[i];
     const int arity = info(entry.op).arity;
-    for (const std::uint32_t argument : {entry.a, arity == 2 ? entry.b : entry.a}) is_largest[argument] = forms[argument].holds;
+    for (const std::uint32_t argument : {entry.a, arity == 2 ? entry.b : entry.a})
+      is_largest[argument] = forms[argument].holds;
   }
   std::vector<Direction> directions;
   for (std::size_t i = 0; i < count; ++i) {

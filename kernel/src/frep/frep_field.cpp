@@ -50,7 +50,8 @@ class LazyCode {
 
   /// Returns the code, or null while interpretation is as good. One thread compiles; the others
   /// continue without waiting.
-  const CompiledTape* after(std::size_t points, const Tape& tape, CompiledTape::Makes what, const Engine& engine) const {
+  const CompiledTape* after(std::size_t points, const Tape& tape, CompiledTape::Makes what,
+                            const Engine& engine) const {
     if (const CompiledTape* code = code_.load(std::memory_order_acquire)) return code;
     if (engine.jit_lanes == 0) return nullptr;
     // Compilation takes as long as interpretation of some thousand points, plus a constant time to
@@ -59,7 +60,8 @@ class LazyCode {
     const std::size_t seen = points_.fetch_add(points, std::memory_order_relaxed) + points;
     if (!engine.always_jit && seen < pays) return nullptr;
     if (tried_.exchange(true)) return nullptr;
-    code_.store(CompiledTape::compile(tape, what, engine.jit_lanes, *engine.interpreter).release(), std::memory_order_release);
+    code_.store(CompiledTape::compile(tape, what, engine.jit_lanes, *engine.interpreter).release(),
+                std::memory_order_release);
     return code_.load();
   }
 
@@ -84,21 +86,24 @@ class FrepField final : public Field {
       return code->run(points, {out});
     // The slots of a batch should stay in the first-level cache, but loops need some length.
     constexpr std::size_t cache_floats = 6144;
-    const std::size_t stride = std::clamp(cache_floats / (tape_.slots + 1) / 16 * 16, std::size_t{64}, std::size_t{512});
+    const std::size_t stride =
+        std::clamp(cache_floats / (tape_.slots + 1) / 16 * 16, std::size_t{64}, std::size_t{512});
     auto* const space = scratch<float>(tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      engine_.interpreter->values(batch(points, first, std::min(stride, points.count - first), space, stride), out + first);
+      engine_.interpreter->values(batch(points, first, std::min(stride, points.count - first), space, stride),
+                                  out + first);
   }
 
   void gradients(const Points& points, float* out, const Gradients& slopes) const noexcept override {
     // A gradient costs as much as several values.
-    if (const CompiledTape* code = gradients_code_.after(8 * points.count, tape_, CompiledTape::Makes::gradients, engine_))
+    if (const CompiledTape* code =
+            gradients_code_.after(8 * points.count, tape_, CompiledTape::Makes::gradients, engine_))
       return code->run(points, {out, slopes.dx, slopes.dy, slopes.dz});
     constexpr std::size_t stride = 64;
     auto* const space = scratch<float>(4 * tape_.slots * stride);
     for (std::size_t first = 0; first < points.count; first += stride)
-      engine_.interpreter->gradients(batch(points, first, std::min(stride, points.count - first), space, stride), out + first,
-                                     slopes.dx + first, slopes.dy + first, slopes.dz + first);
+      engine_.interpreter->gradients(batch(points, first, std::min(stride, points.count - first), space, stride),
+                                     out + first, slopes.dx + first, slopes.dy + first, slopes.dz + first);
   }
 
   [[nodiscard]] Interval interval(const Box& box) const noexcept override { return ranges_over(box); }
@@ -152,8 +157,8 @@ class FrepField final : public Field {
     const bool occupancy = purpose == Purpose::occupancy;
     const CompiledTape* const code =
         (occupancy ? sign_intervals_code_ : intervals_code_)
-            .after(16 * boxes.size(), tape_, occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals,
-                   engine_);
+            .after(16 * boxes.size(), tape_,
+                   occupancy ? CompiledTape::Makes::sign_intervals : CompiledTape::Makes::intervals, engine_);
     const std::uint32_t wild = code != nullptr ? code->run(run, root) : engine_.interpreter->intervals(run, root);
     bool any = false;
     for (std::size_t lane = 0; lane < boxes.size(); ++lane) {
@@ -171,7 +176,8 @@ class FrepField final : public Field {
     std::vector<std::uint16_t>& needed = kept_needed;
     mark_needed(tape_, run.choices, needed);
     for (std::size_t lane = 0; lane < boxes.size(); ++lane)
-      if (Tape pruned; !out[lane].range.decided() && prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
+      if (Tape pruned;
+          !out[lane].range.decided() && prune(tape_, run.choices, needed, static_cast<unsigned>(lane), pruned))
         out[lane].field = std::make_shared<FrepField>(std::move(pruned), engine_);
   }
 
@@ -209,7 +215,8 @@ class FrepField final : public Field {
 bool available(Evaluator evaluator) {
 #if defined(__x86_64__)
   if (evaluator == Evaluator::avx512 || evaluator == Evaluator::jit_avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl");
   if (evaluator == Evaluator::avx2 || evaluator == Evaluator::jit_avx2) return __builtin_cpu_supports("avx2") != 0;
 #else
   if (evaluator > Evaluator::portable) return false;
@@ -237,7 +244,8 @@ Evaluator evaluator_named(std::string_view name) {
   const auto* const found = std::find(evaluator_names.begin(), evaluator_names.end(), name);
   if (found == evaluator_names.end())
     throw Error(ErrorKind::bad_input, "evaluator",
-                "'" + std::string(name) + "' is none of automatic, reference, portable, avx2, avx512, jit, jit-avx2, jit-avx512");
+                "'" + std::string(name) +
+                    "' is none of automatic, reference, portable, avx2, avx512, jit, jit-avx2, jit-avx512");
   return static_cast<Evaluator>(found - evaluator_names.begin());
 }
 

@@ -32,12 +32,14 @@ inline float wave_kernel(float argument, std::uint64_t quarter) {
   const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;
   const double s = r * r;
   const double sine =
-      r * (1 - s * (1 / 6.0) *
-                   (1 - s * (1 / 20.0) *
-                            (1 - s * (1 / 42.0) * (1 - s * (1 / 72.0) * (1 - s * (1 / 110.0) * (1 - s * (1 / 156.0)))))));
+      r *
+      (1 - s * (1 / 6.0) *
+               (1 - s * (1 / 20.0) *
+                        (1 - s * (1 / 42.0) * (1 - s * (1 / 72.0) * (1 - s * (1 / 110.0) * (1 - s * (1 / 156.0)))))));
   const double cosine =
-      1 -
-      s * 0.5 * (1 - s * (1 / 12.0) * (1 - s * (1 / 30.0) * (1 - s * (1 / 56.0) * (1 - s * (1 / 90.0) * (1 - s * (1 / 132.0))))));
+      1 - s * 0.5 *
+              (1 - s * (1 / 12.0) *
+                       (1 - s * (1 / 30.0) * (1 - s * (1 / 56.0) * (1 - s * (1 / 90.0) * (1 - s * (1 / 132.0))))));
   const std::uint64_t odd = -(quadrant & 1);
   const std::uint64_t chosen = (bits_of(cosine) & odd) | (bits_of(sine) & ~odd);
   return static_cast<float>(from_bits(chosen ^ ((quadrant & 2) << 62)));

@@ -14,11 +14,13 @@ struct Printed {
 
 std::string text_of(const Source& source, const std::filesystem::path& folder) {
   if (source.path.empty())
-    throw Error(ErrorKind::bad_input, "", "a solid that was made in memory has no text: save it as a file, and open that");
+    throw Error(ErrorKind::bad_input, "",
+                "a solid that was made in memory has no text: save it as a file, and open that");
   std::filesystem::path path = source.path;
   if (!folder.empty())
     if (const auto inner = path.lexically_relative(folder); !inner.empty() && *inner.begin() != "..") path = inner;
-  return fmt::format("open({}{}{})", in_quotes(path.generic_string()), source.options.empty() ? "" : ", ", source.options);
+  return fmt::format("open({}{}{})", in_quotes(path.generic_string()), source.options.empty() ? "" : ", ",
+                     source.options);
 }
 
 Printed printed(const Expression& expression, const std::filesystem::path& folder) {
@@ -50,8 +52,8 @@ Printed printed(const Expression& expression, const std::filesystem::path& folde
       case 1:
         height[i] = height[entry.a] + 1;
         atom[i] = entry.op != Opcode::negate;
-        text[i] =
-            entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")" : fmt::format("{}({})", op.infix, take(entry.a, true));
+        text[i] = entry.op == Opcode::negate ? "-(" + take(entry.a, true) + ")"
+                                             : fmt::format("{}({})", op.infix, take(entry.a, true));
         break;
       case 3: {
         height[i] = std::max({height[entry.a], height[entry.b], height[entry.c]}) + 1;
@@ -114,8 +116,8 @@ std::string print_parts(std::span<const TextPart> parts, const std::filesystem::
     std::string name = part.name;
     if (name.empty() && (parts.size() > 1 || part.colour)) name = free_name(&part - parts.data() + 1, parts);
     const std::string colour = part.colour ? ", " + in_quotes(text_of(*part.colour)) : "";
-    out += shape.bindings + (name.empty() ? shape.result : fmt::format("part({}, {}{})", shape.result, in_quotes(name), colour)) +
-           "\n";
+    out += shape.bindings +
+           (name.empty() ? shape.result : fmt::format("part({}, {}{})", shape.result, in_quotes(name), colour)) + "\n";
   }
   return out;
 }

@@ -42,7 +42,8 @@ Named unknown_value() { return {{Expression::x()}, false, true}; }
 class InfixParser {
  public:
   /// Appends errors to `found` if it is not null, and throws them otherwise.
-  InfixParser(std::string_view text, std::string_view name, const Opener& opener, std::vector<Diagnostic>* found = nullptr)
+  InfixParser(std::string_view text, std::string_view name, const Opener& opener,
+              std::vector<Diagnostic>* found = nullptr)
       : source_(text, name), opener_(opener), found_(found) {
     read_tokens(0);
   }
@@ -57,7 +58,8 @@ class InfixParser {
       }
       if (loose)
         report(*std::exchange(loose, std::nullopt),
-               "this value is not used: give it a name, or make it a part with part(...); without parts the last statement is "
+               "this value is not used: give it a name, or make it a part with part(...); without parts the last "
+               "statement is "
                "the solid");
       const std::size_t first = at;
       try {
@@ -97,7 +99,8 @@ class InfixParser {
     std::size_t line = 1, end = from;
     while (const std::optional<Token> token = lexer.next()) {
       if (token->kind == TokenKind::comment) continue;
-      if (token->line != line && open == 0 && end != from) tokens_.push_back({InfixToken::end_of_statement, false, end, {}});
+      if (token->line != line && open == 0 && end != from)
+        tokens_.push_back({InfixToken::end_of_statement, false, end, {}});
       line = token->line;
       end = token->offset + token->length;
       const std::string_view shown = text.substr(token->offset, token->length);
@@ -157,7 +160,8 @@ class InfixParser {
     callable_ = ~std::size_t{0};
     depth_ = 0;
     const std::string_view name = tokens_[first].text;
-    if (tokens_[first].kind == InfixToken::name && tokens_[first + 1].is('=')) names_.insert_or_assign(name, unknown_value());
+    if (tokens_[first].kind == InfixToken::name && tokens_[first + 1].is('='))
+      names_.insert_or_assign(name, unknown_value());
     if (const auto made = functions_.find(name); made != functions_.end() && made->second.first > first)
       made->second.unknown = true;
     const auto begins_statement = [&] {
@@ -175,8 +179,10 @@ class InfixParser {
   /// Fails at a token that fits nowhere.
   void refuse_alone(std::size_t at) const {
     const InfixToken& token = tokens_[at];
-    if (token.kind == InfixToken::unclosed_words) source_.fail(token.at, "the quotes opened here are not closed on this line");
-    if (token.kind == InfixToken::unknown) source_.fail(token.at, fmt::format("unexpected {}", source_.shown(token.at)));
+    if (token.kind == InfixToken::unclosed_words)
+      source_.fail(token.at, "the quotes opened here are not closed on this line");
+    if (token.kind == InfixToken::unknown)
+      source_.fail(token.at, fmt::format("unexpected {}", source_.shown(token.at)));
     if (token.kind == InfixToken::name && at > 0 && tokens_[at - 1].kind == InfixToken::number &&
         tokens_[at - 1].at + tokens_[at - 1].length() == token.at)
       source_.fail(token.at, fmt::format("unexpected {} after a number", source_.shown(token.at)));
@@ -276,7 +282,8 @@ class InfixParser {
   /// Reads the expression at token `at`; moves past it. `locals` are a function's parameters.
   Named expression(std::size_t& at, const Names* locals) { return ExpressionReader(*this, at, locals).read(); }
 
-  /// Reads an expression by the shunting-yard algorithm, without recursion: expressions may be as deep as they are long.
+  /// Reads an expression by the shunting-yard algorithm, without recursion: expressions may be as deep as they are
+  /// long.
   class ExpressionReader {
    public:
     /// Moves `at` to the token after the expression.
@@ -319,7 +326,8 @@ class InfixParser {
 
     /// Whether a token is all of an argument of a call.
     [[nodiscard]] bool is_argument() const {
-      return !waiting_.empty() && waiting_.back().kind == Waiting::call && (tokens_[at_ + 1].is(',') || tokens_[at_ + 1].is(')'));
+      return !waiting_.empty() && waiting_.back().kind == Waiting::call &&
+             (tokens_[at_ + 1].is(',') || tokens_[at_ + 1].is(')'));
     }
 
     Next operation() {
@@ -498,7 +506,8 @@ class InfixParser {
                      fmt::format("'{}' of '{}' {}", parameter.name, name,
                                  given.words == i ? "is a number, not words in quotes" : "wants words in quotes"));
     }
-    if (std::any_of(given.values.begin(), given.values.end(), [](const auto& value) { return value && value->unknown; }))
+    if (std::any_of(given.values.begin(), given.values.end(),
+                    [](const auto& value) { return value && value->unknown; }))
       return unknown_value();
     try {
       return {frep::call(*function, values, given.text)};
@@ -518,17 +527,20 @@ class InfixParser {
         path = *argument.words;
         continue;
       }
-      if (i == 0 || argument.name.empty()) source_.fail(tokens_[argument.token].at, "expected open(\"FILE\", NAME = VALUE, ...)");
+      if (i == 0 || argument.name.empty())
+        source_.fail(tokens_[argument.token].at, "expected open(\"FILE\", NAME = VALUE, ...)");
       const Expression value = simplify(argument.value.expression);
       if (!argument.words && !argument.value.unknown && value.opcode() != Opcode::constant)
-        source_.fail(tokens_[argument.token].at, fmt::format("'{}' of 'open' must be a plain number or words", argument.name));
+        source_.fail(tokens_[argument.token].at,
+                     fmt::format("'{}' of 'open' must be a plain number or words", argument.name));
       if (argument.words)
         options.push_back({std::string(argument.name), *argument.words});
       else if (!argument.value.unknown)
         options.push_back({std::string(argument.name), value.constant()});
     }
     if (path.empty()) source_.fail(at, "'open' lacks the name of a file in quotes");
-    if (trial_ || std::any_of(call.arguments.begin(), call.arguments.end(), [](const Argument& a) { return a.value.unknown; }))
+    if (trial_ ||
+        std::any_of(call.arguments.begin(), call.arguments.end(), [](const Argument& a) { return a.value.unknown; }))
       return unknown_value();
     if (!opener_) source_.fail(at, "files cannot be opened from this text");
     try {
@@ -598,13 +610,13 @@ class InfixParser {
       }
       if (place >= given.values.size()) {
         if (!any_number)
-          source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name, parameters.size(),
-                                                               parameters.size() == 1 ? "" : "s"));
+          source_.fail(tokens_[argument.token].at, fmt::format("'{}' takes at most {} argument{}", name,
+                                                               parameters.size(), parameters.size() == 1 ? "" : "s"));
         given.values.emplace_back();
       }
       if (given.values[place])
-        source_.fail(tokens_[argument.token].at,
-                     fmt::format("the argument '{}' is given twice", place < parameters.size() ? parameters[place] : "?"));
+        source_.fail(tokens_[argument.token].at, fmt::format("the argument '{}' is given twice",
+                                                             place < parameters.size() ? parameters[place] : "?"));
       given.values[place] = argument.value;
       if (argument.words) given.words = place, given.text = *argument.words;
     }

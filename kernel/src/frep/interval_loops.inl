@@ -186,7 +186,8 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
     return &space;
   };
   for (std::size_t part = 0; part < parts; ++part)
-    for (const LaneRanges& axis : run.box) wild[part].watch({load(axis.lower + part * width), load(axis.upper + part * width)});
+    for (const LaneRanges& axis : run.box)
+      wild[part].watch({load(axis.lower + part * width), load(axis.upper + part * width)});
 
   for (std::size_t i = 0; i < run.clauses; ++i) {
     const Clause& clause = run.code[i];
@@ -202,8 +203,9 @@ std::uint32_t run_intervals(const IntervalRun& run, LaneRanges& root) {
     for (std::size_t part = 0; part < parts; ++part) {
       const std::size_t at = part * width;
       Lanes lanes{wild[part], 0, 0};
-      const Span made = run_span(clause, {load(a->lower + at), load(a->upper + at)}, {load(b->lower + at), load(b->upper + at)},
-                                 run.occupancy && clause.only_sign_matters, lanes);
+      const Span made =
+          run_span(clause, {load(a->lower + at), load(a->upper + at)}, {load(b->lower + at), load(b->upper + at)},
+                   run.occupancy && clause.only_sign_matters, lanes);
       store(out->lower + at, made.lower), store(out->upper + at, made.upper);
       first |= lanes.first << at, second |= lanes.second << at;
     }

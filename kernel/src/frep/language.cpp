@@ -18,13 +18,14 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-const Word open_word{"open", WordKind::function, "open(\"FILE\", NAME = VALUE, …)", "the solid of a file that Fieldfab reads",
-                     "open(\"scan.nrrd\", threshold = 300)"};
-const Word part_word{"part", WordKind::function, "part(SHAPE, \"NAME\", \"COLOUR\")", "makes a solid a named part of the model",
-                     "part(sphere(5), \"ball\", \"tomato\")"};
+const Word open_word{"open", WordKind::function, "open(\"FILE\", NAME = VALUE, …)",
+                     "the solid of a file that Fieldfab reads", "open(\"scan.nrrd\", threshold = 300)"};
+const Word part_word{"part", WordKind::function, "part(SHAPE, \"NAME\", \"COLOUR\")",
+                     "makes a solid a named part of the model", "part(sphere(5), \"ball\", \"tomato\")"};
 
 Word word_of(const LibraryFunction& function) {
-  return {std::string(function.name), WordKind::function, signature(function), meaning(function), std::string(function.example)};
+  return {std::string(function.name), WordKind::function, signature(function), meaning(function),
+          std::string(function.example)};
 }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -70,7 +71,9 @@ class Statements {
   [[nodiscard]] const std::vector<Definition>& definitions() const { return definitions_; }
 
   /// First token of the statement with token i; also for the end of the text.
-  [[nodiscard]] std::size_t statement_of(std::size_t i) const { return *std::prev(std::ranges::upper_bound(statements_, i)); }
+  [[nodiscard]] std::size_t statement_of(std::size_t i) const {
+    return *std::prev(std::ranges::upper_bound(statements_, i));
+  }
 
   /// Number of tokens before an offset.
   [[nodiscard]] std::size_t before(std::size_t offset) const {
@@ -81,9 +84,10 @@ class Statements {
     const std::size_t start = tokens_[made.first].offset;
     std::string_view line = text_.substr(start, text_.find('\n', start) - start);
     line = line.substr(0, line.find_last_not_of(" \t\r") + 1);
-    const std::string signature = made.parameters ? fmt::format("{}({})", made.name, fmt::join(*made.parameters, ", ")) : "";
-    return {std::string(made.name), WordKind::variable, made.parameters ? signature : std::string(made.name), printable(line),
-            ""};
+    const std::string signature =
+        made.parameters ? fmt::format("{}({})", made.name, fmt::join(*made.parameters, ", ")) : "";
+    return {std::string(made.name), WordKind::variable, made.parameters ? signature : std::string(made.name),
+            printable(line), ""};
   }
 
  private:
@@ -107,7 +111,8 @@ class Statements {
       }
       if (!is(after++, ")")) return;
     }
-    if (after < end && is(after, "=")) definitions_.push_back({shown(tokens_[first]), parameters, first, after + 1, end});
+    if (after < end && is(after, "="))
+      definitions_.push_back({shown(tokens_[first]), parameters, first, after + 1, end});
   }
 
   std::string_view text_;
@@ -156,14 +161,17 @@ std::vector<Word> parameters_of(const Statements& source, const Enclosing& call,
     words.push_back({std::string(name), WordKind::parameter, signature, std::move(meaning), ""});
   };
   const auto& made = source.definitions();
-  const auto defined = std::ranges::find_if(made, [&](const Definition& d) { return d.parameters && d.name == call.name; });
+  const auto defined =
+      std::ranges::find_if(made, [&](const Definition& d) { return d.parameters && d.name == call.name; });
   if (defined != made.end() && defined->first < call.token) {
-    for (const std::string_view name : *defined->parameters) add(name, std::string(name), source.word_of(*defined).meaning);
+    for (const std::string_view name : *defined->parameters)
+      add(name, std::string(name), source.word_of(*defined).meaning);
   } else if (call.name == "open") {
     if (call.argument > 0) words.assign(options.begin(), options.end());
   } else if (call.name == "part") {
     for (const char* const name : {"shape", "name", "colour"}) add(name, name, part_word.signature);
-  } else if (const LibraryFunction* const function = find_function(call.name); function != nullptr && !function->any_number) {
+  } else if (const LibraryFunction* const function = find_function(call.name);
+             function != nullptr && !function->any_number) {
     for (const Parameter& parameter : function->parameters) {
       const char* const unit = parameter.quantity == Quantity::angle ? "°" : "";
       add(parameter.name,
@@ -232,7 +240,8 @@ std::vector<TextParameter> parameters(std::string_view text) {
     const std::size_t start = source[made.body].offset, end = last.offset + last.length;
     TextParameter parameter{std::string(made.name), name.offset, start, end - start, minus ? -value : value, {}, {}};
     const auto comment = std::ranges::lower_bound(source.comments(), end, {}, &Token::offset);
-    const bool shared = made.end + 1 < source.size() && source.is(made.end, ";") && source[made.end + 1].line == last.line;
+    const bool shared =
+        made.end + 1 < source.size() && source.is(made.end, ";") && source[made.end + 1].line == last.line;
     if (comment != source.comments().end() && comment->line == last.line && !shared)
       read_comment(source.shown(*comment), parameter);
     all.push_back(std::move(parameter));
@@ -245,8 +254,8 @@ std::vector<Word> words(std::string_view text) {
   for (const LibraryFunction& function : library()) all.push_back(word_of(function));
   all.insert(all.end(), {open_word, part_word});
   for (const Constant& constant : constants())
-    all.push_back(
-        {std::string(constant.name), WordKind::constant, std::string(constant.name), std::string(constant.meaning), ""});
+    all.push_back({std::string(constant.name), WordKind::constant, std::string(constant.name),
+                   std::string(constant.meaning), ""});
   std::unordered_map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < all.size(); ++i) places.emplace(all[i].name, i);
   const Statements source(text);
@@ -266,7 +275,8 @@ Completions completions(std::string_view text, std::size_t offset, std::span<con
   Completions fitting{offset, 0, {}};
   const std::string_view after = text.substr(offset);
   const auto fits = [&](const Word& word, std::string insert) {
-    if (begins(word.name, text.substr(fitting.offset, fitting.length))) fitting.entries.push_back({word, std::move(insert)});
+    if (begins(word.name, text.substr(fitting.offset, fitting.length)))
+      fitting.entries.push_back({word, std::move(insert)});
   };
   const auto holds = [&](const Token& token) { return token.offset < offset && offset <= token.offset + token.length; };
   const Statements source(text);
@@ -287,7 +297,8 @@ Completions completions(std::string_view text, std::size_t offset, std::span<con
           call && call->name == "part" && (named.empty() ? call->argument == 2 : named == "colour" || named == "color");
       if (colour)
         for (const std::string_view name : colour_names())
-          fits({std::string(name), WordKind::colour, std::string(name), text_of(colour_named(name)), ""}, std::string(name));
+          fits({std::string(name), WordKind::colour, std::string(name), text_of(colour_named(name)), ""},
+               std::string(name));
       return fitting;
     }
     if (token.kind == TokenKind::name) {
@@ -326,7 +337,8 @@ Completions completions(std::string_view text, std::size_t offset, std::span<con
   for (const Definition& made : source.definitions())
     if (made.first == statement && made.parameters && made.body <= place)
       for (const std::string_view name : *made.parameters)
-        fits({std::string(name), WordKind::variable, std::string(name), source.word_of(made).meaning, ""}, std::string(name));
+        fits({std::string(name), WordKind::variable, std::string(name), source.word_of(made).meaning, ""},
+             std::string(name));
   std::ranges::sort(fitting.entries.begin() + sorted_from, fitting.entries.end(), {}, &Word::name);
   return fitting;
 }
@@ -349,7 +361,8 @@ std::optional<WordAt> word_at(std::string_view text, std::size_t offset, std::sp
     return call ? found_in(parameters_of(source, *call, options)) : std::nullopt;
   }
   for (const Definition& made : source.definitions())
-    if (made.first == statement && made.parameters && std::ranges::find(*made.parameters, name) != made.parameters->end())
+    if (made.first == statement && made.parameters &&
+        std::ranges::find(*made.parameters, name) != made.parameters->end())
       return WordAt{{std::string(name), WordKind::variable, std::string(name), source.word_of(made).meaning, ""},
                     token.offset,
                     token.length};

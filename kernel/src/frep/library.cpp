@@ -29,21 +29,27 @@ void add_operations(Functions& all) {
     const OpcodeInfo& about = info(op);
     if (about.infix.size() < 2 || op == Opcode::minimum || op == Opcode::maximum) continue;
     if (about.arity == 1)
-      all.push_back({about.infix, "numbers", {given("value")}, "", "", "", [op](A a) { return Expression::make(op, a[0]); }});
-    else
       all.push_back(
-          {about.infix, "numbers", {given("a"), given("b")}, "", "", "", [op](A a) { return Expression::make(op, a[0], a[1]); }});
+          {about.infix, "numbers", {given("value")}, "", "", "", [op](A a) { return Expression::make(op, a[0]); }});
+    else
+      all.push_back({about.infix, "numbers", {given("a"), given("b")}, "", "", "", [op](A a) {
+                       return Expression::make(op, a[0], a[1]);
+                     }});
   }
-  all.push_back(
-      {"pow", "numbers", {given("a"), given("b")}, "", "", "", [](A a) { return Expression::make(Opcode::power, a[0], a[1]); }});
+  all.push_back({"pow", "numbers", {given("a"), given("b")}, "", "", "", [](A a) {
+                   return Expression::make(Opcode::power, a[0], a[1]);
+                 }});
 }
 
 /// Conversions between solids and numbers, which decide the meaning of `-` and `+`.
 void add_kinds(Functions& all) {
-  all.push_back(
-      {"value", "numbers", {given("shape")}, "", "the value of a solid at each point, as a number to reckon with", "", [](A a) {
-         return a[0];
-       }});
+  all.push_back({"value",
+                 "numbers",
+                 {given("shape")},
+                 "",
+                 "the value of a solid at each point, as a number to reckon with",
+                 "",
+                 [](A a) { return a[0]; }});
 }
 
 template <class Join>
@@ -151,7 +157,8 @@ void add_solids(Functions& all) {
 void add_flat(Functions& all) {
   using namespace shapes;
   const char* const group = "Flat shapes";
-  all.push_back({"circle", group, {with("r", 1)}, "exact", "", "extrude(circle(4), 1)", [](A a) { return circle(a[0]); }});
+  all.push_back(
+      {"circle", group, {with("r", 1)}, "exact", "", "extrude(circle(4), 1)", [](A a) { return circle(a[0]); }});
   all.push_back({"rectangle",
                  group,
                  {with("dx", 1), with("dy", 1)},
@@ -268,13 +275,17 @@ void add_lattices(Functions& all) {
                  "give it walls with shell; their thickness may vary",
                  "shell(gyroid(5), 0.8 + z / 12) & box(10, 10, 10)",
                  [](A a) { return gyroid(a[0]); }});
+  all.push_back({"schwarz_p",
+                 group,
+                 {with("period", 1)},
+                 "neither",
+                 "the same",
+                 "shell(schwarz_p(5), 0.8) & box(10, 10, 10)",
+                 [](A a) { return schwarz_p(a[0]); }});
   all.push_back(
-      {"schwarz_p", group, {with("period", 1)}, "neither", "the same", "shell(schwarz_p(5), 0.8) & box(10, 10, 10)", [](A a) {
-         return schwarz_p(a[0]);
+      {"diamond", group, {with("period", 1)}, "neither", "the same", "shell(diamond(5), 0.8) & sphere(6)", [](A a) {
+         return diamond(a[0]);
        }});
-  all.push_back({"diamond", group, {with("period", 1)}, "neither", "the same", "shell(diamond(5), 0.8) & sphere(6)", [](A a) {
-                   return diamond(a[0]);
-                 }});
 }
 
 void add_sets(Functions& all) {
@@ -284,7 +295,9 @@ void add_sets(Functions& all) {
                          auto join) {
     all.push_back({name, in, {given("a"), given("b")}, "", meaning, example, joined_by(join), true});
   };
-  const auto smallest = [](const Expression& a, const Expression& b) { return Expression::make(Opcode::minimum, a, b); };
+  const auto smallest = [](const Expression& a, const Expression& b) {
+    return Expression::make(Opcode::minimum, a, b);
+  };
   const auto largest = [](const Expression& a, const Expression& b) { return Expression::make(Opcode::maximum, a, b); };
   chain("min", "numbers", "", "", smallest);
   chain("max", "numbers", "", "", largest);
@@ -332,18 +345,18 @@ void add_sets(Functions& all) {
                      return make(a[0], a[1], a[2]);
                    }});
   };
-  two("smooth_union", "r", "union with a round fillet", "smooth_union(box(8, 8, 2), move(cylinder(2, 6), 0, 0, 3), 1.5)",
-      smooth_unite);
+  two("smooth_union", "r", "union with a round fillet",
+      "smooth_union(box(8, 8, 2), move(cylinder(2, 6), 0, 0, 3), 1.5)", smooth_unite);
   two("smooth_intersection", "r", "intersection with a round edge", "smooth_intersection(box(6, 6, 6), sphere(4), 1)",
       smooth_intersect);
   two("smooth_difference", "r", "difference with a round edge", "smooth_difference(box(8, 8, 4), cylinder(2, 6), 1)",
       smooth_subtract);
-  two("chamfer_union", "size", "union with a flat fillet", "chamfer_union(box(8, 8, 2), move(cylinder(2, 6), 0, 0, 3), 1.5)",
-      chamfer_unite);
+  two("chamfer_union", "size", "union with a flat fillet",
+      "chamfer_union(box(8, 8, 2), move(cylinder(2, 6), 0, 0, 3), 1.5)", chamfer_unite);
   two("chamfer_intersection", "size", "intersection with the edge cut off",
       "chamfer_intersection(cylinder(4, 20), box(20, 20, 5), 1)", chamfer_intersect);
-  two("chamfer_difference", "size", "difference with the edge cut off", "chamfer_difference(box(8, 8, 4), cylinder(2, 6), 1)",
-      chamfer_subtract);
+  two("chamfer_difference", "size", "difference with the edge cut off",
+      "chamfer_difference(box(8, 8, 4), cylinder(2, 6), 1)", chamfer_subtract);
   all.push_back({"morph",
                  group,
                  {given("a"), given("b"), with("weight", 0.5)},
@@ -365,10 +378,13 @@ void add_moves(Functions& all) {
                  "box(4, 4, 4) | move(sphere(2), 2, 2, 2)",
                  [](A a) { return move(a[0], a[1], a[2], a[3]); }});
   const auto turned = [&](std::string_view name, std::string_view example, auto make) {
-    all.push_back(
-        {name, group, {shape, {"angle", angle}}, "", "anticlockwise, seen from where the axis points", example, [make](A a) {
-           return make(a[0], a[1]);
-         }});
+    all.push_back({name,
+                   group,
+                   {shape, {"angle", angle}},
+                   "",
+                   "anticlockwise, seen from where the axis points",
+                   example,
+                   [make](A a) { return make(a[0], a[1]); }});
   };
   turned("rotate_x", "rotate_x(box(8, 4, 2), 30)", rotate_x);
   turned("rotate_y", "rotate_y(box(8, 4, 2), 30)", rotate_y);
@@ -392,7 +408,8 @@ void add_moves(Functions& all) {
   plain("symmetric_x", "the half x > 0 and its mirror image", "symmetric_x(move(sphere(2), 3))", symmetric_x);
   plain("symmetric_y", "the half y > 0 and its mirror image", "symmetric_y(move(sphere(2), 0, 3))", symmetric_y);
   plain("symmetric_z", "the half z > 0 and its mirror image", "symmetric_z(move(cone(2, 4), 0, 0, 1.5))", symmetric_z);
-  const auto one = [&](std::string_view name, Parameter how, std::string_view meaning, std::string_view example, auto make) {
+  const auto one = [&](std::string_view name, Parameter how, std::string_view meaning, std::string_view example,
+                       auto make) {
     all.push_back({name, group, {shape, how}, "", meaning, example, [make](A a) { return make(a[0], a[1]); }});
   };
   one("shear_x_y", given("slope"), "x moved by slope * y", "shear_x_y(box(4, 6, 2), 0.5)", shear_x_y);
@@ -405,13 +422,16 @@ void add_moves(Functions& all) {
                  "full size at z = 0, factor times that at z = height",
                  "taper(extrude(rectangle(6, 6), 6), 6, 0.4)",
                  [](A a) { return taper(a[0], a[1], a[2]); }});
-  one("bend", given("r"), "what lies along x is bent upwards about an axis along y, r above the origin", "bend(box(14, 3, 1), 5)",
-      bend);
+  one("bend", given("r"), "what lies along x is bent upwards about an axis along y, r above the origin",
+      "bend(box(14, 3, 1), 5)", bend);
   const auto pulled = [&](std::string_view name, std::string_view meaning, std::string_view example, auto make) {
-    all.push_back(
-        {name, group, {shape, with("px", 0), with("py", 0), with("pz", 0), with("reach", 1)}, "", meaning, example, [make](A a) {
-           return make(a[0], a[1], a[2], a[3], a[4]);
-         }});
+    all.push_back({name,
+                   group,
+                   {shape, with("px", 0), with("py", 0), with("pz", 0), with("reach", 1)},
+                   "",
+                   meaning,
+                   example,
+                   [make](A a) { return make(a[0], a[1], a[2], a[3], a[4]); }});
   };
   pulled("attract", "drawn to a point, less and less over reach", "attract(box(6, 6, 6), 0, 0, 3, 2)", attract);
   pulled("repel", "driven from a point, less and less over reach", "repel(box(6, 6, 2), 0, 0, 0, 2)", repel);
@@ -500,11 +520,13 @@ Functions make_library() {
 Expression plain(const Expression& argument, const LibraryFunction& function, const Parameter& parameter) {
   Expression value = simplify(argument);
   const auto refuse = [&](const char* what) {
-    throw Error(ErrorKind::bad_input, "", fmt::format("'{}' of '{}' must be a plain {}", parameter.name, function.name, what));
+    throw Error(ErrorKind::bad_input, "",
+                fmt::format("'{}' of '{}' must be a plain {}", parameter.name, function.name, what));
   };
   if (parameter.quantity == Quantity::number && value.opcode() != Opcode::constant) refuse("number");
-  if (parameter.quantity == Quantity::whole && (value.opcode() != Opcode::constant || std::abs(value.constant()) > 1e6 ||
-                                                std::floor(value.constant()) != value.constant()))
+  if (parameter.quantity == Quantity::whole &&
+      (value.opcode() != Opcode::constant || std::abs(value.constant()) > 1e6 ||
+       std::floor(value.constant()) != value.constant()))
     refuse("whole number");
   return value;
 }
@@ -564,7 +586,8 @@ const Constant* find_constant(std::string_view name) {
   return nullptr;
 }
 
-Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given, std::string_view text) {
+Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given,
+                std::string_view text) {
   Arguments arguments;
   arguments.text = text;
   for (std::size_t i = 0; i < std::max(given.size(), function.parameters.size()); ++i) {
@@ -612,8 +635,9 @@ Value joined(char sign, const Value& a, const Value& b, Making making) {
   const bool sets = sign == '|' || sign == '&';
   if (a.solid && b.solid && sign == '-') return {shapes::subtract(a.expression, b.expression), true};
   if (a.solid && b.solid && !sets)
-    throw Error(ErrorKind::bad_input, "",
-                fmt::format("'{0}' of two solids: write a | b for their union, or value(a) {0} value(b) for numbers", sign));
+    throw Error(
+        ErrorKind::bad_input, "",
+        fmt::format("'{0}' of two solids: write a | b for their union, or value(a) {0} value(b) for numbers", sign));
   const bool solid = sets || (sign != '^' && (a.solid || b.solid));
   return {making == Making::folded ? folded(sign, a.expression, b.expression)
                                    : Expression::make(operation(sign), a.expression, b.expression),

@@ -51,7 +51,8 @@ class MathParser {
       deliver(source_.number(at_));
       return;
     }
-    if (c == ' ' && !waiting_.empty() && waiting_.back().expects >= Expects::map_x && waiting_.back().expects <= Expects::map_z) {
+    if (c == ' ' && !waiting_.empty() && waiting_.back().expects >= Expects::map_x &&
+        waiting_.back().expects <= Expects::map_z) {
       ++at_;
       const Expects which = waiting_.back().expects;
       deliver(which == Expects::map_x ? now_.x : which == Expects::map_y ? now_.y : now_.z);
@@ -147,9 +148,9 @@ std::string print_math(const Expression& expression) {
     bytes[i] = 1 + (arity >= 1 ? bytes[entry.a] : 0) + (arity == 2 ? bytes[entry.b] : 0);
   }
   if (bytes.back() > most_bytes)
-    throw Error(
-        ErrorKind::too_large, "",
-        "as a math string this expression would be larger than 64 MB, since shared parts are repeated; write .vm or .frep");
+    throw Error(ErrorKind::too_large, "",
+                "as a math string this expression would be larger than 64 MB, since shared parts are repeated; write "
+                ".vm or .frep");
 
   std::string text;
   std::vector<std::uint32_t> stack{static_cast<std::uint32_t>(flat.order.size() - 1)};

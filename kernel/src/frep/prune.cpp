@@ -35,7 +35,8 @@ void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint1
   }
 }
 
-bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane, Tape& pruned) {
+bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
+           Tape& pruned) {
   static thread_local Workspace kept_workspace;
   Workspace& work = kept_workspace;
   const std::size_t count = tape.code.size();

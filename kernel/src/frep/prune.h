@@ -12,6 +12,7 @@ void mark_needed(const Tape& tape, const Choice* choices, std::vector<std::uint1
 
 /// Writes the code that matters in the box of one lane (Algs 3.3 and 3.4). Returns false, and
 /// leaves `pruned` unchanged, if no clause can be removed.
-bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane, Tape& pruned);
+bool prune(const Tape& tape, const Choice* choices, const std::vector<std::uint16_t>& needed, unsigned lane,
+           Tape& pruned);
 
 }  // namespace fieldfab::frep

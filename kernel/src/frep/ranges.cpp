@@ -81,7 +81,9 @@ void record_choices(const Tape& tape, const Ranges& ranges, Purpose purpose, uns
     const Chosen chosen = choose(clause, operand_range(tape, ranges, clause.a), operand_range(tape, ranges, clause.b),
                                  purpose == Purpose::occupancy && clause.only_sign_matters);
     const auto bit = static_cast<std::uint16_t>(1U << lane);
-    const auto set = [&](std::uint16_t& lanes, bool on) { lanes = static_cast<std::uint16_t>(on ? lanes | bit : lanes & ~bit); };
+    const auto set = [&](std::uint16_t& lanes, bool on) {
+      lanes = static_cast<std::uint16_t>(on ? lanes | bit : lanes & ~bit);
+    };
     set(choices[i].first, chosen == Chosen::first);
     set(choices[i].second, chosen == Chosen::second);
   }

@@ -41,15 +41,16 @@ ValueAndGradient evaluate_gradient(const Expression& expression, float x, float 
   std::vector<ValueAndGradient> result(flat.order.size());
   for_each_node(flat, [&](const Flat::Entry& entry, std::size_t i) {
     if (info(entry.op).arity == 0) {
-      result[i] = leaf<ValueAndGradient>(entry, {static_cast<float>(entry.constant), {0, 0, 0}}, {x, {1, 0, 0}}, {y, {0, 1, 0}},
-                                         {z, {0, 0, 1}});
+      result[i] = leaf<ValueAndGradient>(entry, {static_cast<float>(entry.constant), {0, 0, 0}}, {x, {1, 0, 0}},
+                                         {y, {0, 1, 0}}, {z, {0, 0, 1}});
       return;
     }
     const ValueAndGradient& a = result[entry.a];
     const ValueAndGradient& b = result[entry.b];
     result[i].value = apply(entry.op, a.value, b.value);
     const Partials d = partials(entry.op, a.value, b.value, result[i].value);
-    for (std::size_t axis = 0; axis < 3; ++axis) result[i].gradient[axis] = chain(d.a, a.gradient[axis], d.b, b.gradient[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      result[i].gradient[axis] = chain(d.a, a.gradient[axis], d.b, b.gradient[axis]);
   });
   return result.back();
 }

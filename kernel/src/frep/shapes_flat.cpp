@@ -17,7 +17,9 @@ struct Point {
 };
 
 /// Twice the signed area of a triangle, positive if it is counterclockwise.
-double turn(const Point& a, const Point& b, const Point& c) { return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y); }
+double turn(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+}
 
 /// Half plane to the left of the line from a to b.
 E left_of(const Point& a, const Point& b) {
@@ -36,7 +38,8 @@ std::vector<std::size_t> hull_of(const std::vector<Point>& points) {
   const auto chain = [&](auto first, auto last) {
     const std::size_t base = hull.size();
     for (auto i = first; i != last; ++i) {
-      while (hull.size() > base + 1 && turn(points[hull[hull.size() - 2]], points[hull.back()], points[*i]) <= 0) hull.pop_back();
+      while (hull.size() > base + 1 && turn(points[hull[hull.size() - 2]], points[hull.back()], points[*i]) <= 0)
+        hull.pop_back();
       hull.push_back(*i);
     }
     hull.pop_back();
@@ -60,7 +63,8 @@ E simple_polygon(const std::vector<Point>& points, int depth) {
     pocket.push_back(points[to]);
     if (pocket.size() < 3) continue;
     std::reverse(pocket.begin(), pocket.end());
-    if (std::all_of(pocket.begin(), pocket.end(), [&](const Point& p) { return turn(pocket.front(), pocket.back(), p) == 0; }))
+    if (std::all_of(pocket.begin(), pocket.end(),
+                    [&](const Point& p) { return turn(pocket.front(), pocket.back(), p) == 0; }))
       continue;
     solid = max(solid, -simple_polygon(pocket, depth + 1));
   }
@@ -95,7 +99,8 @@ E triangle(const E& x0, const E& y0, const E& x1, const E& y1, const E& x2, cons
 }
 
 E polygon(int sides, double radius) {
-  if (sides < 3 || sides > 10000) throw Error(ErrorKind::bad_input, "polygon", "the number of sides must be from 3 to 10000");
+  if (sides < 3 || sides > 10000)
+    throw Error(ErrorKind::bad_input, "polygon", "the number of sides must be from 3 to 10000");
   const double reach = radius * std::cos(pi / sides);
   E solid = x() - reach;
   for (int i = 1; i < sides; ++i) {
@@ -110,7 +115,8 @@ E outline(std::span<const double> coordinates) {
     throw Error(ErrorKind::bad_input, "outline", "takes at least three points, each with its x and y");
   std::vector<Point> points;
   for (std::size_t i = 0; i < coordinates.size(); i += 2)
-    if (const Point p{coordinates[i], coordinates[i + 1]}; points.empty() || p.x != points.back().x || p.y != points.back().y)
+    if (const Point p{coordinates[i], coordinates[i + 1]};
+        points.empty() || p.x != points.back().x || p.y != points.back().y)
       points.push_back(p);
   if (points.front().x == points.back().x && points.front().y == points.back().y) points.pop_back();
   double area = 0;
@@ -131,7 +137,8 @@ E slot(const E& width, const E& depth, const E& chamfer) {
 }
 
 E gear(int teeth, double module, double pressure_angle, double backlash) {
-  if (teeth < 3 || teeth > 10000) throw Error(ErrorKind::bad_input, "gear", "the number of teeth must be from 3 to 10000");
+  if (teeth < 3 || teeth > 10000)
+    throw Error(ErrorKind::bad_input, "gear", "the number of teeth must be from 3 to 10000");
   if (!(module > 0)) throw Error(ErrorKind::bad_input, "gear", "the module must be above 0 mm");
   if (!(pressure_angle > 0 && pressure_angle < 1.2))
     throw Error(ErrorKind::bad_input, "gear", "the pressure angle must be above 0 and below 68 degrees");
@@ -152,7 +159,8 @@ E trace(std::span<const double> c, double width) {
   if (c.size() % 2 != 0 || c.size() < 4)
     throw Error(ErrorKind::bad_input, "trace", "takes at least two points, each with its x and y");
   E copper = stroke(c[0], c[1], c[2], c[3], width);
-  for (std::size_t i = 2; i + 3 < c.size(); i += 2) copper = min(copper, stroke(c[i], c[i + 1], c[i + 2], c[i + 3], width));
+  for (std::size_t i = 2; i + 3 < c.size(); i += 2)
+    copper = min(copper, stroke(c[i], c[i + 1], c[i + 2], c[i + 3], width));
   return copper;
 }
 
@@ -164,11 +172,13 @@ E footprint_soic(int pins, double pitch, double span, double pad_dx, double pad_
   if (pins < 2 || pins > 1000 || pins % 2 != 0)
     throw Error(ErrorKind::bad_input, "footprint_soic", "the number of pins must be even, from 2 to 1000");
   const int rows = pins / 2;
-  return symmetric_x(array_xy(move(rectangle(pad_dx, pad_dy), span / 2, -pitch * (rows - 1) / 2, 0.0), 1, rows, 0.0, pitch));
+  return symmetric_x(
+      array_xy(move(rectangle(pad_dx, pad_dy), span / 2, -pitch * (rows - 1) / 2, 0.0), 1, rows, 0.0, pitch));
 }
 
 E footprint_header(int columns, int rows, double pitch, double pad) {
-  return array_xy(move(circle(pad / 2), -pitch * (columns - 1) / 2, -pitch * (rows - 1) / 2, 0.0), columns, rows, pitch, pitch);
+  return array_xy(move(circle(pad / 2), -pitch * (columns - 1) / 2, -pitch * (rows - 1) / 2, 0.0), columns, rows, pitch,
+                  pitch);
 }
 
 }  // namespace fieldfab::frep::shapes

@@ -15,10 +15,13 @@ E about_point(const E& a, const E& px, const E& py, const E& pz, const E& factor
   return remap(a, px + (x() - px) * factor, py + (y() - py) * factor, pz + (z() - pz) * factor);
 }
 
-E fading(const E& px, const E& py, const E& pz, const E& reach) { return exp(-length(x() - px, y() - py, z() - pz) / reach); }
+E fading(const E& px, const E& py, const E& pz, const E& reach) {
+  return exp(-length(x() - px, y() - py, z() - pz) / reach);
+}
 
 void require_count(int count, const char* where) {
-  if (count < 1 || count > 10000) throw Error(ErrorKind::bad_input, where, "the number of copies must be from 1 to 10000");
+  if (count < 1 || count > 10000)
+    throw Error(ErrorKind::bad_input, where, "the number of copies must be from 1 to 10000");
 }
 
 /// Union of copies first ... first + count - 1, as a balanced tree, so that pruning removes halves.
@@ -102,8 +105,9 @@ E array_xy(const E& a, int columns, int rows, const E& dx, const E& dy) {
   require_count(columns, "array");
   require_count(rows, "array");
   return united(0, rows, [&](int row) {
-    return united(0, columns,
-                  [&](int column) { return move(a, static_cast<double>(column) * dx, static_cast<double>(row) * dy, 0.0); });
+    return united(0, columns, [&](int column) {
+      return move(a, static_cast<double>(column) * dx, static_cast<double>(row) * dy, 0.0);
+    });
   });
 }
 

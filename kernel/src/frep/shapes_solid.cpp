@@ -10,9 +10,13 @@ const double pi = std::numbers::pi;
 
 E sphere(const E& radius) { return length(x(), y(), z()) - radius; }
 
-E ellipsoid(const E& rx, const E& ry, const E& rz) { return (length(x() / rx, y() / ry, z() / rz) - 1.0) * min(min(rx, ry), rz); }
+E ellipsoid(const E& rx, const E& ry, const E& rz) {
+  return (length(x() / rx, y() / ry, z() / rz) - 1.0) * min(min(rx, ry), rz);
+}
 
-E box(const E& dx, const E& dy, const E& dz) { return max(max(abs(x()) - dx / 2.0, abs(y()) - dy / 2.0), abs(z()) - dz / 2.0); }
+E box(const E& dx, const E& dy, const E& dz) {
+  return max(max(abs(x()) - dx / 2.0, abs(y()) - dy / 2.0), abs(z()) - dz / 2.0);
+}
 
 E exact_box(const E& dx, const E& dy, const E& dz) { return rounded_box(dx, dy, dz, 0.0); }
 
@@ -35,7 +39,8 @@ E cone(const E& radius, const E& height) {
 
 E exact_cone(const E& radius, const E& height) {
   const E r = length(x(), y()), half = height / 2.0;
-  const E side = segment_distance(r, z(), 0.0, half, radius, -half), base = segment_distance(r, z(), 0.0, -half, radius, -half);
+  const E side = segment_distance(r, z(), 0.0, half, radius, -half),
+          base = segment_distance(r, z(), 0.0, -half, radius, -half);
   return with_sign_of(cone(radius, height), min(side, base));
 }
 
@@ -74,7 +79,8 @@ E schwarz_p(const E& period) {
 
 E diamond(const E& period) {
   const E k = 2 * pi / period, a = x() * k, b = y() * k, c = z() * k;
-  return (sin(a) * sin(b) * sin(c) + sin(a) * cos(b) * cos(c) + cos(a) * sin(b) * cos(c) + cos(a) * cos(b) * sin(c)) / (k * 1.5);
+  return (sin(a) * sin(b) * sin(c) + sin(a) * cos(b) * cos(c) + cos(a) * sin(b) * cos(c) + cos(a) * cos(b) * sin(c)) /
+         (k * 1.5);
 }
 
 E thread(const E& radius, const E& pitch, const E& height) {

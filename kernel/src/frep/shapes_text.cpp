@@ -153,7 +153,8 @@ E text(std::string_view words, double height, double weight) {
       continue;
     }
     const auto found = glyphs().find(letter);
-    if (letter != ' ') add_strokes(found != glyphs().end() ? found->second : box_glyph, left, base, unit, weight, strokes);
+    if (letter != ' ')
+      add_strokes(found != glyphs().end() ? found->second : box_glyph, left, base, unit, weight, strokes);
     left += advance * unit;
   }
   if (strokes.empty()) throw Error(ErrorKind::bad_input, "text", "has nothing to show");

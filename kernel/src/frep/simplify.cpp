@@ -19,7 +19,8 @@ Expression simple(Opcode op, const Expression& a) {
   if (op == Opcode::negate && inner == Opcode::negate) return a.argument(0);
   if ((op == Opcode::square || op == Opcode::absolute) && (inner == Opcode::negate || inner == Opcode::absolute))
     return simple(op, a.argument(0));
-  if (op == Opcode::absolute && (inner == Opcode::square || inner == Opcode::square_root || inner == Opcode::exponential))
+  if (op == Opcode::absolute &&
+      (inner == Opcode::square || inner == Opcode::square_root || inner == Opcode::exponential))
     return a;
   return Expression::make(op, a);
 }

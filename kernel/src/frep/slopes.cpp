@@ -39,12 +39,14 @@ void set_negated(Lanes& out, const Lanes& a) {
 }
 
 void set_sum(Lanes& out, const Lanes& a, const Lanes& b) {
-  for (std::size_t i = 0; i < fours; ++i) out.lower[i] = a.lower[i] + b.lower[i], out.upper[i] = a.upper[i] + b.upper[i];
+  for (std::size_t i = 0; i < fours; ++i)
+    out.lower[i] = a.lower[i] + b.lower[i], out.upper[i] = a.upper[i] + b.upper[i];
   out.known = a.known && b.known;
 }
 
 void set_difference(Lanes& out, const Lanes& a, const Lanes& b) {
-  for (std::size_t i = 0; i < fours; ++i) out.lower[i] = a.lower[i] - b.upper[i], out.upper[i] = a.upper[i] - b.lower[i];
+  for (std::size_t i = 0; i < fours; ++i)
+    out.lower[i] = a.lower[i] - b.upper[i], out.upper[i] = a.upper[i] - b.lower[i];
   out.known = a.known && b.known;
 }
 
@@ -276,7 +278,8 @@ class SlopeRun {
 
 }  // namespace
 
-void evaluate_slopes(const Tape& tape, const Ranges& ranges, std::span<const Vec3> directions, std::span<Interval> out) {
+void evaluate_slopes(const Tape& tape, const Ranges& ranges, std::span<const Vec3> directions,
+                     std::span<Interval> out) {
   SlopeRun run(tape, ranges, directions);
   const Lanes& found = run.run();
   for (std::size_t i = 0; i < directions.size(); ++i)

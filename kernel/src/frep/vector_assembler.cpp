@@ -18,7 +18,8 @@ VectorAssembler::VectorAssembler(std::size_t lanes) : lanes_(lanes), wide_(lanes
 }
 
 x86::Mem VectorAssembler::constant(float number) {
-  const auto [place, is_new] = constant_places_.try_emplace(std::bit_cast<std::uint32_t>(number), constant_places_.size());
+  const auto [place, is_new] =
+      constant_places_.try_emplace(std::bit_cast<std::uint32_t>(number), constant_places_.size());
   return x86::ptr(constants_, place->second * vector_bytes());
 }
 
@@ -111,7 +112,8 @@ void VectorAssembler::mark(const Vec& to, const Mask& mask) {
 }
 
 void VectorAssembler::choose(std::size_t clause, bool second, const Mask& mask) {
-  const auto place = static_cast<int>(clause * sizeof(Choice) + (second ? offsetof(Choice, second) : offsetof(Choice, first)));
+  const auto place =
+      static_cast<int>(clause * sizeof(Choice) + (second ? offsetof(Choice, second) : offsetof(Choice, first)));
   if (wide_) {
     code.kmovw(x86::eax, mask.bits);
     code.mov(x86::word_ptr(x86::r12, place), x86::ax);
@@ -154,7 +156,8 @@ std::unique_ptr<CodeMemory> VectorAssembler::finish() {
   code.embed(table.data(), table.size() * sizeof(std::uint32_t));
   if (holder_.flatten() != asmjit::kErrorOk || holder_.resolveUnresolvedLinks() != asmjit::kErrorOk) return nullptr;
   std::unique_ptr<CodeMemory> memory = CodeMemory::reserve(holder_.codeSize());
-  if (!memory || holder_.relocateToBase(reinterpret_cast<std::uint64_t>(memory->data())) != asmjit::kErrorOk) return nullptr;
+  if (!memory || holder_.relocateToBase(reinterpret_cast<std::uint64_t>(memory->data())) != asmjit::kErrorOk)
+    return nullptr;
   if (holder_.copyFlattenedData(memory->data(), holder_.codeSize()) != asmjit::kErrorOk) return nullptr;
   return memory->seal() ? std::move(memory) : nullptr;
 }

@@ -57,8 +57,8 @@ Expression parse_vm(std::string_view text, std::string_view name) {
     if (!op) source.fail(place(1), fmt::format("unknown operation {:.40}", words[1]));
     const std::size_t arguments = *op == Opcode::constant ? 1 : static_cast<std::size_t>(info(*op).arity);
     if (count != arguments + 2)
-      source.fail(place(std::min(count, arguments + 2)),
-                  fmt::format("{} takes {} argument{}, found {}", words[1], arguments, arguments == 1 ? "" : "s", count - 2));
+      source.fail(place(std::min(count, arguments + 2)), fmt::format("{} takes {} argument{}, found {}", words[1],
+                                                                     arguments, arguments == 1 ? "" : "s", count - 2));
     const auto argument = [&](std::size_t word) -> const Expression& {
       const auto found = values.find(words[word]);
       if (found == values.end()) source.fail(place(word), fmt::format("unknown name {:.40}", words[word]));
@@ -68,7 +68,8 @@ Expression parse_vm(std::string_view text, std::string_view name) {
     if (*op == Opcode::constant) {
       std::size_t number_at = place(2);
       value = source.number(number_at);
-      if (number_at != place(2) + words[2].size()) source.fail(number_at, fmt::format("{:.40} is not a number", words[2]));
+      if (number_at != place(2) + words[2].size())
+        source.fail(number_at, fmt::format("{:.40} is not a number", words[2]));
     } else {
       value = *op == Opcode::x   ? Expression::x()
               : *op == Opcode::y ? Expression::y()
@@ -76,7 +77,8 @@ Expression parse_vm(std::string_view text, std::string_view name) {
               : arguments == 1   ? Expression::make(*op, argument(2))
                                  : Expression::make(*op, argument(2), argument(3));
     }
-    if (!values.emplace(words[0], value).second) source.fail(place(0), fmt::format("the name {:.40} is given twice", words[0]));
+    if (!values.emplace(words[0], value).second)
+      source.fail(place(0), fmt::format("the name {:.40} is given twice", words[0]));
     if (values.size() > most_operations) source.fail(place(0), fmt::format("more than {} operations", most_operations));
     last = std::move(value);
   }

@@ -114,7 +114,8 @@ ExactSolid combined(const ExactSolid& a, const ExactSolid& b, Operation operatio
                                                            : pmp::Corefinement::TM1_MINUS_TM2;
     wanted[place] = &result;
     const bool valid = pmp::corefine_and_compute_boolean_operations(one, two, wanted)[place];
-    if (!valid) throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
+    if (!valid)
+      throw Error(ErrorKind::bad_input, "polyhedron", "what comes of joining two solids is not the surface of a solid");
     if (result.number_of_faces() == 0) return {};
     // Exact constructions from simple surfaces give no self-intersections; contacts are at vertices
     // only.

@@ -28,7 +28,8 @@ std::optional<std::vector<TriangleMesh>> pieces_of(const TriangleMesh& mesh) {
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
   Together together(mesh.triangles.size());
   for (std::size_t i = 0; i < sides.size(); i += 2) {
-    const bool two = i + 1 < sides.size() && sides[i].edge == sides[i + 1].edge && sides[i].forwards != sides[i + 1].forwards;
+    const bool two =
+        i + 1 < sides.size() && sides[i].edge == sides[i + 1].edge && sides[i].forwards != sides[i + 1].forwards;
     if (!two || (i + 2 < sides.size() && sides[i].edge == sides[i + 2].edge)) return std::nullopt;
     together.join(sides[i].triangle, sides[i + 1].triangle);
   }

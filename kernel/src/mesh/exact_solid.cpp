@@ -37,7 +37,9 @@ ExactSolid ExactSolid::turned(const Eigen::Matrix3d& matrix) const {
   Surface::Mesh mesh = surface_->mesh;
   for (const auto vertex : mesh.vertices()) {
     const Surface::Kernel::Point_3 p = mesh.point(vertex);
-    const auto along = [&](Eigen::Index row) { return p.x() * matrix(row, 0) + p.y() * matrix(row, 1) + p.z() * matrix(row, 2); };
+    const auto along = [&](Eigen::Index row) {
+      return p.x() * matrix(row, 0) + p.y() * matrix(row, 1) + p.z() * matrix(row, 2);
+    };
     mesh.point(vertex) = Surface::Kernel::Point_3(along(0), along(1), along(2));
   }
   return ExactSolid(std::make_shared<Surface>(std::move(mesh), surface_->simple));

@@ -119,7 +119,8 @@ void write_words(PendingFile& file, std::initializer_list<std::uint64_t> words) 
 
 }  // namespace
 
-void write_glb(std::span<const PartView> parts, PendingFile& file, const std::filesystem::path& path, Progress& progress) {
+void write_glb(std::span<const PartView> parts, PendingFile& file, const std::filesystem::path& path,
+               Progress& progress) {
   std::uint64_t items = 0;
   for (const PartView& part : parts)
     if (!part.mesh.triangles.empty()) items += part.mesh.vertices.size() + part.mesh.triangles.size();

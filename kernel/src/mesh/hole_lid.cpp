@@ -20,8 +20,8 @@ std::vector<Polyhedron::Triangle> triangles_over(std::span<const Vec3> rim) {
   if (found.size() + 2 != rim.size()) return {};
   std::vector<Polyhedron::Triangle> triangles;
   for (const auto& t : found)
-    triangles.push_back(
-        {static_cast<std::uint32_t>(t.first), static_cast<std::uint32_t>(t.second), static_cast<std::uint32_t>(t.third)});
+    triangles.push_back({static_cast<std::uint32_t>(t.first), static_cast<std::uint32_t>(t.second),
+                         static_cast<std::uint32_t>(t.third)});
   const auto passes_backwards = [&](const Polyhedron::Triangle& t) {  // the edge from the first vertex to the second
     for (std::size_t i = 0; i < 3; ++i)
       if (t[i] == 1 && t[(i + 1) % 3] == 0) return true;

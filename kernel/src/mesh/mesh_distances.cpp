@@ -88,7 +88,8 @@ void add_cone(const std::vector<Rim>& edges, const TriangleMesh& mesh, double sl
   Vec3 middle = Vec3::Zero(), areas = Vec3::Zero();
   for (const Rim& edge : edges) middle += place(mesh.vertices[edge.from]) / static_cast<double>(edges.size());
   const auto vertex = static_cast<std::uint32_t>(mesh.vertices.size() + lids.middles.size());
-  lids.middles.push_back({static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(middle.z())});
+  lids.middles.push_back(
+      {static_cast<float>(middle.x()), static_cast<float>(middle.y()), static_cast<float>(middle.z())});
   double whole = 0;
   for (const Rim& edge : edges) {
     const Vec3 a = place(mesh.vertices[edge.from]), b = place(mesh.vertices[edge.to]);
@@ -218,7 +219,8 @@ class Lattice {
     for (const std::uint32_t t : triangles) {
       const auto& v = mesh_.triangles[t];
       const Vec3 a = place(mesh_.vertices[v[0]]), b = place(mesh_.vertices[v[1]]), c = place(mesh_.vertices[v[2]]);
-      for (int i = first_from(0, std::min({a.x(), b.x(), c.x()})); i <= last_to(0, std::max({a.x(), b.x(), c.x()})); ++i) {
+      for (int i = first_from(0, std::min({a.x(), b.x(), c.x()})); i <= last_to(0, std::max({a.x(), b.x(), c.x()}));
+           ++i) {
         const double x = at(0, i);
         const int turn = passes(a, b, x, y) + passes(b, c, x, y) + passes(c, a, x, y);
         if (turn == 0) continue;
@@ -265,14 +267,16 @@ TriangleMesh closed_by(const Lids& lids, const TriangleMesh& mesh) {
   return closed;
 }
 
-std::vector<float> mesh_distances(const TriangleMesh& mesh, const DistanceLattice& lattice, double reach, Progress& progress) {
+std::vector<float> mesh_distances(const TriangleMesh& mesh, const DistanceLattice& lattice, double reach,
+                                  Progress& progress) {
   if (mesh.triangles.empty()) throw Error(ErrorKind::bad_input, "mesh", "has no triangles");
   for (const auto& p : mesh.vertices)
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       throw Error(ErrorKind::bad_input, "mesh", "a vertex is not at a finite place");
   if (!std::isfinite(lattice.spacing) || lattice.spacing <= 0 || !std::isfinite(reach) || reach <= 0 ||
       !lattice.origin.allFinite() || *std::min_element(lattice.size.begin(), lattice.size.end()) < 2)
-    throw Error(ErrorKind::bad_input, "lattice", "must have two points along each axis or more, and a spacing and reach above 0");
+    throw Error(ErrorKind::bad_input, "lattice",
+                "must have two points along each axis or more, and a spacing and reach above 0");
   if (!rims_of(mesh).empty()) throw Error(ErrorKind::bad_input, "mesh", "is not closed");
   const Box box = mesh.bounds();
   if (box.lower.z() < lattice.origin.z())

@@ -77,7 +77,11 @@ struct Look {
 class MeshField final : public Field {
  public:
   explicit MeshField(const TriangleMesh& mesh)
-      : mesh_(mesh), tree_(mesh_), inside_(mesh_, tree_), bounds_(mesh_.bounds()), touching_(1e-6 * bounds_.diagonal()) {}
+      : mesh_(mesh),
+        tree_(mesh_),
+        inside_(mesh_, tree_),
+        bounds_(mesh_.bounds()),
+        touching_(1e-6 * bounds_.diagonal()) {}
 
   [[nodiscard]] const TriangleMesh* closed_mesh() const { return inside_.closed() ? &mesh_ : nullptr; }
 
@@ -108,11 +112,13 @@ class MeshField final : public Field {
     const Vec3 apart = (box.lower - bounds_.upper).cwiseMax(bounds_.lower - box.upper).cwiseMax(0);
     const float beyond = inside_.closed() ? static_cast<float>(apart.norm() * (1 - 1e-6)) : 0;
     if (!box.lower.allFinite() || !box.upper.allFinite())
-      return {beyond > 0 ? beyond : -static_cast<float>(bounds_.diagonal()), std::numeric_limits<float>::infinity(), true};
+      return {beyond > 0 ? beyond : -static_cast<float>(bounds_.diagonal()), std::numeric_limits<float>::infinity(),
+              true};
     const Vec3 centre = box.centre();
     const double away = std::abs(look(centre).distance);
     const double reach = 0.5 * box.diagonal() * (1 + 1e-6) + 1e-6 * (centre.cwiseAbs().maxCoeff() + away);
-    const auto least = static_cast<float>((away - reach) * (1 - 1e-6)), most = static_cast<float>((away + reach) * (1 + 1e-6));
+    const auto least = static_cast<float>((away - reach) * (1 - 1e-6)),
+               most = static_cast<float>((away + reach) * (1 + 1e-6));
     if (beyond > 0) return {std::max(least, beyond), most, false};
     if (!(least > 0)) {
       const double margin = slack(box);

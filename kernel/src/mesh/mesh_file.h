@@ -34,7 +34,8 @@ class WritingProgress {
 
 void write_3mf(std::span<const PartView> parts, PendingFile& file, Progress& progress);
 /// Throws too_large for more than 4 GiB; `path` is for messages.
-void write_glb(std::span<const PartView> parts, PendingFile& file, const std::filesystem::path& path, Progress& progress);
+void write_glb(std::span<const PartView> parts, PendingFile& file, const std::filesystem::path& path,
+               Progress& progress);
 
 /// Returns all triangles that the build of the file places, together, in mm, unmerged. `bytes` is
 /// the content of the file.

@@ -102,7 +102,8 @@ class MeshReader {
       if (word == "property" && !elements.empty()) {
         std::string type(next()), length;
         if (type == "list") length = next(), type = next();
-        elements.back().properties.push_back({std::string(next()), type_of(type), length.empty() ? Type::none : type_of(length)});
+        elements.back().properties.push_back(
+            {std::string(next()), type_of(type), length.empty() ? Type::none : type_of(length)});
       }
       if (word == "comment" || word == "obj_info") skip_line();
     }
@@ -170,7 +171,8 @@ class MeshReader {
   }
   void add_polygon(const std::vector<std::uint32_t>& corners) {
     if (soup_.triangles.size() % often == 0) progress_.check();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) soup_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      soup_.triangles.push_back({corners[0], corners[i], corners[i + 1]});
   }
 
   TriangleMesh binary_stl(std::uint32_t triangles) {
@@ -235,7 +237,8 @@ class MeshReader {
       const double length = value(property.length, is_binary);
       if (!(length >= 0)) fail("a list has a negative length");
       std::vector<std::uint32_t> corners;
-      const bool face = element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
+      const bool face =
+          element.name == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
       for (std::size_t i = 0, size = checked_size(static_cast<std::size_t>(std::min(length, 1e18))); i < size; ++i) {
         const double number = value(property.type, is_binary);
         if (face) corners.push_back(index(number));
@@ -294,7 +297,8 @@ TriangleMesh merged(const TriangleMesh& soup, const std::filesystem::path& path,
 /// Reads the bytes of a mesh file of a readable format, given by `extension`.
 std::string read_mesh_file(const std::filesystem::path& path, const std::string& extension) {
   if (extension == ".glb")
-    throw Error(ErrorKind::bad_input, path.string(), "is written, not read; meshes are read from .stl .ply .off .obj .3mf");
+    throw Error(ErrorKind::bad_input, path.string(),
+                "is written, not read; meshes are read from .stl .ply .off .obj .3mf");
   if (!is_mesh_extension(extension))
     throw Error(ErrorKind::bad_input, path.string(), "is not a mesh file; known are .stl .ply .off .obj .3mf");
   return read_file(path, std::uintmax_t{1} << 36);
@@ -319,7 +323,8 @@ MeshFromFile load_mesh(const std::filesystem::path& path, Progress& progress) {
   return result;
 }
 
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress, std::vector<std::string>& notes) {
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress,
+                                      std::vector<std::string>& notes) {
   if (lower_extension(path) != ".3mf") {
     MeshFromFile file = load_mesh(path, progress);
     std::ranges::move(file.notes, std::back_inserter(notes));

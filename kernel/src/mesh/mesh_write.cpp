@@ -24,7 +24,8 @@ struct Counts {
 
 Counts counts_of(std::span<const PartView> parts) {
   Counts all;
-  for (const PartView& part : parts) all.vertices += part.mesh.vertices.size(), all.triangles += part.mesh.triangles.size();
+  for (const PartView& part : parts)
+    all.vertices += part.mesh.vertices.size(), all.triangles += part.mesh.triangles.size();
   return all;
 }
 
@@ -59,10 +60,12 @@ void write_stl(std::span<const PartView> parts, PendingFile& file, Progress& pro
 }
 
 void write_ply_header(const Counts& all, PendingFile& file, bool coloured, const std::string& described) {
-  file.write(fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\nelement vertex {}\nproperty float x\nproperty float y\n"
-      "property float z\n{}{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      all.vertices, coloured ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "", described, all.triangles));
+  file.write(
+      fmt::format("ply\nformat binary_little_endian 1.0\ncomment by Fieldfab, mm\nelement vertex {}\nproperty float "
+                  "x\nproperty float y\n"
+                  "property float z\n{}{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+                  all.vertices, coloured ? "property uchar red\nproperty uchar green\nproperty uchar blue\n" : "",
+                  described, all.triangles));
 }
 
 void write_colour(const Colour& colour, PendingFile& file) {
@@ -121,19 +124,23 @@ void write_ply(std::span<const PartView> parts, PendingFile& file, Progress& pro
 /// Writes a line for each vertex, and later for each triangle.
 class LineWriter {
  public:
-  LineWriter(const Counts& all, PendingFile& file, Progress& progress) : file_(file), written_(progress_of(all, progress)) {}
+  LineWriter(const Counts& all, PendingFile& file, Progress& progress)
+      : file_(file), written_(progress_of(all, progress)) {}
 
   /// Readers parse text as doubles or as floats. The digits are those of the float as a double, so
   /// that both are exact. Fewer digits would give the same float but another double, and triangles
   /// that nearly touch would intersect.
   void vertices(const TriangleMesh& mesh, std::string_view begins) {
     for (const auto& p : mesh.vertices)
-      line([&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, double{p[0]}, double{p[1]}, double{p[2]}); });
+      line([&](auto out) {
+        fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, double{p[0]}, double{p[1]}, double{p[2]});
+      });
   }
   /// `first` is the number of the mesh's first vertex.
   void triangles(const TriangleMesh& mesh, std::string_view begins, std::uint32_t first) {
     for (const auto& [a, b, c] : mesh.triangles)
-      line([&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, first + a, first + b, first + c); });
+      line(
+          [&](auto out) { fmt::format_to(out, FMT_COMPILE("{}{} {} {}\n"), begins, first + a, first + b, first + c); });
   }
 
  private:
@@ -184,8 +191,8 @@ void write_mtl(std::span<const PartView> parts, PendingFile& file) {
     const std::string name = material_name(part.colour);
     if (!known.insert(name).second) continue;
     const Colour colour = part.colour.value_or(colourless);
-    file.write(
-        fmt::format("newmtl {}\nKd {:.6g} {:.6g} {:.6g}\n", name, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0));
+    file.write(fmt::format("newmtl {}\nKd {:.6g} {:.6g} {:.6g}\n", name, colour.red / 255.0, colour.green / 255.0,
+                           colour.blue / 255.0));
   }
 }
 

@@ -11,7 +11,8 @@ OpenTriangleMesh to_openmesh(const TriangleMesh& mesh) {
   for (const auto& t : mesh.triangles) {
     const auto vertex = [&](std::size_t i) { return OpenMesh::VertexHandle(static_cast<int>(t[i])); };
     if (!open.add_face(vertex(0), vertex(1), vertex(2)).is_valid())
-      throw Error(ErrorKind::bad_input, "mesh", "an edge belongs to more than two triangles, or to two of opposite orientation");
+      throw Error(ErrorKind::bad_input, "mesh",
+                  "an edge belongs to more than two triangles, or to two of opposite orientation");
   }
   return open;
 }

@@ -89,7 +89,8 @@ double unit_of(std::string_view name) {
   if (name == "inch") return 25.4;
   if (name == "foot") return 304.8;
   if (name == "meter") return 1000;
-  fail(fmt::format("has the unit '{:.40}'; known are micron, millimeter, centimeter, inch, foot and meter", printable(name)));
+  fail(fmt::format("has the unit '{:.40}'; known are micron, millimeter, centimeter, inch, foot and meter",
+                   printable(name)));
 }
 
 class ModelReader final : public XmlHandler {
@@ -198,7 +199,8 @@ class ModelReader final : public XmlHandler {
   }
 
   void begin_object(const XmlAttributes& attributes) {
-    if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
+    if (budget_.objects-- == 0)
+      throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
     const std::uint32_t id = whole_number(needed(attributes, "id", "an object"));
     const auto [at, is_new] = model_.objects.try_emplace(id);
     if (!is_new) fail(fmt::format("has two objects with the id {}", id));
@@ -224,7 +226,8 @@ class ModelReader final : public XmlHandler {
   }
 
   void begin_base_materials(const XmlAttributes& attributes) {
-    if (budget_.objects-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
+    if (budget_.objects-- == 0)
+      throw Error(ErrorKind::too_large, "", "has more than 2^20 objects and groups of materials");
     // A group without a valid number gets one that no object refers to.
     materials_ = &model_.base_materials[whole_number_or_none(attributes.find("id").value_or("")).value_or(0xffffffff)];
     model_.has_colours = true;
@@ -256,8 +259,8 @@ class ModelReader final : public XmlHandler {
   void end_object() const {
     for (const auto& triangle : object_->triangles)
       if (std::max({triangle[0], triangle[1], triangle[2]}) >= object_->vertices.size())
-        fail(fmt::format("has a triangle of vertices {}, {} and {} in an object of {} vertices", triangle[0], triangle[1],
-                         triangle[2], object_->vertices.size()));
+        fail(fmt::format("has a triangle of vertices {}, {} and {} in an object of {} vertices", triangle[0],
+                         triangle[1], triangle[2], object_->vertices.size()));
   }
 
   static std::string_view needed(const XmlAttributes& attributes, const char* name, const char* what) {
@@ -292,7 +295,8 @@ class ModelReader final : public XmlHandler {
   ThreeMfReference reference_of(const XmlAttributes& attributes) {
     if (budget_.references-- == 0) throw Error(ErrorKind::too_large, "", "has more than 2^22 components and items");
     ThreeMfReference reference;
-    reference.object = whole_number(needed(attributes, "objectid", open_.back() == Element::item ? "an item" : "a component"));
+    reference.object =
+        whole_number(needed(attributes, "objectid", open_.back() == Element::item ? "an item" : "a component"));
     if (const auto transform = attributes.find("transform")) reference.transform = transform_of(*transform);
     if (const auto path = attributes.find(path_attribute)) {
       const auto [at, is_new] =

@@ -144,7 +144,8 @@ class Assembly {
       open.pop_back();
       if (here != root && !node.object->name.empty()) label.loses_names = true;
       if (node.object->printed && !node.object->triangles.empty())
-        if (const auto colour = colour_of(node); std::ranges::find(colours, colour) == colours.end() && colours.size() < 2)
+        if (const auto colour = colour_of(node);
+            std::ranges::find(colours, colour) == colours.end() && colours.size() < 2)
           colours.push_back(colour);
       for (const std::uint32_t child : node.children)
         if (nodes_[child].count.triangles > 0 && seen.insert(child).second) open.push_back(child);
@@ -167,10 +168,12 @@ class Assembly {
   /// Returns the node of the object that a reference in a part points to.
   std::uint32_t node_of(std::uint32_t part, const ThreeMfReference& reference) {
     const std::uint32_t home = reference.part == 0 ? part : load(part_name(models_[part].paths[reference.part - 1]));
-    const auto [at, is_new] = numbers_.try_emplace(std::pair(home, reference.object), static_cast<std::uint32_t>(nodes_.size()));
+    const auto [at, is_new] =
+        numbers_.try_emplace(std::pair(home, reference.object), static_cast<std::uint32_t>(nodes_.size()));
     if (!is_new) return at->second;
     const auto found = models_[home].objects.find(reference.object);
-    if (found == models_[home].objects.end()) fail(fmt::format("refers to an object {} that is not there", reference.object));
+    if (found == models_[home].objects.end())
+      fail(fmt::format("refers to an object {} that is not there", reference.object));
     nodes_.push_back({&found->second, home, reference.object, {}, {}, Node::State::fresh});
     return at->second;
   }
@@ -213,8 +216,9 @@ class Assembly {
 
   void require(const Count& all) const {
     if (all.triangles > most_triangles || all.vertices > most_triangles)
-      throw Error(ErrorKind::too_large, path_.string(),
-                  fmt::format("its components and items would make more than {} triangles or vertices", most_triangles));
+      throw Error(
+          ErrorKind::too_large, path_.string(),
+          fmt::format("its components and items would make more than {} triangles or vertices", most_triangles));
     if (all.placed > most_placed)
       throw Error(ErrorKind::too_large, path_.string(), fmt::format("places more than {} components", most_placed));
     // This mesh and its merging: a second mesh, the vertices' new numbers, and a hash table of
@@ -230,7 +234,8 @@ class Assembly {
       for (int column = 0; column < 4; ++column)
         result(row, column) = t[static_cast<std::size_t>(3 * column + row)] * (column == 3 ? models_[part].unit : 1);
     result.makeAffine();
-    if (result.linear().determinant() == 0) fail(fmt::format("has a transform that flattens object {}", reference.object));
+    if (result.linear().determinant() == 0)
+      fail(fmt::format("has a transform that flattens object {}", reference.object));
     return result;
   }
 
@@ -296,8 +301,8 @@ class Assembly {
     if (unprinted_ > 0)
       notes.push_back(fmt::format("{}: left out: {} of another type than 'model'", name, objects_in_words(unprinted_)));
     if (objects > nodes_.size())
-      notes.push_back(
-          fmt::format("{}: left out: {} that the build does not place", name, objects_in_words(objects - nodes_.size())));
+      notes.push_back(fmt::format("{}: left out: {} that the build does not place", name,
+                                  objects_in_words(objects - nodes_.size())));
   }
   static std::string objects_in_words(std::size_t count) {
     return fmt::format("{} {}", count, count == 1 ? "object" : "objects");

@@ -50,7 +50,8 @@ std::string attribute(std::string_view text) {
   }
   // U+FFFE and U+FFFF are not characters in XML.
   for (std::size_t at = 0; (at = value.find("\xEF\xBF", at)) != std::string::npos; at += 3)
-    if (const auto last = static_cast<unsigned char>(value[at + 2]); last >= 0xBE) value[at + 2] = static_cast<char>(0xBD);
+    if (const auto last = static_cast<unsigned char>(value[at + 2]); last >= 0xBE)
+      value[at + 2] = static_cast<char>(0xBD);
   return value;
 }
 
@@ -77,7 +78,8 @@ class ThreeMfWriter {
   static std::uint64_t most_text_of(const PartView& part) {
     // A number has at most 24 characters, an index 10; a character of a name becomes at most six.
     constexpr std::uint64_t vertex = 24 + 3 * 24, triangle = 30 + 3 * 10, object = 1024, letter = 6;
-    return vertex * part.mesh.vertices.size() + triangle * part.mesh.triangles.size() + object + letter * part.name.size();
+    return vertex * part.mesh.vertices.size() + triangle * part.mesh.triangles.size() + object +
+           letter * part.name.size();
   }
 
   [[nodiscard]] std::size_t colours_id() const { return parts_.size() + 1; }
@@ -100,12 +102,13 @@ class ThreeMfWriter {
     const auto from = static_cast<double>(number);
     // The digits are those of the float as a double: see mesh_write.cpp.
     add_lines(mesh.vertices, from, [](const std::array<float, 3>& p, fmt::memory_buffer& text) {
-      fmt::format_to(std::back_inserter(text), FMT_COMPILE("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n"), double{p[0]}, double{p[1]},
-                     double{p[2]});
+      fmt::format_to(std::back_inserter(text), FMT_COMPILE("<vertex x=\"{}\" y=\"{}\" z=\"{}\"/>\n"), double{p[0]},
+                     double{p[1]}, double{p[2]});
     });
     add("</vertices>\n<triangles>\n");
     add_lines(mesh.triangles, from + 0.5, [](const std::array<std::uint32_t, 3>& t, fmt::memory_buffer& text) {
-      fmt::format_to(std::back_inserter(text), FMT_COMPILE("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"), t[0], t[1], t[2]);
+      fmt::format_to(std::back_inserter(text), FMT_COMPILE("<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n"), t[0], t[1],
+                     t[2]);
     });
     add("</triangles>\n</mesh>\n</object>\n");
   }

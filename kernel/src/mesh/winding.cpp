@@ -35,7 +35,8 @@ WindingNumber::WindingNumber(const TriangleMesh& mesh) : triangles_(corners_of_a
 void WindingNumber::divide(std::uint32_t first, std::uint32_t count) {
   const std::size_t here = groups_.size();
   Group group{Vec3::Zero(), Vec3::Zero(), 0, 0, first, count};
-  Box box{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  Box box{Vec3::Constant(std::numeric_limits<double>::infinity()),
+          Vec3::Constant(-std::numeric_limits<double>::infinity())};
   const auto begin = triangles_.begin() + first, end = begin + count;
   for (auto t = begin; t != end; ++t) {
     const Vec3 area = area_of(*t), centre = centre_of(*t);
@@ -74,7 +75,8 @@ double WindingNumber::at(const Vec3& point) const {
       open[count++] = group.second;
       open[count++] = here + 1;
     } else {
-      for (std::uint32_t i = group.first; i < group.first + group.count; ++i) number += share_of_view(triangles_[i], point);
+      for (std::uint32_t i = group.first; i < group.first + group.count; ++i)
+        number += share_of_view(triangles_[i], point);
     }
   }
   return number;

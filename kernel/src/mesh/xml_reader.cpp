@@ -25,12 +25,15 @@ class Parser {
     XML_SetUserData(parser_.get(), this);
     XML_SetElementHandler(
         parser_.get(),
-        [](void* self, const XML_Char* name, const XML_Char** attributes) { of(self).begin(name, XmlAttributes(attributes)); },
+        [](void* self, const XML_Char* name, const XML_Char** attributes) {
+          of(self).begin(name, XmlAttributes(attributes));
+        },
         [](void* self, const XML_Char*) { of(self).end(); });
     XML_SetStartNamespaceDeclHandler(parser_.get(), [](void* self, const XML_Char* prefix, const XML_Char* uri) {
       of(self).guarded([&](XmlHandler& h) { h.declare(prefix == nullptr ? "" : prefix, uri == nullptr ? "" : uri); });
     });
-    XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, const XML_Char*, const XML_Char*, const XML_Char*, int) {
+    XML_SetStartDoctypeDeclHandler(parser_.get(), [](void* self, const XML_Char*, const XML_Char*, const XML_Char*,
+                                                     int) {
       of(self).guarded([](XmlHandler&) {
         throw Error(ErrorKind::bad_input, "", "has a document type declaration, which is not allowed in .3mf files");
       });
@@ -38,7 +41,8 @@ class Parser {
   }
 
   void parse(std::string_view bytes, bool last) {
-    const bool fine = XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0) == XML_STATUS_OK;
+    const bool fine =
+        XML_Parse(parser_.get(), bytes.data(), static_cast<int>(bytes.size()), last ? 1 : 0) == XML_STATUS_OK;
     if (thrown_) std::rethrow_exception(thrown_);
     if (!fine) fail(XML_ErrorString(XML_GetErrorCode(parser_.get())));
     given_ += static_cast<XML_Index>(bytes.size());
@@ -49,7 +53,9 @@ class Parser {
  private:
   static Parser& of(void* self) { return *static_cast<Parser*>(self); }
 
-  [[nodiscard]] std::string here() const { return fmt::format("{}:{}", place_, XML_GetCurrentLineNumber(parser_.get())); }
+  [[nodiscard]] std::string here() const {
+    return fmt::format("{}:{}", place_, XML_GetCurrentLineNumber(parser_.get()));
+  }
   [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, here(), how); }
 
   template <class Act>

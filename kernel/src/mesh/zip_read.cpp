@@ -18,14 +18,17 @@ constexpr std::uint64_t always_allowed = std::uint64_t{1} << 26, most_times = 20
 struct ZipReader::Archive {
   ~Archive() { zip_discard(zip); }
   [[noreturn]] void fail(const std::string& how) const { throw Error(ErrorKind::bad_input, path.string(), how); }
-  [[nodiscard]] zip_int64_t find(const std::string& name) const { return zip_name_locate(zip, name.c_str(), ZIP_FL_NOCASE); }
+  [[nodiscard]] zip_int64_t find(const std::string& name) const {
+    return zip_name_locate(zip, name.c_str(), ZIP_FL_NOCASE);
+  }
 
   /// Parts may share their bytes, so all reads count together.
   void allow(std::uint64_t size) {
     if (size > most - inflated)
-      throw Error(ErrorKind::too_large, path.string(),
-                  fmt::format("would inflate to more than {} bytes: {} is the most, above {} at most {} times the archive", most,
-                              most_bytes, always_allowed, most_times));
+      throw Error(
+          ErrorKind::too_large, path.string(),
+          fmt::format("would inflate to more than {} bytes: {} is the most, above {} at most {} times the archive",
+                      most, most_bytes, always_allowed, most_times));
     inflated += size;
   }
 
@@ -34,7 +37,8 @@ struct ZipReader::Archive {
   std::uint64_t most = 0, inflated = 0;
 };
 
-ZipReader::ZipReader(std::string_view bytes, const std::filesystem::path& path) : archive_(std::make_unique<Archive>()) {
+ZipReader::ZipReader(std::string_view bytes, const std::filesystem::path& path)
+    : archive_(std::make_unique<Archive>()) {
   archive_->path = path;
   archive_->most = std::clamp(most_times * std::uint64_t{bytes.size()}, always_allowed, most_bytes);
   zip_error_t error;
@@ -64,7 +68,8 @@ void ZipReader::read(const std::string& name, const std::function<void(std::stri
   archive_->allow(told.size);
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> part(
       zip_fopen_index(archive_->zip, static_cast<zip_uint64_t>(index), 0), zip_fclose);
-  if (part == nullptr) archive_->fail(fmt::format("its part '{:.200}' cannot be read: {}", shown, zip_strerror(archive_->zip)));
+  if (part == nullptr)
+    archive_->fail(fmt::format("its part '{:.200}' cannot be read: {}", shown, zip_strerror(archive_->zip)));
   std::string buffer(std::size_t{1} << 18, '\0');
   for (std::uint64_t left = told.size;;) {
     const zip_int64_t got = zip_fread(part.get(), buffer.data(), buffer.size());

@@ -116,7 +116,14 @@ void ZipWriter::finish() {
     Header header;
     header.u32(0x02014b50).u16(version_for(part.large)).u16(version_for(part.large)).u16(sizes_follow_the_data);
     header.u16(deflate_method).u16(0).u16(date).u32(part.crc).u32(narrow(part.deflated)).u32(narrow(part.size));
-    header.u16(part.name.size()).u16(part.large ? 28 : 0).u16(0).u16(0).u16(0).u32(0).u32(narrow(part.place)).text(part.name);
+    header.u16(part.name.size())
+        .u16(part.large ? 28 : 0)
+        .u16(0)
+        .u16(0)
+        .u16(0)
+        .u32(0)
+        .u32(narrow(part.place))
+        .text(part.name);
     if (part.large) header.u16(1).u16(24).u64(part.size).u64(part.deflated).u64(part.place);
     write(header.bytes());
   }

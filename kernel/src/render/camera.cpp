@@ -9,7 +9,8 @@
 namespace fieldfab {
 View look(const Field& field, const Box& bounds, const RenderSettings& settings) {
   if (!bounds.valid() || bounds.size().minCoeff() <= 0)
-    throw Error(ErrorKind::bad_input, "bounds", "a picture of a solid needs finite bounds with a positive size along x, y and z");
+    throw Error(ErrorKind::bad_input, "bounds",
+                "a picture of a solid needs finite bounds with a positive size along x, y and z");
   if (!std::isfinite(settings.alpha) || !std::isfinite(settings.beta))
     throw Error(ErrorKind::bad_input, "angle", "must be a finite number");
   if (!(settings.perspective >= 0 && settings.perspective <= 2))
@@ -27,7 +28,8 @@ View look(const Field& field, const Box& bounds, const RenderSettings& settings)
   const bool turned = settings.alpha != 0 || settings.beta != 0;
   if (!turned && settings.perspective == 0 && !settings.window) return view;
   // Rotation by alpha about z, then by beta about x (Keeter App. C).
-  const Eigen::Affine3d turn(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
+  const Eigen::Affine3d turn(Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) *
+                             Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ()));
   view.field = intersect(view.field, box_field(bounds));
   if (turned) view.field = transform(view.field, turn);
   view.region = image_of(bounds, turn.linear(), turn.translation());

@@ -17,7 +17,8 @@ Image bar_chart(std::span<const std::uint64_t> counts, double mark, int width, i
   std::vector<double> tall(static_cast<std::size_t>(width));
   double tallest = 1;
   for (std::size_t x = 0; x < tall.size(); ++x) {
-    const std::size_t first = x * counts.size() / tall.size(), last = std::max(first + 1, (x + 1) * counts.size() / tall.size());
+    const std::size_t first = x * counts.size() / tall.size(),
+                      last = std::max(first + 1, (x + 1) * counts.size() / tall.size());
     for (std::size_t i = first; i < last && i < counts.size(); ++i)
       tall[x] = std::max(tall[x], std::log1p(static_cast<double>(counts[i])));
     tallest = std::max(tallest, tall[x]);

@@ -30,7 +30,8 @@ struct Reader {
   png_structp png;
   png_infop info = nullptr;
   explicit Reader(const std::filesystem::path& path)
-      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, const_cast<std::filesystem::path*>(&path), on_error, on_warning)) {
+      : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, const_cast<std::filesystem::path*>(&path), on_error,
+                                   on_warning)) {
     info = png_create_info_struct(png);
   }
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
@@ -41,7 +42,8 @@ struct Writer {
   png_structp png;
   png_infop info = nullptr;
   explicit Writer(const std::filesystem::path& path)
-      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, const_cast<std::filesystem::path*>(&path), on_error, on_warning)) {
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, const_cast<std::filesystem::path*>(&path), on_error,
+                                    on_warning)) {
     info = png_create_info_struct(png);
   }
   ~Writer() { png_destroy_write_struct(&png, &info); }
@@ -91,7 +93,9 @@ std::string png_bytes(const Image& image, const std::string& name) {
   return bytes;
 }
 
-void write_png(const Image& image, const std::filesystem::path& path) { write_file(path, png_bytes(image, path.string())); }
+void write_png(const Image& image, const std::filesystem::path& path) {
+  write_file(path, png_bytes(image, path.string()));
+}
 
 Image read_png(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);
@@ -128,11 +132,12 @@ Image read_png(const std::filesystem::path& path) {
   png_read_image(reader.png, rows.data());
   png_read_end(reader.png, reader.info);
 
-  const std::size_t samples =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * static_cast<std::size_t>(image.channels);
+  const std::size_t samples = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+                              static_cast<std::size_t>(image.channels);
   if (image.depth == 16) {
     image.pixels16.resize(samples);
-    for (std::size_t i = 0; i < samples; ++i) image.pixels16[i] = static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]);
+    for (std::size_t i = 0; i < samples; ++i)
+      image.pixels16[i] = static_cast<std::uint16_t>(data[2 * i] << 8 | data[2 * i + 1]);
   } else {
     data.resize(samples);
     image.pixels8 = std::move(data);

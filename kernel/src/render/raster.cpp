@@ -139,7 +139,8 @@ class PlaneTile {
     const auto columns = static_cast<std::size_t>(r.right - r.left), rows = static_cast<std::size_t>(r.bottom - r.top);
     for (std::size_t row = 0; row < rows; ++row) {
       std::uint8_t* const pixel = pixels_ + grid_.index(r.left, r.top + static_cast<int>(row));
-      for (std::size_t column = 0; column < columns; ++column) pixel[column] = value[row * columns + column] < 0 ? 255 : 0;
+      for (std::size_t column = 0; column < columns; ++column)
+        pixel[column] = value[row * columns + column] < 0 ? 255 : 0;
     }
   }
 
@@ -238,7 +239,8 @@ class HeightTile {
     std::array<float, most> x, y, z, value;
     const std::size_t area = centres_.write(r, x.data(), y.data()), planes = static_cast<std::size_t>(high - low) + 1;
     for (std::size_t layer = 0; layer < planes; ++layer) {  // the top one first
-      if (layer > 0) std::copy_n(x.data(), area, x.data() + layer * area), std::copy_n(y.data(), area, y.data() + layer * area);
+      if (layer > 0)
+        std::copy_n(x.data(), area, x.data() + layer * area), std::copy_n(y.data(), area, y.data() + layer * area);
       std::fill_n(z.data() + layer * area, area, plane(high - static_cast<int>(layer)));
     }
     field.values({x.data(), y.data(), z.data(), area * planes}, value.data());
@@ -246,13 +248,15 @@ class HeightTile {
     std::array<int, most_columns> first;  // index of the first layer inside
     std::fill_n(first.data(), area, -1);
     for (std::size_t layer = planes; layer-- > 0;)
-      for (std::size_t i = 0; i < area; ++i) first[i] = value[layer * area + i] < 0 ? static_cast<int>(layer) : first[i];
+      for (std::size_t i = 0; i < area; ++i)
+        first[i] = value[layer * area + i] < 0 ? static_cast<int>(layer) : first[i];
     Hits hits;
     Brackets brackets;
     const auto columns = static_cast<std::size_t>(r.right - r.left);
     for (std::size_t i = 0; i < area; ++i) {
       if (first[i] < 0) continue;
-      const std::size_t pixel = grid_.index(r.left + static_cast<int>(i % columns), r.top + static_cast<int>(i / columns));
+      const std::size_t pixel =
+          grid_.index(r.left + static_cast<int>(i % columns), r.top + static_cast<int>(i / columns));
       const std::size_t at = static_cast<std::size_t>(first[i]) * area + i, above = first[i] == 0 ? at : at - area;
       if (z[at] <= heights_[pixel]) continue;
       brackets.inside[hits.count] = z[at], brackets.outside[hits.count] = z[above];
@@ -305,7 +309,8 @@ class HeightTile {
     for (std::size_t i = 0; i < hits.count; ++i) heights_[hits.pixel[i]] = hits.z[i];
     if (normals_ == nullptr || hits.count == 0) return;
     std::array<float, most_columns> value, dx, dy, dz;
-    field.gradients({hits.x.data(), hits.y.data(), hits.z.data(), hits.count}, value.data(), {dx.data(), dy.data(), dz.data()});
+    field.gradients({hits.x.data(), hits.y.data(), hits.z.data(), hits.count}, value.data(),
+                    {dx.data(), dy.data(), dz.data()});
     const float top = plane(layers_);
     for (std::size_t i = 0; i < hits.count; ++i) {
       const Eigen::Vector3f slope(dx[i], dy[i], dz[i]);

@@ -21,7 +21,9 @@ struct PixelGrid {
   [[nodiscard]] float x(int column) const {
     return static_cast<float>(region.lower.x() + (column + 0.5) * region.size().x() / width);
   }
-  [[nodiscard]] float y(int row) const { return static_cast<float>(region.upper.y() - (row + 0.5) * region.size().y() / height); }
+  [[nodiscard]] float y(int row) const {
+    return static_cast<float>(region.upper.y() - (row + 0.5) * region.size().y() / height);
+  }
   [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   [[nodiscard]] std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);

@@ -28,15 +28,16 @@ float linear(std::uint8_t number) {
 
 /// Returns the colour of each pixel that sees a part: that of the part with the least value at the
 /// point.
-std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, const Box& bounds, const RenderSettings& settings,
-                                          const PixelGrid& grid, const std::vector<float>& heights, Progress& progress) {
+std::vector<Eigen::Vector3f> materials_of(std::span<const ColouredPart> parts, const Box& bounds,
+                                          const RenderSettings& settings, const PixelGrid& grid,
+                                          const std::vector<float>& heights, Progress& progress) {
   std::vector<FieldPtr> fields;
   std::vector<Eigen::Vector3f> colours;
   for (const ColouredPart& part : parts) {
     fields.push_back(look(*part.field, bounds, settings).field);
-    colours.push_back(part.colour
-                          ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
-                          : plain_material);
+    colours.push_back(
+        part.colour ? Eigen::Vector3f(linear(part.colour->red), linear(part.colour->green), linear(part.colour->blue))
+                    : plain_material);
   }
   std::vector<Eigen::Vector3f> materials(grid.count(), plain_material);
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
@@ -74,11 +75,13 @@ Image render(const Field& field, const Box& bounds, const RenderSettings& settin
   if (settings.mode == RenderMode::bitmap) {
     Box plane = bounds;
     if (settings.window)
-      plane.lower.head<2>() = settings.window->lower.head<2>(), plane.upper.head<2>() = settings.window->upper.head<2>();
+      plane.lower.head<2>() = settings.window->lower.head<2>(),
+      plane.upper.head<2>() = settings.window->upper.head<2>();
     return bitmap(field, PixelGrid::over(plane, settings.size), progress);
   }
   if (settings.samples < 1 || settings.samples > 4)
-    throw Error(ErrorKind::bad_input, "samples", std::to_string(settings.samples) + " samples; from 1 to 4 are possible");
+    throw Error(ErrorKind::bad_input, "samples",
+                std::to_string(settings.samples) + " samples; from 1 to 4 are possible");
   const View view = look(field, bounds, settings);
   const int samples = settings.mode == RenderMode::shaded ? settings.samples : 1;
   PixelGrid grid = PixelGrid::over(view.region, settings.size);

@@ -52,8 +52,8 @@ std::vector<float> find_openness(const PixelGrid& grid, const std::vector<float>
 
 /// Returns the fraction of a light from `direction` that reaches each pixel, 0 to 1. Shadows are
 /// soft: points that are nearly hidden count as half hidden.
-std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& heights, const Eigen::Vector3f& direction,
-                              Progress& progress) {
+std::vector<float> find_light(const PixelGrid& grid, const std::vector<float>& heights,
+                              const Eigen::Vector3f& direction, Progress& progress) {
   std::vector<float> light(grid.count(), 1);
   const float pixel = static_cast<float>(grid.region.size().x() / grid.width);
   const float along = direction.head<2>().norm(), dx = direction.x() / along, dy = -direction.y() / along;
@@ -84,8 +84,8 @@ Eigen::Vector3f background(float down) {
   return colour.cwiseProduct(colour);
 }
 
-/// Whether the background is next to a pixel of the surface: a dark line there shows flat designs from above, whose colour may
-/// be that of the background.
+/// Whether the background is next to a pixel of the surface: a dark line there shows flat designs from above, whose
+/// colour may be that of the background.
 bool is_silhouette(const PixelGrid& grid, const std::vector<float>& heights, int x, int y) {
   const auto is_empty = [&](int u, int v) {
     return u >= 0 && v >= 0 && u < grid.width && v < grid.height && !std::isfinite(heights[grid.index(u, v)]);
@@ -100,7 +100,8 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
   const Eigen::Vector3f key = Eigen::Vector3f(-0.45F, 0.55F, 0.75F).normalized(),
                         fill = Eigen::Vector3f(0.7F, -0.2F, 0.45F).normalized();
   const Eigen::Vector3f warm(1.0F, 0.96F, 0.90F), cool(0.62F, 0.74F, 1.0F), sky(0.78F, 0.86F, 1.0F);
-  const std::vector<float> openness = find_openness(grid, heights, progress), light = find_light(grid, heights, key, progress);
+  const std::vector<float> openness = find_openness(grid, heights, progress),
+                           light = find_light(grid, heights, key, progress);
   std::vector<Eigen::Vector3f> colours(grid.count());
   parallel_for(static_cast<std::size_t>(grid.height), [&](std::size_t row) {
     for (int x = 0; x < grid.width; ++x) {
@@ -114,8 +115,9 @@ std::vector<Eigen::Vector3f> shade(const PixelGrid& grid, const std::vector<floa
       const float shine = light[i] * std::pow(std::max(0.0F, (2 * n.dot(key) * n - key).z()), 24.0F);
       const float edge = std::max(0.0F, 1 - n.z()), rim = edge * edge * edge * std::max(0.0F, n.y());
       const Eigen::Vector3f& material = materials.empty() ? plain_material : materials[i];
-      colours[i] = material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
-                                         0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
+      colours[i] =
+          material.cwiseProduct(0.30F * open * (0.6F + 0.4F * n.z()) * sky + 0.74F * (0.5F + 0.5F * open) * lit * warm +
+                                0.22F * std::max(0.0F, n.dot(fill)) * cool + 0.25F * rim * open * sky);
       colours[i] += Eigen::Vector3f::Constant(0.18F * shine * open);
       if (is_silhouette(grid, heights, x, static_cast<int>(row))) colours[i] *= 0.15F;
     }

@@ -44,7 +44,8 @@ class TriangleRaster {
     share_out();
     parallel_for(starts_.size() - 1, [&](std::size_t band) {
       progress.check();
-      for (std::size_t i = starts_[band]; i < starts_[band + 1]; ++i) draw(bands_[i], static_cast<int>(band) * band_rows);
+      for (std::size_t i = starts_[band]; i < starts_[band + 1]; ++i)
+        draw(bands_[i], static_cast<int>(band) * band_rows);
     });
     return std::move(seen_);
   }
@@ -59,8 +60,8 @@ class TriangleRaster {
   [[nodiscard]] Run columns_of(const Triangle& t) const {
     const auto [low, high] = std::minmax({vertices_[t[0]].x(), vertices_[t[1]].x(), vertices_[t[2]].x()});
     if (!std::isfinite(low) || !std::isfinite(high)) return {0, -1};
-    return pixels_between((low - grid_.region.lower.x()) * columns_per_mm_, (high - grid_.region.lower.x()) * columns_per_mm_,
-                          grid_.width);
+    return pixels_between((low - grid_.region.lower.x()) * columns_per_mm_,
+                          (high - grid_.region.lower.x()) * columns_per_mm_, grid_.width);
   }
 
   /// Lists for each band of rows the triangles that reach it, in their order (counting sort).
@@ -71,7 +72,8 @@ class TriangleRaster {
       for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
         const Run rows = rows_of(triangles_[t]), columns = columns_of(triangles_[t]);
         if (rows.first > rows.last || columns.first > columns.last) continue;
-        for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band) what(static_cast<std::size_t>(band), t);
+        for (int band = rows.first / band_rows; band <= rows.last / band_rows; ++band)
+          what(static_cast<std::size_t>(band), t);
       }
     };
     each([&](std::size_t band, std::uint32_t) { ++starts_[band + 1]; });
@@ -111,13 +113,14 @@ class TriangleRaster {
 
 }  // namespace
 
-SeenTriangles rasterise_triangles(std::span<const Vec3> vertices, std::span<const Triangle> triangles, const PixelGrid& grid,
-                                  Progress& progress) {
+SeenTriangles rasterise_triangles(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
+                                  const PixelGrid& grid, Progress& progress) {
   return TriangleRaster(vertices, triangles, grid).draw(progress);
 }
 
 std::array<double, 3> shares_at(std::span<const Vec3> vertices, const Triangle& t, double x, double y) {
-  const double a = side(vertices, t[1], t[2], x, y), b = side(vertices, t[2], t[0], x, y), c = side(vertices, t[0], t[1], x, y);
+  const double a = side(vertices, t[1], t[2], x, y), b = side(vertices, t[2], t[0], x, y),
+               c = side(vertices, t[0], t[1], x, y);
   return {a / (a + b + c), b / (a + b + c), c / (a + b + c)};
 }
 

@@ -25,7 +25,8 @@ Vec3 normal_of(std::span<const Vec3> vertices, const std::array<std::uint32_t, 3
 }
 
 /// Returns the mean normal of the faces around each vertex, weighted by area.
-std::vector<Vec3> normals_of_vertices(std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
+std::vector<Vec3> normals_of_vertices(std::span<const Vec3> vertices,
+                                      std::span<const std::array<std::uint32_t, 3>> triangles) {
   std::vector<Vec3> normals(vertices.size(), Vec3::Zero());
   for (const auto& t : triangles) {
     const Vec3 normal = normal_of(vertices, t);
@@ -41,8 +42,8 @@ struct Surface {
   std::vector<Eigen::Vector3f> materials;
 };
 
-Surface surface_of(const Triangles& triangles, std::span<const Vec3> vertices, const SeenTriangles& seen, const PixelGrid& grid,
-                   Progress& progress) {
+Surface surface_of(const Triangles& triangles, std::span<const Vec3> vertices, const SeenTriangles& seen,
+                   const PixelGrid& grid, Progress& progress) {
   Surface surface;
   surface.normals.assign(grid.count(), Eigen::Vector3f::UnitZ());
   if (!triangles.colours.empty()) surface.materials.assign(grid.count(), Eigen::Vector3f::Zero());
@@ -84,8 +85,11 @@ std::vector<float> nearest_heights(const PixelGrid& grid, const std::vector<floa
 }
 
 void check(const Triangles& triangles, const RenderSettings& settings) {
-  const auto refuse = [](const char* what, const std::string& message) { throw Error(ErrorKind::bad_input, what, message); };
-  if (settings.mode == RenderMode::bitmap) refuse("mode", "triangles have no bitmap; shaded, normals and height are possible");
+  const auto refuse = [](const char* what, const std::string& message) {
+    throw Error(ErrorKind::bad_input, what, message);
+  };
+  if (settings.mode == RenderMode::bitmap)
+    refuse("mode", "triangles have no bitmap; shaded, normals and height are possible");
   if (settings.samples < 1 || settings.samples > 4)
     refuse("samples", fmt::format("{} samples; from 1 to 4 are possible", settings.samples));
   if (!std::isfinite(settings.alpha) || !std::isfinite(settings.beta)) refuse("angle", "must be a finite number");
@@ -101,23 +105,26 @@ void check(const Triangles& triangles, const RenderSettings& settings) {
 
 Vec3 TrianglePicture::on_picture(const Vec3& place) const {
   const Vec3 p = turn * place, size = image.bounds.size();
-  return {(p.x() - image.bounds.lower.x()) / size.x() * image.width, (image.bounds.upper.y() - p.y()) / size.y() * image.height,
-          p.z()};
+  return {(p.x() - image.bounds.lower.x()) / size.x() * image.width,
+          (image.bounds.upper.y() - p.y()) / size.y() * image.height, p.z()};
 }
 
 bool TrianglePicture::shows(const Vec3& place, double slack) const {
   const Vec3 p = on_picture(place);
   if (!(p.x() >= 0 && p.y() >= 0 && p.x() < image.width && p.y() < image.height)) return false;
-  const auto i = static_cast<std::size_t>(p.y()) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(p.x());
+  const auto i =
+      static_cast<std::size_t>(p.y()) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(p.x());
   return heights[i] <= p.z() + slack;
 }
 
 TrianglePicture render(const Triangles& triangles, const RenderSettings& settings, Progress& progress) {
   check(triangles, settings);
   TrianglePicture made;
-  made.turn = (Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ())).matrix();
+  made.turn =
+      (Eigen::AngleAxisd(settings.beta, Vec3::UnitX()) * Eigen::AngleAxisd(settings.alpha, Vec3::UnitZ())).matrix();
   std::vector<Vec3> vertices(triangles.vertices.size());
-  Box region{Vec3::Constant(std::numeric_limits<double>::infinity()), Vec3::Constant(-std::numeric_limits<double>::infinity())};
+  Box region{Vec3::Constant(std::numeric_limits<double>::infinity()),
+             Vec3::Constant(-std::numeric_limits<double>::infinity())};
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const auto& v = triangles.vertices[i];
     vertices[i] = made.turn * Vec3(v[0], v[1], v[2]);
@@ -132,7 +139,8 @@ TrianglePicture render(const Triangles& triangles, const RenderSettings& setting
     throw Error(ErrorKind::bad_input, "triangles", "there are none to make a picture of");
   }
   if (settings.window) {
-    region.lower.head<2>() = settings.window->lower.head<2>(), region.upper.head<2>() = settings.window->upper.head<2>();
+    region.lower.head<2>() = settings.window->lower.head<2>(),
+    region.upper.head<2>() = settings.window->upper.head<2>();
     if (!region.valid()) throw Error(ErrorKind::bad_input, "window", "must be finite and have a positive size");
   }
   PixelGrid grid = PixelGrid::over(region, settings.size);

@@ -21,7 +21,8 @@ std::string_view name_of(FormatKind kind) {
 
 const Format* Formats::find(const std::filesystem::path& path) const {
   std::string name = path.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const Format* found = nullptr;
   std::size_t longest = 0;
   for (const Format& row : rows_)
@@ -54,7 +55,8 @@ std::string list_of(const std::vector<Format>& rows, const Wanted& wanted) {
 }  // namespace
 
 std::string Formats::readable() const {
-  return list_of(rows_, [](const Format& row) { return row.read != nullptr; }) + ", folders of TIFF, PNG or DICOM slices";
+  return list_of(rows_, [](const Format& row) { return row.read != nullptr; }) +
+         ", folders of TIFF, PNG or DICOM slices";
 }
 
 std::string Formats::writable(std::initializer_list<FormatKind> kinds) const {
@@ -79,7 +81,12 @@ const Formats& kernel_formats() {
   static const Formats formats({
       {{".math"}, Kind::formula, Kind::formula, "prefix math string, as kokopelli's", read_math},
       {{".vm"}, Kind::formula, Kind::formula, "one operation a line, as Fidget's", read_vm},
-      {{".frep"}, Kind::formula, Kind::formula, "the design language: formulas, shapes, opened files, parts", read_frep, true},
+      {{".frep"},
+       Kind::formula,
+       Kind::formula,
+       "the design language: formulas, shapes, opened files, parts",
+       read_frep,
+       true},
       {{".dot"}, Kind::formula, Kind::formula, "the formula as a graph, for Graphviz", nullptr},
       {{".py"}, Kind::script, none, "a Python script that makes solids", read_script},
       {{".ko"}, Kind::script, none, "a script of kokopelli", read_script},
@@ -90,7 +97,11 @@ const Formats& kernel_formats() {
       {{".obj"}, Kind::mesh, Kind::mesh, "triangles; parts, and colours in an .mtl file", read_mesh_file, true},
       {{".3mf"}, Kind::mesh, Kind::mesh, "triangles for printing; parts with names and colours", read_mesh_file, true},
       {{".glb"}, Kind::mesh, Kind::mesh, "glTF binary, for viewers; parts with names and colours", nullptr, true},
-      {{".raw", ".vol", ".vgi"}, Kind::volume, none, "samples without a header; sizes from the name or a .vgi file", read_volume},
+      {{".raw", ".vol", ".vgi"},
+       Kind::volume,
+       none,
+       "samples without a header; sizes from the name or a .vgi file",
+       read_volume},
       {{".tif", ".tiff"}, Kind::volume, none, "a stack of pictures", read_volume},
       {{".mha", ".nrrd", ".nii", ".nii.gz"}, Kind::volume, Kind::volume, "MetaImage, NRRD, NIfTI", read_volume},
       {{".mhd", ".nhdr"}, Kind::volume, none, "MetaImage and NRRD with samples beside the header", read_volume},

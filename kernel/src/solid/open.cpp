@@ -61,7 +61,8 @@ std::string key_of(const std::filesystem::path& path, std::span<const frep::Open
 
 /// Removes `part = "NAME"` from options, and returns the name.
 std::optional<std::string> part_wanted(std::vector<frep::OpenOption>& options) {
-  const auto found = std::find_if(options.begin(), options.end(), [](const auto& option) { return option.name == "part"; });
+  const auto found =
+      std::find_if(options.begin(), options.end(), [](const auto& option) { return option.name == "part"; });
   if (found == options.end()) return std::nullopt;
   const std::string* const name = std::get_if<std::string>(&found->value);
   if (name == nullptr) throw Error(ErrorKind::bad_input, "part", "the name of a part stands in quotes");
@@ -83,9 +84,9 @@ void check_options(std::span<const frep::OpenOption> options, const Format& form
       throw Error(ErrorKind::bad_input, path,
                   fmt::format("'open' has no option '{:.40}'{}", option.name, suggestion(option.name, known)));
     if (info->kind != format.kind)
-      throw Error(
-          ErrorKind::bad_input, path,
-          fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind), name_of(format.kind)));
+      throw Error(ErrorKind::bad_input, path,
+                  fmt::format("'{}' is an option of a {}, and this is a {}", option.name, name_of(info->kind),
+                              name_of(format.kind)));
   }
 }
 
@@ -98,7 +99,8 @@ class FileOpener {
   frep::Expression operator()(const std::string& name, std::span<const frep::OpenOption> options) const {
     const std::filesystem::path path = folder_ / name;
     const std::string key = key_of(path, options);
-    if (const auto known = settings_.files->known.find(key); known != settings_.files->known.end()) return known->second;
+    if (const auto known = settings_.files->known.find(key); known != settings_.files->known.end())
+      return known->second;
     const frep::Expression expression = open_solid(path, options, settings_, progress_).expression;
     settings_.files->known.emplace(key, expression);
     return expression;
@@ -122,7 +124,8 @@ const std::vector<OpenOptionInfo>& open_options() {
   using Kind = FormatKind;
   static const std::vector<OpenOptionInfo> options{
       {"threshold", Kind::volume,
-       "the density from which on it is solid: a number, or words: a share of the samples such as 90%, otsu, or halfway"},
+       "the density from which on it is solid: a number, or words: a share of the samples such as 90%, otsu, or "
+       "halfway"},
       {"below", Kind::volume, "1: solid is what is less dense than the threshold"},
       {"dims", Kind::volume, "samples X,Y,Z of a .raw or .vol file"},
       {"type", Kind::volume, "of its samples: uint8 int8 uint16 int16 uint32 int32 float32 float64"},
@@ -142,18 +145,20 @@ const std::vector<OpenOptionInfo>& open_options() {
   return options;
 }
 
-Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::filesystem::path& path, const OpenSettings& settings) {
+Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::filesystem::path& path,
+                    const OpenSettings& settings) {
   opened->path = resolved(path);
   opened->options = text_of(settings.options);
   return model_of(opened);
 }
 
-Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> given, const OpenSettings& settings,
-                 Progress& progress) {
+Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> given,
+                 const OpenSettings& settings, Progress& progress) {
   OpenSettings inner = settings;
   inner.options.assign(given.begin(), given.end());
   const std::optional<std::string> part = part_wanted(inner.options);
-  if (const Format* const format = formats_of(settings).find(path)) check_options(inner.options, *format, path.string());
+  if (const Format* const format = formats_of(settings).find(path))
+    check_options(inner.options, *format, path.string());
   inner.scripts = Scripts::refused;
   inner.region.reset();
   if (settings.files == nullptr) {
@@ -181,10 +186,11 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   if (format == nullptr || format->read == nullptr)
     throw Error(ErrorKind::bad_input, path.string(),
                 format != nullptr ? fmt::format("is written, not read; known are {}", formats.readable())
-                                  : fmt::format("there is no reader for '{}' yet; known are {}", path.extension().string(),
-                                                formats.readable()));
+                                  : fmt::format("there is no reader for '{}' yet; known are {}",
+                                                path.extension().string(), formats.readable()));
   if (format->kind == FormatKind::script && settings.scripts == Scripts::refused)
-    throw Error(ErrorKind::bad_input, path.string(), "is a script; scripts are run by the fieldfab command only, by their names");
+    throw Error(ErrorKind::bad_input, path.string(),
+                "is a script; scripts are run by the fieldfab command only, by their names");
   OpenSettings inner = settings;
   const bool first = inner.files == nullptr;
   if (first) inner.files = std::make_shared<OpenFiles>();
@@ -211,8 +217,8 @@ Model open_model(const std::filesystem::path& path, const OpenSettings& settings
   return model;
 }
 
-Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder, const OpenSettings& settings,
-                  Progress& progress) {
+Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
+                  const OpenSettings& settings, Progress& progress) {
   OpenSettings inner = settings;
   const bool first = inner.files == nullptr;
   if (first) inner.files = std::make_shared<OpenFiles>();
@@ -313,7 +319,8 @@ Model read_mesh_file(const std::filesystem::path& path, const OpenSettings& sett
 }
 
 Model read_volume(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress) {
-  return model_of_file(opened_scan(open_scan(path, scan_options(settings.options), progress), progress), path, settings);
+  return model_of_file(opened_scan(open_scan(path, scan_options(settings.options), progress), progress), path,
+                       settings);
 }
 
 }  // namespace fieldfab

@@ -73,7 +73,8 @@ ScanOptions scan_options(std::span<const OpenOption> options) {
   }
   if (const auto* option = find(options, "byte_order")) {
     const std::string order = words(*option);
-    if (order != "big" && order != "little") refuse("byte_order", fmt::format("expected little or big, found '{:.40}'", order));
+    if (order != "big" && order != "little")
+      refuse("byte_order", fmt::format("expected little or big, found '{:.40}'", order));
     scan.file.big_endian = order == "big";
   }
   if (const auto* option = find(options, "skip")) {
@@ -94,7 +95,8 @@ ScanOptions scan_options(std::span<const OpenOption> options) {
   if (flag("fill_holes")) scan.clean.least_hole = std::numeric_limits<double>::infinity();
   if (const auto* option = find(options, "threshold")) {
     const double* const plain = std::get_if<double>(&option->value);
-    scan.threshold = plain != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *plain} : ThresholdRule::parse(words(*option));
+    scan.threshold =
+        plain != nullptr ? ThresholdRule{ThresholdRule::Kind::value, *plain} : ThresholdRule::parse(words(*option));
   }
   scan.below = flag("below");
   return scan;

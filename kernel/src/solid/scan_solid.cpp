@@ -8,12 +8,12 @@ std::vector<LatticeSource> lattices_of(const Scan& scan, int levels_wanted) {
   for (int level = 0; level < levels_wanted; ++level) {
     if (level > 0) volume = halved(std::move(volume));
     const SampleLattice& lattice = volume->lattice();
-    levels.push_back(
-        {lattice.box(), lattice.size, lattice.placement(), [volume, surface = scan.surface](int first, int count, float* out) {
-           volume->read(first, count, out);
-           const std::size_t samples = static_cast<std::size_t>(count) * volume->lattice().slice();
-           for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
-         }});
+    levels.push_back({lattice.box(), lattice.size, lattice.placement(),
+                      [volume, surface = scan.surface](int first, int count, float* out) {
+                        volume->read(first, count, out);
+                        const std::size_t samples = static_cast<std::size_t>(count) * volume->lattice().slice();
+                        for (std::size_t i = 0; i < samples; ++i) out[i] = surface.value(out[i]);
+                      }});
   }
   return levels;
 }

@@ -30,7 +30,8 @@ std::vector<std::string> python_environment() {
   // The module of this build, or of the folder of the installation; Debian's Python finds its own
   // modules itself.
   std::error_code ignored;
-  const std::filesystem::path prefix = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  const std::filesystem::path prefix =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   for (const char* folder : {"python", "lib/python3/dist-packages"}) {
     const std::filesystem::path modules = prefix / folder;
     if (prefix != "/usr" && std::filesystem::exists(modules / "fieldfab", ignored))
@@ -63,7 +64,8 @@ std::string run_script(const std::filesystem::path& path, Progress& progress) {
     throw Error(ErrorKind::bad_input, path.string() + (line == "0" ? "" : ":" + line), message);
   }
   if (WIFSIGNALED(status))
-    throw Error(ErrorKind::bad_input, path.string(), fmt::format("the script was ended by signal {}", WTERMSIG(status)));
+    throw Error(ErrorKind::bad_input, path.string(),
+                fmt::format("the script was ended by signal {}", WTERMSIG(status)));
   throw Error(ErrorKind::bad_input, path.string(),
               "the script could not be run: Python's module fieldfab is not there, or out of memory");
 }

@@ -22,8 +22,8 @@ FaceMaker moved_faces(const FaceMaker& faces, const Eigen::Affine3d& to_outer) {
   if (faces == nullptr || !(to_outer.linear().determinant() > 0)) return nullptr;
   return [faces, to_outer](std::optional<double> thickness, Progress& progress) -> std::optional<TriangleMesh> {
     // A plate stays one if it only moves along x and y, and rotates about z.
-    const bool keeps_z = to_outer.linear().row(2) == Eigen::RowVector3d::UnitZ() && to_outer.linear().col(2) == Vec3::UnitZ() &&
-                         to_outer.translation().z() == 0;
+    const bool keeps_z = to_outer.linear().row(2) == Eigen::RowVector3d::UnitZ() &&
+                         to_outer.linear().col(2) == Vec3::UnitZ() && to_outer.translation().z() == 0;
     if (thickness && !keeps_z) return std::nullopt;
     const auto mesh = faces(thickness, progress);
     if (!mesh) return std::nullopt;
@@ -59,7 +59,8 @@ Solid solid_of(Expression expression) {
   solid.expression = std::move(expression);
   const std::vector<frep::PlacedLeaf> leaves = frep::leaves_of(simple);
   for (const frep::PlacedLeaf& leaf : leaves)
-    if (const auto opened = std::dynamic_pointer_cast<const OpenedSolid>(leaf.source); opened != nullptr && opened->voxel) {
+    if (const auto opened = std::dynamic_pointer_cast<const OpenedSolid>(leaf.source);
+        opened != nullptr && opened->voxel) {
       const double voxel = voxel_in_space(*opened->voxel, leaf.to_inner);
       solid.voxel = solid.voxel ? std::min(*solid.voxel, voxel) : voxel;
     }
@@ -105,7 +106,8 @@ Solid plate_of(const Solid& solid, double height) {
   const Expression z = Expression::z();
   Solid plate = solid_of(max(solid.expression, max(-z, z - height)));
   if (solid.faces != nullptr)
-    plate.faces = [faces = solid.faces, height](std::optional<double> again, Progress& progress) -> std::optional<TriangleMesh> {
+    plate.faces = [faces = solid.faces, height](std::optional<double> again,
+                                                Progress& progress) -> std::optional<TriangleMesh> {
       if (again) return std::nullopt;
       return faces(height, progress);
     };

@@ -75,8 +75,8 @@ Surface surface(const Solid& solid, const Resolution& resolution, Progress& prog
   made.region = made.exact ? made.mesh.bounds() : working_bounds(solid, resolution.region, progress, empty);
   made.voxel = resolution.voxel.value_or(default_voxel(solid, made.region));
   if (!made.exact)
-    made.mesh =
-        contour(*solid.field, made.region, {made.voxel, resolution.max_error.value_or(-1), resolution.features}, progress);
+    made.mesh = contour(*solid.field, made.region, {made.voxel, resolution.max_error.value_or(-1), resolution.features},
+                        progress);
   return made;
 }
 

@@ -53,11 +53,13 @@ Denoising Denoising::parse(std::string_view text) {
   if (kind.empty() || kind == "none") return denoising;
   denoising.kind = kind == "median" ? Kind::median : kind == "gaussian" ? Kind::gaussian : Kind::anisotropic;
   if (denoising.kind == Kind::anisotropic && kind != "anisotropic")
-    throw Error(ErrorKind::bad_input, "denoise", fmt::format("'{:.40}' is none of median, gaussian, anisotropic", text));
+    throw Error(ErrorKind::bad_input, "denoise",
+                fmt::format("'{:.40}' is none of median, gaussian, anisotropic", text));
   if (colon == std::string_view::npos) return denoising;
   const std::string_view digits = text.substr(colon + 1);
   const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), denoising.amount);
-  if (failure != std::errc{} || end != digits.data() + digits.size() || !(denoising.amount > 0) || denoising.amount > 100)
+  if (failure != std::errc{} || end != digits.data() + digits.size() || !(denoising.amount > 0) ||
+      denoising.amount > 100)
     throw Error(ErrorKind::bad_input, "denoise", fmt::format("'{:.40}' is not a number above 0, up to 100", digits));
   return denoising;
 }
@@ -74,7 +76,8 @@ VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSet
     progress.check();
     progress.report(0, of_solid ? "removing islands" : "closing holes");
     std::vector<bool> solid(densities.size());
-    for (std::size_t i = 0; i < densities.size(); ++i) solid[i] = below ? densities[i] < threshold : densities[i] > threshold;
+    for (std::size_t i = 0; i < densities.size(); ++i)
+      solid[i] = below ? densities[i] < threshold : densities[i] > threshold;
     Pieces pieces(solid, lattice.size);
     for (std::size_t i = 0; i < densities.size(); ++i)
       if (solid[i] == of_solid && goes(pieces, pieces.of(i))) {
@@ -95,7 +98,8 @@ VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSet
         }
       }
       return (settings.keep_largest && piece != *largest) ||
-             (settings.least_island && static_cast<double>(pieces.samples(piece)) * sample_volume < *settings.least_island);
+             (settings.least_island &&
+              static_cast<double>(pieces.samples(piece)) * sample_volume < *settings.least_island);
     });
   }
   if (settings.least_hole) {
@@ -108,9 +112,11 @@ VolumePtr cleaned(VolumePtr volume, double threshold, bool below, const CleanSet
         for (int k = 0; k < nz; ++k)
           for (int j = 0; j < ny; ++j)
             for (int i = 0; i < nx; ++i, ++at)
-              if (i == 0 || j == 0 || k == 0 || i == nx - 1 || j == ny - 1 || k == nz - 1) reaches_out[pieces.of(at)] = 1;
+              if (i == 0 || j == 0 || k == 0 || i == nx - 1 || j == ny - 1 || k == nz - 1)
+                reaches_out[pieces.of(at)] = 1;
       }
-      return reaches_out[piece] == 0 && static_cast<double>(pieces.samples(piece)) * sample_volume < *settings.least_hole;
+      return reaches_out[piece] == 0 &&
+             static_cast<double>(pieces.samples(piece)) * sample_volume < *settings.least_hole;
     });
   }
   return volume_of(std::move(densities), lattice, volume->own_threshold());

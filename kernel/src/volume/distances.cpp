@@ -295,8 +295,10 @@ class DistanceField final : public Field {
 }  // namespace
 
 FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings, Progress& progress) {
-  if (!(settings.reach > 0) || !std::isfinite(settings.reach)) throw Error(ErrorKind::bad_input, "reach", "must be above 0 mm");
-  if (!(settings.voxel >= 0) || !std::isfinite(settings.voxel)) throw Error(ErrorKind::bad_input, "voxel", "must be above 0 mm");
+  if (!(settings.reach > 0) || !std::isfinite(settings.reach))
+    throw Error(ErrorKind::bad_input, "reach", "must be above 0 mm");
+  if (!(settings.voxel >= 0) || !std::isfinite(settings.voxel))
+    throw Error(ErrorKind::bad_input, "voxel", "must be above 0 mm");
   if (bounds.size().minCoeff() < 0 || !bounds.size().allFinite())
     throw Error(ErrorKind::bad_input, "distances", "the solid has no bounds; give some");
   const double longest = (bounds.size().array() + 2 * settings.reach).maxCoeff();
@@ -310,8 +312,8 @@ FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& se
   lattice.origin = region.lower;
   std::vector<float> far = Sweeping(*solid, lattice, std::max(settings.reach, 3 * voxel), progress).run();
   for (float& distance : far) distance = -distance;  // as densities, which are greater inside
-  return std::make_shared<DistanceField>(std::move(solid),
-                                         volume_field(*volume_of(std::move(far), lattice), {0, false, 1}, progress), voxel);
+  return std::make_shared<DistanceField>(
+      std::move(solid), volume_field(*volume_of(std::move(far), lattice), {0, false, 1}, progress), voxel);
 }
 
 }  // namespace fieldfab

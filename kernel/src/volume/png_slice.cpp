@@ -89,8 +89,8 @@ class PngSlice final : public Slice {
       return static_cast<float>(two);
     };
     for (std::size_t i = 0; i < file.width() * file.height(); ++i)
-      out[i] =
-          channels < 3 ? sample(i * channels) : grey(sample(i * channels), sample(i * channels + 1), sample(i * channels + 2));
+      out[i] = channels < 3 ? sample(i * channels)
+                            : grey(sample(i * channels), sample(i * channels + 1), sample(i * channels + 2));
   }
 
  private:

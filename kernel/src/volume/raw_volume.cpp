@@ -17,7 +17,8 @@ namespace fieldfab {
 namespace {
 
 std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -148,7 +149,8 @@ void to_floats(SampleType type, const std::byte* from, std::size_t count, bool s
 std::size_t sample_count(const std::array<long long, 3>& size, const Path& path) {
   double product = 1;
   for (const long long n : size) {
-    if (n < 2) refuse(path, fmt::format("{} x {} x {} samples; a solid needs two along each axis", size[0], size[1], size[2]));
+    if (n < 2)
+      refuse(path, fmt::format("{} x {} x {} samples; a solid needs two along each axis", size[0], size[1], size[2]));
     product *= static_cast<double>(n);
   }
   for (const long long n : size)
@@ -187,8 +189,8 @@ VolumePtr open_samples(const Path& path, const RawLayout& layout) {
   require_regular_file(path);
   const std::uint64_t there = std::filesystem::file_size(path);
   if (layout.skip > there || there - layout.skip != expected)
-    refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there, n[0], n[1],
-                             n[2], name(layout.type), layout.skip, layout.skip + expected));
+    refuse(path, fmt::format("holds {} bytes; {} x {} x {} samples of {} after a header of {} bytes are {}", there,
+                             n[0], n[1], n[2], name(layout.type), layout.skip, layout.skip + expected));
   return std::make_shared<RawVolume>(path, layout);
 }
 
@@ -255,8 +257,9 @@ VolumePtr open_raw(const Path& path, const VolumeFileOptions& options) {
     type = type_by_size(bytes - layout.skip, samples);
   if (!type)
     refuse(path,
-           fmt::format("{} bytes are no whole number of bytes for each of {} x {} x {} samples; give --dims, --type and --skip",
-                       std::filesystem::file_size(path), (*size)[0], (*size)[1], (*size)[2]));
+           fmt::format(
+               "{} bytes are no whole number of bytes for each of {} x {} x {} samples; give --dims, --type and --skip",
+               std::filesystem::file_size(path), (*size)[0], (*size)[1], (*size)[2]));
   layout.type = *type;
   layout.big_endian = options.big_endian.value_or(hints.big_endian.value_or(false));
   return open_samples(path, layout);

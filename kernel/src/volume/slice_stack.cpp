@@ -58,7 +58,8 @@ class TiffPage final : public Slice {
     else if (bits_ == 64 && real)
       type = SampleType::float64;
     else
-      refuse(path_, fmt::format("samples of {} bits are not read; known are 8, 16 and 32 bits, and 64 for real numbers", bits_));
+      refuse(path_, fmt::format("samples of {} bits are not read; known are 8, 16 and 32 bits, and 64 for real numbers",
+                                bits_));
     if (channels_ != 1 && (channels_ < 3 || channels_ > 4 || real))
       refuse(path_, fmt::format("{} numbers a pixel; one is wanted", channels_));
     if (photometric_ == PHOTOMETRIC_PALETTE) {
@@ -83,7 +84,8 @@ class TiffPage final : public Slice {
       std::vector<std::uint8_t> row(row_bytes);
       for (int y = 0; y < height; ++y) {
         if (TIFFReadScanline(file.get(), row.data(), static_cast<std::uint32_t>(y)) != 1) damaged();
-        greys(row.data(), static_cast<std::size_t>(width), out + static_cast<std::size_t>(y) * static_cast<std::size_t>(width));
+        greys(row.data(), static_cast<std::size_t>(width),
+              out + static_cast<std::size_t>(y) * static_cast<std::size_t>(width));
       }
     }
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -120,17 +122,21 @@ class TiffPage final : public Slice {
   void greys_of(const std::uint8_t* from, std::size_t count, float* out) const {
     for (std::size_t i = 0; i < count; ++i) {
       std::array<Sample, 4> sample{};
-      std::memcpy(sample.data(), from + i * channels_ * sizeof(Sample), std::min<std::size_t>(channels_, 4) * sizeof(Sample));
-      out[i] = channels_ == 1 ? static_cast<float>(sample[0])
-                              : grey(static_cast<float>(sample[0]), static_cast<float>(sample[1]), static_cast<float>(sample[2]));
+      std::memcpy(sample.data(), from + i * channels_ * sizeof(Sample),
+                  std::min<std::size_t>(channels_, 4) * sizeof(Sample));
+      out[i] = channels_ == 1
+                   ? static_cast<float>(sample[0])
+                   : grey(static_cast<float>(sample[0]), static_cast<float>(sample[1]), static_cast<float>(sample[2]));
     }
   }
   void greys(const std::uint8_t* from, std::size_t count, float* out) const {
     const bool has_sign = format_ == SAMPLEFORMAT_INT;
     if (format_ == SAMPLEFORMAT_IEEEFP)
       return bits_ == 64 ? greys_of<double>(from, count, out) : greys_of<float>(from, count, out);
-    if (bits_ == 8) return has_sign ? greys_of<std::int8_t>(from, count, out) : greys_of<std::uint8_t>(from, count, out);
-    if (bits_ == 16) return has_sign ? greys_of<std::int16_t>(from, count, out) : greys_of<std::uint16_t>(from, count, out);
+    if (bits_ == 8)
+      return has_sign ? greys_of<std::int8_t>(from, count, out) : greys_of<std::uint8_t>(from, count, out);
+    if (bits_ == 16)
+      return has_sign ? greys_of<std::int16_t>(from, count, out) : greys_of<std::uint16_t>(from, count, out);
     return has_sign ? greys_of<std::int32_t>(from, count, out) : greys_of<std::uint32_t>(from, count, out);
   }
 
@@ -175,10 +181,11 @@ VolumePtr stack_of(std::vector<SlicePtr> slices, const std::vector<Path>& files,
     const Slice &first = *slices[0], &here = *slices[i];
     const Path& path = files[std::min(i, files.size() - 1)];
     if (first.width != here.width || first.height != here.height)
-      refuse(path, fmt::format("slice {} has {} x {} pixels, the first has {} x {}", i + 1, here.width, here.height, first.width,
-                               first.height));
+      refuse(path, fmt::format("slice {} has {} x {} pixels, the first has {} x {}", i + 1, here.width, here.height,
+                               first.width, first.height));
     if (first.type != here.type)
-      refuse(path, fmt::format("slice {} has samples of {}, the first of {}", i + 1, name(here.type), name(first.type)));
+      refuse(path,
+             fmt::format("slice {} has samples of {}, the first of {}", i + 1, name(here.type), name(first.type)));
   }
   lattice.size = {slices[0]->width, slices[0]->height, static_cast<int>(slices.size())};
   sample_count({lattice.size[0], lattice.size[1], lattice.size[2]}, files[0]);

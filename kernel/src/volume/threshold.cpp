@@ -26,23 +26,24 @@ bool is_small_whole(SampleType type) { return size_of(type) <= 2; }
 /// Returns the least and greatest density. Throws for NaN and infinity.
 std::pair<double, double> extent(const Volume& volume, std::size_t memory, Progress& progress) {
   std::vector<std::pair<float, float>> of_slice(static_cast<std::size_t>(volume.lattice().size[2]));
-  for_slabs(volume, memory, false, progress, "looking at the densities", [&](int first, int count, const float* densities) {
-    parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
-      const std::size_t n = volume.lattice().slice();
-      const float* const density = densities + k * n;
-      float least = density[0], most = density[0], wild = 0;
-      for (std::size_t i = 0; i < n; ++i) {
-        least = density[i] < least ? density[i] : least;
-        most = density[i] > most ? density[i] : most;
-        wild += density[i] - density[i];  // 0, or NaN
-      }
-      if (wild != 0)
-        not_a_number(
-            volume.lattice(), static_cast<std::size_t>(first) + k,
-            static_cast<std::size_t>(std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) - density));
-      of_slice[static_cast<std::size_t>(first) + k] = {least, most};
-    });
-  });
+  for_slabs(
+      volume, memory, false, progress, "looking at the densities", [&](int first, int count, const float* densities) {
+        parallel_for(static_cast<std::size_t>(count), [&](std::size_t k) {
+          const std::size_t n = volume.lattice().slice();
+          const float* const density = densities + k * n;
+          float least = density[0], most = density[0], wild = 0;
+          for (std::size_t i = 0; i < n; ++i) {
+            least = density[i] < least ? density[i] : least;
+            most = density[i] > most ? density[i] : most;
+            wild += density[i] - density[i];  // 0, or NaN
+          }
+          if (wild != 0)
+            not_a_number(volume.lattice(), static_cast<std::size_t>(first) + k,
+                         static_cast<std::size_t>(
+                             std::find_if(density, density + n, [](float d) { return !std::isfinite(d); }) - density));
+          of_slice[static_cast<std::size_t>(first) + k] = {least, most};
+        });
+      });
   std::pair<double, double> whole = of_slice[0];
   for (const auto& [least, most] : of_slice)
     whole.first = std::min<double>(whole.first, least), whole.second = std::max<double>(whole.second, most);
@@ -95,7 +96,8 @@ double otsu_threshold(const Histogram& histogram) {
   }
   // Bins up to the best one are below: the threshold is the upper border of that bin, or the middle
   // of the empty bins that follow.
-  return histogram.first + (0.5 * (static_cast<double>(first_best) + static_cast<double>(last_best)) + 1) * histogram.width;
+  return histogram.first +
+         (0.5 * (static_cast<double>(first_best) + static_cast<double>(last_best)) + 1) * histogram.width;
 }
 
 namespace {
@@ -176,7 +178,8 @@ double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t
     const Histogram counts = histogram(volume, memory, progress);
     range = {counts.least, counts.greatest};
     if (counts.least == counts.greatest)
-      throw Error(ErrorKind::bad_input, "volume", fmt::format("every density is {}: there is no surface", counts.least));
+      throw Error(ErrorKind::bad_input, "volume",
+                  fmt::format("every density is {}: there is no surface", counts.least));
     threshold = rule.kind == Kind::percent ? percentile(counts, rule.number)
                 : rule.kind == Kind::otsu  ? otsu_threshold(counts)
                                            : halfway_threshold(counts);
@@ -184,9 +187,11 @@ double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t
     range = extent(volume, memory, progress);
   }
   if (threshold <= range.first || threshold > range.second) {
-    if (rule.kind == Kind::percent) return std::clamp(threshold, std::nextafter(range.first, range.second), range.second);
-    throw Error(ErrorKind::bad_input, "threshold",
-                fmt::format("{} is outside of the densities, which go from {} to {}", threshold, range.first, range.second));
+    if (rule.kind == Kind::percent)
+      return std::clamp(threshold, std::nextafter(range.first, range.second), range.second);
+    throw Error(
+        ErrorKind::bad_input, "threshold",
+        fmt::format("{} is outside of the densities, which go from {} to {}", threshold, range.first, range.second));
   }
   return threshold;
 }

@@ -50,7 +50,8 @@ struct Space {
 
 class Slopes {
  public:
-  Slopes(const SampleGrid& grid, const std::array<Axis, 3>& axes, Space& space) : grid_(grid), axes_(axes), space_(space) {
+  Slopes(const SampleGrid& grid, const std::array<Axis, 3>& axes, Space& space)
+      : grid_(grid), axes_(axes), space_(space) {
     for (std::size_t axis = 0; axis < 3; ++axis) count_[axis] = axes[axis].nodes();
     stride_ = {1, count_[0], count_[0] * count_[1]};
     nodes_ = stride_[2] * count_[2];
@@ -71,7 +72,8 @@ class Slopes {
       // The padding of the last lanes counts as well, so it repeats a node.
       std::fill(space_.least[axis].begin() + static_cast<std::ptrdiff_t>(nodes_), space_.least[axis].end(),
                 space_.least[axis][0]);
-      std::fill(space_.most[axis].begin() + static_cast<std::ptrdiff_t>(nodes_), space_.most[axis].end(), space_.most[axis][0]);
+      std::fill(space_.most[axis].begin() + static_cast<std::ptrdiff_t>(nodes_), space_.most[axis].end(),
+                space_.most[axis][0]);
     }
     return true;
   }
@@ -94,7 +96,8 @@ class Slopes {
         lower[lane] = low < lower[lane] ? low : lower[lane];
         upper[lane] = high > upper[lane] ? high : upper[lane];
       }
-    const Interval range{*std::min_element(lower.begin(), lower.end()), *std::max_element(upper.begin(), upper.end()), false};
+    const Interval range{*std::min_element(lower.begin(), lower.end()), *std::max_element(upper.begin(), upper.end()),
+                         false};
     return std::isfinite(range.lower) && std::isfinite(range.upper) ? range : Interval::unknown();
   }
 
@@ -148,7 +151,9 @@ class Slopes {
         least[at] = std::min(below, above), most[at] = std::max(below, above);
         below = above;
       }
-      const auto hold_zero = [&](std::size_t at) { least[at] = std::min(least[at], 0.0F), most[at] = std::max(most[at], 0.0F); };
+      const auto hold_zero = [&](std::size_t at) {
+        least[at] = std::min(least[at], 0.0F), most[at] = std::max(most[at], 0.0F);
+      };
       if (ends.before) hold_zero(first);
       if (ends.after) hold_zero(first + (count - 1) * step);
     });
@@ -172,7 +177,8 @@ void trilinear_slopes(const SampleGrid& grid, const Box& box, std::span<const Ve
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto a = static_cast<Eigen::Index>(axis);
     const double per_mm = grid.per_mm[axis];
-    axes[axis] = axis_of((box.lower[a] - grid.lower[a]) * per_mm, (box.upper[a] - grid.lower[a]) * per_mm, grid.size[axis]);
+    axes[axis] =
+        axis_of((box.lower[a] - grid.lower[a]) * per_mm, (box.upper[a] - grid.lower[a]) * per_mm, grid.size[axis]);
     cells *= axes[axis].cells;
   }
   if (cells > most_cells) return;

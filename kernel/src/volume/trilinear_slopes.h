@@ -20,6 +20,7 @@ struct SampleGrid {
 
 /// Field::slopes() of the interpolation: the exact range of the directional derivatives, except for
 /// rounding. Unknown if the box meets more than 16^3 cells, or if a sample there is not finite.
-void trilinear_slopes(const SampleGrid& grid, const Box& box, std::span<const Vec3> directions, std::span<Interval> out) noexcept;
+void trilinear_slopes(const SampleGrid& grid, const Box& box, std::span<const Vec3> directions,
+                      std::span<Interval> out) noexcept;
 
 }  // namespace fieldfab

@@ -17,16 +17,20 @@ struct TypeName {
   SampleType type;
 };
 /// The first name of a type is used in output.
-constexpr std::array type_names{
-    TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},       TypeName{"uint16", SampleType::uint16},
-    TypeName{"int16", SampleType::int16},     TypeName{"uint32", SampleType::uint32},   TypeName{"int32", SampleType::int32},
-    TypeName{"float32", SampleType::float32}, TypeName{"float64", SampleType::float64}, TypeName{"u8", SampleType::uint8},
-    TypeName{"8bit", SampleType::uint8},      TypeName{"uchar", SampleType::uint8},     TypeName{"byte", SampleType::uint8},
-    TypeName{"i8", SampleType::int8},         TypeName{"char", SampleType::int8},       TypeName{"u16", SampleType::uint16},
-    TypeName{"16bit", SampleType::uint16},    TypeName{"ushort", SampleType::uint16},   TypeName{"i16", SampleType::int16},
-    TypeName{"short", SampleType::int16},     TypeName{"u32", SampleType::uint32},      TypeName{"uint", SampleType::uint32},
-    TypeName{"i32", SampleType::int32},       TypeName{"int", SampleType::int32},       TypeName{"f32", SampleType::float32},
-    TypeName{"float", SampleType::float32},   TypeName{"f64", SampleType::float64},     TypeName{"double", SampleType::float64}};
+constexpr std::array type_names{TypeName{"uint8", SampleType::uint8},     TypeName{"int8", SampleType::int8},
+                                TypeName{"uint16", SampleType::uint16},   TypeName{"int16", SampleType::int16},
+                                TypeName{"uint32", SampleType::uint32},   TypeName{"int32", SampleType::int32},
+                                TypeName{"float32", SampleType::float32}, TypeName{"float64", SampleType::float64},
+                                TypeName{"u8", SampleType::uint8},        TypeName{"8bit", SampleType::uint8},
+                                TypeName{"uchar", SampleType::uint8},     TypeName{"byte", SampleType::uint8},
+                                TypeName{"i8", SampleType::int8},         TypeName{"char", SampleType::int8},
+                                TypeName{"u16", SampleType::uint16},      TypeName{"16bit", SampleType::uint16},
+                                TypeName{"ushort", SampleType::uint16},   TypeName{"i16", SampleType::int16},
+                                TypeName{"short", SampleType::int16},     TypeName{"u32", SampleType::uint32},
+                                TypeName{"uint", SampleType::uint32},     TypeName{"i32", SampleType::int32},
+                                TypeName{"int", SampleType::int32},       TypeName{"f32", SampleType::float32},
+                                TypeName{"float", SampleType::float32},   TypeName{"f64", SampleType::float64},
+                                TypeName{"double", SampleType::float64}};
 
 }  // namespace
 
@@ -42,11 +46,13 @@ std::size_t size_of(SampleType type) {
 }
 
 std::string_view name(SampleType type) {
-  return std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& known) { return known.type == type; })->name;
+  return std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& known) { return known.type == type; })
+      ->name;
 }
 
 std::optional<SampleType> sample_type(std::string_view name) {
-  const auto* const found = std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& t) { return t.name == name; });
+  const auto* const found =
+      std::find_if(type_names.begin(), type_names.end(), [&](const TypeName& t) { return t.name == name; });
   return found == type_names.end() ? std::nullopt : std::optional(found->type);
 }
 
@@ -67,11 +73,13 @@ namespace {
 
 class InMemory final : public Volume {
  public:
-  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold, SampleType type)
+  InMemory(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
+           SampleType type)
       : Volume(lattice, type, own_threshold), densities_(std::move(densities)) {}
   void read(int first, int count, float* out) const override {
     const std::size_t slice = lattice_.slice();
-    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice, out);
+    std::copy_n(densities_.data() + static_cast<std::size_t>(first) * slice, static_cast<std::size_t>(count) * slice,
+                out);
   }
 
  private:
@@ -103,7 +111,8 @@ class Cropped final : public Volume {
 /// A volume with descending axes reversed.
 class Flipped final : public Volume {
  public:
-  explicit Flipped(VolumePtr other) : Volume(other->lattice(), other->type(), other->own_threshold()), other_(std::move(other)) {
+  explicit Flipped(VolumePtr other)
+      : Volume(other->lattice(), other->type(), other->own_threshold()), other_(std::move(other)) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
       backwards_[axis] = lattice_.axes(a, a) < 0;
@@ -147,7 +156,8 @@ class Respaced final : public Volume {
 
 class Halved final : public Volume {
  public:
-  explicit Halved(VolumePtr fine) : Volume(fine->lattice(), SampleType::float32, fine->own_threshold()), fine_(std::move(fine)) {
+  explicit Halved(VolumePtr fine)
+      : Volume(fine->lattice(), SampleType::float32, fine->own_threshold()), fine_(std::move(fine)) {
     for (int& n : lattice_.size) n = (n - 1) / 2 + 1;
     lattice_.spacing *= 2;
   }
@@ -183,7 +193,8 @@ class Halved final : public Volume {
 VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold,
                     SampleType type) {
   for (const int n : lattice.size)
-    if (n < 2) throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
+    if (n < 2)
+      throw Error(ErrorKind::bad_input, "volume", fmt::format("{} samples along an axis; a solid needs two", n));
   if (densities.size() != lattice.count())
     throw Error(ErrorKind::bad_input, "volume",
                 fmt::format("{} densities for {} x {} x {} samples", densities.size(), lattice.size[0], lattice.size[1],

@@ -53,7 +53,8 @@ class VolumeField final : public Field {
       // the solid.
       const double farthest = std::max(std::abs(box_.lower[a]), std::abs(box_.upper[a]));
       const double behind = std::max(std::ldexp(lattice.spacing[a], -10), std::ldexp(farthest, -20));
-      faces_[0][axis] = static_cast<float>(box_.lower[a] - behind), faces_[1][axis] = static_cast<float>(box_.upper[a] + behind);
+      faces_[0][axis] = static_cast<float>(box_.lower[a] - behind),
+      faces_[1][axis] = static_cast<float>(box_.upper[a] + behind);
       blocks_[axis] = (size_[axis] - 1 + block - 1) / block;
     }
     find_extremes();
@@ -90,7 +91,8 @@ class VolumeField final : public Field {
   [[nodiscard]] bool sampled() const noexcept override { return true; }
 
   [[nodiscard]] std::optional<Sampling> sampling() const noexcept override {
-    return Sampling{box_.lower, (box_.upper - box_.lower).array() / Eigen::Array3d(size_[0] - 1, size_[1] - 1, size_[2] - 1)};
+    return Sampling{box_.lower,
+                    (box_.upper - box_.lower).array() / Eigen::Array3d(size_[0] - 1, size_[1] - 1, size_[2] - 1)};
   }
   /// True in one cell between samples; also in a cell beyond the outermost ones, since the solid
   /// ends slightly beyond them and has the border's values up to there.
@@ -98,7 +100,8 @@ class VolumeField final : public Field {
     constexpr double slack = 1e-3;  // of a cell: rounding may select the neighbouring cell, which agrees on the border
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto a = static_cast<Eigen::Index>(axis);
-      const double lower = (box.lower[a] - box_.lower[a]) * per_mm_[axis], upper = (box.upper[a] - box_.lower[a]) * per_mm_[axis];
+      const double lower = (box.lower[a] - box_.lower[a]) * per_mm_[axis],
+                   upper = (box.upper[a] - box_.lower[a]) * per_mm_[axis];
       if (!(upper < std::floor(lower + slack) + 1 + slack)) return false;
     }
     return true;
@@ -131,7 +134,8 @@ class VolumeField final : public Field {
   [[nodiscard]] std::size_t cost() const noexcept override { return 40; }
 
  private:
-  static constexpr Interval no_slope{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(), false};
+  static constexpr Interval no_slope{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
+                                     false};
 
   /// Interval of the interpolation, without the ends of the samples.
   [[nodiscard]] Interval interpolated_over(const Box& box) const {
@@ -194,8 +198,8 @@ class VolumeField final : public Field {
     const std::array<float, 4> along_x{mix(s[0], s[1], u), mix(s[row], s[row + 1], u), mix(s[slice], s[slice + 1], u),
                                        mix(s[slice + row], s[slice + row + 1], u)};
     const float lower = mix(along_x[0], along_x[1], v), upper = mix(along_x[2], along_x[3], v);
-    const float dx =
-        mix(mix(s[1] - s[0], s[row + 1] - s[row], v), mix(s[slice + 1] - s[slice], s[slice + row + 1] - s[slice + row], v), w);
+    const float dx = mix(mix(s[1] - s[0], s[row + 1] - s[row], v),
+                         mix(s[slice + 1] - s[slice], s[slice + row + 1] - s[slice + row], v), w);
     return {mix(lower, upper, w), {dx, mix(along_x[1] - along_x[0], along_x[3] - along_x[2], w), upper - lower}};
   }
 
@@ -205,7 +209,8 @@ class VolumeField final : public Field {
     std::pair<float, int> farthest{-std::numeric_limits<float>::infinity(), 0};
     for (int axis = 0; axis < 3; ++axis) {
       const float at = point[static_cast<std::size_t>(axis)];
-      const float below = faces_[0][static_cast<std::size_t>(axis)] - at, above = at - faces_[1][static_cast<std::size_t>(axis)];
+      const float below = faces_[0][static_cast<std::size_t>(axis)] - at,
+                  above = at - faces_[1][static_cast<std::size_t>(axis)];
       if (!(below <= farthest.first)) farthest = {below, 2 * axis};
       if (above > farthest.first) farthest = {above, 2 * axis + 1};
     }

@@ -56,7 +56,8 @@ std::pair<std::string, std::optional<long long>> numbered(const Path& path) {
   auto first = last;
   while (first > 0 && name[first - 1] >= '0' && name[first - 1] <= '9') --first;
   long long number = 0;
-  if (std::from_chars(name.data() + first, name.data() + last + 1, number).ec != std::errc{}) return {name, std::nullopt};
+  if (std::from_chars(name.data() + first, name.data() + last + 1, number).ec != std::errc{})
+    return {name, std::nullopt};
   return {name.substr(0, first) + "#" + name.substr(last + 1), number};
 }
 
@@ -73,8 +74,8 @@ void require_all_slices(const std::vector<Path>& files) {
   for (std::size_t i = 1; i < numbers.size(); ++i) step = std::min(step, numbers[i] - numbers[i - 1]);
   for (std::size_t i = 1; i < numbers.size(); ++i)
     if (numbers[i] - numbers[i - 1] != step)
-      refuse(files[0].parent_path(),
-             fmt::format("a slice is missing between {} and {}", files[i - 1].filename().string(), files[i].filename().string()));
+      refuse(files[0].parent_path(), fmt::format("a slice is missing between {} and {}",
+                                                 files[i - 1].filename().string(), files[i].filename().string()));
 }
 
 /// Spacing in the folder's dimensions.txt: widthScale, heightScale, depthScale.
@@ -89,7 +90,8 @@ Vec3 spacing_of_folder(const Path& folder) {
     if (at == settings.end()) continue;
     double scale = 0;
     const std::string& text = at->second;
-    if (std::from_chars(text.data(), text.data() + text.size(), scale).ec != std::errc{} || !std::isfinite(scale) || scale <= 0)
+    if (std::from_chars(text.data(), text.data() + text.size(), scale).ec != std::errc{} || !std::isfinite(scale) ||
+        scale <= 0)
       refuse(path, fmt::format("'{:.40}' is not a distance", text));
     spacing[axis] = scale;
   }
@@ -150,6 +152,8 @@ VolumePtr open_volume(const Path& path, const VolumeFileOptions& options, Progre
   return straightened(std::move(volume));
 }
 
-void write_volume(const Volume& volume, const Path& path, Progress& progress) { write_with_itk(volume, path, progress); }
+void write_volume(const Volume& volume, const Path& path, Progress& progress) {
+  write_with_itk(volume, path, progress);
+}
 
 }  // namespace fieldfab

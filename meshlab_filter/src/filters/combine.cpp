@@ -18,8 +18,8 @@ std::vector<Parameter> parameters(const Document& document) {
                        {"union", "intersection", "difference (first without second)"}),
       layer_parameter("First", "First layer", "The one that a difference begins with.", document.current),
       layer_parameter("Second", "Second layer", "The other one.", other),
-      length_parameter("Radius", "Smooth (mm)", "How far a fillet reaches where the two surfaces meet; 0 makes a sharp seam.", 0,
-                       0, diagonal)};
+      length_parameter("Radius", "Smooth (mm)",
+                       "How far a fillet reaches where the two surfaces meet; 0 makes a sharp seam.", 0, 0, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }
@@ -53,7 +53,8 @@ std::optional<Layer> exactly_joined(const Layer& first, const Layer& second, int
 
 Layer joined_as_fields(const Layer& first, const Layer& second, int operation, double radius, const Fineness& fineness,
                        const std::string& name, std::vector<std::string>& log, Progress& progress) {
-  const Solid a = solid_of(first, fineness, radius, log, progress), b = solid_of(second, fineness, radius, log, progress);
+  const Solid a = solid_of(first, fineness, radius, log, progress),
+              b = solid_of(second, fineness, radius, log, progress);
   const FieldPtr both = joined(operation, a.field, b.field, radius);
   const Box bounds = operation == 2 ? *a.bounds : hull(*a.bounds, *b.bounds);
   return layer_of(both, bounds, fineness, is_sharp(a) || is_sharp(b), name, log, progress);
@@ -80,7 +81,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter combine_layers() {
   return {"Fieldfab: Boolean of two layers",
-          "Union, intersection or difference of the solids of two layers, sharp or with a fillet. Neither has to be closed or "
+          "Union, intersection or difference of the solids of two layers, sharp or with a fillet. Neither has to be "
+          "closed or "
           "free of self-intersections, "
           "coplanar faces are no trouble, and the result is always a closed mesh. It is a new layer.",
           Filter::Group::remeshing,

@@ -19,15 +19,16 @@ std::vector<Parameter> parameters(const Document& document) {
   std::size_t other = document.current;
   if (document.layers.size() > 1) other = document.current == 0 ? 1 : 0;
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
-  return {
-      choice_parameter("Reference", "Measured from", "What the layer should be.", {"a layer", "a formula or file"}),
-      layer_parameter("Layer", "Reference layer", "It may be open; what it winds around is inside.", other),
-      text_parameter("Formula", "Formula or file",
-                     "The language of docs/frep-language.md, or the path of a .frep, .math, .vm, .asdf, mesh or volume file. "
-                     "Beyond 10 mm these tell 10 mm.",
-                     ""),
-      length_parameter("Range", "Ends of the colour ramp (mm)",
-                       "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0, diagonal)};
+  return {choice_parameter("Reference", "Measured from", "What the layer should be.", {"a layer", "a formula or file"}),
+          layer_parameter("Layer", "Reference layer", "It may be open; what it winds around is inside.", other),
+          text_parameter(
+              "Formula", "Formula or file",
+              "The language of docs/frep-language.md, or the path of a .frep, .math, .vm, .asdf, mesh or volume file. "
+              "Beyond 10 mm these tell 10 mm.",
+              ""),
+          length_parameter("Range", "Ends of the colour ramp (mm)",
+                           "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0,
+                           diagonal)};
 }
 
 /// Blue inside, nearly white on the target, red outside: the colours of the FreeCAD workbench.
@@ -38,8 +39,8 @@ Colour colour(double share) {
   const int stop = std::min(3, static_cast<int>(at));
   Colour mixed;
   for (std::size_t c = 0; c < 3; ++c)
-    mixed[c] =
-        static_cast<std::uint8_t>(std::lround(255 * (stops[stop][c] + (at - stop) * (stops[stop + 1][c] - stops[stop][c]))));
+    mixed[c] = static_cast<std::uint8_t>(
+        std::lround(255 * (stops[stop][c] + (at - stop) * (stops[stop + 1][c] - stops[stop][c]))));
   return mixed;
 }
 
@@ -82,7 +83,8 @@ void tell_histogram(const std::vector<float>& distances, double range, std::vect
   for (int bin = 0; bin < bins; ++bin) {
     const double low = range * (2.0 * bin / bins - 1), high = range * (2.0 * (bin + 1) / bins - 1);
     const std::size_t count = counts[static_cast<std::size_t>(bin)];
-    log.push_back(fmt::format("{:>9.3g} to {:>9.3g} mm {:>8} {}", low, high, count, std::string(count * 40 / most, '#')));
+    log.push_back(
+        fmt::format("{:>9.3g} to {:>9.3g} mm {:>8} {}", low, high, count, std::string(count * 40 / most, '#')));
   }
 }
 
@@ -110,15 +112,16 @@ Result run(const Values& values, Progress& progress) {
       ++nowhere;
       continue;
     }
-    least = std::min<double>(least, d), most = std::max<double>(most, d), sum += d, squares += static_cast<double>(d) * d;
+    least = std::min<double>(least, d), most = std::max<double>(most, d), sum += d,
+    squares += static_cast<double>(d) * d;
   }
   const auto count = static_cast<double>(result.quality.size() - nowhere);
   if (count == 0) throw Error(ErrorKind::bad_input, "layer '" + layer.name + "'", "has no vertex at a finite place");
   const double range = wanted > 0 ? wanted : nice_range(std::max(std::abs(least), std::abs(most)));
-  result.log.push_back(fmt::format("Deviation of '{}' from {}, at {} vertices; below 0 is inside", layer.name, reference,
-                                   static_cast<std::size_t>(count)));
-  result.log.push_back(fmt::format("least {:.6g} mm, most {:.6g} mm, mean {:.6g} mm, root mean square {:.6g} mm", least, most,
-                                   sum / count, std::sqrt(squares / count)));
+  result.log.push_back(fmt::format("Deviation of '{}' from {}, at {} vertices; below 0 is inside", layer.name,
+                                   reference, static_cast<std::size_t>(count)));
+  result.log.push_back(fmt::format("least {:.6g} mm, most {:.6g} mm, mean {:.6g} mm, root mean square {:.6g} mm", least,
+                                   most, sum / count, std::sqrt(squares / count)));
   if (nowhere > 0) result.log.push_back(fmt::format("{} vertices are not at finite places; they are grey", nowhere));
   tell_histogram(result.quality, range, result.log);
   for (float& d : result.quality) {
@@ -132,7 +135,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter deviation() {
   return {"Fieldfab: Deviation from a layer or f-rep",
-          "The signed distance of each vertex to the surface of another layer, a formula or a file: as vertex quality, as colour "
+          "The signed distance of each vertex to the surface of another layer, a formula or a file: as vertex quality, "
+          "as colour "
           "(blue inside, white where it should be, orange to red outside) and as a "
           "histogram in the log. Places and triangles stay as they are.",
           Filter::Group::quality,

@@ -30,11 +30,13 @@ namespace {
 std::vector<Parameter> parameters(const Document&) {
   return {text_parameter(
               "Formula", "Formula or file",
-              "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + y^2 - 25, "
+              "The language of docs/frep-language.md, such as difference(sphere(10), cylinder(4, 40)), or max(x^2 + "
+              "y^2 - 25, "
               "abs(z) - 3); or the path of a file of any kind: formula, distance field, OpenSCAD design, mesh, volume.",
               "smooth_union(sphere(10), move(box(12, 12, 12), 9, 0, 0), 3)"),
-          text_parameter("Bounds", "Bounds (mm)",
-                         "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""),
+          text_parameter(
+              "Bounds", "Bounds (mm)",
+              "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""),
           number_parameter("Voxel", "Voxel (mm)",
                            "Edge of the smallest cell; 0 takes the file's own, or 1/128 of the longest side.", 0)};
 }
@@ -60,7 +62,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter frep_solid() {
   return {"Fieldfab: Solid from f-rep expression",
-          "A solid from a formula (a functional representation): below 0 is inside. Edges are sharp, the mesh is closed. The "
+          "A solid from a formula (a functional representation): below 0 is inside. Edges are sharp, the mesh is "
+          "closed. The "
           "result is a new layer; of a model of several parts, a layer for each, with its name and colour.",
           Filter::Group::creation,
           false,

@@ -25,10 +25,11 @@ std::vector<Parameter> parameters(const Document& document) {
       length_parameter("Wall", "Wall thickness (mm)", "Everywhere the same.", diagonal / 40, 0, diagonal),
       choice_parameter("Side", "The wall lies", "On both sides it may be an open sheet, which gets that thickness.",
                        {"inside the surface", "outside the surface", "on both sides"}),
-      whole_parameter("DrainHoles", "Drain holes in each hollow",
-                      "The first at the lowest place, the second at the highest, for the air; further ones low again, apart from "
-                      "each other. They run along z.",
-                      0),
+      whole_parameter(
+          "DrainHoles", "Drain holes in each hollow",
+          "The first at the lowest place, the second at the highest, for the air; further ones low again, apart from "
+          "each other. They run along z.",
+          0),
       length_parameter("HoleDiameter", "Drain hole diameter (mm)", "Wide enough for powder or resin.", diagonal / 30, 0,
                        diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
@@ -90,7 +91,8 @@ Result run(const Values& values, Progress& progress) {
   const double wall = values.positive("Wall");
   const int side = values.whole("Side"), holes = values.whole("DrainHoles");
   if (side < 0 || side > 2) throw Error(ErrorKind::bad_input, "Side", fmt::format("is 0, 1 or 2, not {}", side));
-  if (holes < 0 || holes > 100) throw Error(ErrorKind::bad_input, "DrainHoles", fmt::format("is from 0 to 100, not {}", holes));
+  if (holes < 0 || holes > 100)
+    throw Error(ErrorKind::bad_input, "DrainHoles", fmt::format("is from 0 to 100, not {}", holes));
   const double diameter = holes > 0 ? values.positive("HoleDiameter") : 0;
   const Layer& layer = values.layer();
   Solid solid;
@@ -105,7 +107,8 @@ Result run(const Values& values, Progress& progress) {
   } else {
     solid = solid_of(layer, fineness, wall, result.log, progress);
     sharp = is_sharp(solid);
-    outer = side == 0 ? solid.field : offset(solid.field, wall), inner = side == 0 ? offset(solid.field, -wall) : solid.field;
+    outer = side == 0 ? solid.field : offset(solid.field, wall),
+    inner = side == 0 ? offset(solid.field, -wall) : solid.field;
     shelled = subtract(outer, inner);
   }
   if (wall < fineness.voxel)
@@ -116,7 +119,8 @@ Result run(const Values& values, Progress& progress) {
     for (const std::vector<Vec3>& piece : pieces_of(hollow)) {
       for (const Drain& drain : drains_of(piece, holes))
         shelled = subtract(shelled, hole(*outer, drain, diameter, fineness.voxel, *solid.bounds)), ++made;
-      if (made > 1000) throw Error(ErrorKind::bad_input, "DrainHoles", "there are too many hollows; a thicker wall leaves fewer");
+      if (made > 1000)
+        throw Error(ErrorKind::bad_input, "DrainHoles", "there are too many hollows; a thicker wall leaves fewer");
     }
     result.log.push_back(fmt::format("{} drain holes", made));
     if (!hollow.certainty.certain())
@@ -130,7 +134,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter hollow() {
   return {"Fieldfab: Shell (hollow out)",
-          "A wall of even thickness along the surface, hollow within, with drain holes if wanted. Open sheets get a thickness "
+          "A wall of even thickness along the surface, hollow within, with drain holes if wanted. Open sheets get a "
+          "thickness "
           "where the wall lies on both sides. The result is a new layer.",
           Filter::Group::remeshing,
           true,

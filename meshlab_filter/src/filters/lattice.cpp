@@ -19,8 +19,8 @@ std::vector<Parameter> parameters(const Document& document) {
       length_parameter("Period", "Period (mm)", "Edge of the lattice's cell.", diagonal / 10, 0, diagonal),
       length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice.", diagonal / 60, 0, diagonal),
       length_parameter("Wall", "Outer wall (mm)",
-                       "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.", diagonal / 60, 0,
-                       diagonal)};
+                       "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.",
+                       diagonal / 60, 0, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }
@@ -40,14 +40,17 @@ Result run(const Values& values, Progress& progress) {
   // The walls of the lattice are thin, so a search for edges is slow; it is done on demand only.
   if (fineness.edges == Fineness::Edges::automatic) fineness.edges = Fineness::Edges::rounded;
   const double period = values.positive("Period"), strut = values.positive("Strut"), wall = values.not_negative("Wall");
-  const FieldPtr lattice = frep::make_field(frep::simplify(frep::shapes::shell(surface(values.whole("Lattice"), period), strut)));
+  const FieldPtr lattice =
+      frep::make_field(frep::simplify(frep::shapes::shell(surface(values.whole("Lattice"), period), strut)));
   const Layer& layer = values.layer();
   const Solid solid = solid_of(layer, fineness, wall, result.log, progress);
   FieldPtr filled = intersect(solid.field, lattice);
   if (wall > 0) filled = unite(subtract(solid.field, offset(solid.field, -wall)), filled);
-  result.add(layer_of(filled, *solid.bounds, fineness, is_sharp(solid), layer.name + " with lattice", result.log, progress));
+  result.add(
+      layer_of(filled, *solid.bounds, fineness, is_sharp(solid), layer.name + " with lattice", result.log, progress));
   if (strut < 2 * fineness.voxel)
-    result.log.push_back(fmt::format("the lattice's wall is {:.2g} voxels: below 2 it may have holes", strut / fineness.voxel));
+    result.log.push_back(
+        fmt::format("the lattice's wall is {:.2g} voxels: below 2 it may have holes", strut / fineness.voxel));
   return result;
 }
 
@@ -55,7 +58,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter lattice_infill() {
   return {"Fieldfab: Lattice infill",
-          "The solid made light: a wall of even thickness, and within it a gyroid, Schwarz P or diamond lattice. The result is a "
+          "The solid made light: a wall of even thickness, and within it a gyroid, Schwarz P or diamond lattice. The "
+          "result is a "
           "new layer.",
           Filter::Group::remeshing,
           true,

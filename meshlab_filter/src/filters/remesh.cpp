@@ -9,10 +9,11 @@ namespace {
 std::vector<Parameter> parameters(const Document& document) {
   std::vector<Parameter> rows = fineness_parameters(document);
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
-  rows.push_back(length_parameter("GapWidth", "Gap width to close (mm)",
-                                  "Slits and cracks that are narrower than this are filled, also between parts; 0 fills none. "
-                                  "Holes of open meshes are closed always.",
-                                  0, 0, diagonal));
+  rows.push_back(
+      length_parameter("GapWidth", "Gap width to close (mm)",
+                       "Slits and cracks that are narrower than this are filled, also between parts; 0 fills none. "
+                       "Holes of open meshes are closed always.",
+                       0, 0, diagonal));
   return rows;
 }
 
@@ -46,7 +47,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter remesh() {
   return {"Fieldfab: Remesh through a distance field",
-          "A closed, manifold mesh without self-intersections from <b>any</b> soup of triangles: open, inside out, crossing "
+          "A closed, manifold mesh without self-intersections from <b>any</b> soup of triangles: open, inside out, "
+          "crossing "
           "itself, in pieces. "
           "What the triangles wind around becomes solid; overlaps are solid once. The result is a new layer.",
           Filter::Group::remeshing,

@@ -20,8 +20,8 @@ Result run(const Values& values, Progress&) {
     result.log.push_back(fmt::format("{}  {}: {}", good ? "ok " : "BAD", what, found));
   };
   const auto yes = [](bool is) { return std::string(is ? "yes" : "no"); };
-  result.log.push_back(
-      fmt::format("Validity of '{}': {} triangles, {} vertices", layer.name, mesh.triangles.size(), mesh.vertices.size()));
+  result.log.push_back(fmt::format("Validity of '{}': {} triangles, {} vertices", layer.name, mesh.triangles.size(),
+                                   mesh.vertices.size()));
   for (std::string& note : notes) result.log.push_back("BAD  " + note);
   row("manifold", verdict.manifold, yes(verdict.manifold));
   row("closed", verdict.closed && lids.triangles.empty(),
@@ -44,7 +44,8 @@ Result run(const Values& values, Progress&) {
 
 Filter validity_report() {
   return {"Fieldfab: Validity report",
-          "Tells in the log whether the layer is closed, manifold, faces outwards, and is free of self-intersections (by CGAL, "
+          "Tells in the log whether the layer is closed, manifold, faces outwards, and is free of self-intersections "
+          "(by CGAL, "
           "exactly). Nothing is changed.",
           Filter::Group::measure,
           true,

@@ -59,7 +59,9 @@ bool done(const std::function<void()>& work, QString& message) {
 QList<MeshIOInterface::Format> FieldfabFiles::importFormats() const { return formats(files_read()); }
 QList<MeshIOInterface::Format> FieldfabFiles::exportFormats() const { return formats(files_written()); }
 
-void FieldfabFiles::GetExportMaskCapability(QString&, int& capability, int& defaults) const { capability = defaults = 0; }
+void FieldfabFiles::GetExportMaskCapability(QString&, int& capability, int& defaults) const {
+  capability = defaults = 0;
+}
 
 void FieldfabFiles::initPreOpenParameter(const QString& format, const QString&, RichParameterList& parameters) {
   show_parameters(reading_parameters(in_lower_case(format)), nullptr, parameters);
@@ -89,8 +91,8 @@ void FieldfabFiles::initSaveParameter(const QString&, MeshModel& model, RichPara
   done([&] { show_parameters(writing_parameters(document_of(model)), nullptr, parameters); }, ignored);
 }
 
-bool FieldfabFiles::save(const QString&, const QString& file, MeshModel& model, int, const RichParameterList& parameters,
-                         vcg::CallBackPos* bar, QWidget*) {
+bool FieldfabFiles::save(const QString&, const QString& file, MeshModel& model, int,
+                         const RichParameterList& parameters, vcg::CallBackPos* bar, QWidget*) {
   const bool good = done(
       [&] {
         const Layer layer = layer_from(model);

@@ -15,8 +15,8 @@ class FieldfabFiles : public QObject, public MeshIOInterface {
   QList<Format> exportFormats() const override;
   void GetExportMaskCapability(QString& format, int& capability, int& defaults) const override;
   void initPreOpenParameter(const QString& format, const QString& file, RichParameterList& parameters) override;
-  bool open(const QString& format, const QString& file, MeshModel& model, int& mask, const RichParameterList& parameters,
-            vcg::CallBackPos* bar, QWidget* parent) override;
+  bool open(const QString& format, const QString& file, MeshModel& model, int& mask,
+            const RichParameterList& parameters, vcg::CallBackPos* bar, QWidget* parent) override;
   void initSaveParameter(const QString& format, MeshModel& model, RichParameterList& parameters) override;
   bool save(const QString& format, const QString& file, MeshModel& model, int mask, const RichParameterList& parameters,
             vcg::CallBackPos* bar, QWidget* parent) override;

@@ -17,8 +17,8 @@ namespace {
 const Filter& filter_of(int id) { return filters().at(static_cast<std::size_t>(id)); }
 
 /// Copies only the layers that a filter asks for.
-std::map<std::size_t, std::shared_ptr<const Layer>> layers_for(const std::vector<Parameter>& parameters, const Document& seen,
-                                                               const MeshDocument& document) {
+std::map<std::size_t, std::shared_ptr<const Layer>> layers_for(const std::vector<Parameter>& parameters,
+                                                               const Document& seen, const MeshDocument& document) {
   std::map<std::size_t, std::shared_ptr<const Layer>> layers;
   const auto take = [&](double index) {
     const auto at = static_cast<std::size_t>(index);
@@ -90,7 +90,8 @@ void FieldfabFilters::initParameterSet(QAction* action, MeshDocument& document, 
   }
 }
 
-bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const RichParameterList& list, vcg::CallBackPos* bar) {
+bool FieldfabFilters::applyFilter(QAction* action, MeshDocument& document, const RichParameterList& list,
+                                  vcg::CallBackPos* bar) {
   errorMessage.clear();
   try {
     const Filter& filter = filter_of(ID(action));

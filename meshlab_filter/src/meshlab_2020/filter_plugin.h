@@ -19,5 +19,6 @@ class FieldfabFilters : public QObject, public MeshFilterInterface {
   int getPreConditions(QAction* action) const override;
   int postCondition(QAction* action) const override;
   void initParameterSet(QAction* action, MeshDocument& document, RichParameterList& parameters) override;
-  bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters, vcg::CallBackPos* bar) override;
+  bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& parameters,
+                   vcg::CallBackPos* bar) override;
 };

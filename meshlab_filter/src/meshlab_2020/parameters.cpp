@@ -18,8 +18,8 @@ void show_parameters(const std::vector<Parameter>& parameters, MeshDocument* doc
     for (const std::string& choice : row.choices) choices << text_of(choice);
     switch (row.kind) {
       case Kind::length:
-        list.addParam(RichAbsPerc(name, static_cast<float>(value), static_cast<float>(row.least), static_cast<float>(row.most),
-                                  label, help));
+        list.addParam(RichAbsPerc(name, static_cast<float>(value), static_cast<float>(row.least),
+                                  static_cast<float>(row.most), label, help));
         break;
       case Kind::number: list.addParam(RichFloat(name, static_cast<float>(value), label, help)); break;
       case Kind::whole: list.addParam(RichInt(name, static_cast<int>(value), label, help)); break;

@@ -37,6 +37,7 @@ def test_ok_takes_the_mesh_that_was_shown(document, panels, monkeypatch):
     edit(solid)
     panels[-1].rows["size"].box.setValue(22)
     shown(panels[-1].preview, "final", "detail")
+    wait(lambda: not panels[-1].preview._task.is_alive(), 40, "the solid's own mesh, which follows blocks on a busy machine")
     made, real = [], sources.kept
     monkeypatch.setattr(sources, "kept", lambda key, make: real(key, lambda: made.append(key) or make()))
     press(Button.Ok)

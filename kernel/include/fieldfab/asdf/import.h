@@ -44,8 +44,8 @@ struct ImportShare {
   int part = 0, parts = 1;
 };
 /// Computes one share of import_asdf() and writes an intermediate file for merge_parts(). Throws as import_asdf().
-void import_part(const std::vector<LatticeSource>& levels, const std::filesystem::path& path, const ImportSettings& settings,
-                 const ImportShare& share, Progress& progress = Progress::none());
+void import_part(const std::vector<LatticeSource>& levels, const std::filesystem::path& path,
+                 const ImportSettings& settings, const ImportShare& share, Progress& progress = Progress::none());
 /// Merges the intermediate files of all shares into the file that import_asdf() would write, byte for byte. Does not
 /// read the values of the lattices. Throws Error(bad_input) if a share is missing or damaged, Error(io),
 /// Error(cancelled).

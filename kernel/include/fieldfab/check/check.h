@@ -41,14 +41,17 @@ struct CheckSettings {
 
 /// Builds the Asdf and the mesh of `field` over `bounds` and measures both; docs/checks.md lists each row and its
 /// bound. Throws as Asdf::build() and contour().
-CheckReport check(const Field& field, const Box& bounds, const CheckSettings& settings, Progress& progress = Progress::none());
+CheckReport check(const Field& field, const Box& bounds, const CheckSettings& settings,
+                  Progress& progress = Progress::none());
 
 /// Validity of a mesh according to CGAL.
 struct MeshVerdict {
   bool manifold = false, closed = false, outward = false;
   std::size_t self_intersections = 0, degenerate = 0, components = 0;
   double volume = 0, area = 0;
-  [[nodiscard]] bool valid() const { return manifold && closed && outward && self_intersections == 0 && degenerate == 0; }
+  [[nodiscard]] bool valid() const {
+    return manifold && closed && outward && self_intersections == 0 && degenerate == 0;
+  }
 };
 /// Tests a mesh with CGAL. `volume` is mm^3, `area` mm^2.
 MeshVerdict inspect(const TriangleMesh& mesh);

@@ -68,6 +68,7 @@ struct Certainty {
 /// most one sheet. Time is proportional to the area of the surface. The result does not depend on the number of
 /// threads. Throws Error(bad_input) unless region and voxel are finite and positive (a region flat in z is allowed),
 /// Error(cancelled).
-Certainty certainty_of_cells(const Field& field, const Box& region, double voxel, Progress& progress = Progress::none());
+Certainty certainty_of_cells(const Field& field, const Box& region, double voxel,
+                             Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -22,7 +22,9 @@ struct Points {
   std::size_t count = 0;
 
   /// Returns the view of `length` points from index `first` on.
-  [[nodiscard]] Points part(std::size_t first, std::size_t length) const { return {x + first, y + first, z + first, length}; }
+  [[nodiscard]] Points part(std::size_t first, std::size_t length) const {
+    return {x + first, y + first, z + first, length};
+  }
 };
 
 /// Destination of a batch of gradients: d/dx, d/dy and d/dz, each an array of `count` floats, not owned.

@@ -29,13 +29,14 @@ inline constexpr double sheet_overlap = 0.125;
 /// Tries to prove that the surface in `box` is one sheet: the graph of a function over a plane, nowhere steeper than
 /// steepest_in_cells * 2^halvings. `field` must be valid in `box`. `normals` holds known normals of the surface there;
 /// `side` is the edge of the cells, mm; `halvings` is the number of halvings from the voxel to these cells.
-SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side, int halvings);
+SurfaceProof prove_sheet(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, double side,
+                         int halvings);
 
 /// Tries the proof for one cell after prove_sheet() failed, from the parts in which the Field's interval permits a
 /// surface: first from slabs across the axis that `normals` face most, then from halves, which are halved up to `deep`
 /// times. The other parts lie on one side whatever their slopes, so that each line along the axis still meets the
 /// surface once. Of no use for faceted Fields. May append to `normals`; does not set `change`.
-SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals, int halvings,
-                                  int deep);
+SurfaceProof prove_sheet_by_parts(const Field& field, const Box& box, std::vector<Eigen::Vector3f>& normals,
+                                  int halvings, int deep);
 
 }  // namespace fieldfab

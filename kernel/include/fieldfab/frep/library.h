@@ -94,6 +94,7 @@ Value call(const LibraryFunction& function, std::span<const std::optional<Value>
 
 /// Calls a function with arguments in the order of its parameters (angles in radians, 0 for a text). Inserts defaults
 /// for std::nullopt and checks constants. Throws Error(bad_input) for a missing or wrong argument.
-Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given, std::string_view text = {});
+Expression call(const LibraryFunction& function, const std::vector<std::optional<Expression>>& given,
+                std::string_view text = {});
 
 }  // namespace fieldfab::frep

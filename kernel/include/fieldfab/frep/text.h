@@ -51,7 +51,8 @@ struct TextPart {
 /// the last statement. Values are solids or numbers: `-` between two solids is the set difference, otherwise
 /// arithmetic. Without an opener, open() is an error. Throws Error(bad_input), and errors of the opener with the
 /// position of the call.
-std::vector<TextPart> parse_parts(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
+std::vector<TextPart> parse_parts(std::string_view text, std::string_view name = "frep text",
+                                  const Opener& opener = {});
 /// Parses infix text and returns the union of its parts.
 Expression parse_infix(std::string_view text, std::string_view name = "frep text", const Opener& opener = {});
 

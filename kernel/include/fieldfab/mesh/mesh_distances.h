@@ -34,7 +34,9 @@ struct Lids {
   /// orientation.
   [[nodiscard]] bool are_small(const TriangleMesh& mesh) const { return area <= 0.5 * mesh.area(); }
   /// Whether there are lids, and they are as good as the mesh: small, and none folds over itself.
-  [[nodiscard]] bool are_good(const TriangleMesh& mesh) const { return !triangles.empty() && folds < 1.2 && are_small(mesh); }
+  [[nodiscard]] bool are_good(const TriangleMesh& mesh) const {
+    return !triangles.empty() && folds < 1.2 && are_small(mesh);
+  }
 };
 /// Returns the lids of a mesh.
 Lids lids_of(const TriangleMesh& mesh);

@@ -26,13 +26,15 @@ struct MeshPart {
 /// One part without name and colour gives the file of write_mesh(). Throws Error(bad_input) for no parts or an unknown
 /// extension, Error(too_large) beyond the limits of the format, Error(io), Error(cancelled). Each file is written
 /// completely or not at all, the .mtl file first.
-void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path, Progress& progress = Progress::none());
+void write_mesh_parts(std::span<const MeshPart> parts, const std::filesystem::path& path,
+                      Progress& progress = Progress::none());
 
 /// Reads a mesh file as parts. Each build item of a .3mf file is a part in mm, with transforms applied and components
 /// merged. Its name is that of the object, otherwise the item's part number; its colour is the base material of the
 /// object, or the one shared by all its components. A repeated name gets " 2", " 3" and so on. Items without triangles
 /// are omitted. Other files give one part without name and colour. Vertices at equal positions within a part are
 /// merged. Appends omitted content to `notes`, for people, one line each. Throws as load_mesh().
-std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress, std::vector<std::string>& notes);
+std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& path, Progress& progress,
+                                      std::vector<std::string>& notes);
 
 }  // namespace fieldfab

@@ -12,6 +12,7 @@ namespace fieldfab {
 /// enters the solid at the pixel's centre; minus infinity if it misses. Row 0 has the least y. Heights are accurate to
 /// a thousandth of a pixel. Parts thinner than a pixel along z may be missed. A solid that extends above the region is
 /// cut at its top. Throws Error(cancelled).
-std::vector<float> heights(const Field& field, const Box& region, int width, int height, Progress& progress = Progress::none());
+std::vector<float> heights(const Field& field, const Box& region, int width, int height,
+                           Progress& progress = Progress::none());
 
 }  // namespace fieldfab

@@ -43,7 +43,7 @@ struct ColouredPart {
 /// - If `parts` are given, `field` must be their union. Each point of a shaded picture has the colour of the part with
 ///   the least value there.
 /// NaN is outside. The pixels do not depend on the number of threads. Throws Error(bad_input), Error(cancelled).
-Image render(const Field& field, const Box& bounds, const RenderSettings& settings, Progress& progress = Progress::none(),
-             std::span<const ColouredPart> parts = {});
+Image render(const Field& field, const Box& bounds, const RenderSettings& settings,
+             Progress& progress = Progress::none(), std::span<const ColouredPart> parts = {});
 
 }  // namespace fieldfab

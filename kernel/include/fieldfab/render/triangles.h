@@ -41,6 +41,7 @@ struct TrianglePicture {
 /// window contains all triangles with a margin. Lights and shadows are those of render() for Fields. Time and memory
 /// are linear in the number of triangles and pixels. The pixels do not depend on the number of threads. Throws
 /// Error(bad_input) (also for a perspective, and for no triangles without a window), Error(cancelled).
-TrianglePicture render(const Triangles& triangles, const RenderSettings& settings, Progress& progress = Progress::none());
+TrianglePicture render(const Triangles& triangles, const RenderSettings& settings,
+                       Progress& progress = Progress::none());
 
 }  // namespace fieldfab

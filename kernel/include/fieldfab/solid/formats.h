@@ -21,7 +21,8 @@ enum class FormatKind { formula, script, design, distances, mesh, volume };
 std::string_view name_of(FormatKind kind);
 
 /// Reads a file as a Model. Throws as open_model().
-using ModelReader = std::function<Model(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress)>;
+using ModelReader =
+    std::function<Model(const std::filesystem::path& path, const OpenSettings& settings, Progress& progress)>;
 
 /// A file format.
 struct Format {

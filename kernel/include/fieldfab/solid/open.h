@@ -50,12 +50,13 @@ double option_number(std::span<const frep::OpenOption> options, std::string_view
 
 /// Reads a file of any known format. Throws Error(io), Error(bad_input) (for an unknown extension with a list of the
 /// known ones), Error(cancelled).
-Model open_model(const std::filesystem::path& path, const OpenSettings& settings = {}, Progress& progress = Progress::none());
+Model open_model(const std::filesystem::path& path, const OpenSettings& settings = {},
+                 Progress& progress = Progress::none());
 
 /// Opens a file as open() of .frep text does: as one solid, or as the part selected by `part = "NAME"`. Throws
 /// Error(bad_input) for scripts and for options that the format does not accept; else as open_model().
-Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> options, const OpenSettings& settings = {},
-                 Progress& progress = Progress::none());
+Solid open_solid(const std::filesystem::path& path, std::span<const frep::OpenOption> options,
+                 const OpenSettings& settings = {}, Progress& progress = Progress::none());
 
 /// Parses .frep text. Relative file names in open() refer to `folder`. Throws as frep::parse_parts() and open_model().
 Model parse_model(std::string_view text, std::string_view name, const std::filesystem::path& folder,
@@ -70,7 +71,8 @@ std::vector<frep::Diagnostic> diagnose_model(std::string_view text, const std::f
 Model model_of(const std::shared_ptr<const OpenedSolid>& opened);
 
 /// Returns a model of one part for a leaf just read from a file, and sets the leaf's path and options accordingly.
-Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::filesystem::path& path, const OpenSettings& settings);
+Model model_of_file(const std::shared_ptr<OpenedSolid>& opened, const std::filesystem::path& path,
+                    const OpenSettings& settings);
 
 /// Prints a model as .frep text, which parse_model() reads back. File names are relative to `folder` if they are in it.
 std::string print_model(const Model& model, const std::filesystem::path& folder = {});

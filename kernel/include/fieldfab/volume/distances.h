@@ -20,6 +20,7 @@ struct DistanceSettings {
 ///   of a voxel for a smooth surface), and interpolated trilinearly, which rounds ridges between equally near parts.
 /// - `bounds` must contain the solid.
 /// Memory: 16 bytes per lattice point. Throws Error(bad_input), Error(too_large), Error(cancelled).
-FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings, Progress& progress = Progress::none());
+FieldPtr distances(FieldPtr solid, const Box& bounds, const DistanceSettings& settings,
+                   Progress& progress = Progress::none());
 
 }  // namespace fieldfab

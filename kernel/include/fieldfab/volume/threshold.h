@@ -43,6 +43,7 @@ struct ThresholdRule {
 
 /// Returns the threshold by a rule. `automatic` is the file's own threshold if it has one, otherwise "halfway". Throws
 /// Error(bad_input) if the solid would be empty or fill the volume.
-double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t memory, Progress& progress = Progress::none());
+double threshold_by(const ThresholdRule& rule, const Volume& volume, std::size_t memory,
+                    Progress& progress = Progress::none());
 
 }  // namespace fieldfab

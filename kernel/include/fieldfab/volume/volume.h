@@ -34,7 +34,9 @@ struct SampleLattice {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 
   /// Number of samples in one slice of constant z.
-  [[nodiscard]] std::size_t slice() const { return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]); }
+  [[nodiscard]] std::size_t slice() const {
+    return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+  }
   /// Number of samples.
   [[nodiscard]] std::size_t count() const { return slice() * static_cast<std::size_t>(size[2]); }
   /// Extent of the samples along the lattice's own axes, mm; in model space if the lattice is straight().
@@ -70,8 +72,8 @@ using VolumePtr = std::shared_ptr<const Volume>;
 
 /// Returns a volume in memory; `type` states the sample type of its origin. Throws Error(bad_input) for an invalid
 /// lattice or a wrong number of densities.
-VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice, std::optional<double> own_threshold = {},
-                    SampleType type = SampleType::float32);
+VolumePtr volume_of(std::vector<float> densities, const SampleLattice& lattice,
+                    std::optional<double> own_threshold = {}, SampleType type = SampleType::float32);
 /// Returns the samples first .. first + count - 1 along each axis.
 VolumePtr cropped(VolumePtr volume, const std::array<int, 3>& first, const std::array<int, 3>& count);
 /// Returns the samples reordered so that the axes become x, y and z, if possible; otherwise `volume` itself.

@@ -77,7 +77,8 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
   const openvdb::Coord origin(-(leaf_side << level));
   for (int i = 0; i < 8; ++i) {
     const int side = leaf_side << level;
-    open.push_back({origin.offsetBy((i & 1) * side, (i >> 1 & 1) * side, (i >> 2) * side), level, solid.shared_from_this()});
+    open.push_back(
+        {origin.offsetBy((i & 1) * side, (i >> 1 & 1) * side, (i >> 2) * side), level, solid.shared_from_this()});
   }
   for (; !open.empty(); --level) {
     progress.check();
@@ -98,8 +99,8 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
     for (std::size_t i = 0; i < open.size(); ++i)
       for (int child = 0; keep[i] != 0 && child < 8; ++child) {
         const int side = leaf_side << (level - 1);
-        next.push_back(
-            {open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side), level - 1, open[i].field});
+        next.push_back({open[i].lower.offsetBy((child & 1) * side, (child >> 1 & 1) * side, (child >> 2) * side),
+                        level - 1, open[i].field});
       }
     open = std::move(next);
   }
@@ -138,8 +139,12 @@ VdbLevelSet::VdbLevelSet(const Field& solid, const Box& bounds, double voxel, Pr
   progress.check();
 }
 
-double VdbLevelSet::volume() const { return empty() ? 0 : openvdb::tools::levelSetVolume(*grid_, false) * std::pow(voxel_, 3); }
-double VdbLevelSet::area() const { return empty() ? 0 : openvdb::tools::levelSetArea(*grid_, false) * std::pow(voxel_, 2); }
+double VdbLevelSet::volume() const {
+  return empty() ? 0 : openvdb::tools::levelSetVolume(*grid_, false) * std::pow(voxel_, 3);
+}
+double VdbLevelSet::area() const {
+  return empty() ? 0 : openvdb::tools::levelSetArea(*grid_, false) * std::pow(voxel_, 2);
+}
 
 double VdbLevelSet::value(const Vec3& p) const {
   const openvdb::tools::GridSampler<openvdb::FloatGrid, openvdb::tools::BoxSampler> sampler(*grid_);

@@ -113,7 +113,8 @@ SampleLattice lattice_of(const itk::ImageIOBase& io, const Path& path, bool one_
 /// Reads all samples, after the header.
 void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, const Path& path, float* out) {
   const std::size_t size = count * size_of(type);
-  if (static_cast<std::size_t>(io.GetImageSizeInBytes()) != size) refuse(path, "holds another number of samples than it tells");
+  if (static_cast<std::size_t>(io.GetImageSizeInBytes()) != size)
+    refuse(path, "holds another number of samples than it tells");
   std::vector<std::byte> bytes(size);
   {
     const Hushed hushed;
@@ -131,7 +132,8 @@ void read_samples(itk::ImageIOBase& io, SampleType type, std::size_t count, cons
 
 SampleType known_type(const itk::ImageIOBase& io, const Path& path) {
   const auto type = type_of(io.GetComponentType());
-  if (!type) refuse(path, "samples of " + itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType()) + " are not read");
+  if (!type)
+    refuse(path, "samples of " + itk::ImageIOBase::GetComponentTypeAsString(io.GetComponentType()) + " are not read");
   return *type;
 }
 
@@ -209,7 +211,8 @@ class NiftiHeader {
   [[nodiscard]] int size() const { return at<std::int32_t>(0); }
   void require_finite(std::size_t first, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i)
-      if (!std::isfinite(at<float>(first + 4 * i))) refuse(path_, "tells distances or directions that are not possible");
+      if (!std::isfinite(at<float>(first + 4 * i)))
+        refuse(path_, "tells distances or directions that are not possible");
   }
   template <class Number>
   [[nodiscard]] Number at(std::size_t place) const {
@@ -292,8 +295,8 @@ VolumePtr open_meta(const Path& path) {
   if (compressed || several) return read_whole(*io, path, {mm, mm});
   Units{mm, mm}.apply(lattice);
   if (std::error_code none; header < 0 && std::filesystem::is_regular_file(data, none))  // the samples are at its end
-    header = std::max<long long>(
-        0, static_cast<long long>(std::filesystem::file_size(data)) - static_cast<long long>(lattice.count() * size_of(type)));
+    header = std::max<long long>(0, static_cast<long long>(std::filesystem::file_size(data)) -
+                                        static_cast<long long>(lattice.count() * size_of(type)));
   RawLayout layout{lattice, type, big_endian,
                    local ? static_cast<std::uint64_t>(text.tellg()) : static_cast<std::uint64_t>(header)};
   return open_samples(data, layout);
@@ -333,10 +336,12 @@ class DicomSlice final : public Slice {
   Path path_;
 };
 
-std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerType& series, itk::GDCMSeriesFileNames& names) {
+std::string list_of_series(const itk::GDCMSeriesFileNames::SeriesUIDContainerType& series,
+                           itk::GDCMSeriesFileNames& names) {
   std::string list;
   for (std::size_t i = 0; i < series.size(); ++i)
-    list += fmt::format("{}{}: {} ({} files)", i == 0 ? "" : "; ", i + 1, series[i], names.GetFileNames(series[i]).size());
+    list +=
+        fmt::format("{}{}: {} ({} files)", i == 0 ? "" : "; ", i + 1, series[i], names.GetFileNames(series[i]).size());
   return list;
 }
 
@@ -413,12 +418,14 @@ VolumePtr open_sound_dicom(const Path& path, const std::string& wanted, Progress
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
   const double gap = sorted[sorted.size() / 2];
   if (!(gap > 0))
-    refuse(path, "has several slices at one place: choose between them with --series, or put one set in a folder of its own");
+    refuse(path,
+           "has several slices at one place: choose between them with --series, or put one set in a folder of its own");
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (std::abs(gaps[i] - gap) > 0.1 * gap)
       refuse(path,
-             fmt::format("the slices {} and {} are {:.4g} mm apart, the others {:.4g} mm: slices are missing or twice there",
-                         placed[i].path.filename().string(), placed[i + 1].path.filename().string(), gaps[i], gap));
+             fmt::format(
+                 "the slices {} and {} are {:.4g} mm apart, the others {:.4g} mm: slices are missing or twice there",
+                 placed[i].path.filename().string(), placed[i + 1].path.filename().string(), gaps[i], gap));
   SampleLattice lattice = placed[0].slice->lattice;
   const Vec3 step = (placed.back().slice->lattice.origin - lattice.origin) / static_cast<double>(placed.size() - 1);
   lattice.spacing.z() = step.norm();
@@ -449,7 +456,8 @@ VolumePtr open_tried_dicom(const Path& path, const std::string& series, Progress
   if (std::filesystem::is_directory(path))
     for (const auto& entry : std::filesystem::directory_iterator(path))
       if (entry.is_regular_file() && !is_safe_dicom(entry.path(), "", progress)) refuse(entry.path(), damaged);
-  refuse(path, std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
+  refuse(path,
+         std::filesystem::is_directory(path) ? "holds a file that GDCM, which reads DICOM, gives up at" : damaged);
 }
 
 /// Whether a file just written holds these samples. MetaIO, NrrdIO and nifti_clib do not report a
@@ -476,7 +484,8 @@ void write(const Volume& volume, const Path& path, Progress& progress) {
   if (extension == ".mha") io = itk::MetaImageIO::New().GetPointer();
   if (extension == ".nii" || (extension == ".gz" && extension_of(path.stem()) == ".nii"))
     io = itk::NiftiImageIO::New().GetPointer();
-  if (!io) refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
+  if (!io)
+    refuse(path, fmt::format("there is no writer of volumes for '{}'; known are .nrrd .mha .nii .nii.gz", extension));
   PendingFile file(path);
   const std::size_t bytes = densities.size() * sizeof(float);
   const bool compressed = extension != ".mha" && extension != ".nii";

@@ -33,8 +33,8 @@ std::vector<int> dimensions_of(const Tree& tree);
 /// - Its notes start with FILE:LINE.
 /// Imported file names are relative to `folder`. Throws Error(bad_input) with FILE:LINE for unknown or invalid nodes,
 /// Error(io) for a missing file, Error(cancelled).
-std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder, const DesignOptions& options = {},
-                                         Progress& progress = Progress::none());
+std::shared_ptr<OpenedSolid> make_design(const Tree& tree, const std::filesystem::path& folder,
+                                         const DesignOptions& options = {}, Progress& progress = Progress::none());
 
 /// Returns all formats: those of the kernel, and .csg and .scad.
 const Formats& all_formats();

@@ -147,17 +147,18 @@ std::vector<ReadingNote> read_gcode(std::string_view text, const std::string& fi
 /// with a note; macros of the control (C6, C#,90) give a note and are skipped; anything else that might move an axis is
 /// refused. Rotary axes are in degrees. The program's zero is the first work offset, as for the readers below. Throws
 /// as read_gcode().
-std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options, double unit,
-                                  const MotionSink& sink, Progress& progress = Progress::none());
+std::vector<ReadingNote> read_sbp(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                  double unit, const MotionSink& sink, Progress& progress = Progress::none());
 /// Interprets RML of Roland's mills (Modela, SRM-20). `tick` is the length of a program unit, mm: 1/40 or 1/100. Z
 /// moves use the lesser of the speeds VS and !VZ. Moves with a raised tool are feeds, too, because RML has no rapids.
 /// Throws as read_gcode().
-std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
-                                  const MotionSink& sink, Progress& progress = Progress::none());
+std::vector<ReadingNote> read_rml(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                  double tick, const MotionSink& sink, Progress& progress = Progress::none());
 /// Interprets HPGL: PU, PD, PA, PR, arcs, circles, rectangles; escape sequences of printers are skipped. The raised pen
 /// is at z = `up`, the lowered one at z = `down`, mm; the pen number is the tool number. Lettering, fills, scaling and
 /// other drawing commands are refused. Throws as read_gcode().
-std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options, double tick,
-                                   double up, double down, const MotionSink& sink, Progress& progress = Progress::none());
+std::vector<ReadingNote> read_hpgl(std::string_view text, const std::string& file, const ReadingOptions& options,
+                                   double tick, double up, double down, const MotionSink& sink,
+                                   Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

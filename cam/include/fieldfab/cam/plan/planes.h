@@ -66,8 +66,8 @@ void take_away(Material& material, const Plane& plane, double floor, const Mater
 
 /// Returns the parts of finishing paths (in plane coordinates) on which the tool touches areas that no earlier
 /// operation has reached.
-std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips, const Field& part,
-                              const std::vector<Reached>& earlier, double tolerance);
+std::vector<Path> not_reached(const std::vector<Path>& paths, const Plane& plane, const TipSurface& tips,
+                              const Field& part, const std::vector<Reached>& earlier, double tolerance);
 
 /// Converts moves from plane to part coordinates. Unless the plane is the top, arcs become lines with a deviation of at
 /// most `tolerance` mm.

@@ -23,7 +23,7 @@ TriangleMesh tool_mesh(const ToolSolid& tool, ToolRole role, const ToolPose& pos
 /// coloured by tool, and the tool. All show the same region. The simulation must have been run with
 /// SimulationOptions::remember. Throws Error(bad_input) for settings out of range or without motion, Error(io),
 /// Error(cancelled).
-void write_frames(const SimulationResult& result, const std::filesystem::path& folder, const FrameSettings& settings = {},
-                  Progress& progress = Progress::none());
+void write_frames(const SimulationResult& result, const std::filesystem::path& folder,
+                  const FrameSettings& settings = {}, Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

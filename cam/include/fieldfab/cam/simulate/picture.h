@@ -75,6 +75,7 @@ void write_stock_picture(const SimulationResult& result, const std::filesystem::
 /// Writes the finished stock as a mesh, in the formats of write_mesh(). A .ply has vertex colours of
 /// default_colouring(), the `deviation` in mm if there is a target, and the program `line` and `tool` of each vertex.
 /// Throws Error(bad_input) for another extension, Error(io), Error(cancelled).
-void write_stock_mesh(const SimulationResult& result, const std::filesystem::path& path, Progress& progress = Progress::none());
+void write_stock_mesh(const SimulationResult& result, const std::filesystem::path& path,
+                      Progress& progress = Progress::none());
 
 }  // namespace fieldfab::cam

@@ -58,7 +58,8 @@ class Playback {
   void add_removing(std::size_t index, std::span<const ToolPose> way, std::vector<Stroke>& strokes) const;
 
   /// Records an executed move. `tip` is the cut number of the tool's cutting part.
-  void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t tip, std::span<const ToolPose> poses);
+  void add(const Move& move, const std::shared_ptr<const ToolSolid>& tool, std::uint32_t tip,
+           std::span<const ToolPose> poses);
   /// Offers the stock after all moves so far as a checkpoint.
   void keep(const Stock& stock);
 
@@ -81,7 +82,8 @@ class Playback {
 /// A position in a playback. Moving forward from it is cheap.
 class Playhead {
  public:
-  explicit Playhead(std::shared_ptr<const Playback> playback) : playback_(std::move(playback)), shown_(playback_->nearest(0)) {}
+  explicit Playhead(std::shared_ptr<const Playback> playback)
+      : playback_(std::move(playback)), shown_(playback_->nearest(0)) {}
   [[nodiscard]] const Playback& playback() const { return *playback_; }
 
   /// Returns the stock after a number of moves. The reference is valid until the next call. Throws Error(cancelled).
@@ -96,7 +98,7 @@ class Playhead {
 
 /// Appends the strokes of a tool's pieces with one role between two poses. They refer to `tool`, which must outlive
 /// them. `tip` is the cut number of the cutting part.
-void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip, bool removes,
-                 std::vector<Stroke>& strokes);
+void add_strokes(const ToolSolid& tool, ToolRole role, const ToolPose& from, const ToolPose& to, std::uint32_t tip,
+                 bool removes, std::vector<Stroke>& strokes);
 
 }  // namespace fieldfab::cam

@@ -78,8 +78,8 @@ SimulationSetup read_simulation_setup(const std::filesystem::path& path, Progres
                                       const Formats& formats = kernel_formats());
 /// Reads a job file that names no model; the part is given as a Field (see Job::parse()). All results are in that
 /// Field's coordinates, wherever the program's zero is. Throws as the function above.
-SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part, Progress& progress = Progress::none(),
-                                      const Formats& formats = kernel_formats());
+SimulationSetup read_simulation_setup(const std::filesystem::path& path, FieldPtr part,
+                                      Progress& progress = Progress::none(), const Formats& formats = kernel_formats());
 
 /// Returns the map from part coordinates to the position at which the machine's table holds the part, for given axis
 /// positions. The identity for machines without a rotary table.

@@ -110,7 +110,8 @@ class Stock {
   /// Returns the surface: closed and oriented outward. Axis-aligned flat areas made by one cut are merged: squares of
   /// up to 32 x 32 cells have one vertex. If `cuts` is not null, it receives the number of the cut that made each
   /// vertex. Throws Error(cancelled), Error(too_large).
-  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr, Progress& progress = Progress::none()) const;
+  [[nodiscard]] TriangleMesh mesh(std::vector<std::uint32_t>* cuts = nullptr,
+                                  Progress& progress = Progress::none()) const;
 
  private:
   friend class SurfacePieces;
