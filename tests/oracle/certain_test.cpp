@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -360,7 +361,11 @@ TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   std::vector<std::string> texts(count);
   for (std::string& text : texts) text = random_thin_solid(random);
   std::vector<ThinSolid> found(count);
-  parallel_for(count, [&](std::size_t i) { found[i] = contour_and_compare(texts[i]); });
+  std::atomic<std::size_t> compared = 0;
+  parallel_for(count, [&](std::size_t i) {
+    found[i] = contour_and_compare(texts[i]);
+    if (const std::size_t number = ++compared; number % 500 == 0) fmt::print(stderr, "{} compared\n", number);
+  });
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(found[i].fault, "") << "number " << i << ": " << texts[i];
   const auto number = [&](bool ThinSolid::*property) {
     return std::count_if(found.begin(), found.end(),
@@ -369,11 +374,10 @@ TEST(Certain, RandomThinSolidsAreNeverCertainAndWrong) {
   const auto certain = number(&ThinSolid::certain);
   fmt::print(
       "{} of {} certain, {} of them with nothing at the finer lattice's points; a lattice of the cells' size sees "
-      "something of "
-      "{}\n",
+      "something of {}\n",
       certain, count, number(&ThinSolid::empty), number(&ThinSolid::seen_by_lattice));
-  EXPECT_GE(certain,
-            static_cast<std::ptrdiff_t>(count / 5));  // most meet each other in edges sharper than the budget shows
+  // Most meet each other in edges sharper than the budget shows.
+  EXPECT_GE(certain, static_cast<std::ptrdiff_t>(count / 5));
 }
 
 TEST(Certain, TellsWhichCellsWouldShowWhatIsMissing) {
