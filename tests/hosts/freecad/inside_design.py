@@ -188,6 +188,18 @@ def test_blocks_are_refined_where_the_eye_is():
     assert sum(map(len, picture[(1, 1, 1)])) > 4 * before and max(level for _, level, _ in seen.details[(1, 1, 1)].parts(near)) >= 2
 
 
+def test_blocks_give_way_to_a_whole_of_more_triangles_than_are_shown():
+    source = frep_solid.source_of_text("sphere(r = 10)")
+    seen = refinement.Refinement(source, {"voxel": 0.5}, cells=12, most=1000)
+    assert len(source.mesh(voxel=0.5).triangles) > 1000
+    seen.coarse(go_on)
+    list(seen.finer(go_on)), list(seen.final(go_on))
+    seen.divided(go_on)
+    *_, whole = seen.final(go_on)
+    assert area(pieces(whole)) == pytest.approx(400 * np.pi, rel=0.02) and not seen.in_blocks
+    assert list(seen.final(go_on)) == [], "it is shown already"
+
+
 def test_work_that_nobody_wants_ends():
     seen = refinement.Refinement(frep_solid.source_of_text(frep_solid.DEFAULT), {}, guess=(-21, -21, -21, 21, 21, 21), cells=16)
     seen.coarse(go_on)
