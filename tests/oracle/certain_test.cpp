@@ -195,7 +195,7 @@ TEST(Certain, MeshesOfContoursLoseNoThinParts) {
     if (!drawn.certainty.certain()) continue;
     const ContourMesh mesh = contour(*mesh_field(drawn), hard.bounds, {hard.voxel});
     EXPECT_TRUE(inspect(mesh).valid()) << hard.name;
-    EXPECT_NEAR(inspect(mesh).volume, inspect(drawn).volume, 0.06 * inspect(drawn).volume)
+    EXPECT_NEAR(inspect(mesh).volume, hard.volume, std::max(0.06, hard.accuracy) * hard.volume)
         << hard.name << ": " << mesh.certainty.text();
     EXPECT_TRUE(!mesh.certainty.certain() || euler(mesh) == hard.euler) << hard.name;
   }
