@@ -9,8 +9,8 @@
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/together.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -38,11 +38,11 @@ std::vector<Parameter> parameters(const Document& document) {
 
 /// Returns the vertices of each piece of a mesh.
 std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh) {
-  Together together(mesh.vertices.size());
-  for (const auto& t : mesh.triangles) together.join(t[0], t[1]), together.join(t[0], t[2]);
+  DisjointSets sets(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
   std::map<std::uint32_t, std::vector<Vec3>> pieces;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-    pieces[together.of(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
+    pieces[sets.find(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
   std::vector<std::vector<Vec3>> list;
   for (auto& [name, vertices] : pieces) list.push_back(std::move(vertices));
   return list;
