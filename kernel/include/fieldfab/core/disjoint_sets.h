@@ -20,7 +20,10 @@ class DisjointSets {
     return v;
   }
   /// Merges the sets that contain `a` and `b`.
-  void unite(std::uint32_t a, std::uint32_t b) { parent_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+  void unite(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t x = find(a), y = find(b);
+    parent_[std::max(x, y)] = std::min(x, y);
+  }
 
  private:
   std::vector<std::uint32_t> parent_;
