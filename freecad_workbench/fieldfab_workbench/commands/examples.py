@@ -84,7 +84,7 @@ COMMANDS = {
         "program. A double-click on the set-up shows its stages."),
     "Separator_Examples": None,
     "Fieldfab_ExamplesOnStartPage": OnStartPage(
-        "ShapeGallery", "Show on the start page", "Show copies of the examples on FreeCAD's start page, or take them away",
+        "ShapeGallery", "Show on the start page", "Show copies of the examples on FreeCAD's start page, or remove them",
         "Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the folders that you have chosen there. A "
         "second press takes the folder from the page again; the copies stay."),
 }
