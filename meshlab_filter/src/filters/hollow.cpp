@@ -22,7 +22,7 @@ namespace {
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
-      length_parameter("Wall", "Wall thickness (mm)", "Everywhere the same.", diagonal / 40, 0, diagonal),
+      length_parameter("Wall", "Wall thickness (mm)", "Constant thickness of the wall.", diagonal / 40, 0, diagonal),
       choice_parameter("Side", "The wall lies", "On both sides it may be an open sheet, which gets that thickness.",
                        {"inside the surface", "outside the surface", "on both sides"}),
       whole_parameter(
@@ -134,9 +134,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter hollow() {
   return {"Fieldfab: Shell (hollow out)",
-          "A wall of even thickness along the surface, hollow within, with drain holes if wanted. Open sheets get a "
-          "thickness "
-          "where the wall lies on both sides. The result is a new layer.",
+          "Hollows the solid: a wall of constant thickness along the surface, with drain holes if wanted. Open "
+          "sheets become walls if the wall lies on both sides. The result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,
