@@ -2939,8 +2939,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Vorschau: Zellen von {cell}</translation>
     </message>
     <message>
-        <source>As it will be</source>
-        <translation>So wird es</translation>
+        <source>Final mesh</source>
+        <translation>Endgültiges Netz</translation>
     </message>
     <message>
         <source>Refining where you look</source>
@@ -3014,8 +3014,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Kleinste Zellen entlang der längsten Seite</translation>
     </message>
     <message>
-        <source>How fine solids are where their VoxelSize is 0. Twice as many cells: about four times the triangles and the time.</source>
-        <translation>Wie fein Körper sind, deren VoxelSize 0 ist. Doppelt so viele Zellen: etwa viermal so viele Dreiecke und viermal so viel Zeit.</translation>
+        <source>Resolution of solids whose VoxelSize is 0. Twice as many cells take about four times the triangles and the time.</source>
+        <translation>Auflösung der Körper, deren VoxelSize 0 ist. Doppelt so viele Zellen brauchen etwa die vierfache Zahl der Dreiecke und die vierfache Zeit.</translation>
     </message>
     <message>
         <source>Colour of new solids</source>
