@@ -162,8 +162,8 @@ TITLE = "CAM"
 COMMANDS = {
     "Fieldfab_NewCamSetup": NewSetup(
         "CamSetup", "New CAM job", "Machine the selected solid: stock, tools, operations and a machine",
-        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
-        "machine, and plans all paths beside the window."),
+        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the "
+        "tools, the operations in order and the machine, and plans all paths in the background."),
     "Fieldfab_AddOperation": AddOperation(
         "CamOperation", "Add operation", "Add an operation to the CAM job",
         "Adds an operation, such as roughing or finishing, at the end of the selected job, or of the document's "

@@ -81,7 +81,8 @@ COMMANDS = {
         Operation="Offset"),
     "Fieldfab_Shell": NewSolid(
         modify.Modify, "Shell", "Hollow the selected solid",
-        "Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.", 1, Operation="Shell"),
+        "Makes a hollow solid of the selected one, with the same outer surface. The panel asks for the wall's "
+        "thickness.", 1, Operation="Shell"),
     "Fieldfab_LatticeInfill": NewSolid(
         modify.Modify, "Lattice infill", "Hollow the selected solid and fill it with a lattice",
         "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, the kind of lattice, the edge of its cell and "

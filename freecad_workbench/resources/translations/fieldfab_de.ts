@@ -1459,8 +1459,8 @@
         <translation>zuerst das Aufgabenfenster schließen</translation>
     </message>
     <message>
-        <source>FreeCAD's start page follows when it is opened the next time</source>
-        <translation>FreeCADs Startseite folgt, wenn sie das nächste Mal geöffnet wird</translation>
+        <source>FreeCAD's start page is updated when it is opened the next time</source>
+        <translation>FreeCADs Startseite wird aktualisiert, wenn sie das nächste Mal geöffnet wird</translation>
     </message>
     <message>
         <source>the process ended without a result</source>
@@ -1855,8 +1855,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: Der Scan {path} ist {state}; das Netz ist unverändert</translation>
     </message>
     <message>
-        <source>a tool is like {example}, not {line!r}</source>
-        <translation>ein Werkzeug sieht aus wie {example}, nicht wie {line!r}</translation>
+        <source>a tool has the form {example}, not {line!r}</source>
+        <translation>ein Werkzeug hat die Form {example}, nicht {line!r}</translation>
     </message>
     <message>
         <source>a tool has no {unknown!r}; it has {known}</source>
@@ -2531,12 +2531,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Die Datei eines Volumens wählen oder einen Ordner mit seinen Schichtbildern.</translation>
     </message>
     <message>
-        <source>The last sample of a crop must lie behind the first.</source>
+        <source>The last sample of a crop must lie after the first.</source>
         <translation>Der letzte Messpunkt eines Ausschnitts muss hinter dem ersten liegen.</translation>
     </message>
     <message>
-        <source>Nothing is solid at this threshold.</source>
-        <translation>Bei dieser Schwelle bleibt kein Körper.</translation>
+        <source>There is no solid at this threshold.</source>
+        <translation>Bei dieser Schwelle gibt es keinen Körper.</translation>
     </message>
     <message>
         <source>Choose a file first, or Cancel.</source>
@@ -2555,8 +2555,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Etwa {count} Dreiecke, {memory} MB</translation>
     </message>
     <message>
-        <source>A distance field: it is taken as it is.</source>
-        <translation>Ein Abstandsfeld: Es wird genommen, wie es ist.</translation>
+        <source>A distance field: it is used unchanged.</source>
+        <translation>Ein Abstandsfeld: Es wird unverändert verwendet.</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -2815,8 +2815,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Das gewählte Werkzeug</translation>
     </message>
     <message>
-        <source>there is a tool {number} already</source>
-        <translation>es gibt schon ein Werkzeug {number}</translation>
+        <source>tool number {number} is already in use</source>
+        <translation>die Werkzeugnummer {number} ist schon vergeben</translation>
     </message>
     <message>
         <source>not known</source>
@@ -3075,8 +3075,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper gegen OpenVDB und CGAL prüfen und zeigen, wo sein Netz abweicht</translation>
     </message>
     <message>
-        <source>Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its deviations until the panel is closed; nothing of the document is changed.</source>
-        <translation>Prüft einen ausgewählten Körper neben dem Fenster gegen OpenVDB und CGAL und zeigt jede Zahl mit ihrer Schranke. Das Netz nimmt die Farben seiner Abweichungen an, bis das Aufgabenfenster geschlossen wird; am Dokument ändert sich nichts.</translation>
+        <source>Checks one selected solid against OpenVDB and CGAL in the background, and shows each figure with its bound. The mesh has the colours of its deviations until the panel is closed; the document is not changed.</source>
+        <translation>Prüft einen ausgewählten Körper im Hintergrund gegen OpenVDB und CGAL und zeigt jede Zahl mit ihrer Schranke. Das Netz hat die Farben seiner Abweichungen, bis das Aufgabenfenster geschlossen wird; das Dokument ändert sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -3135,7 +3135,7 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Einen CAM-Job mit geplantem fünfachsigem Programm als neues Dokument öffnen</translation>
     </message>
     <message>
-        <source>Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans along the surface, and the planned program. A double-click on the set-up shows its stages.</source>
+        <source>Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that tilts with the surface, and the planned program. A double-click on the set-up shows its stages.</source>
         <translation>Öffnet eine Kopie eines Beispiels: einen Knauf, eine Aufspannung, die ihn schruppt und mit einem zur Fläche geneigten Kugelfräser schlichtet, und das geplante Programm. Ein Doppelklick auf die Aufspannung zeigt ihre Stufen.</translation>
     </message>
 </context>
@@ -3255,8 +3255,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper fräsen: Rohteil, Werkzeuge, Operationen und eine Maschine</translation>
     </message>
     <message>
-        <source>Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths beside the window.</source>
-        <translation>Legt einen Job an, in dem der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen neben dem Fenster.</translation>
+        <source>Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths in the background.</source>
+        <translation>Legt einen Job an, in dem der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen im Hintergrund.</translation>
     </message>
 </context>
 <context>
@@ -3360,8 +3360,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Die Ansicht mit einer Ebene schneiden, um ins Innere zu sehen, oder wieder alles zeigen</translation>
     </message>
     <message>
-        <source>Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed.</source>
-        <translation>Schneidet alle Körper der Ansicht und was Aufgabenfenster zeigen (Scans, das Rohteil einer Simulation) quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; am Dokument ändert sich nichts.</translation>
+        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed.</source>
+        <translation>Schneidet alle Körper der Ansicht, auch die von Aufgabenfenstern (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; das Dokument ändert sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -3405,8 +3405,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper aushöhlen</translation>
     </message>
     <message>
-        <source>Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.</source>
-        <translation>Macht aus dem ausgewählten Körper einen hohlen; außen bleibt er, wie er ist. Das Aufgabenfenster fragt nach der Dicke der Wand.</translation>
+        <source>Makes a hollow solid of the selected one, with the same outer surface. The panel asks for the wall's thickness.</source>
+        <translation>Macht aus dem ausgewählten Körper einen hohlen mit derselben Außenfläche. Das Aufgabenfenster fragt nach der Dicke der Wand.</translation>
     </message>
 </context>
 <context>
@@ -3416,7 +3416,7 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Unsichere Stellen zeigen</translation>
     </message>
     <message>
-        <source>Show where the selected solid's mesh may lack parts of it, or hide these places again</source>
+        <source>Show where the mesh of the selected solid may lack parts, or hide these places again</source>
         <translation>Zeigen, wo dem Netz des ausgewählten Körpers Teile fehlen können, oder diese Stellen wieder verbergen</translation>
     </message>
     <message>
