@@ -16,8 +16,7 @@ class CamVerb final : public Verb {
     verb_->add_option("JOB", job_, "the job: a .toml file with a part, a machine, tools and operations (docs/cam.md)")
         ->required();
     verb_->add_option("-o,--output", output_, "the program to write");
-    verb_->add_option("--picture", pictures_,
-                      "also draw the tool's ways: a .png or an .svg; may be given several times");
+    verb_->add_option("--picture", pictures_, "also draw the toolpaths: a .png or an .svg; may be given several times");
     verb_->add_option("--colour", colour_, "of the picture: by order or by depth")
         ->check(CLI::IsMember({"order", "depth"}));
     verb_->add_flag("--oblique", oblique_, "draw the picture from the front and above, not from straight above");

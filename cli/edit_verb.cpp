@@ -15,7 +15,7 @@ namespace {
 class EditVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("edit", "show a model in a window that follows its file: every save shows at once");
+    verb_ = app.add_subcommand("edit", "show a model in a window, updated whenever its file is saved");
     verb_->add_option("MODEL", file_, "a .frep, .math, .vm, .py or .asdf file; a .py script is run")->required();
   }
   Outcome run(Progress& /*progress*/) override {

@@ -34,7 +34,7 @@ class RenderVerb final : public Verb {
     verb_->add_option("--beta", beta_, "then tilt about x in degrees");
     verb_
         ->add_option("--perspective", perspective_,
-                     "the angle the solid fills in the eye, in degrees; 0 looks from infinitely far")
+                     "angle of view that the solid fills, in degrees; 0 is a parallel projection")
         ->check(CLI::Range(0.0, 114.0));
     verb_
         ->add_option("--samples", samples_,
@@ -93,9 +93,9 @@ class RenderVerb final : public Verb {
 class InfoVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("info", "tell what a file holds");
+    verb_ = app.add_subcommand("info", "describe the content of a file");
     verb_->add_option("FILE", file_, "a model, mesh, volume or .png")->required();
-    verb_->add_option("--histogram", histogram_, "draw how often each density occurs in a volume: the .png to write");
+    verb_->add_option("--histogram", histogram_, "draw the histogram of a volume's densities: the .png to write");
     scan_.declare(*verb_);
   }
   Outcome run(Progress& progress) override {

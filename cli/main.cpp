@@ -64,11 +64,10 @@ std::string text_of(const Outcome& outcome, bool json) {
 
 int run(int argc, char** argv, ProgressLine& line, Progress& progress) {
   CLI::App app{
-      "Fieldfab: solids from formulas, scans and meshes; pictures, watertight meshes and checks of them.\n"
-      "MODEL is a .math prefix string, a .vm program, .frep text, a .py script (which is run), an OpenSCAD design "
-      "(.scad .csg) "
-      "or "
-      "an .asdf file. Lengths are in mm."};
+      "Fieldfab: solids from formulas, scans, meshes and OpenSCAD designs; watertight meshes, pictures and checks of "
+      "them; toolpaths and their simulation.\n"
+      "MODEL is a file of any of these kinds, such as .frep text, an .stl mesh or a .py script (which is run). Lengths "
+      "are in mm."};
   app.name("fieldfab");
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string(FIELDFAB_VERSION));

@@ -22,13 +22,13 @@ double positive(const std::optional<double>& value, const char* option) {
 void ModelOptions::declare(CLI::App& verb, const std::string& output_help) {
   verb.add_option("MODEL", model, "the solid: " + openscad::all_formats().readable())->required();
   if (!output_help.empty()) verb.add_option("-o,--output", output, output_help)->required();
-  auto* resolution_option = verb.add_option("--resolution", resolution, "smallest cells a mm");
+  auto* resolution_option = verb.add_option("--resolution", resolution, "number of smallest cells per mm");
   verb.add_option("--voxel", voxel, "edge of the smallest cell in mm; the default is 1/128 of the longest side")
       ->excludes(resolution_option);
   verb.add_option("--max-error", max_error,
-                  "how far the result may be from the solid in mm; the default is a tenth of the smallest cell");
-  verb.add_option("--bounds,--region", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; found where not given");
-  verb.add_option("--part", part, "of a model of several parts: only the one of this name");
+                  "greatest distance of the result from the solid in mm; the default is a tenth of the smallest cell");
+  verb.add_option("--bounds,--region", bounds, "the region, x0,y0,z0,x1,y1,z1 in mm; computed by default");
+  verb.add_option("--part", part, "of a model with several parts: only the part with this name");
   verb.add_option("--thickness", thickness, "make a plate of a flat (2D) model: z from 0 to this many mm");
   verb.add_option("--level", level, "of an .asdf file with several resolutions; 0 is the finest")
       ->check(CLI::Range(0, 31));

@@ -23,8 +23,9 @@ class OpenscadVerb final : public Verb {
     verb_->add_option("FILE", file_, "the design: a .scad file that says use <fieldfab.scad> (docs/openscad.md)")
         ->required();
     verb_->add_option("-o,--output", outputs_,
-                      "what OpenSCAD shall write: .stl .off .amf .3mf .csg .png ...; may be given several times");
-    verb_->add_flag("--watch", watch_, "go on, and make the meshes anew whenever a file changes, until interrupted");
+                      "output of OpenSCAD: .stl .off .amf .3mf .csg .png ...; may be given several times");
+    verb_->add_flag("--watch", watch_,
+                    "keep running, and make the meshes again when a file changes, until interrupted");
   }
 
   Outcome run(Progress& progress) override {

@@ -29,17 +29,20 @@ std::size_t bytes(const std::string& text) {
 
 void ScanArguments::declare(CLI::App& verb) {
   const char* const group = "CT volumes";
-  verb.add_option(
-          "--threshold", threshold,
-          "the density from which on it is solid: a number, a share of the samples such as 90%, otsu, or halfway (the "
-          "default: between the two most common)")
+  verb.add_option("--threshold", threshold,
+                  "threshold density of the solid: a number, a percentile such as 90%, otsu, or halfway (the default: "
+                  "between the "
+                  "two most frequent densities)")
       ->group(group);
-  verb.add_flag("--below", below, "solid is what is less dense than the threshold")->group(group);
+  verb.add_flag("--below", below, "densities below the threshold are solid")->group(group);
   verb.add_option("--dims", size, "samples X,Y,Z of a .raw or .vol file; otherwise from its name or .vgi")
       ->group(group);
-  verb.add_option("--type", type, "of its samples: uint8 int8 uint16 int16 uint32 int32 float32 float64")->group(group);
-  verb.add_option("--byte-order", byte_order, "of its samples")->check(CLI::IsMember({"little", "big"}))->group(group);
-  verb.add_option("--skip", skip, "bytes before its samples")->group(group);
+  verb.add_option("--type", type, "type of the samples: uint8 int8 uint16 int16 uint32 int32 float32 float64")
+      ->group(group);
+  verb.add_option("--byte-order", byte_order, "byte order of the samples")
+      ->check(CLI::IsMember({"little", "big"}))
+      ->group(group);
+  verb.add_option("--skip", skip, "bytes before the samples")->group(group);
   verb.add_option("--spacing", spacing, "mm between samples, X,Y,Z; otherwise as the file says, or 1")->group(group);
   verb.add_option("--series", series, "of a DICOM folder with several: its identifier, a part of it, or its number")
       ->group(group);
@@ -48,10 +51,10 @@ void ScanArguments::declare(CLI::App& verb) {
                   "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]")
       ->group(group);
   verb.add_flag("--keep-largest", keep_largest, "keep the largest piece only")->group(group);
-  verb.add_option("--min-island", least_island, "drop pieces smaller than this many mm3")->group(group);
+  verb.add_option("--min-island", least_island, "remove pieces smaller than this many mm3")->group(group);
   verb.add_option("--min-hole", least_hole, "fill cavities smaller than this many mm3")->group(group);
   verb.add_flag("--fill-holes", fill_holes, "fill all cavities")->group(group);
-  verb.add_option("--memory", memory, "memory that reading may take, such as 2G")->capture_default_str()->group(group);
+  verb.add_option("--memory", memory, "memory limit of reading, such as 2G")->capture_default_str()->group(group);
 }
 
 std::vector<frep::OpenOption> ScanArguments::options() const {

@@ -25,7 +25,7 @@ class SimulateVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
     verb_ =
-        app.add_subcommand("simulate", "carry out a machine's program on a stock: what is left, and what goes wrong");
+        app.add_subcommand("simulate", "simulate a machine's program on a stock: the material left, and the faults");
     verb_->add_option(
         "PROGRAM", programs_,
         "G-code (.nc, .ngc, .tap, ...), ShopBot .sbp, Roland .rml or HPGL .plt; several are carried out one after the "
@@ -39,27 +39,29 @@ class SimulateVerb final : public Verb {
     verb_->add_option(
         "--dialect", dialect_,
         "the control that G-code was written for, instead of the set-up's: linuxcnc, fanuc, grbl or mach3");
-    verb_->add_option(
-        "-o,--output", output_,
-        "the stock that is left: " + stock_formats() + "; the last one loses nothing, for the next set-up");
+    verb_->add_option("-o,--output", output_,
+                      "the remaining stock: " + stock_formats() + "; the last one loses nothing, for the next set-up");
     verb_->add_option("--target", target_, "the model to compare with, instead of the set-up's");
-    verb_->add_option("--cell", cell_, "distance of samples, mm, instead of the set-up's")->check(CLI::PositiveNumber);
-    verb_->add_option("--gouge", gouge_, "how deep a cut into the target is one, mm")->check(CLI::NonNegativeNumber);
+    verb_->add_option("--cell", cell_, "sample spacing, mm, instead of the set-up's")->check(CLI::PositiveNumber);
+    verb_->add_option("--gouge", gouge_, "depth from which a cut into the target is a gouge, mm")
+        ->check(CLI::NonNegativeNumber);
     verb_->add_option(
         "--report", reports_,
         "also write the report: an .html page with pictures, or a .json file with what each line did; may be given "
         "several times");
-    verb_->add_option("--picture", picture_, "also a picture of what is left: a .png");
+    verb_->add_option("--picture", picture_, "also a picture of the remaining stock: a .png");
     verb_->add_option("--frames", frames_,
-                      "also pictures of it while it is machined, for a video: a folder for frame_0001.png, ...");
-    verb_->add_option("--frame-count", frame_settings_.count, "how many of them, at even times; the default is 100")
+                      "also pictures of the stock while it is machined, for a video: a folder for frame_0001.png, ...");
+    verb_
+        ->add_option("--frame-count", frame_settings_.count,
+                     "number of these pictures, equally spaced in time; the default is 100")
         ->check(CLI::Range(1, 100'000));
     verb_->add_option("--size", size_, "pixels along the pictures' longer side")->check(CLI::Range(16, 8192));
     verb_->add_option("--alpha", alpha_, "turn about z, degrees; for the pictures");
     verb_->add_option("--beta", beta_, "then tilt about x, degrees; 0 looks from above, -90 from the front");
     verb_
         ->add_option("--colours", colours_,
-                     "of the picture: what they tell; the default is the deviation where there is a target")
+                     "meaning of the colours of pictures; the default is the deviation if there is a target")
         ->check(CLI::IsMember({"deviation", "tool", "line"}));
   }
 

@@ -86,13 +86,13 @@ std::vector<MeshPart> surfaces_of(const Model& model, const ModelOptions& option
 class BuildVerb final : public Verb {
  public:
   void declare(CLI::App& app) override {
-    verb_ = app.add_subcommand("build", "build the distance field (ASDF) of a solid");
+    verb_ = app.add_subcommand("build", "build an adaptively sampled distance field (ASDF) of a solid");
     options_.declare(*verb_, "the .asdf file to write");
     verb_->add_option("--levels", file_.levels, "resolutions to keep in the file, each half of the one before")
         ->check(CLI::Range(1, 32));
     verb_->add_option("--quantum", file_.quantum,
-                      "keep distances as multiples of this many mm; the default is 1/1024 of a voxel");
-    verb_->add_flag("--certain", certain_, "exit 1 unless the distance field is proved to show all of the solid");
+                      "store distances as multiples of this many mm; the default is 1/1024 of a voxel");
+    verb_->add_flag("--certain", certain_, "exit 1 unless the distance field is proved to represent the whole solid");
   }
   Outcome run(Progress& progress) override {
     if (options_.takes_samples()) return import(progress);
@@ -159,7 +159,7 @@ class MeshVerb final : public Verb {
   void declare(CLI::App& app) override {
     verb_ = app.add_subcommand("mesh", "make a watertight triangle mesh of a solid");
     options_.declare(*verb_, "the mesh to write: " + openscad::all_formats().writable({FormatKind::mesh}));
-    verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to show all of the solid");
+    verb_->add_flag("--certain", certain_, "exit 1 unless the mesh is proved to represent the whole solid");
   }
   Outcome run(Progress& progress) override {
     const Formats& formats = openscad::all_formats();

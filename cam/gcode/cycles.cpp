@@ -139,17 +139,7 @@ class Interpreter::Hole {
   int turning_;  ///< of the spindle, before the hole
 };
 
-void Interpreter::cycle() {
-  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
-  const std::string name = g_name(code);
-  no_compensation("a canned cycle");
-  if (modes_.feed_mode == 930) refuse("{} cannot be used under G93", name);
-  if (block_.has_any("abcuvw")) refuse("{} moves X, Y and Z only", name);
-  if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
-  require_feed();
-
-  // Words of the same cycle are modal; another cycle starts without them.
-  const PlaneAxes axes = axes_of(modes_.plane);
+void Interpreter::cycle_words(int code, const std::string& name) {
   const bool same = modes_.motion == code;
   const auto sticky = [&](char letter, double& kept, const char* what, bool needed) {
     if (block_.has(letter))
@@ -160,7 +150,7 @@ void Interpreter::cycle() {
       kept = 0;
   };
   sticky('r', cycle_.r, "where the feed begins", true);
-  const char depth = letters[axes.third];
+  const char depth = letters[axes_of(modes_.plane).third];
   if (block_.has(depth))
     cycle_.z = block_[depth];
   else if (!same)
@@ -170,11 +160,24 @@ void Interpreter::cycle() {
   sticky('i', cycle_.i, "how far the tool moves aside or where it ends", code == 870);
   sticky('j', cycle_.j, "how far the tool moves aside or where it ends", code == 870);
   sticky('k', cycle_.k, "how far the tool moves aside or where it ends", code == 870);
+}
+
+void Interpreter::cycle() {
+  const int code = block_.code(GGroup::motion) == Block::none ? modes_.motion : block_.code(GGroup::motion);
+  const std::string name = g_name(code);
+  no_compensation("a canned cycle");
+  if (modes_.feed_mode == 930) refuse("{} cannot be used under G93", name);
+  if (block_.has_any("abcuvw")) refuse("{} moves X, Y and Z only", name);
+  if (block_.machine_coordinates) refuse("G53 goes with G0 and G1 only");
+  require_feed();
+
+  cycle_words(code, name);
   const int repeats = block_.has('l') ? whole(block_['l'], 1'000'000'000) : 1;
   if (repeats < 1) refuse("{} with L{}: repeats are 1 or more", name, repeats);
   if (cycle_.p < 0) refuse("{} with a dwell of {} seconds", name, cycle_.p);
   if ((code == 830 || code == 730) && cycle_.q <= 0) refuse("{} with Q{}: pecks are above 0", name, cycle_.q);
 
+  const PlaneAxes axes = axes_of(modes_.plane);
   const bool in_cycles = modes_.motion >= 730 && modes_.motion <= 890 && modes_.motion != 760 && modes_.motion != 800;
   if (!in_cycles) cycle_.start = at_.at[axes.third];
 

@@ -135,6 +135,8 @@ class Interpreter final : public PredefinedParameters {
 
   // cycles.cpp, threads.cpp
   void cycle();
+  /// Takes the words of a canned cycle. They are modal; another cycle starts without those of the one before.
+  void cycle_words(int code, const std::string& name);
   class Hole;
   void thread();
 

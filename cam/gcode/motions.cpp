@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/chords.h"
 #include "fieldfab/core/angle.h"
 #include "interpreter.h"
 
@@ -267,7 +268,7 @@ void Interpreter::send_chords(const Motion& arc) {
   const double radius = begin.norm(), radius_end = end.norm();
   const double sweep =
       arc_length(begin, end, Vec2::Zero(), arc.turns) / std::max(radius, 1e-9) * (arc.turns > 0 ? 1 : -1);
-  const double step = 2 * std::acos(std::max(0.0, 1 - chord_tolerance / std::max(radius, chord_tolerance)));
+  const double step = chord_angle(radius, chord_tolerance);
   const int count = std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / std::max(step, 1e-4))), 1, 1'000'000);
   const double start_angle = std::atan2(begin.y(), begin.x());
   for (int i = 1; i <= count; ++i) {

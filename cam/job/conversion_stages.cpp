@@ -22,7 +22,7 @@ double cell_for(const Values& values, const Vec2& size, const Context& context) 
 
 Setting cell_setting() {
   return above_zero(
-      number("cell", "mm", unset, "distance of samples; the default follows from the part's size and the tool"));
+      number("cell", "mm", unset, "sample spacing; the default follows from the part's size and the tool"));
 }
 
 /// Contour of a slice. Squares are halved until no part is missed. If that fails, returns the
@@ -143,7 +143,7 @@ Artifact surface_of_image(const Artifact& in, const Values& values, Context&) {
 
 std::vector<Stage> conversion_stages() {
   const Setting pixel =
-      above_zero(number("pixel", "mm", unset, "size of a pixel; the default is what the picture says"));
+      above_zero(number("pixel", "mm", unset, "size of a pixel; the default is that of the image file"));
   return {
       {"outline",
        "the part's outline: a slice, or its shadow from above",
@@ -151,23 +151,25 @@ std::vector<Stage> conversion_stages() {
        Kind::outline,
        false,
        {cell_setting(),
-        number("slice", "mm", unset, "cut the part at this height; the default is its shadow, or the drawing itself")},
+        number(
+            "slice", "mm", unset,
+            "height of the section through the part; the default is the projection from above, or the drawing itself")},
        outline_of_solid},
       {"height map",
        "the part's upper surface",
        Kind::solid,
        Kind::surface,
        false,
-       {cell_setting(),
-        above_zero(number("surface_tolerance", "mm", 0.01, "how far the surface kept may be from the part's"))},
+       {cell_setting(), above_zero(number("surface_tolerance", "mm", 0.01,
+                                          "greatest distance of the height map from the part's surface"))},
        surface_of_solid},
       {"threshold",
        "black and white",
        Kind::image,
        Kind::bitmap,
        false,
-       {pixel, between(0, 1, number("threshold", "", 0.5, "what is brighter is solid")),
-        flag("invert", false, "what is darker is solid")},
+       {pixel, between(0, 1, number("threshold", "", 0.5, "brighter pixels are solid")),
+        flag("invert", false, "invert: darker pixels are solid")},
        bitmap_of_image},
       {"distance transform",
        "exact distances to the bitmap's edge",
@@ -181,8 +183,8 @@ std::vector<Stage> conversion_stages() {
        Kind::image,
        Kind::surface,
        false,
-       {pixel, number("black", "mm", unset, "height of black; the default is what the picture says"),
-        number("white", "mm", unset, "height of white; the default is what the picture says")},
+       {pixel, number("black", "mm", unset, "height of black; the default is that of the image file"),
+        number("white", "mm", unset, "height of white; the default is that of the image file")},
        surface_of_image},
   };
 }

@@ -22,15 +22,15 @@ Depths depths_of(const Values& values, const Box& stock) {
 }
 
 Settings depth_settings(double standard_depth = unset) {
-  return {number("top", "mm", unset, "z of the material's top; the default is the stock's"),
-          above_zero(number("depth", "mm", standard_depth, "how deep below the top; the default is through the stock")),
+  return {number("top", "mm", unset, "z of the top of the material; the default is the top of the stock"),
+          above_zero(number("depth", "mm", standard_depth, "depth below the top; the default is through the stock")),
           above_zero(number("stepdown", "mm", unset, "depth of each pass; the default is one pass"))};
 }
 
 Settings cut_settings() {
-  return {at_least(0, number("allowance", "mm", 0, "left on the part")),
-          flag("climb", true, "climb milling; conventional where false"),
-          above_zero(number("tolerance", "mm", 0.005, "of fitting lines and arcs"))};
+  return {at_least(0, number("allowance", "mm", 0, "stock allowance left on the part")),
+          flag("climb", true, "climb milling; false: conventional milling"),
+          above_zero(number("tolerance", "mm", 0.005, "tolerance of fitting lines and arcs"))};
 }
 
 CutSettings cut_of(const Values& values, const Context& context, const Depths& depths) {
@@ -173,30 +173,33 @@ FieldPtr at_side(const FieldPtr& drawing, const Values& values, const Box& stock
 std::vector<Stage> flat_stages() {
   const Settings cut = cut_settings();
   return {
-      {"profile", "along the part's outline: cuts it out", Kind::outline, Kind::paths, true,
-       Settings{choice("side", {"outside", "inside", "on"}, "of the outline"),
-                whole(at_least(0, number("tabs", "", 0, "bridges on each outline that hold the part"))),
-                only_with("tabs", above_zero(number("tab_width", "mm", 4, "width of a bridge"))),
-                only_with("tabs", above_zero(number("tab_height", "mm", 1, "height of a bridge")))} +
+      {"profile", "contour cut along the part's outline", Kind::outline, Kind::paths, true,
+       Settings{choice("side", {"outside", "inside", "on"}, "side of the outline on which the tool runs"),
+                whole(at_least(0, number("tabs", "", 0, "number of tabs on each outline, which hold the part"))),
+                only_with("tabs", above_zero(number("tab_width", "mm", 4, "width of a tab"))),
+                only_with("tabs", above_zero(number("tab_height", "mm", 1, "height of a tab")))} +
            depth_settings() + cut,
        profile_stage, at_side},
       {"isolate", "offsets outward from the part, as for the traces of a circuit board", Kind::outline, Kind::paths,
        true,
-       Settings{whole(at_least(-1, number("offsets", "", 4, "how many; -1 clears everything"))),
-                stepover_setting(0.5, "from one offset to the next")} +
+       Settings{whole(at_least(-1, number("offsets", "", 4, "number of offsets; -1 clears everything"))),
+                stepover_setting(0.5, "distance from one offset to the next")} +
            depth_settings(0.1) + cut,
        isolate_stage, outside},
       {"pocket", "clears the inside of the part's outline, or the stock around it", Kind::outline, Kind::paths, true,
-       Settings{choice("side", {"inside", "outside"}, "what is cleared"), stepover_setting(0.4, "from ring to ring")} +
+       Settings{choice("side", {"inside", "outside"}, "side of the outline that is cleared"),
+                stepover_setting(0.4, "distance of the rings")} +
            clear_settings() + depth_settings() + cut,
        pocket_stage, at_side},
       {"drill", "the part's round holes", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is none")),
-                above_zero(number("largest", "mm", unset, "diameter; the default is the tool's"))} +
+       Settings{above_zero(number("peck", "mm", unset, "depth of each peck; the default is no pecking")),
+                above_zero(
+                    number("largest", "mm", unset, "largest diameter of the holes; the default is that of the tool"))} +
            depth_settings(),
        drill_stage, inside},
       {"v_carve", "carves the inside of the outline with a V", Kind::outline, Kind::paths, true,
-       Settings{above_zero(number("stepover", "mm", 0.2, "between passes on a flat floor"))} + depth_settings() + cut,
+       Settings{above_zero(number("stepover", "mm", 0.2, "distance of passes on a flat floor"))} + depth_settings() +
+           cut,
        v_carve_stage, inside},
   };
 }

@@ -24,7 +24,7 @@ Depths depths_of(const Values& values, const Context& context, const Surface& su
 
 Settings depth_settings() {
   return {number("top", "mm", unset, "z where the cut begins; the default is the stock's top"),
-          number("bottom", "mm", unset, "z where it ends; the default is the surface's floor"),
+          number("bottom", "mm", unset, "z where the cut ends; the default is the floor of the surface"),
           above_zero(number("stepdown", "mm", unset, "depth of each level; the default is half the tool's diameter"))};
 }
 
@@ -131,11 +131,13 @@ void lean(PlannedCuts& cuts, const Values& values, const TipSurface& tips, Conte
 }
 
 Settings lean_settings() {
-  return {flag("lean", false, "the tool leans along with the surface: five axes at once"),
-          only_with("lean",
-                    between(-45, 45, number("lead", "degrees", 10, "how far it leans ahead of the surface's normal"))),
-          only_with("lean", between(1, 85, number("most_lean", "degrees", 60, "against the plane's z"))),
-          only_with("lean", above_zero(number("body_clearance", "mm", 1, "of shank and holder from the part")))};
+  return {
+      flag("lean", false, "five axes at once: the tool tilts with the surface"),
+      only_with("lean", between(-45, 45,
+                                number("lead", "degrees", 10,
+                                       "lead angle: tilt ahead of the surface normal, in the direction of travel"))),
+      only_with("lean", between(1, 85, number("most_lean", "degrees", 60, "greatest tilt against the plane's z"))),
+      only_with("lean", above_zero(number("body_clearance", "mm", 1, "clearance of shank and holder from the part")))};
 }
 
 /// Whether the tool may move straight over the surface to the next pass.
@@ -176,8 +178,8 @@ void leave_out_reached(PlannedCuts& cuts, const Values& values, const std::share
 }
 
 Settings rest_settings() {
-  return {flag("rest", false, "only where the operations before it have left something, as with a smaller tool"),
-          only_with("rest", above_zero(number("rest_least", "mm", 0.05, "how much that is")))};
+  return {flag("rest", false, "rest machining: only where earlier operations left material"),
+          only_with("rest", above_zero(number("rest_least", "mm", 0.05, "least height of that material")))};
 }
 
 Artifact finish_stage(const Artifact& in, const Values& values, Context& context) {
@@ -240,27 +242,29 @@ Artifact pencil_stage(const Artifact& in, const Values& values, Context& context
 }  // namespace
 
 std::vector<Stage> surface_stages() {
-  const Setting allowance = at_least(0, number("allowance", "mm", 0, "left on the part"));
-  const Setting climb = flag("climb", true, "climb milling; conventional where false");
-  const Setting tolerance = above_zero(number("tolerance", "mm", 0.01, "of the path against the surface"));
+  const Setting allowance = at_least(0, number("allowance", "mm", 0, "stock allowance left on the part"));
+  const Setting climb = flag("climb", true, "climb milling; false: conventional milling");
+  const Setting tolerance = above_zero(number("tolerance", "mm", 0.01, "tolerance of the path against the surface"));
   const Setting scallop =
-      above_zero(number("scallop", "mm", unset, "height of the ridges between passes, instead of a stepover"));
+      above_zero(number("scallop", "mm", unset, "height of the cusps between passes, instead of a stepover"));
   const auto stepover = [](double standard) {
-    Setting s = number("stepover", "diameters", standard, "between passes");
+    Setting s = number("stepover", "diameters", standard, "distance of the passes");
     s.lower = 0, s.lower_open = true, s.upper = 1;
     return s;
   };
   return {
-      {"rough", "clears in levels what lies above the part", Kind::surface, Kind::paths, true,
-       Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "left on the part")), climb, tolerance} +
+      {"rough", "clears the material above the part level by level", Kind::surface, Kind::paths, true,
+       Settings{stepover(0.4), at_least(0, number("allowance", "mm", 0.3, "stock allowance left on the part")), climb,
+                tolerance} +
            clear_settings() + depth_settings(),
        rough_stage},
       {"finish", "parallel passes over the part's surface", Kind::surface, Kind::paths, true,
-       Settings{choice("pattern", {"raster", "cross", "spiral"}, "of the passes"),
-                only_with("pattern", number("angle", "degrees", 0, "of the passes against x"), {"raster", "cross"}),
-                stepover(0.1), scallop, flag("both_ways", true, "every other pass runs back"),
-                number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
-                tolerance} +
+       Settings{
+           choice("pattern", {"raster", "cross", "spiral"}, "pattern of the passes"),
+           only_with("pattern", number("angle", "degrees", 0, "angle of the passes against x"), {"raster", "cross"}),
+           stepover(0.1), scallop, flag("both_ways", true, "zigzag: every other pass runs back"),
+           number("bottom", "mm", unset, "lowest z of the tool; the default is the floor of the surface"), allowance,
+           tolerance} +
            rest_settings() + lean_settings(),
        finish_stage},
       {"waterline", "level contours of the part's surface", Kind::surface, Kind::paths, true,
@@ -270,8 +274,8 @@ std::vector<Stage> surface_stages() {
        Kind::surface,
        Kind::paths,
        true,
-       {between(5, 120, number("least_angle", "degrees", 20, "between the two sides")),
-        number("bottom", "mm", unset, "the tool goes no deeper; the default is the surface's floor"), allowance,
+       {between(5, 120, number("least_angle", "degrees", 20, "least angle between the two sides")),
+        number("bottom", "mm", unset, "lowest z of the tool; the default is the floor of the surface"), allowance,
         tolerance},
        pencil_stage},
   };

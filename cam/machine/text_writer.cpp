@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/chords.h"
 #include "fieldfab/cam/machine/machine.h"
 #include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
@@ -314,7 +315,8 @@ class TextWriter {
     const AxisPose from = *last_;
     const double most = std::max(std::abs(pose.angles[0] - from.angles[0]), std::abs(pose.angles[1] - from.angles[1]));
     const double reach = std::max((pose.position - from.position).norm(), 1.0);
-    // As fine as required for chords of circles about the axes.
+    // The angle sqrt(8 tolerance / radius) is as fine as chords of circles about the axes require: compare
+    // chord_arc_length().
     const int steps =
         std::max(1, static_cast<int>(std::ceil(
                         most / std::sqrt(8 * 0.002 / std::max(reach, (move.to - machine_.kinematics.centre).norm())))));
@@ -338,8 +340,8 @@ class TextWriter {
   void add_arc_as_lines(const Move& move, const Section& section) {
     if (!at_known_) throw Error(ErrorKind::internal, "program", "begins with an arc");
     const Arc arc = arc_between(at_.head<2>(), move.to.head<2>(), move.bulge);
-    // Chords whose sagitta is a hundredth of a millimetre or a tick at most.
-    const double sag = std::max(0.005, machine_.tick / 2), step = 2 * std::sqrt(2 * sag * std::max(arc.radius, sag));
+    // The sagitta of a chord is at most 0.005 mm or half a tick.
+    const double step = chord_arc_length(arc.radius, std::max(0.005, machine_.tick / 2));
     Path piece;
     piece.points = {{at_, move.bulge}, {move.to}};
     const std::vector<PathPoint> points = points_along(piece, step);

@@ -196,8 +196,9 @@ class Block {
     e.value_inside = value_[a_in ? a : b], e.value_outside = value_[a_in ? b : a];
   }
 
-  /// Regula falsi (Illinois variant) on all crossings together, with bisection if it converges
-  /// slowly, for example at a discontinuity.
+  /// Regula falsi in the Illinois form, all crossings in step; only bisection after a few rounds, since convergence is
+  /// slow at a discontinuity. Separate from the search in the kernel's contour/edges.cpp: in a plane, with floats, and
+  /// on values less `level_` that are cut off at the region's border.
   void close_in() {
     const auto near = static_cast<float>(1e-3 * squares_.cell);
     std::array<float, most_crossings> value;

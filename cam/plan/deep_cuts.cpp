@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/chords.h"
+
 namespace fieldfab::cam {
 namespace {
 
@@ -43,7 +45,7 @@ std::vector<Vec3> pieces_of(const Vec3& from, const Move& move, double step) {
   double longest = step;
   if (move.bulge != 0) {
     const double radius = arc_between(from.head<2>(), move.to.head<2>(), move.bulge).radius;
-    longest = std::min(step, 2 * std::sqrt(2 * chord * std::max(radius, chord)));
+    longest = std::min(step, chord_arc_length(radius, chord));
   }
   Vec3 last = from;
   for (const PathPoint& p : points_along(path, longest)) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/chords.h"
 #include "fieldfab/core/angle.h"
 #include "fieldfab/core/error.h"
 
@@ -89,7 +90,7 @@ std::vector<AxisValues> PoseMaker::places(const AxisValues& from, const Motion& 
       turn -= full * (-motion.turns - 1);
     }
     const double radius = std::max(start.norm(), end.norm());
-    const double step = radius > tolerance ? 2 * std::acos(1 - tolerance / radius) : full / 6;
+    const double step = radius > tolerance ? chord_angle(radius, tolerance) : full / 6;
     const int parts = std::clamp(static_cast<int>(std::ceil(std::abs(turn) / step)), 1, 100000);
     const double angle = std::atan2(start.y(), start.x());
     for (int i = 1; i < parts; ++i) {

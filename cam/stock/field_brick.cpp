@@ -116,7 +116,9 @@ class BrickSampler {
       }
   }
 
-  /// Regula falsi, every third round by bisection for crossings at which it converges slowly.
+  /// Plain regula falsi in six rounds, every third by bisection for crossings at which it converges slowly. Separate
+  /// from the search in the kernel's contour/edges.cpp: it stores fractions of an edge, and the number of rounds is
+  /// fixed.
   void locate(std::vector<Crossing>& crossings, const Field& field) const {
     for (int round = 0; round < 6 && !crossings.empty(); ++round) {
       const bool middle = round % 3 == 2;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/chords.h"
 #include "zone_rows.h"
 
 namespace fieldfab::cam {
@@ -36,7 +37,7 @@ Box box_of(const Zone& zone, const ToolPose& pose) {
 /// Number of chords of a circle such that each lies within `tolerance` of it.
 int parts_of_circle(double radius, double tolerance) {
   if (radius <= tolerance) return 6;
-  return std::clamp(static_cast<int>(std::ceil(std::numbers::pi / std::acos(1 - tolerance / radius))), 12, 720);
+  return std::clamp(static_cast<int>(std::ceil(2 * std::numbers::pi / chord_angle(radius, tolerance))), 12, 720);
 }
 
 /// Two unit vectors that form a right-handed basis with `axis`. They change little if the axis

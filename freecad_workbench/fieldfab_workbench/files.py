@@ -98,7 +98,7 @@ def export(objects, filename):
     ending, format = _ending(filename), format_of(filename)
     objects = list(dict.fromkeys(_bounding(objects)))
     if not objects:
-        raise ValueError(tr("{filename}: nothing that was chosen bounds a solid").format(filename=filename))
+        raise ValueError(tr("{filename}: none of the selected objects bounds a solid").format(filename=filename))
     if ending in extensions("formula", reads=True, writes=True):
         write = _writer_of_text
     elif ending in ("vdb", *extensions("distances", "mesh", writes=True)):

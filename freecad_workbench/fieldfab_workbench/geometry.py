@@ -30,6 +30,6 @@ def _mesh_of_shape(obj, deflection):
     shape = obj.Shape.copy()
     shape.Placement = type(shape.Placement)()
     if not shape.Solids:
-        raise ValueError(tr("{label} has no solid: faces and wires bound nothing").format(label=obj.Label))
+        raise ValueError(tr("{label} has no solid: faces and wires enclose no volume").format(label=obj.Label))
     deflection = deflection or shape.BoundBox.DiagonalLength / 2000
     return MeshPart.meshFromShape(Shape=shape, LinearDeflection=deflection, AngularDeflection=0.2)

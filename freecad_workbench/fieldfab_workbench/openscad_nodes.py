@@ -103,14 +103,14 @@ class Kind:
 
 
 FRAGMENTS = (
-    Argument("$fn", "Float", (described("Fn", "Sides of a circle; 0: by Fa and Fs"),), (0,)),
-    Argument("$fa", "Angle", (described("Fa", "Least angle that a side of a circle spans"),), (12,)),
-    Argument("$fs", "Length", (described("Fs", "Least length of a side of a circle"),), (2,)),
+    Argument("$fn", "Float", (described("Fn", "Number of sides of a circle; 0: from Fa and Fs"),), (0,)),
+    Argument("$fa", "Angle", (described("Fa", "Smallest angle that a side of a circle spans"),), (12,)),
+    Argument("$fs", "Length", (described("Fs", "Smallest length of a side of a circle"),), (2,)),
 )
 CENTRED = Argument("center", "Bool", (described("Centred", "Around the origin"),), (False,))
 HEIGHT = described("Height", "Along z")
 LENGTH, WIDTH = described("Length", "Along x"), described("Width", "Along y")
-RADIUS = Argument("r", "Length", (described("Radius", "Of the circle or sphere"),), (1,))
+RADIUS = Argument("r", "Length", (described("Radius", "Radius of the circle or sphere"),), (1,))
 FILE = Argument("file", "File", (described("File", "The file that is imported"),), ("",))
 
 # By the property Node of the objects.
@@ -119,51 +119,51 @@ KINDS = {
     "sphere": Kind("sphere", (RADIUS, *FRAGMENTS)),
     "cylinder": Kind("cylinder", (
         Argument("h", "Length", (HEIGHT,), (1,)),
-        Argument("r1", "Length", (described("BottomRadius", "Of the lower circle"),), (1,)),
-        Argument("r2", "Length", (described("TopRadius", "Of the upper circle"),), (1,)), CENTRED, *FRAGMENTS)),
+        Argument("r1", "Length", (described("BottomRadius", "Radius of the lower circle"),), (1,)),
+        Argument("r2", "Length", (described("TopRadius", "Radius of the upper circle"),), (1,)), CENTRED, *FRAGMENTS)),
     "polyhedron": Kind("polyhedron", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("faces", "StringList", (described("Faces", "The corners of each face, clockwise from outside, counted from 0"),), ((),)))),
+        Argument("faces", "StringList", (described("Faces", "Corners of each face, clockwise from outside, numbered from 0"),), ((),)))),
     "square": Kind("square", (Argument("size", "Length", (LENGTH, WIDTH), (1, 1)), CENTRED)),
     "circle": Kind("circle", (RADIUS, *FRAGMENTS)),
     "polygon": Kind("polygon", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("paths", "StringList", (described("Paths", "The corners of each outline, counted from 0; none: all in their order"),), ((),)))),
+        Argument("paths", "StringList", (described("Paths", "Corners of each outline, numbered from 0; empty: all in their order"),), ((),)))),
     "text": Kind("text", (
-        Argument("text", "String", (described("Words", "What is written"),), ("",)),
+        Argument("text", "String", (described("Words", "Text to be written"),), ("",)),
         Argument("size", "Length", (described("TextSize", "Height of a capital letter"),), (10,)),
-        Argument("font", "String", (described("Font", "Its name, and style=..."),), ("",)),
+        Argument("font", "String", (described("Font", "Name of the font, also with style=..."),), ("",)),
         Argument("halign", "String", (described("HorizontalAlignment", "left, center or right"),), ("left",)),
         Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),), ("baseline",)),
-        Argument("spacing", "Float", (described("Spacing", "Of letters; 1 is usual"),), (1,)),
+        Argument("spacing", "Float", (described("Spacing", "Spacing of the letters; 1 is normal"),), (1,)),
         Argument("direction", "String", (described("WritingDirection", "ltr, rtl, ttb or btt"),), ("ltr",)),
-        Argument("language", "String", (described("Language", "Of the words: en, de, ..."),), ("en",)),
-        Argument("script", "String", (described("Script", "Of the words: Latn, ..."),), ("Latn",)), *FRAGMENTS)),
+        Argument("language", "String", (described("Language", "Language of the text: en, de, ..."),), ("en",)),
+        Argument("script", "String", (described("Script", "Script of the text: Latn, ..."),), ("Latn",)), *FRAGMENTS)),
     "linear_extrude": Kind("linear_extrude", (
         Argument("height", "Length", (HEIGHT,), (100,)), CENTRED,
-        Argument("twist", "Angle", (described("Twist", "From the lower to the upper end"),), (0,)),
-        Argument("scale", "Float", (described("ScaleX", "Of the upper end along x"), described("ScaleY", "Of the upper end along y")), (1, 1)),
-        Argument("slices", "Float", (described("Slices", "Of what is twisted or scaled; 0: by Fn, Fa and Fs"),), (0,)), *FRAGMENTS), True),
-    "rotate_extrude": Kind("rotate_extrude", (Argument("angle", "Angle", (described("Angle", "Of the turn, from the x axis"),), (360,)), *FRAGMENTS), True),
+        Argument("twist", "Angle", (described("Twist", "Rotation of the upper end against the lower"),), (0,)),
+        Argument("scale", "Float", (described("ScaleX", "Scale of the upper end along x"), described("ScaleY", "Scale of the upper end along y")), (1, 1)),
+        Argument("slices", "Float", (described("Slices", "Number of slices if twisted or scaled; 0: from Fn, Fa and Fs"),), (0,)), *FRAGMENTS), True),
+    "rotate_extrude": Kind("rotate_extrude", (Argument("angle", "Angle", (described("Angle", "Angle of the revolution, from the x axis"),), (360,)), *FRAGMENTS), True),
     "hull": Kind("hull", (), True),
     "minkowski": Kind("minkowski", (), True),
-    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "What lies at z = 0, not the shadow"),), (False,)),), True),
+    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "Section at z = 0 instead of the projection"),), (False,)),), True),
     "offset": Kind("offset", (
-        Argument("delta", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)),
-        Argument("chamfer", "Bool", (described("Chamfered", "Corners are cut off"),), (False,))), True),
-    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)), *FRAGMENTS), True),
+        Argument("delta", "Distance", (described("Distance", "Distance outwards; negative values inwards"),), (0,)),
+        Argument("chamfer", "Bool", (described("Chamfered", "Cut off the corners"),), (False,))), True),
+    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Distance outwards; negative values inwards"),), (0,)), *FRAGMENTS), True),
     "resize": Kind("resize", (
-        Argument("newsize", "Length", (described("NewLength", "Along x; 0: as it is"), described("NewWidth", "Along y; 0: as it is"),
-                                       described("NewHeight", "Along z; 0: as it is")), (0, 0, 0)),
-        Argument("auto", "Bool", (described("AutoLength", "Where NewLength is 0: in proportion"), described("AutoWidth", "Where NewWidth is 0: in proportion"),
-                                  described("AutoHeight", "Where NewHeight is 0: in proportion")), (False, False, False))), True),
-    "multmatrix": Kind("multmatrix", (Argument("", "Matrix", (described("Matrix", "Where the children are put"),), (None,)),), True),
+        Argument("newsize", "Length", (described("NewLength", "Length along x; 0: unchanged"), described("NewWidth", "Width along y; 0: unchanged"),
+                                       described("NewHeight", "Height along z; 0: unchanged")), (0, 0, 0)),
+        Argument("auto", "Bool", (described("AutoLength", "Scale the length in proportion if NewLength is 0"), described("AutoWidth", "Scale the width in proportion if NewWidth is 0"),
+                                  described("AutoHeight", "Scale the height in proportion if NewHeight is 0")), (False, False, False))), True),
+    "multmatrix": Kind("multmatrix", (Argument("", "Matrix", (described("Matrix", "Transformation of the children"),), (None,)),), True),
     "import": Kind("import", (
-        FILE, Argument("layer", "String", (described("Layer", "Of a .dxf file; none: all"),), ("",)),
-        Argument("origin", "Float", (described("OriginX", "Of a .dxf file's drawing"), described("OriginY", "Of a .dxf file's drawing")), (0, 0)),
-        Argument("scale", "Float", (described("Scale", "Of a .dxf or .svg file's drawing"),), (1,)),
-        CENTRED, Argument("dpi", "Float", (described("Dpi", "Dots of an .svg file to an inch"),), (72,)), *FRAGMENTS)),
-    "surface": Kind("surface", (FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Of a picture: dark is high"),), (False,)))),
+        FILE, Argument("layer", "String", (described("Layer", "Layer of a .dxf file; empty: all layers"),), ("",)),
+        Argument("origin", "Float", (described("OriginX", "Origin of the drawing in a .dxf file"), described("OriginY", "Origin of the drawing in a .dxf file")), (0, 0)),
+        Argument("scale", "Float", (described("Scale", "Scale of the drawing in a .dxf or .svg file"),), (1,)),
+        CENTRED, Argument("dpi", "Float", (described("Dpi", "Dots per inch of an .svg file"),), (72,)), *FRAGMENTS)),
+    "surface": Kind("surface", (FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Dark parts of a picture are high"),), (False,)))),
 }
 
 

@@ -167,7 +167,7 @@ def program_of_job(job, machine=None):
     if letters and machine is None:
         machine = MACHINES.get("".join(sorted(letters)) if len(letters) > 1 else next((axes for axes in MACHINES if letters <= set(axes)), ""))
         if machine is None:
-            words = tr("{label}: no machine of ours is known to turn {letters}: say which it is")
+            words = tr("{label}: no known machine has the rotary axes {letters}: choose the machine")
             raise ValueError(words.format(label=job.Label, letters=f" {tr('and')} ".join(sorted(letters))))
     lower, upper, mesh = _stock(job)
     return "\n".join([*lines, "M5", "M2"]) + "\n", Setup(machine, lower, upper, list(tools.values()), mesh, notes)
@@ -179,7 +179,7 @@ def _placed(operation):
         return operation.Path
     path, way = type(operation.Path)(), operation.Placement
     if way.Rotation.Angle:
-        raise ValueError(tr("{label}: its path is turned by its Placement, which a program cannot say").format(label=operation.Label))
+        raise ValueError(tr("{label}: its Placement turns the path, which a program cannot express").format(label=operation.Label))
     for command in operation.Path.Commands:
         moved = {name: value + way.Base["XYZ".index(name)] if name in "XYZ" else value for name, value in command.Parameters.items()}
         path.addCommands(type(command)(command.Name, moved))

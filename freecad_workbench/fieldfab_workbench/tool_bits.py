@@ -26,7 +26,7 @@ def tool_from(name, shape, parameter):
     cutter that we know."""
     known = SHAPES.get(shape.lower().replace(" ", ""))
     if known is None:
-        raise ValueError(tr("{name}: a {shape} is no cutter that Fieldfab knows").format(name=name, shape=shape))
+        raise ValueError(tr("{name}: Fieldfab does not know the tool shape {shape}").format(name=name, shape=shape))
 
     def get(*names):
         values = [parameter(n) for n in names]

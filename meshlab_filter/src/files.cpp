@@ -46,7 +46,7 @@ std::vector<Parameter> reading_parameters(const std::string& extension) {
   if (!is_of(FormatKind::distances, extension))
     rows.push_back(text_parameter(
         "Bounds", "Bounds (mm)",
-        "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""));
+        "x0,y0,z0,x1,y1,z1: the region to mesh if the solid is unbounded. Empty: the bounds are computed.", ""));
   return rows;
 }
 

@@ -63,19 +63,19 @@ std::vector<Parameter> fineness_parameters(const Document& document) {
                        as_bytes(lattice_cost(chosen.bounds, voxel)), voxel / 4,
                        as_bytes(lattice_cost(chosen.bounds, voxel / 4)),
                        as_bytes(static_cast<double>(available_memory())));
-  return {length_parameter(
-              "Voxel", "Voxel (mm)",
-              "Edge of the smallest cell. Lengths are in the units of the mesh, which are taken for millimetres. "
-              "What is thinner than a voxel may be lost." +
-                  cost,
-              voxel, 0, diagonal),
-          choice_parameter("Edges", "Sharp edges",
-                           "Automatic keeps them where triangles are larger than a few voxels (drawn parts; of closed "
-                           "ones the faces stay "
-                           "as they are, exactly), and samples distances on a lattice where they are smaller (scans) "
-                           "or walls thin, which is "
-                           "faster. Keeping the edges of small triangles is slow.",
-                           {"automatic", "keep", "round off"})};
+  return {
+      length_parameter(
+          "Voxel", "Voxel (mm)",
+          "Edge of the smallest cell. Lengths are in the units of the mesh, which are taken for millimetres. "
+          "Parts thinner than a voxel may be lost." +
+              cost,
+          voxel, 0, diagonal),
+      choice_parameter("Edges", "Sharp edges",
+                       "Automatic keeps sharp edges if the triangles are larger than a few voxels (designed "
+                       "parts; flat faces of closed ones stay exact). For smaller triangles (scans) and thin walls "
+                       "it samples distances on a lattice, which is faster. Keeping the edges of small triangles is "
+                       "slow.",
+                       {"automatic", "keep", "round off"})};
 }
 
 Fineness fineness_of(const Values& values) {

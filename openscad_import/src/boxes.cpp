@@ -49,7 +49,7 @@ constexpr Octants mirrored(Octants cells, unsigned axis) {
 }
 
 /// Whether the cells are connected through faces.
-constexpr bool hang_together(Octants cells) {
+constexpr bool are_connected(Octants cells) {
   Octants reached = cells & (~cells + 1);
   for (int step = 0; step < 8; ++step)
     for (unsigned axis = 0; axis < 3; ++axis) reached |= cells & mirrored(reached, axis);
@@ -62,7 +62,7 @@ bool touch(Octants solid) {
   static constexpr auto known = [] {
     std::array<bool, 256> table{};
     for (Octants cells = 0; cells < table.size(); ++cells)
-      table[cells] = !hang_together(cells) || !hang_together(~cells & 255U);
+      table[cells] = !are_connected(cells) || !are_connected(~cells & 255U);
     return table;
   }();
   return known[solid];

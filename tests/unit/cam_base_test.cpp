@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "../../cam/base/chords.h"
 #include "../../cam/base/toml_table.h"
 #include "../../cam/base/tool_table.h"
 #include "fieldfab/cam/base/tool.h"
@@ -28,6 +29,25 @@ std::string refusal(const Call& call) {
     return error.what();
   }
   return "nothing";
+}
+
+TEST(Chords, LieWithinTheToleranceOfTheirArc) {
+  const auto sagitta = [](double radius, double angle) { return radius * (1 - std::cos(angle / 2)); };
+  EXPECT_NEAR(chord_angle(1, 1 - std::numbers::sqrt3 / 2), std::numbers::pi / 3, 1e-12);  // a hexagon's side
+  EXPECT_DOUBLE_EQ(chord_arc_length(50, 0.01), 2);
+  for (const double radius : {0.02, 0.5, 10.0, 3000.0})
+    for (const double tolerance : {0.001, 0.01}) {
+      const double angle = chord_angle(radius, tolerance), length = chord_arc_length(radius, tolerance);
+      EXPECT_NEAR(sagitta(radius, angle), tolerance, 1e-6 * tolerance) << radius;
+      EXPECT_LE(sagitta(radius, length / radius), tolerance * (1 + 1e-6)) << radius;
+      EXPECT_GT(length, 0.9 * radius * angle) << radius;
+    }
+}
+
+TEST(Chords, OfCirclesBelowTheTolerance) {
+  for (const double radius : {0.0, 0.005, 0.01, std::nan("")})
+    EXPECT_DOUBLE_EQ(chord_angle(radius, 0.01), std::numbers::pi) << radius;
+  EXPECT_DOUBLE_EQ(chord_arc_length(0, 0.01), chord_arc_length(0.01, 0.01));
 }
 
 TEST(Names, AreReadBack) {

@@ -1,17 +1,21 @@
-// Atomic writes of files, progress, memory, text.
+// Atomic writes of files, progress, memory, text, disjoint sets.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <random>
 #include <thread>
+#include <vector>
 
 #include "fieldfab/core/colour.h"
 #include "fieldfab/core/copy_of_process.h"
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/progress.h"
@@ -189,6 +193,22 @@ TEST(Text, IsOneLineOfValidCharacters) {
       valid = false;
     }
     EXPECT_EQ(valid, line.find("\uFFFD") == std::string::npos) << n;
+  }
+}
+
+TEST(DisjointSets, AreKnownByTheirLeastMember) {
+  constexpr std::uint32_t count = 60;
+  std::mt19937 random(3);
+  std::uniform_int_distribution<std::uint32_t> any(0, count - 1);
+  DisjointSets sets(count);
+  std::vector<std::uint32_t> least(count);  // the same by renumbering, slow and obvious
+  std::iota(least.begin(), least.end(), 0U);
+  for (int n = 0; n < 80; ++n) {
+    const std::uint32_t a = any(random), b = any(random), low = std::min(least[a], least[b]),
+                        high = std::max(least[a], least[b]);
+    sets.unite(a, b);
+    std::replace(least.begin(), least.end(), high, low);
+    for (std::uint32_t v = 0; v < count; ++v) ASSERT_EQ(sets.find(v), least[v]) << n << " " << v;
   }
 }
 

@@ -162,25 +162,27 @@ TITLE = "CAM"
 COMMANDS = {
     "Fieldfab_NewCamSetup": NewSetup(
         "CamSetup", "New CAM job", "Machine the selected solid: stock, tools, operations and a machine",
-        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
-        "machine, and plans all paths beside the window."),
+        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the "
+        "tools, the operations in order and the machine, and plans all paths in the background."),
     "Fieldfab_AddOperation": AddOperation(
         "CamOperation", "Add operation", "Add an operation to the CAM job",
-        "Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the "
-        "settings of each stage; what is left empty follows its default."),
+        "Adds an operation, such as roughing or finishing, at the end of the selected job, or of the document's "
+        "only one. The panel asks for the kind of operation, the tool and the settings of each stage; empty "
+        "settings have their defaults."),
     "Fieldfab_Plan": Plan(
         "Plan", "Plan", "Plan all paths of the CAM job",
         "Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
         "last good one."),
     "Separator_Cam": None,
     "Fieldfab_WriteMachineFile": WriteMachineFile(
-        "WriteMachineFile", "Post process", "Show the program as the machine takes it, and save it",
-        "Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's."),
+        "WriteMachineFile", "Post process", "Show the program in the machine's format, and save it",
+        "Shows the planned program of the selected job in the machine's format, such as G-code, with line numbers. "
+        "Save asks for the file name; the default is the part's name."),
     "Fieldfab_SetupSheet": SetupSheet(
-        "SetupSheet", "Set-up sheet", "Show the page for the person at the machine",
+        "SetupSheet", "Set-up sheet", "Show the page for the machine operator",
         "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),
     "Fieldfab_ToPath": ToPath(
-        "ToPath", "To Path job", "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs",
+        "ToPath", "To Path job", "Add the program's operations to a job of FreeCAD's Path workbench",
         "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first one of the document, else into a new "
         "one with the set-up's stock and tools. The paths follow the program."),
 }

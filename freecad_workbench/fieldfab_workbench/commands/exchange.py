@@ -104,16 +104,18 @@ TITLE = "Check and exchange"
 COMMANDS = {
     "Fieldfab_CrossCheck": CrossCheck(
         "CrossCheck", "Cross-check", "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
-        "Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its "
-        "deviations until the panel is closed; nothing of the document is changed."),
+        "Checks one selected solid against OpenVDB and CGAL in the background, and shows each figure with its "
+        "bound. The mesh has the colours of its deviations until the panel is closed; the document is not changed."),
     "Fieldfab_ShowUncertainPlaces": ShowUncertainPlaces(
-        "UncertainPlaces", "Show uncertain places", "Show where the selected solid's mesh may lack parts of it, or hide these places again",
-        "Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to "
-        "take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
+        "UncertainPlaces", "Show uncertain places", "Show where the mesh of the selected solid may lack parts, or hide these places again",
+        "Draws a box around each place where the mesh is not proved to show the whole selected solid, and zooms to "
+        "the largest. Choose it again to remove the boxes. It is disabled if the mesh is certain; smaller cells "
+        "leave fewer and smaller places."),
     "Fieldfab_Section": SectionPlane(
-        "Section", "Section plane", "Cut what the view shows, to see what is inside, or show it whole again",
-        "Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. "
-        "Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed."),
+        "Section", "Section plane", "Cut the view by a plane to see inside, or show everything again",
+        "Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis "
+        "that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again "
+        "to show everything; the document is not changed."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
         "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),

@@ -83,7 +83,7 @@ def _parts_of(path, progress):
             return [(name, colour, {"Expression": solid.math()}) for solid, name, colour in fieldfab.parse_parts(answer[3:])]
         except fieldfab.Error as error:
             raise ValueError(f"{path}: {error}") from None
-    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("it ended without an answer"))
+    _, line, message = answer.split(" ", 2) if answer.startswith("error ") else ("", "0", tr("the process ended without a result"))
     raise ValueError(f"{path}{':' + line if line != '0' else ''}: {message}")
 
 
@@ -91,8 +91,8 @@ TITLE = "Scans"
 COMMANDS = {
     "Fieldfab_ImportScan": ImportScan(
         "ImportScan", "Import scan", "Make a solid from a CT volume: a file, or any slice of a stack",
-        "Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the histogram and asks for the threshold, the part "
-        "that is kept and the clean-up; the whole volume is computed at its OK only."),
+        "Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the "
+        "histogram and asks for the threshold, the crop and the clean-up; the whole volume is computed only at OK."),
     "Fieldfab_RunScript": RunScript(
         "RunScript", "Run script", "Run a script that makes solids, after asking, and keep their formulas",
         "Asks for a Python script or one of kokopelli, and whether it may run, since it can do whatever you can. The document keeps the formula of each "

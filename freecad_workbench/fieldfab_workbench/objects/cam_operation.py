@@ -16,9 +16,9 @@ class CamOperation(WithSettings):
         return "CamOperation" if obj.Active else "CamOperationOff"
 
     def add_properties(self, obj):
-        self.add_choice(obj, "Type", "Operation", "What is done", workflow.operation_names())
-        self.add(obj, "Link", "Tool", "Operation", "What it is done with")
-        self.add(obj, "Bool", "Active", "Operation", "Whether it is done at all", True)
+        self.add_choice(obj, "Type", "Operation", "Kind of operation", workflow.operation_names())
+        self.add(obj, "Link", "Tool", "Operation", "Tool of the operation")
+        self.add(obj, "Bool", "Active", "Operation", "Include the operation in the program", True)
         self.settle(obj)
 
     def stages(self, obj):

@@ -17,22 +17,22 @@ class CamSetup(WithSettings):
     NAME = "CamSetup"
 
     def add_properties(self, obj):
-        self.add(obj, "Link", "Part", "Part", "The solid to be made")
-        self.add_choice(obj, "Zero", "Part", "The program's zero: as the model has it, or the corner or centre of the part's top",
+        self.add(obj, "Link", "Part", "Part", "Solid to be machined")
+        self.add_choice(obj, "Zero", "Part", "Zero of the program: that of the model, or the corner or centre of the part's top",
                         ZEROS)
-        self.add_choice(obj, "Machine", "Machine", "What it is made with", workflow.machines())
+        self.add_choice(obj, "Machine", "Machine", "Machine that the program is written for", workflow.machines())
         if "Material" not in obj.PropertiesList:
             obj.Machine = "linuxcnc"
-            self.add_choice(obj, "Material", "Machine", "Defaults of the machine for a material", (NO_MATERIAL,))
-        self.add_choice(obj, "StockFrom", "Stock", "Margins about the part, a box, or another object's box", STOCKS)
-        self.add(obj, "Length", "Margin", "Stock", "At the part's sides", 2)
-        self.add(obj, "Length", "Top", "Stock", "Above the part", 1)
-        self.add(obj, "Length", "Thickness", "Stock", "From its top down; 0: to the part's lowest place", 0)
-        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner, in the document's coordinates", FreeCAD.Vector(-20, -20, -20))
-        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner, in the document's coordinates", FreeCAD.Vector(20, 20, 0))
-        self.add(obj, "Link", "StockObject", "Stock", "Its bounding box is the stock")
-        self.add(obj, "LinkList", "Tools", "CAM", "The cutters")
-        self.add(obj, "LinkList", "Operations", "CAM", "What is done, in order")
+            self.add_choice(obj, "Material", "Machine", "Workpiece material, which selects the machine's default settings", (NO_MATERIAL,))
+        self.add_choice(obj, "StockFrom", "Stock", "Size of the stock: margins around the part, a box, or the bounding box of an object", STOCKS)
+        self.add(obj, "Length", "Margin", "Stock", "Margin at the sides of the part", 2)
+        self.add(obj, "Length", "Top", "Stock", "Margin above the part", 1)
+        self.add(obj, "Length", "Thickness", "Stock", "Thickness of the stock from its top; 0: down to the lowest point of the part", 0)
+        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner of the stock, in the document's coordinates", FreeCAD.Vector(-20, -20, -20))
+        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner of the stock, in the document's coordinates", FreeCAD.Vector(20, 20, 0))
+        self.add(obj, "Link", "StockObject", "Stock", "Object whose bounding box is the stock")
+        self.add(obj, "LinkList", "Tools", "CAM", "Tools of the CAM job")
+        self.add(obj, "LinkList", "Operations", "CAM", "Operations in the order of the program")
         self.settle(obj)
         self._show_stock(obj)
 

@@ -12,14 +12,14 @@ SHAPES = marked({
 })
 # Properties by their names in job files (docs/cam.md).
 LENGTHS = {
-    "diameter": described("Diameter", "Where it is widest", 3),
-    "corner_radius": described("CornerRadius", "Of a bull-nose, or of the tip of a tapered ball", 0.5),
-    "tip_diameter": described("TipDiameter", "Of a V with a blunt tip", 0),
-    "flute": described("Flute", "Length that cuts; 0: not known", 0),
-    "length": described("StickOut", "From the tip to the holder; 0: not known", 0),
-    "shank": described("Shank", "Diameter above the flutes; 0: as the cutting part", 0),
-    "holder_diameter": described("HolderDiameter", "0: not known", 0),
-    "holder_length": described("HolderLength", "0: not known", 0),
+    "diameter": described("Diameter", "Greatest diameter of the cutting part", 3),
+    "corner_radius": described("CornerRadius", "Corner radius of a bull-nose, or tip radius of a tapered ball end mill", 0.5),
+    "tip_diameter": described("TipDiameter", "Diameter of the flat tip of a V-bit", 0),
+    "flute": described("Flute", "Length of the cutting edges; 0: unknown", 0),
+    "length": described("StickOut", "Distance from the tip to the holder; 0: unknown", 0),
+    "shank": described("Shank", "Shank diameter; 0: that of the cutting part", 0),
+    "holder_diameter": described("HolderDiameter", "Diameter of the holder; 0: unknown", 0),
+    "holder_length": described("HolderLength", "Length of the holder; 0: unknown", 0),
 }
 
 
@@ -37,15 +37,15 @@ class CamTool(DocumentObject):
     _follows = False  # whether the name that it had before a change was that of its shape and diameter
 
     def add_properties(self, obj):
-        self.add(obj, "IntegerConstraint", "Number", "Tool", "Its place in the machine", (1, 1, 9999, 1))
-        self.add_choice(obj, "Shape", "Tool", "Of its tip", SHAPES)
+        self.add(obj, "IntegerConstraint", "Number", "Tool", "Tool number in the machine", (1, 1, 9999, 1))
+        self.add_choice(obj, "Shape", "Tool", "Shape of the tip", SHAPES)
         for name, words, value in LENGTHS.values():
             self.add(obj, "Length", name, "Tool", words, value)
-        self.add(obj, "Angle", "Angle", "Tool", "Of the tip, from side to side", 60)
-        self.add(obj, "IntegerConstraint", "Flutes", "Tool", "Cutting edges", (2, 1, 100, 1))
-        self.add(obj, "Speed", "Feed", "Speeds", "Of cutting with it; 0: the material's or the operation's", 0)
-        self.add(obj, "Speed", "Plunge", "Speeds", "Into the material; 0: the material's or the operation's", 0)
-        self.add(obj, "FloatConstraint", "Spindle", "Speeds", "Revolutions per minute; 0: the material's or the operation's", (0.0, 0.0, 1e6, 100.0))
+        self.add(obj, "Angle", "Angle", "Tool", "Included angle of the tip", 60)
+        self.add(obj, "IntegerConstraint", "Flutes", "Tool", "Number of cutting edges", (2, 1, 100, 1))
+        self.add(obj, "Speed", "Feed", "Speeds", "Feed rate of cuts; 0: that of the material or the operation", 0)
+        self.add(obj, "Speed", "Plunge", "Speeds", "Feed rate of plunges; 0: that of the material or the operation", 0)
+        self.add(obj, "FloatConstraint", "Spindle", "Speeds", "Spindle speed in rpm; 0: that of the material or the operation", (0.0, 0.0, 1e6, 100.0))
         self.show_what_matters(obj)
 
     def onBeforeChange(self, obj, name):

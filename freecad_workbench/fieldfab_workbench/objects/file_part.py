@@ -15,9 +15,9 @@ class FilePart(FromFiles):
     NAME = "FilePart"
 
     def add_own_properties(self, obj):
-        self.add_outside(obj, "File", "Part", "The file of the model: .frep text or a mesh")
-        self.add(obj, "String", "Part", "Part", "The part's name in the file; empty: all of the model")
-        self.add(obj, "StringList", "Opened", "Result", "The files that the model opens, from its own folder",
+        self.add_outside(obj, "File", "Part", "File of the model: .frep text or a mesh")
+        self.add(obj, "String", "Part", "Part", "Name of the part in the file; empty: the whole model")
+        self.add(obj, "StringList", "Opened", "Result", "Files that the model opens, relative to its folder",
                  mode=HIDDEN | OUTPUT)
 
     def source(self, obj):

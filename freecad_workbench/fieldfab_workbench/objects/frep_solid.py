@@ -40,7 +40,7 @@ class FrepSolid(Solid):
     NAME = "FrepSolid"
 
     def add_own_properties(self, obj):
-        self.add(obj, "String", "FollowedText", "Result", "The text that the parameters were last taken from", mode=4)
+        self.add(obj, "String", "FollowedText", "Result", "Text from which the parameters were last read", mode=4)
         self.add(obj, "String", "Expression", "F-rep", "The solid as .frep text or as a prefix math string", DEFAULT)
         self.follow_text(obj)
 

@@ -21,19 +21,19 @@ class MachineProgram(DocumentObject):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Setup", "Program", "The CAM job that it follows")
-        self.add(obj, "Float", "Seconds", "Program", "About how long the machine takes", mode=1)
+        self.add(obj, "Float", "Seconds", "Program", "Estimated machining time in seconds", mode=1)
         self.add(obj, "Length", "CutLength", "Program", "Length of cuts", mode=1)
         self.add(obj, "Length", "RapidLength", "Program", "Length of rapids", mode=1)
-        self.add(obj, "StringList", "Reports", "Program", "What each operation comes to", mode=1)
-        self.add(obj, "StringList", "Notes", "Program", "What one should know", mode=1)
+        self.add(obj, "StringList", "Reports", "Program", "Report of each operation", mode=1)
+        self.add(obj, "StringList", "Notes", "Program", "Notes on the program", mode=1)
         self.add(obj, "Vector", "Zero", "Program", "The program's zero in the document's coordinates", mode=1)
-        self.add(obj, "String", "PackedProgram", "Result", "What the machine gets, compressed", mode=4)
-        self.add(obj, "String", "PackedSheet", "Result", "An HTML page for the person at the machine, compressed", mode=4)
-        self.add(obj, "String", "PackedMoves", "Result", "All moves, as numpy writes them, compressed", mode=4)
-        self.add(obj, "String", "Sections", "Result", "What each operation's moves are made with, as JSON", mode=4)
+        self.add(obj, "String", "PackedProgram", "Result", "Machine file, compressed", mode=4)
+        self.add(obj, "String", "PackedSheet", "Result", "Set-up sheet as an HTML page, compressed", mode=4)
+        self.add(obj, "String", "PackedMoves", "Result", "All moves as a NumPy array, compressed", mode=4)
+        self.add(obj, "String", "Sections", "Result", "Tool and settings of each operation, as JSON", mode=4)
         self.add(obj, "String", "Job", "Result", "The job that it was planned from (docs/cam.md)", mode=4)
-        self.add(obj, "String", "Extension", "Result", "Of the machine's file", mode=4)
-        self.add(obj, "String", "MadeFrom", "Result", "What it was made from: it is planned anew when this changes", mode=4)
+        self.add(obj, "String", "Extension", "Result", "Extension of the machine file", mode=4)
+        self.add(obj, "String", "MadeFrom", "Result", "Digest of the input; the program is planned again when it changes", mode=4)
 
     @staticmethod
     def program(obj):
@@ -62,7 +62,7 @@ class MachineProgram(DocumentObject):
         except kernel.load().Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
-            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
+            raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
         take(obj, plan)
 
 

@@ -41,23 +41,23 @@ class Modify(Solid):
 
     def add_own_properties(self, obj):
         if "Operation" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify", "What is made of the source").Operation = list(OPERATIONS)
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify", "How the source is modified").Operation = list(OPERATIONS)
         if "Lattice" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "What fills it").Lattice = list(LATTICES)
+            obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "Kind of lattice").Lattice = list(LATTICES)
         add = functools.partial(self.add, obj)
         add("Link", "Source", "Modify", "A solid, mesh, Part object or body")
-        add("Distance", "Distance", "Modify", "Outwards; below 0 inwards", 1)
+        add("Distance", "Distance", "Modify", "Distance outwards; negative values inwards", 1)
         add("Length", "Wall", "Modify", "Thickness of the wall, inwards; 0 for a lattice without one", 1.2)
-        add("Length", "Period", "Modify", "Edge of the lattice's cell", 10)
+        add("Length", "Period", "Modify", "Edge length of a lattice cell", 10)
         add("Length", "Strut", "Modify", "Thickness of the lattice's walls", 1)
-        add("Vector", "Direction", "Modify", "The mirror's normal, or the axis", FreeCAD.Vector(0, 0, 1))
-        add("Vector", "Centre", "Modify", "A point of the mirror or the axis")
-        add("Bool", "KeepOriginal", "Modify", "Both halves", True)
-        add("Vector", "Step", "Modify", "From one copy to the next; of a transform, the way", FreeCAD.Vector(20, 0, 0))
-        add("IntegerConstraint", "Count", "Modify", "Copies, the original among them", (4, 1, 1000, 1))
-        add("Angle", "Angle", "Modify", "From the first copy to where the next round would begin", 360)
-        add("Vector", "Factors", "Modify", "Along x, y and z", FreeCAD.Vector(1, 1, 1))
-        add("Angle", "Turn", "Modify", "About the axis", 0)
+        add("Vector", "Direction", "Modify", "Normal of the mirror plane, or direction of the axis", FreeCAD.Vector(0, 0, 1))
+        add("Vector", "Centre", "Modify", "Point on the mirror plane or axis")
+        add("Bool", "KeepOriginal", "Modify", "Unite the mirror image with the original", True)
+        add("Vector", "Step", "Modify", "Step from one copy to the next, or the move of a transform", FreeCAD.Vector(20, 0, 0))
+        add("IntegerConstraint", "Count", "Modify", "Number of copies, including the original", (4, 1, 1000, 1))
+        add("Angle", "Angle", "Modify", "Angle that the copies fill; 360 degrees is a full turn", 360)
+        add("Vector", "Factors", "Modify", "Scale factors along x, y and z", FreeCAD.Vector(1, 1, 1))
+        add("Angle", "Turn", "Modify", "Rotation about the axis", 0)
         self.show_what_matters(obj)
 
     def onChanged(self, obj, name):

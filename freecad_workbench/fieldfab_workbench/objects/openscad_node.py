@@ -25,7 +25,7 @@ class OpenScadNode(OpenScadSolid):
     NAME = "OpenScadNode"
 
     def add_own_properties(self, obj):
-        self.add(obj, "String", "Node", "Base", "What OpenSCAD calls it", mode=1)  # read only
+        self.add(obj, "String", "Node", "Base", "Name of the node in OpenSCAD", mode=1)  # read only
         self.add_arguments(obj)
 
     def onChanged(self, obj, name):
@@ -44,7 +44,7 @@ class OpenScadNode(OpenScadSolid):
                 else:
                     add(argument.kind, name, "OpenSCAD", words, default)
         if kind.children:
-            add("LinkList", "Sources", "OpenSCAD", "What it is made of")
+            add("LinkList", "Sources", "OpenSCAD", "Children of the node, in order")
 
     def csg(self, obj):
         key = obj.Node
@@ -79,7 +79,7 @@ class OpenScadText(OpenScadSolid):
 
     def add_own_properties(self, obj):
         self.add(obj, "String", "Text", "OpenSCAD", "The solid as OpenSCAD's .csg text")
-        self.add_outside(obj, "Folder", "OpenSCAD", "Where the files are that the text names")
+        self.add_outside(obj, "Folder", "OpenSCAD", "Folder of the files that the text names")
         self.show_what_is_short(obj)
 
     def onChanged(self, obj, name):

@@ -10,7 +10,7 @@ from .document_object import DocumentObject
 from .machine_program import machine_file, sections_of
 
 
-HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("FinalDepth", "Its lowest place"), described("SafeHeight", "z of rapids"),
+HEIGHTS = (described("StartDepth", "z at which cutting begins"), described("FinalDepth", "Lowest z of the path"), described("SafeHeight", "z of rapids"),
            described("ClearanceHeight", "z of rapids"))
 
 
@@ -22,12 +22,12 @@ class PathOfProgram(DocumentObject):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Program", "Path", "The machine program that it follows")
-        self.add(obj, "Integer", "Section", "Path", "Which of its operations; -1: all of them, as the machine's file says", 0)
-        self.add(obj, "Link", "ToolController", "Path", "What FreeCAD's job uses for it")
-        self.add(obj, "Bool", "Active", "Path", "Whether FreeCAD's job takes it", True)
+        self.add(obj, "Integer", "Section", "Path", "Index of the operation, from 0; -1: all operations, as in the machine file", 0)
+        self.add(obj, "Link", "ToolController", "Path", "Tool controller of the Path job")
+        self.add(obj, "Bool", "Active", "Path", "Include the operation in the Path job", True)
         for name, words in HEIGHTS:  # FreeCAD's dress-ups ask for these
             self.add(obj, "Distance", name, "Depth", words, mode=1)
-        self.add_choice(obj, "CoolantMode", "Path", "While it cuts", ("None", "Flood", "Mist"))
+        self.add_choice(obj, "CoolantMode", "Path", "Coolant while cutting", ("None", "Flood", "Mist"))
 
     def execute(self, obj):
         import Path
@@ -43,7 +43,7 @@ class PathOfProgram(DocumentObject):
                 raise ValueError(tr("{label}: the program has no operation {section} any more").format(label=obj.Label, section=obj.Section + 1))
             section, moves = sections[obj.Section]
             if section["tilted"]:
-                raise ValueError(tr("{label}: its tool leans now: make its path anew").format(label=obj.Label))
+                raise ValueError(tr("{label}: its tool is tilted now: make its path again").format(label=obj.Label))
             text = gcode_of(moves, obj.Program.Zero)
             heights = moves[:, 2] + obj.Program.Zero.z
             cuts = heights[moves[:, 3] > 0]

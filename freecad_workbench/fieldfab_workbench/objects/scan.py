@@ -22,21 +22,21 @@ class Scan(Solid):
     def add_own_properties(self, obj):
         add = functools.partial(self.add, obj)
         add("File", "File", "Scan", "The volume's file, or the folder of its slices")
-        add("String", "FileBeside", "Scan", "The same, from the document's folder", mode=HIDDEN | OUTPUT)
-        add("String", "FileRead", "Scan", "Size and time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
-        add("String", "FileState", "Scan", "Whether the file is there, and what it was when it was read", UNREAD, mode=READ_ONLY | OUTPUT)
-        add("Bool", "AutoThreshold", "Scan", "Solid is what is denser than halfway between the two commonest densities", True)
-        add("Float", "Threshold", "Scan", "Solid is what is denser than this, where it is not automatic", 0)
-        add("Bool", "Below", "Scan", "Solid is what is less dense", False)
-        add("Vector", "Spacing", "Scan", "Distances of the samples along x, y and z, mm; 0 0 0: as the file says")
-        add("IntegerList", "Crop", "Scan", "First sample along x, y and z, then last; none: the whole volume")
-        self._add_choice(obj, "Denoise", "Clean-up", "Filter against noise", DENOISING)
+        add("String", "FileBeside", "Scan", "The same path, relative to the document's folder", mode=HIDDEN | OUTPUT)
+        add("String", "FileRead", "Scan", "Size and modification time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
+        add("String", "FileState", "Scan", "Whether the file exists and is unchanged since it was read", UNREAD, mode=READ_ONLY | OUTPUT)
+        add("Bool", "AutoThreshold", "Scan", "Threshold halfway between the two most frequent densities", True)
+        add("Float", "Threshold", "Scan", "Density above which the volume is solid, if AutoThreshold is off", 0)
+        add("Bool", "Below", "Scan", "Densities below the threshold are solid", False)
+        add("Vector", "Spacing", "Scan", "Spacing of the samples along x, y and z, mm; 0 0 0: that of the file")
+        add("IntegerList", "Crop", "Scan", "First sample along x, y and z, then the last; empty: the whole volume")
+        self._add_choice(obj, "Denoise", "Clean-up", "Noise filter", DENOISING)
         add("Bool", "KeepLargest", "Clean-up", "Keep the largest piece only", False)
-        add("Volume", "SmallestIsland", "Clean-up", "Smaller pieces go", 0)
-        add("Volume", "SmallestHole", "Clean-up", "Smaller cavities are filled", 0)
-        add("IntegerList", "Samples", "Raw file", "Samples along x, y and z; none: as the file or its name says")
+        add("Volume", "SmallestIsland", "Clean-up", "Pieces of less volume are removed", 0)
+        add("Volume", "SmallestHole", "Clean-up", "Cavities of less volume are filled", 0)
+        add("IntegerList", "Samples", "Raw file", "Number of samples along x, y and z; empty: from the file or its name")
         self._add_choice(obj, "SampleType", "Raw file", "Type of the samples", SAMPLE_TYPES)
-        add("String", "Series", "Raw file", "Of a DICOM folder with several series: which")
+        add("String", "Series", "Raw file", "Series of a DICOM folder that contains several")
 
     @staticmethod
     def _add_choice(obj, name, group, words, choices):
@@ -109,5 +109,5 @@ class Scan(Solid):
         super().onDocumentRestored(obj)
         self.look(obj)
         if obj.FileState in (MISSING, CHANGED):
-            FreeCAD.Console.PrintWarning(tr("{label}: the scan {path} is {state}; the mesh is what it was").format(
+            FreeCAD.Console.PrintWarning(tr("{label}: the scan {path} is {state}; the mesh is unchanged").format(
                 label=obj.Label, path=self.path(obj), state=tr(obj.FileState)) + "\n")

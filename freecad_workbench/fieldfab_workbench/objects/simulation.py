@@ -114,36 +114,36 @@ class Simulation(Solid):
 
     def add_own_properties(self, obj):
         add = functools.partial(self.add, obj)
-        add("File", "ProgramFile", "Program", "The machine's program: G-code, .sbp, .rml, .hpgl")
-        add("Link", "Program", "Program", "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
-        self.add_choice(obj, "Dialect", "Program", "How its G-code is read; the machine of the set-up decides where nothing is chosen", DIALECTS)
-        add("File", "SetupFile", "Set-up", "A set-up or job file (docs/simulation.md); none: what the properties below say")
+        add("File", "ProgramFile", "Program", "Program file of the machine: G-code, .sbp, .rml, .hpgl")
+        add("Link", "Program", "Program", "Object with a program: a machine program, a Path operation or a Path job. It replaces the file")
+        self.add_choice(obj, "Dialect", "Program", "Dialect of the G-code; if none is chosen, that of the set-up's machine", DIALECTS)
+        add("File", "SetupFile", "Set-up", "Set-up or job file (docs/simulation.md); empty: the properties below")
         if "Machine" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
-        add("StringList", "Tools", "Set-up", "A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
+            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "Machine that runs the program").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
+        add("StringList", "Tools", "Set-up", "One tool per line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
             [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])
         add("Vector", "StockLower", "Set-up", "Lower corner of the stock")
         add("Vector", "StockUpper", "Set-up", "Upper corner of the stock")
-        add("Link", "SetupProgram", "Set-up", "A machine program of the document, whose set-up a program file is carried out in: machine, tools, stock, part")
-        add("Link", "Stock", "Set-up", "The stock as a solid: what an earlier simulation left, say. Then the corners do not count")
-        add("Link", "Target", "Set-up", "What should come out: any solid")
-        add("Length", "Gouge", "Set-up", "Deeper cuts into the target are faults", 0.05)
-        add("Length", "Excess", "Set-up", "More than this left over it is a fault; 0: any amount may be left", 0)
-        add("Length", "Touch", "Set-up", "Contacts of less than this depth are none", 0.02)
+        add("Link", "SetupProgram", "Set-up", "Machine program of the document whose set-up a program file uses: machine, tools, stock and part")
+        add("Link", "Stock", "Set-up", "Stock as a solid, such as the result of an earlier simulation. It replaces the corners")
+        add("Link", "Target", "Set-up", "Solid that the program should produce")
+        add("Length", "Gouge", "Set-up", "Deeper cuts into the target are reported as gouges", 0.05)
+        add("Length", "Excess", "Set-up", "More material left on the target is reported as excess; 0: excess is not reported", 0)
+        add("Length", "Touch", "Set-up", "Contacts of less depth are ignored", 0.02)
         add("String", "MoreOfSetup", "Set-up", "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
-        add("Length", "Cell", "Sampling", "Distance of samples; 0 means automatic: a 300th of the stock, at most 0.2 mm", 0)
-        add("String", "Verdict", "Result", "What came of it", mode=1)
-        add("StringList", "Events", "Result", "What went wrong, worst first: a JSON object a line", mode=1)
-        add("StringList", "Notes", "Result", "What the program's reader passed over", mode=1)
-        add("Volume", "Removed", "Result", "Material removed", mode=1)
-        add("Float", "Seconds", "Result", "On the machine", mode=1)
-        add("Float", "RapidSeconds", "Result", "Of them rapids", mode=1)
-        add("Percent", "AirShare", "Result", "Share of the feed that meets no material", mode=1)
-        add("Integer", "Contacts", "Result", "Lines that touch what they must not", mode=1)
-        add("Integer", "Gouges", "Result", "Lines that cut into the target", mode=1)
-        add("Integer", "OverTravels", "Result", "Lines that leave the machine's limits", mode=1)
-        add("Length", "DeepestGouge", "Result", "Of all the surface", mode=1)
-        add("Length", "HighestExcess", "Result", "Of all the surface", mode=1)
+        add("Length", "Cell", "Sampling", "Sample spacing; 0: automatic, 1/300 of the stock, at most 0.2 mm", 0)
+        add("String", "Verdict", "Result", "Result of the simulation in a few words", mode=1)
+        add("StringList", "Events", "Result", "Events, the worst first: one JSON object per line", mode=1)
+        add("StringList", "Notes", "Result", "Notes on lines of the program", mode=1)
+        add("Volume", "Removed", "Result", "Volume of the removed material", mode=1)
+        add("Float", "Seconds", "Result", "Machining time in seconds", mode=1)
+        add("Float", "RapidSeconds", "Result", "Time of the rapids in seconds", mode=1)
+        add("Percent", "AirShare", "Result", "Percentage of the feed moves that meets no material", mode=1)
+        add("Integer", "Contacts", "Result", "Number of lines with a collision", mode=1)
+        add("Integer", "Gouges", "Result", "Number of lines that gouge the target", mode=1)
+        add("Integer", "OverTravels", "Result", "Number of lines that leave the machine's limits", mode=1)
+        add("Length", "DeepestGouge", "Result", "Greatest depth of a gouge", mode=1)
+        add("Length", "HighestExcess", "Result", "Greatest height of excess material", mode=1)
 
     def add_properties(self, obj):
         self.add_own_properties(obj)
@@ -168,7 +168,7 @@ class Simulation(Solid):
     def source(self, obj):
         """What is left, as a solid."""
         if not obj.Mesh.CountFacets:
-            raise ValueError(tr("{label} was not carried out yet").format(label=obj.Label))
+            raise ValueError(tr("{label} was not simulated yet").format(label=obj.Label))
         return source_of_geometry(obj)
 
     def task(self, obj):
@@ -237,7 +237,7 @@ class Simulation(Solid):
         except fieldfab.Error as error:
             raise ValueError(f"{obj.Label}: {error}") from None
         except work.Cancelled:
-            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
+            raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
         self.put_mesh(obj, run.simulation.mesh, meshes.read_bms(run.mesh_file))
         self.put_report(obj, run.report)
         obj.MadeFrom = task.digest

@@ -36,22 +36,22 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: a scan's own, else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells", 0)
-        add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
-        add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell. 0: automatic, from a scan's spacing or from the number of cells in the preferences. Flat faces of OpenSCAD need no cells", 0)
+        add(obj, "Length", "MaxError", "Mesh", "Greatest distance of the mesh from the solid; 0: a tenth of the smallest cell", 0)
+        add(obj, "Bool", "OnlyWhenShown", "Mesh", "Make no mesh while the solid is hidden and only used by other solids", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
-        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
-        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
+        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, if AutoBounds is off", FreeCAD.Vector(-50, -50, -50))
+        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, if AutoBounds is off", FreeCAD.Vector(50, 50, 50))
         self.add_results(obj)
-        add(obj, "String", "Certainty", "Result", "Whether it is proved that the mesh shows all of the solid, else where it is not; empty for a mesh of an earlier version", mode=1)
+        add(obj, "String", "Certainty", "Result", "Whether the mesh is proved to show the whole solid, or the reason; empty for a mesh of an earlier version", mode=1)
         add(obj, "VectorList", "UncertainPlaces", "Result", "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)  # hidden
 
     def add_results(self, obj):
         add = self.add
         add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
-        add(obj, "Area", "Area", "Result", "Surface of the mesh", mode=1)
-        add(obj, "Integer", "Triangles", "Result", "Triangles of the mesh", mode=1)
-        add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
+        add(obj, "Area", "Area", "Result", "Surface area of the mesh", mode=1)
+        add(obj, "Integer", "Triangles", "Result", "Number of triangles of the mesh", mode=1)
+        add(obj, "String", "MadeFrom", "Result", "Digest of the input; the mesh is made again when it changes", mode=4)  # hidden
 
     def mesh_settings(self, obj):
         """The settings of sources.Source.mesh()."""
@@ -70,7 +70,7 @@ class Solid(DocumentObject):
         try:
             self.make_mesh(obj)
         except work.Cancelled:
-            raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
+            raise ValueError(tr("{label}: cancelled; it is unchanged").format(label=obj.Label)) from None
 
     _ready = (None, None)  # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
 

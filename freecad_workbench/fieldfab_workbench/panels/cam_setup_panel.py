@@ -31,7 +31,7 @@ class SetupPanel(EditPanel):
 
     # The stack.
     def _part(self):
-        box = Box(tr("Part"), tip=tr("What is to be made, and where the program's zero is on it"))
+        box = Box(tr("Part"), tip=tr("The part, and the program's zero on it"))
         form = QtWidgets.QFormLayout()
         self.part = QtWidgets.QComboBox()
         for candidate in candidates(self.obj):
@@ -153,7 +153,7 @@ class SetupPanel(EditPanel):
     def _plan_row(self):
         row = QtWidgets.QHBoxLayout()
         self.plan_button = QtWidgets.QPushButton(tr("Plan"))
-        self.plan_button.setToolTip(tr("Plans all paths; the window stays free meanwhile"))
+        self.plan_button.setToolTip(tr("Plans all paths in the background"))
         self.plan_button.clicked.connect(lambda: self.stop() if self.task else self.plan())
         self.bar = QtWidgets.QProgressBar()
         self.planned = work.Gauge(self.bar)
@@ -295,7 +295,7 @@ class SetupPanel(EditPanel):
         try:
             plan = task.outcome()
         except work.Cancelled:
-            self.say(tr("stopped; the program is still what it was"))
+            self.say(tr("stopped; the program is unchanged"))
         except (ValueError, kernel.load().Error) as error:
             self._complain(error)
         else:

@@ -20,7 +20,7 @@ from ..words import marked, tr
 from ..work import Gauge
 from .edit_panel import COLOURS
 
-HEADINGS = ("", marked("Measured, and its bound"))
+HEADINGS = ("", marked("Measured value and its bound"))
 
 
 class CheckPanel:

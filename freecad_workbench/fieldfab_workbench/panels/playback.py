@@ -66,9 +66,9 @@ class Playback(QtWidgets.QWidget):
         self.buttons = {}
         for name, picture, tip, function in (
             ("first", "SP_MediaSkipBackward", tr("To the beginning"), lambda: self.go_to(0)),
-            ("back", "SP_MediaSeekBackward", tr("Back by one move"), lambda: self.step(-1)),
+            ("back", "SP_MediaSeekBackward", tr("Previous move"), lambda: self.step(-1)),
             ("play", "SP_MediaPlay", tr("Play or pause"), self.toggle),
-            ("on", "SP_MediaSeekForward", tr("On by one move"), lambda: self.step(1)),
+            ("on", "SP_MediaSeekForward", tr("Next move"), lambda: self.step(1)),
             ("last", "SP_MediaSkipForward", tr("To the end"), lambda: self.go_to(self.player.length)),
         ):
             button = QtWidgets.QToolButton()
@@ -81,7 +81,7 @@ class Playback(QtWidgets.QWidget):
         self.speed = QtWidgets.QComboBox()
         for speed in SPEEDS:
             self.speed.addItem(f"{speed}\N{MULTIPLICATION SIGN}", speed)
-        self.speed.setToolTip(tr("How much faster than the machine"))
+        self.speed.setToolTip(tr("Speed relative to the machine"))
         self.speed.currentIndexChanged.connect(lambda index: self._start_clock())
         row.addWidget(self.speed)
         row.addStretch()
@@ -125,13 +125,13 @@ class Playback(QtWidgets.QWidget):
             return box
 
         self.see_tool = choice(tr("Tool"), tr("Show the cutter"), True, self._show_roles, 0, 0)
-        self.see_holder = choice(tr("Shank and holder"), tr("Show what must not touch anything"), True, self._show_roles, 0, 1)
+        self.see_holder = choice(tr("Shank and holder"), tr("Show the shank and the holder, which must not touch anything"), True, self._show_roles, 0, 1)
         self.see_deviation = choice(tr("Deviation at the end"), tr("Colour the finished stock by its distance from the target"), True,
                                     lambda on: self.go_to(self.seconds), 1, 0)
-        self.turning = choice(tr("Table turns"), tr("Show the stock as the machine's table turns it"), False, lambda on: self._place(), 1, 1)
+        self.turning = choice(tr("Table turns"), tr("Turn the stock with the machine's table"), False, lambda on: self._place(), 1, 1)
         self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True, lambda on: self.scene and self.scene.show_stock(on), 2, 0)
-        self.see_part = choice(tr("Part"), tr("Show the part that should come out"), False, lambda on: self._show_part(), 2, 1)
-        self.see_paths = choice(tr("Paths"), tr("Show where the tools' tips go, each tool in its colour"), False, lambda on: self._show_paths(), 3, 0)
+        self.see_part = choice(tr("Part"), tr("Show the solid that the program should produce"), False, lambda on: self._show_part(), 2, 1)
+        self.see_paths = choice(tr("Paths"), tr("Show the paths of the tool tips, each tool in its colour"), False, lambda on: self._show_paths(), 3, 0)
         self.layout_.addLayout(grid)
 
     # Beginning and ending.
@@ -202,7 +202,7 @@ class Playback(QtWidgets.QWidget):
             label.setFont(fixed)
             label.setFrameShape(QtWidgets.QFrame.StyledPanel)
             unit = units.shown_unit("mm") if i < 3 else tr("degrees")
-            label.setToolTip(tr("Where axis {letter} stands, {unit}").format(letter=letter, unit=unit))
+            label.setToolTip(tr("Position of axis {letter}, {unit}").format(letter=letter, unit=unit))
             self.axes_row.addWidget(label, i // 3, i % 3)
 
     # What the user does.
@@ -256,9 +256,9 @@ class Playback(QtWidgets.QWidget):
         self.scene.set_mark(place, self.size / 120)
         if line:
             self._show_line(line)
-            self.said.emit(tr("line {line} cut this place, with tool {tool}").format(line=line, tool=tool), True)
+            self.said.emit(tr("this place was cut by line {line} with tool {tool}").format(line=line, tool=tool), True)
         else:
-            self.said.emit(tr("nothing has cut this place"), True)
+            self.said.emit(tr("this place was not cut"), True)
 
     # Showing.
     def _start_clock(self):

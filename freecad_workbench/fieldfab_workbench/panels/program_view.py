@@ -39,7 +39,7 @@ class ProgramView(QtWidgets.QTableView):  # a list view would lay out every line
         self.setEditTriggers(self.NoEditTriggers)
         self.setStyleSheet("QTableView::item:selected { background: #ffe08a; color: #1d1d1f }")
         self.text_width = 0
-        self.setToolTip(tr("The program. Click a line to go to where it is done"))
+        self.setToolTip(tr("The program. Click a line to go to its moment"))
         self.clicked.connect(lambda index: self.asked.emit(index.row() + 1))
 
     def set_lines(self, lines):

@@ -82,7 +82,7 @@ class ScanPanel(ScanForm):
         elif not os.path.exists(file.path):
             self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(path=file.path))
         elif file.path.lower().endswith(".asdf"):
-            self.told.setText(tr("A distance field: it is taken as it is."))
+            self.told.setText(tr("A distance field: it is used unchanged."))
         else:
             self.say("", True)
             self.told.setText(tr("Reading…"))
@@ -115,7 +115,7 @@ class ScanPanel(ScanForm):
         self.histogram.set_threshold(self.threshold.value(), cut.below)
         self._show_box(cut.crop)
         if cut.crop and any(a >= b for a, b in zip(cut.crop, cut.crop[3:])):
-            self.say(tr("The last sample of a crop must lie behind the first."))
+            self.say(tr("The last sample of a crop must lie after the first."))
             return
 
         def make(progress):
@@ -146,7 +146,7 @@ class ScanPanel(ScanForm):
         samples = math.prod(cut.cropped(self.overview.volume).size)
         memory, count = scans.estimate(samples, cut.cleaned(), surface.count, cell / full)
         self.estimate.setText(tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
-        self.say("" if surface.count else tr("Nothing is solid at this threshold."), surface.count > 0)
+        self.say("" if surface.count else tr("There is no solid at this threshold."), surface.count > 0)
 
     def _show_box(self, crop):
         volume, spacing = self.overview.volume, self.spacing_asked() or self.overview.volume.spacing

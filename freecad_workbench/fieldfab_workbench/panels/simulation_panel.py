@@ -135,7 +135,7 @@ class SimulationPanel(EditPanel):
         try:
             result = task.outcome()
         except work.Cancelled:
-            self.say(tr("stopped; it is still what it was"))
+            self.say(tr("stopped; the result is unchanged"))
         except (kernel.load().Error, ValueError, OSError) as error:
             self.say(str(error))
         else:

@@ -91,7 +91,7 @@ class ToolTable(QtWidgets.QWidget):
         except ValueError:
             return tr("{text!r} is no number").format(text=text)
         if column == 0 and number in {other.Number for other in self.setup.Tools if other != tool}:
-            return tr("there is a tool {number} already").format(number=number)
+            return tr("tool number {number} is already in use").format(number=number)
         if column != 0 and not number > 0:
             return tr("a diameter must be above 0")
         setattr(tool, "Number" if column == 0 else "Diameter", number)

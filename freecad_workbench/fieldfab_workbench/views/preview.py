@@ -27,7 +27,7 @@ PIXELS = 3  # that a cell may fill
 
 
 def _said(stage):
-    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("As it will be"),
+    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("Final mesh"),
             "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 

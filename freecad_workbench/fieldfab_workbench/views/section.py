@@ -92,7 +92,7 @@ class Section:
             measure.apply(node)
             found.extendBy(measure.getBoundingBox())
         if found.isEmpty():
-            raise ValueError(tr("No solid is seen that could be cut"))
+            raise ValueError(tr("The view shows no solid to cut"))
         return [FreeCAD.Vector(*corner.getValue()) for corner in (found.getMin(), found.getMax())]
 
     # Coin.

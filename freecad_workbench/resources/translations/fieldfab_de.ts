@@ -8,219 +8,223 @@
         <translation>Typ</translation>
     </message>
     <message>
-        <source>What is done</source>
-        <translation>Was getan wird</translation>
+        <source>Kind of operation</source>
+        <translation>Art der Operation</translation>
     </message>
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
     </message>
     <message>
-        <source>What it is done with</source>
-        <translation>Womit es getan wird</translation>
+        <source>Tool of the operation</source>
+        <translation>Werkzeug der Operation</translation>
     </message>
     <message>
         <source>Active</source>
         <translation>Aktiv</translation>
     </message>
     <message>
-        <source>Whether it is done at all</source>
-        <translation>Ob es überhaupt getan wird</translation>
+        <source>Include the operation in the program</source>
+        <translation>Die Operation ins Programm aufnehmen</translation>
     </message>
     <message>
         <source>Part</source>
         <translation>Werkstück</translation>
     </message>
     <message>
-        <source>The solid to be made</source>
-        <translation>Der Körper, der entstehen soll</translation>
+        <source>Solid to be machined</source>
+        <translation>Körper, der gefertigt werden soll</translation>
     </message>
     <message>
         <source>Zero</source>
         <translation>Nullpunkt</translation>
     </message>
     <message>
-        <source>The program's zero: as the model has it, or the corner or centre of the part's top</source>
-        <translation>Der Nullpunkt des Programms: wie im Modell, oder Ecke oder Mitte der Oberseite des Werkstücks</translation>
+        <source>Zero of the program: that of the model, or the corner or centre of the part's top</source>
+        <translation>Nullpunkt des Programms: der des Modells, oder die Ecke oder Mitte der Oberseite des Werkstücks</translation>
     </message>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>
     <message>
-        <source>What it is made with</source>
-        <translation>Womit es gemacht wird</translation>
+        <source>Machine that the program is written for</source>
+        <translation>Maschine, für die das Programm geschrieben wird</translation>
     </message>
     <message>
         <source>Stock From</source>
         <translation>Rohteil aus</translation>
     </message>
     <message>
-        <source>Margins about the part, a box, or another object's box</source>
-        <translation>Zugaben um das Werkstück, ein Quader oder der Hüllquader eines anderen Objekts</translation>
+        <source>Size of the stock: margins around the part, a box, or the bounding box of an object</source>
+        <translation>Maße des Rohteils: Zugaben um das Werkstück, ein Quader oder der Hüllquader eines Objekts</translation>
     </message>
     <message>
         <source>Margin</source>
         <translation>Zugabe seitlich</translation>
     </message>
     <message>
-        <source>At the part's sides</source>
-        <translation>An den Seiten des Werkstücks</translation>
+        <source>Margin at the sides of the part</source>
+        <translation>Zugabe an den Seiten des Werkstücks</translation>
     </message>
     <message>
         <source>Top</source>
         <translation>Zugabe oben</translation>
     </message>
     <message>
-        <source>Above the part</source>
-        <translation>Über dem Werkstück</translation>
+        <source>Margin above the part</source>
+        <translation>Zugabe über dem Werkstück</translation>
     </message>
     <message>
         <source>Thickness</source>
         <translation>Dicke</translation>
     </message>
     <message>
-        <source>From its top down; 0: to the part's lowest place</source>
-        <translation>Von seiner Oberseite nach unten; 0: bis zur tiefsten Stelle des Werkstücks</translation>
+        <source>Thickness of the stock from its top; 0: down to the lowest point of the part</source>
+        <translation>Dicke des Rohteils von seiner Oberseite an; 0: bis zum tiefsten Punkt des Werkstücks</translation>
     </message>
     <message>
         <source>Stock Lower</source>
         <translation>Rohteil untere Ecke</translation>
     </message>
     <message>
-        <source>Lower corner, in the document's coordinates</source>
-        <translation>Untere Ecke, in den Koordinaten des Dokuments</translation>
+        <source>Lower corner of the stock, in the document's coordinates</source>
+        <translation>Untere Ecke des Rohteils, in den Koordinaten des Dokuments</translation>
     </message>
     <message>
         <source>Stock Upper</source>
         <translation>Rohteil obere Ecke</translation>
     </message>
     <message>
-        <source>Upper corner, in the document's coordinates</source>
-        <translation>Obere Ecke, in den Koordinaten des Dokuments</translation>
+        <source>Upper corner of the stock, in the document's coordinates</source>
+        <translation>Obere Ecke des Rohteils, in den Koordinaten des Dokuments</translation>
     </message>
     <message>
         <source>Stock Object</source>
         <translation>Rohteilobjekt</translation>
     </message>
     <message>
-        <source>Its bounding box is the stock</source>
-        <translation>Sein Hüllquader ist das Rohteil</translation>
+        <source>Object whose bounding box is the stock</source>
+        <translation>Objekt, dessen Hüllquader das Rohteil ist</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The cutters</source>
-        <translation>Die Fräser</translation>
+        <source>Tools of the CAM job</source>
+        <translation>Werkzeuge des CAM-Jobs</translation>
     </message>
     <message>
         <source>Operations</source>
         <translation>Operationen</translation>
     </message>
     <message>
-        <source>What is done, in order</source>
-        <translation>Was getan wird, der Reihe nach</translation>
+        <source>Operations in the order of the program</source>
+        <translation>Operationen in der Reihenfolge des Programms</translation>
     </message>
     <message>
         <source>Material</source>
         <translation>Werkstoff</translation>
     </message>
     <message>
-        <source>Defaults of the machine for a material</source>
-        <translation>Vorgaben der Maschine für einen Werkstoff</translation>
+        <source>Workpiece material, which selects the machine's default settings</source>
+        <translation>Werkstoff; er bestimmt die Vorgaben der Maschine</translation>
     </message>
     <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>
     <message>
-        <source>Where it is widest</source>
-        <translation>Wo es am breitesten ist</translation>
+        <source>Greatest diameter of the cutting part</source>
+        <translation>Größter Durchmesser des schneidenden Teils</translation>
     </message>
     <message>
         <source>Corner Radius</source>
         <translation>Eckradius</translation>
     </message>
     <message>
-        <source>Of a bull-nose, or of the tip of a tapered ball</source>
-        <translation>Eines Torusfräsers oder der Spitze eines konischen Kugelfräsers</translation>
+        <source>Corner radius of a bull-nose, or tip radius of a tapered ball end mill</source>
+        <translation>Eckenradius eines Torusfräsers, oder Radius der Spitze eines konischen Kugelfräsers</translation>
     </message>
     <message>
         <source>Tip Diameter</source>
         <translation>Spitzendurchmesser</translation>
     </message>
     <message>
-        <source>Of a V with a blunt tip</source>
-        <translation>Eines V-Fräsers mit stumpfer Spitze</translation>
+        <source>Diameter of the flat tip of a V-bit</source>
+        <translation>Durchmesser der flachen Spitze eines V-Fräsers</translation>
     </message>
     <message>
         <source>Flute</source>
         <translation>Schneidenlänge</translation>
     </message>
     <message>
-        <source>Length that cuts; 0: not known</source>
-        <translation>Länge, die schneidet; 0: unbekannt</translation>
+        <source>Length of the cutting edges; 0: unknown</source>
+        <translation>Länge der Schneiden; 0: unbekannt</translation>
     </message>
     <message>
         <source>Stick Out</source>
         <translation>Auskraglänge</translation>
     </message>
     <message>
-        <source>From the tip to the holder; 0: not known</source>
-        <translation>Von der Spitze bis zum Halter; 0: unbekannt</translation>
+        <source>Distance from the tip to the holder; 0: unknown</source>
+        <translation>Abstand von der Spitze zum Halter; 0: unbekannt</translation>
     </message>
     <message>
         <source>Shank</source>
         <translation>Schaft</translation>
     </message>
     <message>
-        <source>Diameter above the flutes; 0: as the cutting part</source>
-        <translation>Durchmesser über den Schneiden; 0: wie der schneidende Teil</translation>
+        <source>Shank diameter; 0: that of the cutting part</source>
+        <translation>Schaftdurchmesser; 0: der des schneidenden Teils</translation>
     </message>
     <message>
         <source>Holder Diameter</source>
         <translation>Halterdurchmesser</translation>
     </message>
     <message>
-        <source>0: not known</source>
-        <translation>0: unbekannt</translation>
+        <source>Diameter of the holder; 0: unknown</source>
+        <translation>Durchmesser des Halters; 0: unbekannt</translation>
     </message>
     <message>
         <source>Holder Length</source>
         <translation>Halterlänge</translation>
     </message>
     <message>
+        <source>Length of the holder; 0: unknown</source>
+        <translation>Länge des Halters; 0: unbekannt</translation>
+    </message>
+    <message>
         <source>Number</source>
         <translation>Nummer</translation>
     </message>
     <message>
-        <source>Its place in the machine</source>
-        <translation>Sein Platz in der Maschine</translation>
+        <source>Tool number in the machine</source>
+        <translation>Werkzeugnummer in der Maschine</translation>
     </message>
     <message>
         <source>Shape</source>
         <translation>Form</translation>
     </message>
     <message>
-        <source>Of its tip</source>
-        <translation>Der Spitze</translation>
+        <source>Shape of the tip</source>
+        <translation>Form der Spitze</translation>
     </message>
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>Of the tip, from side to side</source>
-        <translation>Der Spitze, von Seite zu Seite</translation>
+        <source>Included angle of the tip</source>
+        <translation>Spitzenwinkel, von Seite zu Seite</translation>
     </message>
     <message>
         <source>Flutes</source>
         <translation>Schneiden</translation>
     </message>
     <message>
-        <source>Cutting edges</source>
+        <source>Number of cutting edges</source>
         <translation>Zahl der Schneiden</translation>
     </message>
     <message>
@@ -228,24 +232,24 @@
         <translation>Vorschub</translation>
     </message>
     <message>
-        <source>Of cutting with it; 0: the material's or the operation's</source>
-        <translation>Beim Fräsen damit; 0: der des Werkstoffs oder der Operation</translation>
+        <source>Feed rate of cuts; 0: that of the material or the operation</source>
+        <translation>Vorschub beim Fräsen; 0: der des Werkstoffs oder der Operation</translation>
     </message>
     <message>
         <source>Plunge</source>
         <translation>Eintauchvorschub</translation>
     </message>
     <message>
-        <source>Into the material; 0: the material's or the operation's</source>
-        <translation>In das Material hinein; 0: der des Werkstoffs oder der Operation</translation>
+        <source>Feed rate of plunges; 0: that of the material or the operation</source>
+        <translation>Vorschub beim Eintauchen; 0: der des Werkstoffs oder der Operation</translation>
     </message>
     <message>
         <source>Spindle</source>
         <translation>Drehzahl</translation>
     </message>
     <message>
-        <source>Revolutions per minute; 0: the material's or the operation's</source>
-        <translation>Umdrehungen je Minute; 0: die des Werkstoffs oder der Operation</translation>
+        <source>Spindle speed in rpm; 0: that of the material or the operation</source>
+        <translation>Spindeldrehzahl je Minute; 0: die des Werkstoffs oder der Operation</translation>
     </message>
     <message>
         <source>Sources</source>
@@ -260,60 +264,60 @@
         <translation>Radius</translation>
     </message>
     <message>
-        <source>Of a blend's fillet</source>
-        <translation>Der Verrundung</translation>
+        <source>Fillet radius of a blend</source>
+        <translation>Radius der Verrundung einer verrundeten Vereinigung</translation>
     </message>
     <message>
         <source>Weight</source>
         <translation>Gewicht</translation>
     </message>
     <message>
-        <source>Of a morph: 0 is the first source, 1 the second</source>
-        <translation>Eines Übergangs: 0 ist der erste Ausgangskörper, 1 der zweite</translation>
+        <source>Weight of a morph: 0 gives the first source, 1 the second</source>
+        <translation>Gewicht eines Übergangs: 0 ergibt den ersten Ausgangskörper, 1 den zweiten</translation>
     </message>
     <message>
         <source>Operation</source>
         <translation>Operation</translation>
     </message>
     <message>
-        <source>What is made of the sources</source>
-        <translation>Was aus den Ausgangskörpern wird</translation>
+        <source>How the sources are combined</source>
+        <translation>Wie die Ausgangskörper kombiniert werden</translation>
     </message>
     <message>
         <source>Given</source>
         <translation>Angegeben</translation>
     </message>
     <message>
-        <source>The settings that are given; the others follow their defaults</source>
-        <translation>Die angegebenen Einstellungen; die anderen folgen ihren Vorgaben</translation>
+        <source>Settings that have a value of their own; the others have their defaults</source>
+        <translation>Einstellungen mit eigenem Wert; die anderen haben ihre Vorgabe</translation>
     </message>
     <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>The file of the model: .frep text or a mesh</source>
-        <translation>Die Datei des Modells: .frep-Text oder ein Netz</translation>
+        <source>File of the model: .frep text or a mesh</source>
+        <translation>Datei des Modells: .frep-Text oder ein Netz</translation>
     </message>
     <message>
-        <source>The part's name in the file; empty: all of the model</source>
-        <translation>Der Name des Teils in der Datei; leer: das ganze Modell</translation>
+        <source>Name of the part in the file; empty: the whole model</source>
+        <translation>Name des Teils in der Datei; leer: das ganze Modell</translation>
     </message>
     <message>
         <source>Opened</source>
         <translation>Geöffnet</translation>
     </message>
     <message>
-        <source>The files that the model opens, from its own folder</source>
-        <translation>Die Dateien, die das Modell öffnet, von seinem Ordner aus</translation>
+        <source>Files that the model opens, relative to its folder</source>
+        <translation>Dateien, die das Modell öffnet, relativ zu seinem Ordner</translation>
     </message>
     <message>
         <source>Followed Text</source>
         <translation>Befolgter Text</translation>
     </message>
     <message>
-        <source>The text that the parameters were last taken from</source>
-        <translation>Der Text, aus dem die Parameter zuletzt genommen wurden</translation>
+        <source>Text from which the parameters were last read</source>
+        <translation>Text, aus dem die Parameter zuletzt gelesen wurden</translation>
     </message>
     <message>
         <source>Expression</source>
@@ -328,8 +332,8 @@
         <translation>Zeitstempel</translation>
     </message>
     <message>
-        <source>Sizes and times of the files that it was made from</source>
-        <translation>Größen und Zeiten der Dateien, aus denen es entstand</translation>
+        <source>Sizes and modification times of the files it was made from</source>
+        <translation>Größen und Änderungszeiten der Dateien, aus denen es entstand</translation>
     </message>
     <message>
         <source>Setup</source>
@@ -344,8 +348,8 @@
         <translation>Sekunden</translation>
     </message>
     <message>
-        <source>About how long the machine takes</source>
-        <translation>Wie lange die Maschine etwa braucht</translation>
+        <source>Estimated machining time in seconds</source>
+        <translation>Geschätzte Bearbeitungszeit in Sekunden</translation>
     </message>
     <message>
         <source>Cut Length</source>
@@ -368,16 +372,16 @@
         <translation>Berichte</translation>
     </message>
     <message>
-        <source>What each operation comes to</source>
-        <translation>Was jede Operation ergibt</translation>
+        <source>Report of each operation</source>
+        <translation>Bericht zu jeder Operation</translation>
     </message>
     <message>
         <source>Notes</source>
         <translation>Hinweise</translation>
     </message>
     <message>
-        <source>What one should know</source>
-        <translation>Was man wissen sollte</translation>
+        <source>Notes on the program</source>
+        <translation>Hinweise zum Programm</translation>
     </message>
     <message>
         <source>The program's zero in the document's coordinates</source>
@@ -388,32 +392,32 @@
         <translation>Programm, komprimiert</translation>
     </message>
     <message>
-        <source>What the machine gets, compressed</source>
-        <translation>Was die Maschine bekommt, komprimiert</translation>
+        <source>Machine file, compressed</source>
+        <translation>Maschinendatei, komprimiert</translation>
     </message>
     <message>
         <source>Packed Sheet</source>
         <translation>Einrichteblatt, komprimiert</translation>
     </message>
     <message>
-        <source>An HTML page for the person at the machine, compressed</source>
-        <translation>Eine HTML-Seite für den Menschen an der Maschine, komprimiert</translation>
+        <source>Set-up sheet as an HTML page, compressed</source>
+        <translation>Einrichteblatt als HTML-Seite, komprimiert</translation>
     </message>
     <message>
         <source>Packed Moves</source>
         <translation>Bewegungen, komprimiert</translation>
     </message>
     <message>
-        <source>All moves, as numpy writes them, compressed</source>
-        <translation>Alle Bewegungen, wie numpy sie schreibt, komprimiert</translation>
+        <source>All moves as a NumPy array, compressed</source>
+        <translation>Alle Bewegungen als NumPy-Array, komprimiert</translation>
     </message>
     <message>
         <source>Sections</source>
         <translation>Abschnitte</translation>
     </message>
     <message>
-        <source>What each operation's moves are made with, as JSON</source>
-        <translation>Womit die Bewegungen jeder Operation gemacht werden, als JSON</translation>
+        <source>Tool and settings of each operation, as JSON</source>
+        <translation>Werkzeug und Einstellungen jeder Operation, als JSON</translation>
     </message>
     <message>
         <source>Job</source>
@@ -428,16 +432,16 @@
         <translation>Endung</translation>
     </message>
     <message>
-        <source>Of the machine's file</source>
-        <translation>Der Maschinendatei</translation>
+        <source>Extension of the machine file</source>
+        <translation>Endung der Maschinendatei</translation>
     </message>
     <message>
         <source>Made From</source>
         <translation>Gemacht aus</translation>
     </message>
     <message>
-        <source>What it was made from: it is planned anew when this changes</source>
-        <translation>Woraus es gemacht wurde: Es wird neu geplant, wenn sich das ändert</translation>
+        <source>Digest of the input; the program is planned again when it changes</source>
+        <translation>Prüfsumme der Eingaben; ändert sie sich, wird neu geplant</translation>
     </message>
     <message>
         <source>Source</source>
@@ -452,8 +456,8 @@
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>Outwards; below 0 inwards</source>
-        <translation>Nach außen; unter 0 nach innen</translation>
+        <source>Distance outwards; negative values inwards</source>
+        <translation>Abstand nach außen; negative Werte nach innen</translation>
     </message>
     <message>
         <source>Wall</source>
@@ -468,8 +472,8 @@
         <translation>Periode</translation>
     </message>
     <message>
-        <source>Edge of the lattice's cell</source>
-        <translation>Kante der Gitterzelle</translation>
+        <source>Edge length of a lattice cell</source>
+        <translation>Kantenlänge einer Gitterzelle</translation>
     </message>
     <message>
         <source>Strut</source>
@@ -484,80 +488,80 @@
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>The mirror's normal, or the axis</source>
-        <translation>Die Normale des Spiegels, oder die Achse</translation>
+        <source>Normal of the mirror plane, or direction of the axis</source>
+        <translation>Normale der Spiegelebene, oder Richtung der Achse</translation>
     </message>
     <message>
         <source>Centre</source>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>A point of the mirror or the axis</source>
-        <translation>Ein Punkt des Spiegels oder der Achse</translation>
+        <source>Point on the mirror plane or axis</source>
+        <translation>Punkt auf der Spiegelebene oder Achse</translation>
     </message>
     <message>
         <source>Keep Original</source>
         <translation>Original behalten</translation>
     </message>
     <message>
-        <source>Both halves</source>
-        <translation>Beide Hälften</translation>
+        <source>Unite the mirror image with the original</source>
+        <translation>Spiegelbild und Original vereinigen</translation>
     </message>
     <message>
         <source>Step</source>
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>From one copy to the next; of a transform, the way</source>
-        <translation>Von einer Kopie zur nächsten; beim Umformen der Weg</translation>
+        <source>Step from one copy to the next, or the move of a transform</source>
+        <translation>Schritt von einer Kopie zur nächsten, oder Verschiebung beim Umformen</translation>
     </message>
     <message>
         <source>Count</source>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <source>Copies, the original among them</source>
-        <translation>Kopien, das Original eingerechnet</translation>
+        <source>Number of copies, including the original</source>
+        <translation>Zahl der Kopien, das Original eingerechnet</translation>
     </message>
     <message>
-        <source>From the first copy to where the next round would begin</source>
-        <translation>Von der ersten Kopie bis dorthin, wo die nächste Runde begänne</translation>
+        <source>Angle that the copies fill; 360 degrees is a full turn</source>
+        <translation>Winkel, den die Kopien füllen; 360 Grad sind eine volle Drehung</translation>
     </message>
     <message>
         <source>Factors</source>
         <translation>Faktoren</translation>
     </message>
     <message>
-        <source>Along x, y and z</source>
-        <translation>Entlang x, y und z</translation>
+        <source>Scale factors along x, y and z</source>
+        <translation>Skalierungsfaktoren entlang x, y und z</translation>
     </message>
     <message>
         <source>Turn</source>
         <translation>Drehung</translation>
     </message>
     <message>
-        <source>About the axis</source>
-        <translation>Um die Achse</translation>
+        <source>Rotation about the axis</source>
+        <translation>Drehung um die Achse</translation>
     </message>
     <message>
-        <source>What is made of the source</source>
-        <translation>Was aus dem Ausgangskörper wird</translation>
+        <source>How the source is modified</source>
+        <translation>Wie der Ausgangskörper verändert wird</translation>
     </message>
     <message>
         <source>Lattice</source>
         <translation>Gitter</translation>
     </message>
     <message>
-        <source>What fills it</source>
-        <translation>Was ihn füllt</translation>
+        <source>Kind of lattice</source>
+        <translation>Art des Gitters</translation>
     </message>
     <message>
         <source>Node</source>
         <translation>Knoten</translation>
     </message>
     <message>
-        <source>What OpenSCAD calls it</source>
-        <translation>Wie OpenSCAD es nennt</translation>
+        <source>Name of the node in OpenSCAD</source>
+        <translation>Name des Knotens in OpenSCAD</translation>
     </message>
     <message>
         <source>Text</source>
@@ -572,12 +576,12 @@
         <translation>Ordner</translation>
     </message>
     <message>
-        <source>Where the files are that the text names</source>
-        <translation>Wo die Dateien sind, die der Text nennt</translation>
+        <source>Folder of the files that the text names</source>
+        <translation>Ordner der Dateien, die der Text nennt</translation>
     </message>
     <message>
-        <source>What it is made of</source>
-        <translation>Woraus es entsteht</translation>
+        <source>Children of the node, in order</source>
+        <translation>Kinder des Knotens, der Reihe nach</translation>
     </message>
     <message>
         <source>A solid or a mesh</source>
@@ -588,52 +592,52 @@
         <translation>Meiste Dreiecke</translation>
     </message>
     <message>
-        <source>The mesh is reduced to about as many; above some thousands all that is done with the shape is slow</source>
-        <translation>Das Netz wird auf etwa so viele verringert; über einigen Tausend wird alles langsam, was man mit der Form tut</translation>
+        <source>The mesh is reduced to about as many triangles; FreeCAD is slow with more than some thousands</source>
+        <translation>Das Netz wird auf etwa so viele Dreiecke verringert; bei mehr als einigen Tausend ist FreeCAD langsam</translation>
     </message>
     <message>
         <source>Merge Faces</source>
         <translation>Flächen verschmelzen</translation>
     </message>
     <message>
-        <source>Make one face of triangles that lie in a plane</source>
-        <translation>Aus Dreiecken, die in einer Ebene liegen, eine Fläche machen</translation>
+        <source>Merge coplanar triangles into one face</source>
+        <translation>Dreiecke in einer Ebene zu einer Fläche vereinigen</translation>
     </message>
     <message>
         <source>Faces</source>
         <translation>Flächen</translation>
     </message>
     <message>
-        <source>Faces of the shape</source>
-        <translation>Flächen der Form</translation>
+        <source>Number of faces of the shape</source>
+        <translation>Zahl der Flächen der Form</translation>
     </message>
     <message>
         <source>Volume Change</source>
         <translation>Volumenänderung</translation>
     </message>
     <message>
-        <source>How many percent the shape's volume is above the solid's</source>
+        <source>Volume of the shape above that of the solid, in percent</source>
         <translation>Um wie viel Prozent das Volumen der Form über dem des Körpers liegt</translation>
     </message>
     <message>
-        <source>What the shape was made from: it is made anew when this changes</source>
-        <translation>Woraus die Form gemacht wurde: Sie wird neu gemacht, wenn sich das ändert</translation>
+        <source>Digest of the input; the shape is made again when it changes</source>
+        <translation>Prüfsumme der Eingaben; ändert sie sich, wird die Form neu gemacht</translation>
     </message>
     <message>
         <source>Start Depth</source>
         <translation>Anfangstiefe</translation>
     </message>
     <message>
-        <source>z where it begins to cut</source>
-        <translation>z, wo das Fräsen beginnt</translation>
+        <source>z at which cutting begins</source>
+        <translation>z, bei dem das Fräsen beginnt</translation>
     </message>
     <message>
         <source>Final Depth</source>
         <translation>Endtiefe</translation>
     </message>
     <message>
-        <source>Its lowest place</source>
-        <translation>Die tiefste Stelle</translation>
+        <source>Lowest z of the path</source>
+        <translation>Tiefstes z des Pfads</translation>
     </message>
     <message>
         <source>Safe Height</source>
@@ -660,28 +664,28 @@
         <translation>Abschnitt</translation>
     </message>
     <message>
-        <source>Which of its operations; -1: all of them, as the machine's file says</source>
-        <translation>Welche seiner Operationen; -1: alle, wie die Maschinendatei sagt</translation>
+        <source>Index of the operation, from 0; -1: all operations, as in the machine file</source>
+        <translation>Nummer der Operation, von 0 an; -1: alle Operationen, wie in der Maschinendatei</translation>
     </message>
     <message>
         <source>Tool Controller</source>
         <translation>Werkzeugsteuerung</translation>
     </message>
     <message>
-        <source>What FreeCAD's job uses for it</source>
-        <translation>Was FreeCADs Auftrag dafür nimmt</translation>
+        <source>Tool controller of the Path job</source>
+        <translation>Werkzeugsteuerung des Path-Auftrags</translation>
     </message>
     <message>
-        <source>Whether FreeCAD's job takes it</source>
-        <translation>Ob FreeCADs Auftrag es nimmt</translation>
+        <source>Include the operation in the Path job</source>
+        <translation>Die Operation in den Path-Auftrag aufnehmen</translation>
     </message>
     <message>
         <source>Coolant Mode</source>
         <translation>Kühlung</translation>
     </message>
     <message>
-        <source>While it cuts</source>
-        <translation>Während es fräst</translation>
+        <source>Coolant while cutting</source>
+        <translation>Kühlung beim Fräsen</translation>
     </message>
     <message>
         <source>The volume's file, or the folder of its slices</source>
@@ -692,72 +696,72 @@
         <translation>Datei daneben</translation>
     </message>
     <message>
-        <source>The same, from the document's folder</source>
-        <translation>Dieselbe, vom Ordner des Dokuments aus</translation>
+        <source>The same path, relative to the document's folder</source>
+        <translation>Derselbe Pfad, relativ zum Ordner des Dokuments</translation>
     </message>
     <message>
         <source>File Read</source>
         <translation>Gelesene Datei</translation>
     </message>
     <message>
-        <source>Size and time of the file that the mesh was made from</source>
-        <translation>Größe und Zeit der Datei, aus der das Netz gemacht wurde</translation>
+        <source>Size and modification time of the file that the mesh was made from</source>
+        <translation>Größe und Änderungszeit der Datei, aus der das Netz gemacht wurde</translation>
     </message>
     <message>
         <source>File State</source>
         <translation>Zustand der Datei</translation>
     </message>
     <message>
-        <source>Whether the file is there, and what it was when it was read</source>
-        <translation>Ob die Datei da ist, und ob sie ist, was sie beim Lesen war</translation>
+        <source>Whether the file exists and is unchanged since it was read</source>
+        <translation>Ob die Datei da ist und seit dem Lesen unverändert</translation>
     </message>
     <message>
         <source>Auto Threshold</source>
         <translation>Automatische Schwelle</translation>
     </message>
     <message>
-        <source>Solid is what is denser than halfway between the two commonest densities</source>
-        <translation>Körper ist, was dichter ist als die Mitte zwischen den zwei häufigsten Dichten</translation>
+        <source>Threshold halfway between the two most frequent densities</source>
+        <translation>Schwelle in der Mitte zwischen den zwei häufigsten Dichten</translation>
     </message>
     <message>
         <source>Threshold</source>
         <translation>Schwelle</translation>
     </message>
     <message>
-        <source>Solid is what is denser than this, where it is not automatic</source>
-        <translation>Körper ist, was dichter ist als dies, wo sie nicht automatisch ist</translation>
+        <source>Density above which the volume is solid, if AutoThreshold is off</source>
+        <translation>Dichte, über der das Volumen Körper ist, wenn AutoThreshold aus ist</translation>
     </message>
     <message>
         <source>Below</source>
         <translation>Darunter</translation>
     </message>
     <message>
-        <source>Solid is what is less dense</source>
-        <translation>Körper ist, was weniger dicht ist</translation>
+        <source>Densities below the threshold are solid</source>
+        <translation>Dichten unter der Schwelle sind Körper</translation>
     </message>
     <message>
         <source>Spacing</source>
         <translation>Abstände</translation>
     </message>
     <message>
-        <source>Distances of the samples along x, y and z, mm; 0 0 0: as the file says</source>
-        <translation>Abstände der Messpunkte in x, y und z, mm; 0 0 0: wie die Datei sagt</translation>
+        <source>Spacing of the samples along x, y and z, mm; 0 0 0: that of the file</source>
+        <translation>Abstände der Messpunkte in x, y und z, mm; 0 0 0: die der Datei</translation>
     </message>
     <message>
         <source>Crop</source>
         <translation>Ausschnitt</translation>
     </message>
     <message>
-        <source>First sample along x, y and z, then last; none: the whole volume</source>
-        <translation>Erster Messpunkt in x, y und z, dann letzter; keiner: das ganze Volumen</translation>
+        <source>First sample along x, y and z, then the last; empty: the whole volume</source>
+        <translation>Erster Messpunkt in x, y und z, dann der letzte; leer: das ganze Volumen</translation>
     </message>
     <message>
         <source>Denoise</source>
         <translation>Entrauschen</translation>
     </message>
     <message>
-        <source>Filter against noise</source>
-        <translation>Filter gegen Rauschen</translation>
+        <source>Noise filter</source>
+        <translation>Rauschfilter</translation>
     </message>
     <message>
         <source>Keep Largest</source>
@@ -772,24 +776,24 @@
         <translation>Kleinste Insel</translation>
     </message>
     <message>
-        <source>Smaller pieces go</source>
-        <translation>Kleinere Stücke fallen weg</translation>
+        <source>Pieces of less volume are removed</source>
+        <translation>Stücke von kleinerem Volumen werden entfernt</translation>
     </message>
     <message>
         <source>Smallest Hole</source>
         <translation>Kleinstes Loch</translation>
     </message>
     <message>
-        <source>Smaller cavities are filled</source>
-        <translation>Kleinere Hohlräume werden gefüllt</translation>
+        <source>Cavities of less volume are filled</source>
+        <translation>Hohlräume von kleinerem Volumen werden gefüllt</translation>
     </message>
     <message>
         <source>Samples</source>
         <translation>Messpunkte</translation>
     </message>
     <message>
-        <source>Samples along x, y and z; none: as the file or its name says</source>
-        <translation>Messpunkte in x, y und z; keine: wie die Datei oder ihr Name sagt</translation>
+        <source>Number of samples along x, y and z; empty: from the file or its name</source>
+        <translation>Zahl der Messpunkte in x, y und z; leer: aus der Datei oder ihrem Namen</translation>
     </message>
     <message>
         <source>Sample Type</source>
@@ -804,39 +808,39 @@
         <translation>Serie</translation>
     </message>
     <message>
-        <source>Of a DICOM folder with several series: which</source>
-        <translation>Eines DICOM-Ordners mit mehreren Serien: welche</translation>
+        <source>Series of a DICOM folder that contains several</source>
+        <translation>Serie eines DICOM-Ordners, der mehrere enthält</translation>
     </message>
     <message>
         <source>Program File</source>
         <translation>Programmdatei</translation>
     </message>
     <message>
-        <source>The machine's program: G-code, .sbp, .rml, .hpgl</source>
-        <translation>Das Programm der Maschine: G-Code, .sbp, .rml, .hpgl</translation>
+        <source>Program file of the machine: G-code, .sbp, .rml, .hpgl</source>
+        <translation>Programmdatei der Maschine: G-Code, .sbp, .rml, .hpgl</translation>
     </message>
     <message>
-        <source>An object that has a program: a machine program, a Path operation or Job. Then there is no file</source>
-        <translation>Ein Objekt, das ein Programm hat: ein Maschinenprogramm, eine Path-Operation oder ein Path-Auftrag. Dann gibt es keine Datei</translation>
+        <source>Object with a program: a machine program, a Path operation or a Path job. It replaces the file</source>
+        <translation>Objekt mit einem Programm: ein Maschinenprogramm, eine Path-Operation oder ein Path-Auftrag. Es ersetzt die Datei</translation>
     </message>
     <message>
         <source>Dialect</source>
         <translation>Dialekt</translation>
     </message>
     <message>
-        <source>How its G-code is read; the machine of the set-up decides where nothing is chosen</source>
-        <translation>Wie der G-Code gelesen wird; wenn nichts gewählt ist, bestimmt es die Maschine der Aufspannung</translation>
+        <source>Dialect of the G-code; if none is chosen, that of the set-up's machine</source>
+        <translation>Dialekt des G-Codes; ohne Wahl der von der Maschine der Aufspannung</translation>
     </message>
     <message>
         <source>Setup File</source>
         <translation>Aufspanndatei</translation>
     </message>
     <message>
-        <source>A set-up or job file (docs/simulation.md); none: what the properties below say</source>
-        <translation>Eine Aufspann- oder Auftragsdatei (docs/simulation.md); keine: was die Eigenschaften darunter sagen</translation>
+        <source>Set-up or job file (docs/simulation.md); empty: the properties below</source>
+        <translation>Aufspann- oder Auftragsdatei (docs/simulation.md); leer: die Eigenschaften darunter</translation>
     </message>
     <message>
-        <source>A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...</source>
+        <source>One tool per line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...</source>
         <translation>Ein Werkzeug je Zeile, als JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...</translation>
     </message>
     <message>
@@ -852,48 +856,48 @@
         <translation>Programm der Aufspannung</translation>
     </message>
     <message>
-        <source>A machine program of the document, whose set-up a program file is carried out in: machine, tools, stock, part</source>
-        <translation>Ein Maschinenprogramm des Dokuments, in dessen Aufspannung eine Programmdatei ausgeführt wird: Maschine, Werkzeuge, Rohteil, Werkstück</translation>
+        <source>Machine program of the document whose set-up a program file uses: machine, tools, stock and part</source>
+        <translation>Maschinenprogramm des Dokuments, dessen Aufspannung für eine Programmdatei gilt: Maschine, Werkzeuge, Rohteil und Werkstück</translation>
     </message>
     <message>
         <source>Stock</source>
         <translation>Rohteil</translation>
     </message>
     <message>
-        <source>The stock as a solid: what an earlier simulation left, say. Then the corners do not count</source>
-        <translation>Das Rohteil als Körper: etwa was eine frühere Simulation übrig ließ. Dann zählen die Ecken nicht</translation>
+        <source>Stock as a solid, such as the result of an earlier simulation. It replaces the corners</source>
+        <translation>Rohteil als Körper, etwa das Ergebnis einer früheren Simulation. Es ersetzt die Ecken</translation>
     </message>
     <message>
         <source>Target</source>
         <translation>Ziel</translation>
     </message>
     <message>
-        <source>What should come out: any solid</source>
-        <translation>Was herauskommen soll: ein beliebiger Körper</translation>
+        <source>Solid that the program should produce</source>
+        <translation>Körper, den das Programm ergeben soll</translation>
     </message>
     <message>
         <source>Gouge</source>
         <translation>Verletzung</translation>
     </message>
     <message>
-        <source>Deeper cuts into the target are faults</source>
-        <translation>Tiefere Schnitte in das Ziel sind Fehler</translation>
+        <source>Deeper cuts into the target are reported as gouges</source>
+        <translation>Tiefere Schnitte in das Ziel werden als Verletzung gemeldet</translation>
     </message>
     <message>
         <source>Excess</source>
         <translation>Restmaterial</translation>
     </message>
     <message>
-        <source>More than this left over it is a fault; 0: any amount may be left</source>
-        <translation>Mehr als dies darüber ist ein Fehler; 0: Es darf beliebig viel übrig bleiben</translation>
+        <source>More material left on the target is reported as excess; 0: excess is not reported</source>
+        <translation>Höheres Restmaterial auf dem Ziel wird gemeldet; 0: Restmaterial wird nicht gemeldet</translation>
     </message>
     <message>
         <source>Touch</source>
         <translation>Berührung</translation>
     </message>
     <message>
-        <source>Contacts of less than this depth are none</source>
-        <translation>Kollisionen, die weniger tief sind, zählen nicht</translation>
+        <source>Contacts of less depth are ignored</source>
+        <translation>Kollisionen von geringerer Tiefe zählen nicht</translation>
     </message>
     <message>
         <source>More Of Setup</source>
@@ -908,120 +912,124 @@
         <translation>Zelle</translation>
     </message>
     <message>
-        <source>Distance of samples; 0 means automatic: a 300th of the stock, at most 0.2 mm</source>
-        <translation>Abstand der Messpunkte; 0 heißt automatisch: ein 300stel des Rohteils, höchstens 0,2 mm</translation>
+        <source>Sample spacing; 0: automatic, 1/300 of the stock, at most 0.2 mm</source>
+        <translation>Abstand der Messpunkte; 0: automatisch, 1/300 des Rohteils, höchstens 0,2 mm</translation>
     </message>
     <message>
         <source>Verdict</source>
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>What came of it</source>
-        <translation>Was dabei herauskam</translation>
+        <source>Result of the simulation in a few words</source>
+        <translation>Ergebnis der Simulation in wenigen Worten</translation>
     </message>
     <message>
         <source>Events</source>
         <translation>Ereignisse</translation>
     </message>
     <message>
-        <source>What went wrong, worst first: a JSON object a line</source>
-        <translation>Was schiefging, das Schlimmste zuerst: ein JSON-Objekt je Zeile</translation>
+        <source>Events, the worst first: one JSON object per line</source>
+        <translation>Ereignisse, die schlimmsten zuerst: ein JSON-Objekt je Zeile</translation>
     </message>
     <message>
-        <source>What the program's reader passed over</source>
-        <translation>Was beim Lesen des Programms übergangen wurde</translation>
+        <source>Notes on lines of the program</source>
+        <translation>Hinweise zu Zeilen des Programms</translation>
     </message>
     <message>
         <source>Removed</source>
         <translation>Abgetragen</translation>
     </message>
     <message>
-        <source>Material removed</source>
-        <translation>Abgetragenes Material</translation>
+        <source>Volume of the removed material</source>
+        <translation>Volumen des abgetragenen Materials</translation>
     </message>
     <message>
-        <source>On the machine</source>
-        <translation>Auf der Maschine</translation>
+        <source>Machining time in seconds</source>
+        <translation>Bearbeitungszeit in Sekunden</translation>
     </message>
     <message>
         <source>Rapid Seconds</source>
         <translation>Eilgangsekunden</translation>
     </message>
     <message>
-        <source>Of them rapids</source>
-        <translation>Davon Eilgänge</translation>
+        <source>Time of the rapids in seconds</source>
+        <translation>Zeit der Eilgänge in Sekunden</translation>
     </message>
     <message>
         <source>Air Share</source>
         <translation>Luftanteil</translation>
     </message>
     <message>
-        <source>Share of the feed that meets no material</source>
-        <translation>Anteil des Vorschubs, der auf kein Material trifft</translation>
+        <source>Percentage of the feed moves that meets no material</source>
+        <translation>Prozentsatz der Vorschubbewegungen, der auf kein Material trifft</translation>
     </message>
     <message>
         <source>Contacts</source>
         <translation>Kollisionen</translation>
     </message>
     <message>
-        <source>Lines that touch what they must not</source>
-        <translation>Zeilen, die berühren, was sie nicht dürfen</translation>
+        <source>Number of lines with a collision</source>
+        <translation>Zahl der Zeilen mit einer Kollision</translation>
     </message>
     <message>
         <source>Gouges</source>
         <translation>Verletzungen</translation>
     </message>
     <message>
-        <source>Lines that cut into the target</source>
-        <translation>Zeilen, die in das Ziel schneiden</translation>
+        <source>Number of lines that gouge the target</source>
+        <translation>Zahl der Zeilen, die das Ziel verletzen</translation>
     </message>
     <message>
         <source>Over Travels</source>
         <translation>Überschrittene Verfahrwege</translation>
     </message>
     <message>
-        <source>Lines that leave the machine's limits</source>
-        <translation>Zeilen, die die Grenzen der Maschine verlassen</translation>
+        <source>Number of lines that leave the machine's limits</source>
+        <translation>Zahl der Zeilen, die die Grenzen der Maschine verlassen</translation>
     </message>
     <message>
         <source>Deepest Gouge</source>
         <translation>Tiefste Verletzung</translation>
     </message>
     <message>
-        <source>Of all the surface</source>
-        <translation>Der ganzen Oberfläche</translation>
+        <source>Greatest depth of a gouge</source>
+        <translation>Größte Tiefe einer Verletzung</translation>
     </message>
     <message>
         <source>Highest Excess</source>
         <translation>Höchstes Restmaterial</translation>
     </message>
     <message>
-        <source>The machine that carries it out</source>
-        <translation>Die Maschine, die es ausführt</translation>
+        <source>Greatest height of excess material</source>
+        <translation>Größte Höhe des Restmaterials</translation>
+    </message>
+    <message>
+        <source>Machine that runs the program</source>
+        <translation>Maschine, die das Programm ausführt</translation>
     </message>
     <message>
         <source>Voxel Size</source>
         <translation>Zellgröße</translation>
     </message>
     <message>
-        <source>Edge of the smallest cell; 0 means automatic: a scan's own, else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells</source>
-        <translation>Kante der kleinsten Zelle; 0 heißt automatisch: die eines Scans, sonst nach den Zellen entlang der längsten Seite in den Einstellungen. Ebene Flächen aus OpenSCAD brauchen keine Zellen</translation>
+        <source>Edge of the smallest cell. 0: automatic, from a scan's spacing or from the number of cells in the preferences. Flat faces of OpenSCAD need no cells</source>
+        <translation>Kante der kleinsten Zelle. 0: automatisch, aus dem Abstand der Messpunkte eines Scans oder der Zahl der Zellen in den Einstellungen. Ebene Flächen aus OpenSCAD brauchen keine Zellen</translation>
     </message>
     <message>
         <source>Max Error</source>
         <translation>Größter Fehler</translation>
     </message>
     <message>
-        <source>How far the mesh may be from the solid; 0 means a tenth of the smallest cell</source>
-        <translation>Wie weit das Netz vom Körper abweichen darf; 0 heißt ein Zehntel der kleinsten Zelle</translation>
+        <source>Greatest distance of the mesh from the solid; 0: a tenth of the smallest cell</source>
+        <translation>Größter Abstand des Netzes vom Körper; 0: ein Zehntel der kleinsten Zelle</translation>
     </message>
     <message>
         <source>Only When Shown</source>
         <translation>Nur wenn sichtbar</translation>
     </message>
     <message>
-        <source>While it is hidden, and only other solids are made of it, it gets no mesh</source>
-        <translation>Solange es verborgen ist und nur andere Körper daraus entstehen, bekommt es kein Netz</translation>
+        <source>Make no mesh while the solid is hidden and only used by other solids</source>
+        <translation>Kein Netz erzeugen, solange der Körper verborgen ist und nur andere Körper ihn nutzen</translation>
     </message>
     <message>
         <source>Auto Bounds</source>
@@ -1036,24 +1044,24 @@
         <translation>Untere Ecke</translation>
     </message>
     <message>
-        <source>Lower corner of the region, where bounds are not found</source>
-        <translation>Untere Ecke des Bereichs, wo die Grenzen nicht gesucht werden</translation>
+        <source>Lower corner of the region, if AutoBounds is off</source>
+        <translation>Untere Ecke des Bereichs, wenn AutoBounds aus ist</translation>
     </message>
     <message>
         <source>Upper</source>
         <translation>Obere Ecke</translation>
     </message>
     <message>
-        <source>Upper corner of the region, where bounds are not found</source>
-        <translation>Obere Ecke des Bereichs, wo die Grenzen nicht gesucht werden</translation>
+        <source>Upper corner of the region, if AutoBounds is off</source>
+        <translation>Obere Ecke des Bereichs, wenn AutoBounds aus ist</translation>
     </message>
     <message>
         <source>Certainty</source>
         <translation>Sicherheit</translation>
     </message>
     <message>
-        <source>Whether it is proved that the mesh shows all of the solid, else where it is not; empty for a mesh of an earlier version</source>
-        <translation>Ob bewiesen ist, dass das Netz den ganzen Körper zeigt, sonst wo nicht; leer bei einem Netz einer früheren Version</translation>
+        <source>Whether the mesh is proved to show the whole solid, or the reason; empty for a mesh of an earlier version</source>
+        <translation>Ob bewiesen ist, dass das Netz den ganzen Körper zeigt, oder der Grund; leer bei einem Netz einer früheren Version</translation>
     </message>
     <message>
         <source>Uncertain Places</source>
@@ -1076,7 +1084,7 @@
         <translation>Oberfläche</translation>
     </message>
     <message>
-        <source>Surface of the mesh</source>
+        <source>Surface area of the mesh</source>
         <translation>Oberfläche des Netzes</translation>
     </message>
     <message>
@@ -1084,12 +1092,12 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>Triangles of the mesh</source>
-        <translation>Dreiecke des Netzes</translation>
+        <source>Number of triangles of the mesh</source>
+        <translation>Zahl der Dreiecke des Netzes</translation>
     </message>
     <message>
-        <source>What the mesh was made from: it is made anew when this changes</source>
-        <translation>Woraus das Netz gemacht wurde: Es wird neu gemacht, wenn sich das ändert</translation>
+        <source>Digest of the input; the mesh is made again when it changes</source>
+        <translation>Prüfsumme der Eingaben; ändert sie sich, wird das Netz neu gemacht</translation>
     </message>
     <message>
         <source>A mesh, a Part object or a body</source>
@@ -1100,8 +1108,8 @@
         <translation>Abweichung</translation>
     </message>
     <message>
-        <source>How far triangles may be from a Part shape; 0 means 1/2000 of its size</source>
-        <translation>Wie weit Dreiecke von einer Part-Form abweichen dürfen; 0 heißt 1/2000 ihrer Größe</translation>
+        <source>Greatest distance of triangles from a Part shape; 0: 1/2000 of its size</source>
+        <translation>Größter Abstand der Dreiecke von einer Part-Form; 0: 1/2000 ihrer Größe</translation>
     </message>
     <message>
         <source>Height</source>
@@ -1136,8 +1144,8 @@
         <translation>Um den Ursprung</translation>
     </message>
     <message>
-        <source>Of the circle or sphere</source>
-        <translation>Des Kreises oder der Kugel</translation>
+        <source>Radius of the circle or sphere</source>
+        <translation>Radius des Kreises oder der Kugel</translation>
     </message>
     <message>
         <source>The file that is imported</source>
@@ -1148,15 +1156,15 @@
         <translation>Fn</translation>
     </message>
     <message>
-        <source>Sides of a circle; 0: by Fa and Fs</source>
-        <translation>Seiten eines Kreises; 0: nach Fa und Fs</translation>
+        <source>Number of sides of a circle; 0: from Fa and Fs</source>
+        <translation>Zahl der Seiten eines Kreises; 0: nach Fa und Fs</translation>
     </message>
     <message>
         <source>Fa</source>
         <translation>Fa</translation>
     </message>
     <message>
-        <source>Least angle that a side of a circle spans</source>
+        <source>Smallest angle that a side of a circle spans</source>
         <translation>Kleinster Winkel, den eine Seite eines Kreises überspannt</translation>
     </message>
     <message>
@@ -1164,7 +1172,7 @@
         <translation>Fs</translation>
     </message>
     <message>
-        <source>Least length of a side of a circle</source>
+        <source>Smallest length of a side of a circle</source>
         <translation>Kleinste Länge einer Seite eines Kreises</translation>
     </message>
     <message>
@@ -1172,16 +1180,16 @@
         <translation>Unterer Radius</translation>
     </message>
     <message>
-        <source>Of the lower circle</source>
-        <translation>Des unteren Kreises</translation>
+        <source>Radius of the lower circle</source>
+        <translation>Radius des unteren Kreises</translation>
     </message>
     <message>
         <source>Top Radius</source>
         <translation>Oberer Radius</translation>
     </message>
     <message>
-        <source>Of the upper circle</source>
-        <translation>Des oberen Kreises</translation>
+        <source>Radius of the upper circle</source>
+        <translation>Radius des oberen Kreises</translation>
     </message>
     <message>
         <source>Points</source>
@@ -1192,24 +1200,24 @@
         <translation>Ecken</translation>
     </message>
     <message>
-        <source>The corners of each face, clockwise from outside, counted from 0</source>
-        <translation>Die Ecken jeder Fläche, von außen im Uhrzeigersinn, von 0 an gezählt</translation>
+        <source>Corners of each face, clockwise from outside, numbered from 0</source>
+        <translation>Ecken jeder Fläche, von außen im Uhrzeigersinn, von 0 an gezählt</translation>
     </message>
     <message>
         <source>Paths</source>
         <translation>Umrisse</translation>
     </message>
     <message>
-        <source>The corners of each outline, counted from 0; none: all in their order</source>
-        <translation>Die Ecken jedes Umrisses, von 0 an gezählt; keine: alle in ihrer Reihenfolge</translation>
+        <source>Corners of each outline, numbered from 0; empty: all in their order</source>
+        <translation>Ecken jedes Umrisses, von 0 an gezählt; leer: alle in ihrer Reihenfolge</translation>
     </message>
     <message>
         <source>Words</source>
         <translation>Worte</translation>
     </message>
     <message>
-        <source>What is written</source>
-        <translation>Was geschrieben steht</translation>
+        <source>Text to be written</source>
+        <translation>Text, der geschrieben wird</translation>
     </message>
     <message>
         <source>Text Size</source>
@@ -1224,8 +1232,8 @@
         <translation>Schriftart</translation>
     </message>
     <message>
-        <source>Its name, and style=...</source>
-        <translation>Ihr Name und style=...</translation>
+        <source>Name of the font, also with style=...</source>
+        <translation>Name der Schrift, auch mit style=...</translation>
     </message>
     <message>
         <source>Horizontal Alignment</source>
@@ -1244,8 +1252,8 @@
         <translation>baseline, bottom, center oder top</translation>
     </message>
     <message>
-        <source>Of letters; 1 is usual</source>
-        <translation>Der Buchstaben; 1 ist üblich</translation>
+        <source>Spacing of the letters; 1 is normal</source>
+        <translation>Abstand der Buchstaben; 1 ist normal</translation>
     </message>
     <message>
         <source>Writing Direction</source>
@@ -1260,140 +1268,140 @@
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Of the words: en, de, ...</source>
-        <translation>Der Worte: en, de, ...</translation>
+        <source>Language of the text: en, de, ...</source>
+        <translation>Sprache des Texts: en, de, ...</translation>
     </message>
     <message>
         <source>Script</source>
         <translation>Schriftsystem</translation>
     </message>
     <message>
-        <source>Of the words: Latn, ...</source>
-        <translation>Der Worte: Latn, ...</translation>
+        <source>Script of the text: Latn, ...</source>
+        <translation>Schriftsystem des Texts: Latn, ...</translation>
     </message>
     <message>
         <source>Twist</source>
         <translation>Verdrehung</translation>
     </message>
     <message>
-        <source>From the lower to the upper end</source>
-        <translation>Vom unteren zum oberen Ende</translation>
+        <source>Rotation of the upper end against the lower</source>
+        <translation>Drehung des oberen Endes gegen das untere</translation>
     </message>
     <message>
         <source>Scale X</source>
         <translation>Faktor X</translation>
     </message>
     <message>
-        <source>Of the upper end along x</source>
-        <translation>Des oberen Endes entlang x</translation>
+        <source>Scale of the upper end along x</source>
+        <translation>Skalierung des oberen Endes entlang x</translation>
     </message>
     <message>
         <source>Scale Y</source>
         <translation>Faktor Y</translation>
     </message>
     <message>
-        <source>Of the upper end along y</source>
-        <translation>Des oberen Endes entlang y</translation>
+        <source>Scale of the upper end along y</source>
+        <translation>Skalierung des oberen Endes entlang y</translation>
     </message>
     <message>
         <source>Slices</source>
         <translation>Scheiben</translation>
     </message>
     <message>
-        <source>Of what is twisted or scaled; 0: by Fn, Fa and Fs</source>
-        <translation>Von Verdrehtem oder Verjüngtem; 0: nach Fn, Fa und Fs</translation>
+        <source>Number of slices if twisted or scaled; 0: from Fn, Fa and Fs</source>
+        <translation>Zahl der Schichten, wenn verdreht oder skaliert; 0: nach Fn, Fa und Fs</translation>
     </message>
     <message>
-        <source>Of the turn, from the x axis</source>
-        <translation>Der Drehung, von der x-Achse an</translation>
+        <source>Angle of the revolution, from the x axis</source>
+        <translation>Drehwinkel, von der x-Achse an</translation>
     </message>
     <message>
         <source>Cut</source>
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>What lies at z = 0, not the shadow</source>
-        <translation>Was bei z = 0 liegt, nicht der Schatten</translation>
+        <source>Section at z = 0 instead of the projection</source>
+        <translation>Schnitt bei z = 0 statt der Projektion</translation>
     </message>
     <message>
         <source>Chamfered</source>
         <translation>Gefast</translation>
     </message>
     <message>
-        <source>Corners are cut off</source>
-        <translation>Ecken werden abgeschnitten</translation>
+        <source>Cut off the corners</source>
+        <translation>Ecken abschneiden</translation>
     </message>
     <message>
         <source>New Length</source>
         <translation>Neue Länge</translation>
     </message>
     <message>
-        <source>Along x; 0: as it is</source>
-        <translation>Entlang x; 0: wie sie ist</translation>
+        <source>Length along x; 0: unchanged</source>
+        <translation>Länge entlang x; 0: unverändert</translation>
     </message>
     <message>
         <source>New Width</source>
         <translation>Neue Breite</translation>
     </message>
     <message>
-        <source>Along y; 0: as it is</source>
-        <translation>Entlang y; 0: wie sie ist</translation>
+        <source>Width along y; 0: unchanged</source>
+        <translation>Breite entlang y; 0: unverändert</translation>
     </message>
     <message>
         <source>New Height</source>
         <translation>Neue Höhe</translation>
     </message>
     <message>
-        <source>Along z; 0: as it is</source>
-        <translation>Entlang z; 0: wie sie ist</translation>
+        <source>Height along z; 0: unchanged</source>
+        <translation>Höhe entlang z; 0: unverändert</translation>
     </message>
     <message>
         <source>Auto Length</source>
         <translation>Länge im Verhältnis</translation>
     </message>
     <message>
-        <source>Where NewLength is 0: in proportion</source>
-        <translation>Wo NewLength 0 ist: im Verhältnis</translation>
+        <source>Scale the length in proportion if NewLength is 0</source>
+        <translation>Die Länge im Verhältnis anpassen, wenn NewLength 0 ist</translation>
     </message>
     <message>
         <source>Auto Width</source>
         <translation>Breite im Verhältnis</translation>
     </message>
     <message>
-        <source>Where NewWidth is 0: in proportion</source>
-        <translation>Wo NewWidth 0 ist: im Verhältnis</translation>
+        <source>Scale the width in proportion if NewWidth is 0</source>
+        <translation>Die Breite im Verhältnis anpassen, wenn NewWidth 0 ist</translation>
     </message>
     <message>
         <source>Auto Height</source>
         <translation>Höhe im Verhältnis</translation>
     </message>
     <message>
-        <source>Where NewHeight is 0: in proportion</source>
-        <translation>Wo NewHeight 0 ist: im Verhältnis</translation>
+        <source>Scale the height in proportion if NewHeight is 0</source>
+        <translation>Die Höhe im Verhältnis anpassen, wenn NewHeight 0 ist</translation>
     </message>
     <message>
         <source>Matrix</source>
         <translation>Matrix</translation>
     </message>
     <message>
-        <source>Where the children are put</source>
-        <translation>Wohin die Kinder gestellt werden</translation>
+        <source>Transformation of the children</source>
+        <translation>Transformation der Kinder</translation>
     </message>
     <message>
         <source>Layer</source>
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>Of a .dxf file; none: all</source>
-        <translation>Einer .dxf-Datei; keine: alle</translation>
+        <source>Layer of a .dxf file; empty: all layers</source>
+        <translation>Layer einer .dxf-Datei; leer: alle</translation>
     </message>
     <message>
         <source>Origin X</source>
         <translation>Ursprung X</translation>
     </message>
     <message>
-        <source>Of a .dxf file's drawing</source>
-        <translation>Der Zeichnung einer .dxf-Datei</translation>
+        <source>Origin of the drawing in a .dxf file</source>
+        <translation>Ursprung der Zeichnung in einer .dxf-Datei</translation>
     </message>
     <message>
         <source>Origin Y</source>
@@ -1404,24 +1412,24 @@
         <translation>Maßstab</translation>
     </message>
     <message>
-        <source>Of a .dxf or .svg file's drawing</source>
-        <translation>Der Zeichnung einer .dxf- oder .svg-Datei</translation>
+        <source>Scale of the drawing in a .dxf or .svg file</source>
+        <translation>Maßstab der Zeichnung in einer .dxf- oder .svg-Datei</translation>
     </message>
     <message>
         <source>Dpi</source>
         <translation>Dpi</translation>
     </message>
     <message>
-        <source>Dots of an .svg file to an inch</source>
-        <translation>Punkte einer .svg-Datei auf einen Zoll</translation>
+        <source>Dots per inch of an .svg file</source>
+        <translation>Punkte je Zoll einer .svg-Datei</translation>
     </message>
     <message>
         <source>Inverted</source>
         <translation>Umgekehrt</translation>
     </message>
     <message>
-        <source>Of a picture: dark is high</source>
-        <translation>Eines Bildes: Dunkles ist hoch</translation>
+        <source>Dark parts of a picture are high</source>
+        <translation>Dunkle Stellen eines Bildes sind hoch</translation>
     </message>
 </context>
 <context>
@@ -1451,12 +1459,12 @@
         <translation>zuerst das Aufgabenfenster schließen</translation>
     </message>
     <message>
-        <source>FreeCAD's start page follows when it is opened the next time</source>
-        <translation>FreeCADs Startseite folgt, wenn sie das nächste Mal geöffnet wird</translation>
+        <source>FreeCAD's start page is updated when it is opened the next time</source>
+        <translation>FreeCADs Startseite wird aktualisiert, wenn sie das nächste Mal geöffnet wird</translation>
     </message>
     <message>
-        <source>it ended without an answer</source>
-        <translation>es endete ohne Antwort</translation>
+        <source>the process ended without a result</source>
+        <translation>der Prozess endete ohne Ergebnis</translation>
     </message>
     <message>
         <source>Import scan: a volume, or any slice of a stack</source>
@@ -1499,8 +1507,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label} importieren</translation>
     </message>
     <message>
-        <source>{filename}: nothing that was chosen bounds a solid</source>
-        <translation>{filename}: Nichts von dem Gewählten begrenzt einen Körper</translation>
+        <source>{filename}: none of the selected objects bounds a solid</source>
+        <translation>{filename}: keines der gewählten Objekte begrenzt einen Körper</translation>
     </message>
     <message>
         <source>Writing {filename}</source>
@@ -1543,8 +1551,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label} ist leer</translation>
     </message>
     <message>
-        <source>{label} has no solid: faces and wires bound nothing</source>
-        <translation>{label} hat keinen Körper: Flächen und Drähte begrenzen nichts</translation>
+        <source>{label} has no solid: faces and wires enclose no volume</source>
+        <translation>{label} hat keinen Körper: Flächen und Drähte schließen kein Volumen ein</translation>
     </message>
     <message>
         <source>{label} has neither a mesh nor a shape</source>
@@ -1699,8 +1707,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: Aufspannung wählen</translation>
     </message>
     <message>
-        <source>{label}: cancelled; it is still what it was</source>
-        <translation>{label}: abgebrochen; es ist noch, was es war</translation>
+        <source>{label}: cancelled; it is unchanged</source>
+        <translation>{label}: abgebrochen; es ist unverändert</translation>
     </message>
     <message>
         <source>Offset</source>
@@ -1779,8 +1787,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: einen Körper oder ein Netz als Quelle wählen</translation>
     </message>
     <message>
-        <source>{label}: {source} has failed; the shape is still what it was</source>
-        <translation>{label}: {source} ist fehlgeschlagen; die Form ist noch, was sie war</translation>
+        <source>{label}: {source} has failed; the shape is unchanged</source>
+        <translation>{label}: {source} ist fehlgeschlagen; die Form ist unverändert</translation>
     </message>
     <message>
         <source>{label}: {count} triangles remain where MostTriangles allows {most}; allow more, or make the solid coarser</source>
@@ -1795,8 +1803,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: Das Programm hat keine Operation {section} mehr</translation>
     </message>
     <message>
-        <source>{label}: its tool leans now: make its path anew</source>
-        <translation>{label}: Das Werkzeug ist jetzt geneigt: den Pfad neu anlegen</translation>
+        <source>{label}: its tool is tilted now: make its path again</source>
+        <translation>{label}: Sein Werkzeug ist jetzt geneigt: den Pfad neu machen</translation>
     </message>
     <message>
         <source>the program of {label} is empty</source>
@@ -1843,12 +1851,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: {error}; ein Doppelklick darauf hilft, die Datei zu finden</translation>
     </message>
     <message>
-        <source>{label}: the scan {path} is {state}; the mesh is what it was</source>
-        <translation>{label}: Der Scan {path}: {state}; das Netz ist, was es war</translation>
+        <source>{label}: the scan {path} is {state}; the mesh is unchanged</source>
+        <translation>{label}: Der Scan {path} ist {state}; das Netz ist unverändert</translation>
     </message>
     <message>
-        <source>a tool is like {example}, not {line!r}</source>
-        <translation>ein Werkzeug sieht aus wie {example}, nicht wie {line!r}</translation>
+        <source>a tool has the form {example}, not {line!r}</source>
+        <translation>ein Werkzeug hat die Form {example}, nicht {line!r}</translation>
     </message>
     <message>
         <source>a tool has no {unknown!r}; it has {known}</source>
@@ -1907,8 +1915,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{label}: Die Aufspannung {path} kann nicht gelesen werden: {error}</translation>
     </message>
     <message>
-        <source>{label} was not carried out yet</source>
-        <translation>{label} wurde noch nicht ausgeführt</translation>
+        <source>{label} was not simulated yet</source>
+        <translation>{label} wurde noch nicht simuliert</translation>
     </message>
     <message>
         <source>{label}: choose a program</source>
@@ -1943,8 +1951,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{filename}: Der Entwurf ist leer</translation>
     </message>
     <message>
-        <source>{filename}: too large for a tree of {most} parts; whole branches are one object each, with their text: {count}</source>
-        <translation>{filename}: zu groß für einen Baum aus {most} Teilen; ganze Äste sind je ein Objekt mit ihrem Text: {count}</translation>
+        <source>{filename}: more than {most} parts; {count} branches became one object each, with their text</source>
+        <translation>{filename}: mehr als {most} Teile; {count} Zweige wurden je ein Objekt, mit ihrem Text</translation>
     </message>
     <message>
         <source>Operation</source>
@@ -1995,16 +2003,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Planen</translation>
     </message>
     <message>
-        <source>Plans all paths; the window stays free meanwhile</source>
-        <translation>Plant alle Bahnen; das Fenster bleibt dabei frei</translation>
+        <source>Plans all paths in the background</source>
+        <translation>Plant alle Pfade im Hintergrund</translation>
     </message>
     <message>
         <source>Stop</source>
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>What is to be made, and where the program's zero is on it</source>
-        <translation>Was entstehen soll, und wo darauf der Nullpunkt des Programms liegt</translation>
+        <source>The part, and the program's zero on it</source>
+        <translation>Das Werkstück und der Nullpunkt des Programms daran</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -2035,8 +2043,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Es wird geplant</translation>
     </message>
     <message>
-        <source>stopped; the program is still what it was</source>
-        <translation>angehalten; das Programm ist noch, was es war</translation>
+        <source>stopped; the program is unchanged</source>
+        <translation>angehalten; das Programm ist unverändert</translation>
     </message>
     <message>
         <source>travel {travel}</source>
@@ -2067,8 +2075,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>und</translation>
     </message>
     <message>
-        <source>Measured, and its bound</source>
-        <translation>Gemessen, und die Schranke</translation>
+        <source>Measured value and its bound</source>
+        <translation>Messwert und seine Schranke</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv);;Text (*.txt)</source>
@@ -2183,8 +2191,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{name} wird von einem Ausdruck bestimmt</translation>
     </message>
     <message>
-        <source>{name} of the text: a property of the object, too</source>
-        <translation>{name} aus dem Text: auch eine Eigenschaft des Objekts</translation>
+        <source>Parameter {name} of the text, also a property of the object</source>
+        <translation>Parameter {name} des Texts, auch eine Eigenschaft des Objekts</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -2239,12 +2247,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Werte</translation>
     </message>
     <message>
-        <source>left out, it is {default}</source>
-        <translation>fehlt es, gilt {default}</translation>
+        <source>default: {default}</source>
+        <translation>Vorgabe: {default}</translation>
     </message>
     <message>
-        <source>How many samples have which density, on a logarithmic scale. Drag the line to move the threshold</source>
-        <translation>Wie viele Messpunkte welche Dichte haben, in logarithmischem Maßstab. Die Linie ziehen, um die Schwelle zu verschieben</translation>
+        <source>Histogram of the densities, on a logarithmic scale. Drag the line to move the threshold</source>
+        <translation>Histogramm der Dichten, mit logarithmischer Skala. Die Linie ziehen, um die Schwelle zu verschieben</translation>
     </message>
     <message>
         <source>no densities yet</source>
@@ -2271,8 +2279,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{given} angegeben</translation>
     </message>
     <message>
-        <source>How much faster than the machine</source>
-        <translation>Wie viel schneller als die Maschine</translation>
+        <source>Speed relative to the machine</source>
+        <translation>Geschwindigkeit im Verhältnis zur Maschine</translation>
     </message>
     <message>
         <source>Go to a line of the program</source>
@@ -2287,8 +2295,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Schaft und Halter</translation>
     </message>
     <message>
-        <source>Show what must not touch anything</source>
-        <translation>Zeigen, was nichts berühren darf</translation>
+        <source>Show the shank and the holder, which must not touch anything</source>
+        <translation>Schaft und Halter zeigen, die nichts berühren dürfen</translation>
     </message>
     <message>
         <source>Deviation at the end</source>
@@ -2303,40 +2311,40 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Tisch dreht sich</translation>
     </message>
     <message>
-        <source>Show the stock as the machine's table turns it</source>
-        <translation>Das Rohteil so zeigen, wie der Tisch der Maschine es dreht</translation>
+        <source>Turn the stock with the machine's table</source>
+        <translation>Das Rohteil mit dem Tisch der Maschine drehen</translation>
     </message>
     <message>
         <source>Show the stock as it is at this moment</source>
         <translation>Das Rohteil zeigen, wie es in diesem Augenblick ist</translation>
     </message>
     <message>
-        <source>Show the part that should come out</source>
-        <translation>Das Werkstück zeigen, das entstehen soll</translation>
+        <source>Show the solid that the program should produce</source>
+        <translation>Den Körper zeigen, den das Programm ergeben soll</translation>
     </message>
     <message>
         <source>Paths</source>
         <translation>Bahnen</translation>
     </message>
     <message>
-        <source>Show where the tools' tips go, each tool in its colour</source>
-        <translation>Zeigen, wohin die Werkzeugspitzen fahren, jedes Werkzeug in seiner Farbe</translation>
+        <source>Show the paths of the tool tips, each tool in its colour</source>
+        <translation>Die Wege der Werkzeugspitzen zeigen, jedes Werkzeug in seiner Farbe</translation>
     </message>
     <message>
         <source>To the beginning</source>
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>Back by one move</source>
-        <translation>Eine Bewegung zurück</translation>
+        <source>Previous move</source>
+        <translation>Vorige Bewegung</translation>
     </message>
     <message>
         <source>Play or pause</source>
         <translation>Abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>On by one move</source>
-        <translation>Eine Bewegung weiter</translation>
+        <source>Next move</source>
+        <translation>Nächste Bewegung</translation>
     </message>
     <message>
         <source>To the end</source>
@@ -2347,20 +2355,20 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Grad</translation>
     </message>
     <message>
-        <source>nothing has cut this place</source>
-        <translation>diese Stelle hat nichts geschnitten</translation>
+        <source>this place was not cut</source>
+        <translation>diese Stelle wurde nicht geschnitten</translation>
     </message>
     <message>
         <source>line {line}: {message}</source>
         <translation>Zeile {line}: {message}</translation>
     </message>
     <message>
-        <source>Where axis {letter} stands, {unit}</source>
-        <translation>Stand der Achse {letter}, {unit}</translation>
+        <source>Position of axis {letter}, {unit}</source>
+        <translation>Position der Achse {letter}, {unit}</translation>
     </message>
     <message>
-        <source>line {line} cut this place, with tool {tool}</source>
-        <translation>Zeile {line} hat diese Stelle geschnitten, mit Werkzeug {tool}</translation>
+        <source>this place was cut by line {line} with tool {tool}</source>
+        <translation>diese Stelle wurde von Zeile {line} mit Werkzeug {tool} geschnitten</translation>
     </message>
     <message>
         <source>tool {tool}, rapid</source>
@@ -2383,8 +2391,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>{count} Zeilen. {about}</translation>
     </message>
     <message>
-        <source>The program. Click a line to go to where it is done</source>
-        <translation>Das Programm. Ein Klick auf eine Zeile geht dorthin, wo sie ausgeführt wird</translation>
+        <source>The program. Click a line to go to its moment</source>
+        <translation>Das Programm. Ein Klick auf eine Zeile führt zu ihrem Zeitpunkt</translation>
     </message>
     <message>
         <source>Combine</source>
@@ -2443,12 +2451,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Serie</translation>
     </message>
     <message>
-        <source>Halfway between the two commonest densities, air and material</source>
+        <source>Halfway between the two most frequent densities, air and material</source>
         <translation>In der Mitte zwischen den zwei häufigsten Dichten, Luft und Material</translation>
     </message>
     <message>
-        <source>What is less dense than the threshold is solid</source>
-        <translation>Was weniger dicht ist als die Schwelle, ist Körper</translation>
+        <source>Densities below the threshold are solid</source>
+        <translation>Dichten unter der Schwelle sind Körper</translation>
     </message>
     <message>
         <source>Other spacing</source>
@@ -2467,12 +2475,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Nur das größte Stück</translation>
     </message>
     <message>
-        <source>Smaller pieces go</source>
-        <translation>Kleinere Stücke fallen weg</translation>
+        <source>Pieces of less volume are removed</source>
+        <translation>Stücke von kleinerem Volumen werden entfernt</translation>
     </message>
     <message>
-        <source>Smaller cavities are filled</source>
-        <translation>Kleinere Hohlräume werden gefüllt</translation>
+        <source>Cavities of less volume are filled</source>
+        <translation>Hohlräume von kleinerem Volumen werden gefüllt</translation>
     </message>
     <message>
         <source>Denoise</source>
@@ -2523,12 +2531,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Die Datei eines Volumens wählen oder einen Ordner mit seinen Schichtbildern.</translation>
     </message>
     <message>
-        <source>The last sample of a crop must lie behind the first.</source>
+        <source>The last sample of a crop must lie after the first.</source>
         <translation>Der letzte Messpunkt eines Ausschnitts muss hinter dem ersten liegen.</translation>
     </message>
     <message>
-        <source>Nothing is solid at this threshold.</source>
-        <translation>Bei dieser Schwelle bleibt kein Körper.</translation>
+        <source>There is no solid at this threshold.</source>
+        <translation>Bei dieser Schwelle gibt es keinen Körper.</translation>
     </message>
     <message>
         <source>Choose a file first, or Cancel.</source>
@@ -2547,8 +2555,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Etwa {count} Dreiecke, {memory} MB</translation>
     </message>
     <message>
-        <source>A distance field: it is taken as it is.</source>
-        <translation>Ein Abstandsfeld: Es wird genommen, wie es ist.</translation>
+        <source>A distance field: it is used unchanged.</source>
+        <translation>Ein Abstandsfeld: Es wird unverändert verwendet.</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -2623,19 +2631,19 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Programme (*.nc *.ngc *.tap *.gcode *.cnc *.sbp *.rml *.plt *.hpgl);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>none: a file, or as below</source>
-        <translation>keine: eine Datei oder wie unten</translation>
+        <source>none: a file, or the settings below</source>
+        <translation>keine: eine Datei oder die Einstellungen darunter</translation>
     </message>
     <message>
-        <source>none: as below</source>
-        <translation>keine: wie unten</translation>
+        <source>none: the settings below</source>
+        <translation>keine: die Einstellungen darunter</translation>
     </message>
     <message>
         <source>Set-ups and jobs (*.toml)</source>
         <translation>Aufspannungen und Aufträge (*.toml)</translation>
     </message>
     <message>
-        <source>none, or the set-up's</source>
+        <source>none, or that of the set-up</source>
         <translation>keines, oder das der Aufspannung</translation>
     </message>
     <message>
@@ -2679,8 +2687,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Um das Programm</translation>
     </message>
     <message>
-        <source>A box about all places that the program names</source>
-        <translation>Ein Quader um alle Stellen, die das Programm nennt</translation>
+        <source>A box around all positions of the program</source>
+        <translation>Ein Quader um alle Positionen des Programms</translation>
     </message>
     <message>
         <source>Gouge tolerance</source>
@@ -2759,8 +2767,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>HTML (*.html)</translation>
     </message>
     <message>
-        <source>stopped; it is still what it was</source>
-        <translation>angehalten; es ist noch, was es war</translation>
+        <source>stopped; the result is unchanged</source>
+        <translation>angehalten; das Ergebnis ist unverändert</translation>
     </message>
     <message>
         <source>press Simulate to play it</source>
@@ -2807,8 +2815,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Das gewählte Werkzeug</translation>
     </message>
     <message>
-        <source>there is a tool {number} already</source>
-        <translation>es gibt schon ein Werkzeug {number}</translation>
+        <source>tool number {number} is already in use</source>
+        <translation>die Werkzeugnummer {number} ist schon vergeben</translation>
     </message>
     <message>
         <source>not known</source>
@@ -2827,16 +2835,16 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>U/min</translation>
     </message>
     <message>
-        <source>{label}: no machine of ours is known to turn {letters}: say which it is</source>
-        <translation>{label}: Keine unserer Maschinen dreht bekanntermaßen {letters}: angeben, welche es ist</translation>
+        <source>{label}: no known machine has the rotary axes {letters}: choose the machine</source>
+        <translation>{label}: Keine bekannte Maschine hat die Drehachsen {letters}: Maschine wählen</translation>
     </message>
     <message>
         <source>{label}: no active operation has a path</source>
         <translation>{label}: Keine aktive Operation hat einen Pfad</translation>
     </message>
     <message>
-        <source>{label}: its path is turned by its Placement, which a program cannot say</source>
-        <translation>{label}: Der Pfad ist durch seine Platzierung gedreht, was ein Programm nicht sagen kann</translation>
+        <source>{label}: its Placement turns the path, which a program cannot express</source>
+        <translation>{label}: Seine Placement dreht den Pfad, was ein Programm nicht ausdrücken kann</translation>
     </message>
     <message>
         <source>{label}: it has no stock</source>
@@ -2875,8 +2883,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Entwürfe</translation>
     </message>
     <message>
-        <source>{name}: a {shape} is no cutter that Fieldfab knows</source>
-        <translation>{name}: {shape} ist kein Fräser, den Fieldfab kennt</translation>
+        <source>{name}: Fieldfab does not know the tool shape {shape}</source>
+        <translation>{name}: Fieldfab kennt die Werkzeugform {shape} nicht</translation>
     </message>
     <message>
         <source>{name}: it has no diameter</source>
@@ -2931,8 +2939,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Vorschau: Zellen von {cell}</translation>
     </message>
     <message>
-        <source>As it will be</source>
-        <translation>So wird es</translation>
+        <source>Final mesh</source>
+        <translation>Endgültiges Netz</translation>
     </message>
     <message>
         <source>Refining where you look</source>
@@ -2943,8 +2951,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Verfeinert, wo Sie hinsehen</translation>
     </message>
     <message>
-        <source>No solid is seen that could be cut</source>
-        <translation>Kein Körper ist zu sehen, der geschnitten werden könnte</translation>
+        <source>The view shows no solid to cut</source>
+        <translation>Die Ansicht zeigt keinen Körper zum Schneiden</translation>
     </message>
     <message>
         <source>Show {label}</source>
@@ -3006,8 +3014,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Kleinste Zellen entlang der längsten Seite</translation>
     </message>
     <message>
-        <source>How fine solids are where their VoxelSize is 0. Twice as many cells: about four times the triangles and the time.</source>
-        <translation>Wie fein Körper sind, deren VoxelSize 0 ist. Doppelt so viele Zellen: etwa viermal so viele Dreiecke und viermal so viel Zeit.</translation>
+        <source>Resolution of solids whose VoxelSize is 0. Twice as many cells take about four times the triangles and the time.</source>
+        <translation>Auflösung der Körper, deren VoxelSize 0 ist. Doppelt so viele Zellen brauchen etwa die vierfache Zahl der Dreiecke und die vierfache Zeit.</translation>
     </message>
     <message>
         <source>Colour of new solids</source>
@@ -3037,8 +3045,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Dem CAM-Job eine Operation hinzufügen</translation>
     </message>
     <message>
-        <source>Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the settings of each stage; what is left empty follows its default.</source>
-        <translation>Hängt eine Operation, etwa Schruppen oder Schlichten, an den ausgewählten oder den einzigen Job des Dokuments an. Das Aufgabenfenster fragt, was mit welchem Werkzeug getan wird, und nach den Einstellungen jeder Stufe; was leer bleibt, folgt seiner Vorgabe.</translation>
+        <source>Adds an operation, such as roughing or finishing, at the end of the selected job, or of the document's only one. The panel asks for the kind of operation, the tool and the settings of each stage; empty settings have their defaults.</source>
+        <translation>Hängt eine Operation, etwa Schruppen oder Schlichten, an den ausgewählten oder den einzigen Job des Dokuments an. Das Aufgabenfenster fragt nach der Art der Operation, dem Werkzeug und den Einstellungen jeder Stufe; leere Einstellungen haben ihre Vorgabe.</translation>
     </message>
 </context>
 <context>
@@ -3067,8 +3075,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper gegen OpenVDB und CGAL prüfen und zeigen, wo sein Netz abweicht</translation>
     </message>
     <message>
-        <source>Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its deviations until the panel is closed; nothing of the document is changed.</source>
-        <translation>Prüft einen ausgewählten Körper neben dem Fenster gegen OpenVDB und CGAL und zeigt jede Zahl mit ihrer Schranke. Das Netz nimmt die Farben seiner Abweichungen an, bis das Aufgabenfenster geschlossen wird; am Dokument ändert sich nichts.</translation>
+        <source>Checks one selected solid against OpenVDB and CGAL in the background, and shows each figure with its bound. The mesh has the colours of its deviations until the panel is closed; the document is not changed.</source>
+        <translation>Prüft einen ausgewählten Körper im Hintergrund gegen OpenVDB und CGAL und zeigt jede Zahl mit ihrer Schranke. Das Netz hat die Farben seiner Abweichungen, bis das Aufgabenfenster geschlossen wird; das Dokument ändert sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -3078,12 +3086,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Differenz</translation>
     </message>
     <message>
-        <source>Take the other selected solids out of the first</source>
+        <source>Subtract the other selected solids from the first</source>
         <translation>Die anderen ausgewählten Körper vom ersten abziehen</translation>
     </message>
     <message>
-        <source>Makes a solid of the first one that was selected, without all the others. Their order can be changed in the panel by dragging.</source>
-        <translation>Macht einen Körper aus dem zuerst ausgewählten, ohne alle anderen. Ihre Reihenfolge lässt sich im Aufgabenfenster durch Ziehen ändern.</translation>
+        <source>Subtracts all other selected solids from the one that was selected first. Drag them in the panel to change their order.</source>
+        <translation>Zieht alle anderen ausgewählten Körper vom zuerst ausgewählten ab. Ihre Reihenfolge lässt sich im Aufgabenfenster durch Ziehen ändern.</translation>
     </message>
 </context>
 <context>
@@ -3127,7 +3135,7 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Einen CAM-Job mit geplantem fünfachsigem Programm als neues Dokument öffnen</translation>
     </message>
     <message>
-        <source>Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans along the surface, and the planned program. A double-click on the set-up shows its stages.</source>
+        <source>Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that tilts with the surface, and the planned program. A double-click on the set-up shows its stages.</source>
         <translation>Öffnet eine Kopie eines Beispiels: einen Knauf, eine Aufspannung, die ihn schruppt und mit einem zur Fläche geneigten Kugelfräser schlichtet, und das geplante Programm. Ein Doppelklick auf die Aufspannung zeigt ihre Stufen.</translation>
     </message>
 </context>
@@ -3138,8 +3146,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Auf der Startseite zeigen</translation>
     </message>
     <message>
-        <source>Show copies of the examples on FreeCAD's start page, or take them away</source>
-        <translation>Kopien der Beispiele auf FreeCADs Startseite zeigen oder sie wegnehmen</translation>
+        <source>Show copies of the examples on FreeCAD's start page, or remove them</source>
+        <translation>Kopien der Beispiele auf FreeCADs Startseite zeigen, oder wieder entfernen</translation>
     </message>
     <message>
         <source>Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the folders that you have chosen there. A second press takes the folder from the page again; the copies stay.</source>
@@ -3157,7 +3165,7 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Einen Körper aus einem CT-Volumen machen: aus einer Datei oder einem beliebigen Schichtbild eines Stapels</translation>
     </message>
     <message>
-        <source>Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the histogram and asks for the threshold, the part that is kept and the clean-up; the whole volume is computed at its OK only.</source>
+        <source>Asks for a CT volume's file, or any slice of a stack, and makes a solid of it. The panel shows the histogram and asks for the threshold, the crop and the clean-up; the whole volume is computed only at OK.</source>
         <translation>Fragt nach der Datei eines CT-Volumens oder einem beliebigen Schichtbild eines Stapels und macht einen Körper daraus. Das Aufgabenfenster zeigt das Histogramm und fragt nach Schwelle, Ausschnitt und Bereinigung; das ganze Volumen wird erst bei OK berechnet.</translation>
     </message>
 </context>
@@ -3168,12 +3176,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Schnittmenge</translation>
     </message>
     <message>
-        <source>Keep what all selected solids share</source>
-        <translation>Behalten, was alle ausgewählten Körper gemeinsam haben</translation>
+        <source>Make the intersection of the selected solids</source>
+        <translation>Die Schnittmenge der ausgewählten Körper bilden</translation>
     </message>
     <message>
-        <source>Makes a solid of what two or more others have in common. Select solids, meshes, Part objects or bodies; the panel lists them.</source>
-        <translation>Macht einen Körper aus dem, was zwei oder mehr andere gemeinsam haben. Körper, Netze, Part-Objekte oder Bodys auswählen; das Aufgabenfenster führt sie auf.</translation>
+        <source>Makes the common volume of two or more solids. Select solids, meshes, Part objects or bodies; the panel lists them.</source>
+        <translation>Macht das gemeinsame Volumen von zwei oder mehr Körpern. Körper, Netze, Part-Objekte oder Bodys auswählen; das Aufgabenfenster führt sie auf.</translation>
     </message>
 </context>
 <context>
@@ -3198,12 +3206,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Lineares Muster</translation>
     </message>
     <message>
-        <source>Copies of the selected solid in a row</source>
-        <translation>Kopien des ausgewählten Körpers in einer Reihe</translation>
+        <source>Copy the selected solid in a row</source>
+        <translation>Den ausgewählten Körper in einer Reihe kopieren</translation>
     </message>
     <message>
-        <source>Makes one solid of copies of the selected one in a row. The panel asks for the way from one to the next and for their number.</source>
-        <translation>Macht einen Körper aus Kopien des ausgewählten in einer Reihe. Das Aufgabenfenster fragt nach dem Weg von einer zur nächsten und nach ihrer Zahl.</translation>
+        <source>Makes one solid of copies of the selected one in a row. The panel asks for the step from one copy to the next and for their number.</source>
+        <translation>Macht einen Körper aus Kopien des ausgewählten in einer Reihe. Das Aufgabenfenster fragt nach dem Schritt von einer Kopie zur nächsten und nach ihrer Zahl.</translation>
     </message>
 </context>
 <context>
@@ -3228,12 +3236,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Übergang</translation>
     </message>
     <message>
-        <source>Make what lies between two selected solids</source>
-        <translation>Machen, was zwischen zwei ausgewählten Körpern liegt</translation>
+        <source>Make a solid between two selected solids</source>
+        <translation>Einen Körper zwischen zwei ausgewählten machen</translation>
     </message>
     <message>
-        <source>Makes a solid between two others. Select both; the panel asks for the weight: 0 is the first, 1 the second.</source>
-        <translation>Macht einen Körper zwischen zwei anderen. Beide auswählen; das Aufgabenfenster fragt nach dem Gewicht: 0 ist der erste, 1 der zweite.</translation>
+        <source>Makes a solid between two others. Select both; the panel asks for the weight: 0 gives the first, 1 the second.</source>
+        <translation>Macht einen Körper zwischen zwei anderen. Beide auswählen; das Aufgabenfenster fragt nach dem Gewicht: 0 ergibt den ersten, 1 den zweiten.</translation>
     </message>
 </context>
 <context>
@@ -3247,8 +3255,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper fräsen: Rohteil, Werkzeuge, Operationen und eine Maschine</translation>
     </message>
     <message>
-        <source>Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths beside the window.</source>
-        <translation>Legt einen Job an, in dem der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen neben dem Fenster.</translation>
+        <source>Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the machine, and plans all paths in the background.</source>
+        <translation>Legt einen Job an, in dem der ausgewählte Körper, das Netz, Part-Objekt oder der Body gefräst wird. Das Aufgabenfenster fragt nach Rohteil, Werkzeugen, Operationen der Reihe nach und Maschine und plant alle Bahnen im Hintergrund.</translation>
     </message>
 </context>
 <context>
@@ -3318,8 +3326,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Kreismuster</translation>
     </message>
     <message>
-        <source>Copies of the selected solid around an axis</source>
-        <translation>Kopien des ausgewählten Körpers um eine Achse</translation>
+        <source>Copy the selected solid around an axis</source>
+        <translation>Den ausgewählten Körper um eine Achse kopieren</translation>
     </message>
     <message>
         <source>Makes one solid of copies of the selected one around an axis. The panel asks for the axis, the number of copies and the angle that they fill.</source>
@@ -3348,12 +3356,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Schnittebene</translation>
     </message>
     <message>
-        <source>Cut what the view shows, to see what is inside, or show it whole again</source>
-        <translation>Schneiden, was die Ansicht zeigt, um ins Innere zu sehen, oder es wieder ganz zeigen</translation>
+        <source>Cut the view by a plane to see inside, or show everything again</source>
+        <translation>Die Ansicht mit einer Ebene schneiden, um ins Innere zu sehen, oder wieder alles zeigen</translation>
     </message>
     <message>
-        <source>Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed.</source>
-        <translation>Schneidet alle Körper der Ansicht und was Aufgabenfenster zeigen (Scans, das Rohteil einer Simulation) quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; am Dokument ändert sich nichts.</translation>
+        <source>Cuts all solids of the view, also those of panels (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. Choose it again to show everything; the document is not changed.</source>
+        <translation>Schneidet alle Körper der Ansicht, auch die von Aufgabenfenstern (Scans, das Rohteil einer Simulation), quer zu der Achse, die am meisten auf den Betrachter zeigt; Schnittflächen sind orange. Ziehen am Griff verschiebt die Ebene. Noch einmal wählen zeigt wieder alles; das Dokument ändert sich nicht.</translation>
     </message>
 </context>
 <context>
@@ -3363,8 +3371,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Einrichteblatt</translation>
     </message>
     <message>
-        <source>Show the page for the person at the machine</source>
-        <translation>Die Seite für den Menschen an der Maschine zeigen</translation>
+        <source>Show the page for the machine operator</source>
+        <translation>Die Seite für den Maschinenbediener zeigen</translation>
     </message>
     <message>
         <source>Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed.</source>
@@ -3397,8 +3405,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Den ausgewählten Körper aushöhlen</translation>
     </message>
     <message>
-        <source>Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.</source>
-        <translation>Macht aus dem ausgewählten Körper einen hohlen; außen bleibt er, wie er ist. Das Aufgabenfenster fragt nach der Dicke der Wand.</translation>
+        <source>Makes a hollow solid of the selected one, with the same outer surface. The panel asks for the wall's thickness.</source>
+        <translation>Macht aus dem ausgewählten Körper einen hohlen mit derselben Außenfläche. Das Aufgabenfenster fragt nach der Dicke der Wand.</translation>
     </message>
 </context>
 <context>
@@ -3408,12 +3416,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Unsichere Stellen zeigen</translation>
     </message>
     <message>
-        <source>Show where the selected solid's mesh may lack parts of it, or hide these places again</source>
+        <source>Show where the mesh of the selected solid may lack parts, or hide these places again</source>
         <translation>Zeigen, wo dem Netz des ausgewählten Körpers Teile fehlen können, oder diese Stellen wieder verbergen</translation>
     </message>
     <message>
-        <source>Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places.</source>
-        <translation>Zeichnet einen Quader um jede Stelle, an der nicht bewiesen ist, dass das Netz den ganzen ausgewählten Körper zeigt, und zoomt auf die größte. Noch einmal gewählt, nimmt es die Quader wieder weg. Wo das Netz sicher ist, lässt es sich nicht wählen; kleinere Zellen lassen weniger und kleinere Stellen übrig.</translation>
+        <source>Draws a box around each place where the mesh is not proved to show the whole selected solid, and zooms to the largest. Choose it again to remove the boxes. It is disabled if the mesh is certain; smaller cells leave fewer and smaller places.</source>
+        <translation>Zeichnet einen Quader um jede Stelle, an der nicht bewiesen ist, dass das Netz den ganzen ausgewählten Körper zeigt, und zoomt auf die größte. Noch einmal gewählt, entfernt es die Quader. Ist das Netz sicher, lässt es sich nicht wählen; kleinere Zellen lassen weniger und kleinere Stellen übrig.</translation>
     </message>
 </context>
 <context>
@@ -3423,12 +3431,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Programm simulieren</translation>
     </message>
     <message>
-        <source>Carry out a machine's program on a stock: of a file, or of the selected Path operation, Job or machine program</source>
-        <translation>Das Programm einer Maschine an einem Rohteil ausführen: aus einer Datei oder von der ausgewählten Path-Operation, dem Path-Auftrag oder Maschinenprogramm</translation>
+        <source>Simulate a machine's program on a stock: from a file, or from the selected Path operation, Job or machine program</source>
+        <translation>Das Programm einer Maschine an einem Rohteil simulieren: aus einer Datei oder von der ausgewählten Path-Operation, dem Path-Auftrag oder Maschinenprogramm</translation>
     </message>
     <message>
-        <source>Carries a machine's program out on a stock and plays it in the 3D view. Select a machine program, a Path operation or a Job, or name a file in the panel, which also asks for the stock, the tools, the machine and what should come out.</source>
-        <translation>Führt das Programm einer Maschine an einem Rohteil aus und spielt es in der 3D-Ansicht ab. Ein Maschinenprogramm, eine Path-Operation oder einen Path-Auftrag auswählen, oder im Aufgabenfenster eine Datei nennen; es fragt auch nach Rohteil, Werkzeugen, Maschine und dem, was herauskommen soll.</translation>
+        <source>Simulates a machine's program on a stock and plays it in the 3D view. Select a machine program, a Path operation or a Job, or choose a file in the panel, which also asks for the stock, the tools, the machine and the target.</source>
+        <translation>Simuliert das Programm einer Maschine an einem Rohteil und spielt es in der 3D-Ansicht ab. Ein Maschinenprogramm, eine Path-Operation oder einen Path-Auftrag auswählen, oder im Aufgabenfenster eine Datei wählen; es fragt auch nach Rohteil, Werkzeugen, Maschine und Ziel.</translation>
     </message>
 </context>
 <context>
@@ -3442,8 +3450,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Aus dem ausgewählten Netz, Part-Objekt oder Body einen Körper machen</translation>
     </message>
     <message>
-        <source>Makes a solid where a mesh, a Part object or a body is, and follows it. Select the object first. Holes and overlaps of a mesh do no harm; the panel asks how far triangles may be from a Part shape.</source>
-        <translation>Macht einen Körper dort, wo ein Netz, ein Part-Objekt oder ein Body ist, und folgt ihm. Zuerst das Objekt auswählen. Löcher und Überschneidungen eines Netzes schaden nicht; das Aufgabenfenster fragt, wie weit Dreiecke von einer Part-Form abweichen dürfen.</translation>
+        <source>Makes a solid of a mesh, a Part object or a body, which follows that object. Select the object first. Holes and overlaps of a mesh do no harm; the panel asks how far triangles may be from a Part shape.</source>
+        <translation>Macht aus einem Netz, einem Part-Objekt oder einem Body einen Körper, der dem Objekt folgt. Zuerst das Objekt auswählen. Löcher und Überschneidungen eines Netzes schaden nicht; das Aufgabenfenster fragt, wie weit Dreiecke von einer Part-Form abweichen dürfen.</translation>
     </message>
 </context>
 <context>
@@ -3483,8 +3491,8 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Zu Path-Auftrag</translation>
     </message>
     <message>
-        <source>Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs</source>
-        <translation>Aus den Operationen des Programms Pfade von FreeCADs eigenem Arbeitsbereich Path machen, in einem seiner Aufträge</translation>
+        <source>Add the program's operations to a job of FreeCAD's Path workbench</source>
+        <translation>Die Operationen des Programms in einen Auftrag von FreeCADs Arbeitsbereich Path aufnehmen</translation>
     </message>
     <message>
         <source>Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first one of the document, else into a new one with the set-up's stock and tools. The paths follow the program.</source>
@@ -3528,12 +3536,12 @@ Ein Skript kann auf diesem Rechner alles, was Sie selbst können: Ihre Dateien l
         <translation>Postprozessor</translation>
     </message>
     <message>
-        <source>Show the program as the machine takes it, and save it</source>
-        <translation>Das Programm zeigen, wie die Maschine es nimmt, und speichern</translation>
+        <source>Show the program in the machine's format, and save it</source>
+        <translation>Das Programm im Format der Maschine zeigen und speichern</translation>
     </message>
     <message>
-        <source>Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's.</source>
-        <translation>Zeigt das geplante Programm des ausgewählten Jobs so, wie die Maschine es nimmt, etwa als G-Code, mit Zeilennummern. Beim Speichern wird nach dem Namen der Datei gefragt; vorgeschlagen ist der des Werkstücks.</translation>
+        <source>Shows the planned program of the selected job in the machine's format, such as G-code, with line numbers. Save asks for the file name; the default is the part's name.</source>
+        <translation>Zeigt das geplante Programm des ausgewählten Jobs im Format der Maschine, etwa als G-Code, mit Zeilennummern. Beim Speichern wird nach dem Namen der Datei gefragt; vorgeschlagen ist der des Werkstücks.</translation>
     </message>
 </context>
 <context>

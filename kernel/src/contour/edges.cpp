@@ -28,8 +28,11 @@ struct Bracket {
   }
 };
 
-/// Finds each zero between its two lattice points by regula falsi in the Illinois form. All edges
-/// advance in step, one batch per round.
+/// Finds each zero between its two lattice points by regula falsi in the Illinois form. All edges advance in step, one
+/// batch per round. Three other places find zeros in batches: raster.cpp, cam/plan/contour.cpp and
+/// cam/stock/field_brick.cpp. They differ in precision, rounds and bisection, on which meshes, pictures and programs
+/// depend to the last bit; so each has its own loop. This one works with doubles and stops at a tolerance of the value
+/// or of the bracket.
 void find_zeros(const Field& field, const std::vector<CrossedEdge>& edges, double close_enough, Batch& batch) {
   const std::size_t count = edges.size();
   std::vector<Bracket> brackets(count);

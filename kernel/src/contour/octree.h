@@ -148,7 +148,7 @@ class Octree {
 
 /// Sets `merged` to the corner signs of the cube that eight cells form, and returns true if their
 /// signs make one surface patch. Returns false if merging would lose or join parts of the surface
-/// (Ju et al. 2002, section 5: conditions on edge, face and cell midpoints).
+/// (Ju et al. 2002, section 4.1: conditions on edge, face and cell midpoints).
 bool merge_corners(const std::array<std::uint8_t, 8>& children, std::uint8_t& merged);
 
 /// Returns whether a cell with these corner signs contains exactly one patch and no ambiguous face.

@@ -24,10 +24,10 @@ struct PlacedVertex {
   int directions;
 };
 
-/// Returns the point of `cell` with the least distance from all tangent planes: on the crease of
-/// two planes, in the corner of three, in the middle of the points of one plane. Minimises the
-/// quadratic error (Garland and Heckbert 1997; Ju et al. 2002, "Dual contouring of Hermite data").
-/// Uses a direction only if that brings the vertex clearly closer.
+/// Returns the point of `cell` with the least distance from all tangent planes: on the crease of two planes, in the
+/// corner of three, in the middle of the points of one plane. Minimises the sum of squared distances (the quadric error
+/// metric of Garland and Heckbert 1997, the quadratic error function of Ju et al. 2002, "Dual contouring of Hermite
+/// data"). Uses a direction only if that brings the vertex clearly closer.
 PlacedVertex place_vertex(std::span<const SurfacePoint> points, const Box& cell);
 
 }  // namespace fieldfab::contouring

@@ -9,9 +9,9 @@
 #include <map>
 #include <mutex>
 
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
-#include "fieldfab/core/together.h"
 #include "fieldfab/field/surface_proof.h"
 
 namespace fieldfab {
@@ -56,21 +56,21 @@ void Certainty::gather(std::span<const UncertainCell> cells) {
     return;
   }
   std::map<std::array<std::int32_t, 3>, std::uint32_t> by_voxel;
-  Together together(cells.size());
+  DisjointSets sets(cells.size());
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
     const auto [found, fresh] = by_voxel.emplace(cells[i].voxel, i);
-    if (!fresh) together.join(found->second, i);
+    if (!fresh) sets.unite(found->second, i);
   }
   for (const auto& [voxel, i] : by_voxel)
     for (int z = -1; z <= 1; ++z)
       for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x)
           if (const auto found = by_voxel.find({voxel[0] + x, voxel[1] + y, voxel[2] + z}); found != by_voxel.end())
-            together.join(found->second, i);
+            sets.unite(found->second, i);
 
   std::map<std::uint32_t, UncertainPlace> joined;
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
-    const auto [found, fresh] = joined.emplace(together.of(i), UncertainPlace{cells[i].box, cells[i].side});
+    const auto [found, fresh] = joined.emplace(sets.find(i), UncertainPlace{cells[i].box, cells[i].side});
     found->second.box = hull(found->second.box, cells[i].box);
     found->second.thickness = std::max(found->second.thickness, cells[i].side);
   }

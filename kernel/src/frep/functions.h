@@ -28,7 +28,8 @@ inline float wave_kernel(float argument, std::uint64_t quarter) {
   const double shifted = x * 0.63661977236758134308 + rounder;  // 2 / pi
   const double turns = shifted - rounder;
   const std::uint64_t quadrant = bits_of(shifted) + quarter;
-  // Cody and Waite's reduction: pi / 2 in two parts.
+  // Range reduction of Cody and Waite (1980) with pi / 2 in two parts: the first has trailing zeros, so that its
+  // product with a small whole number is exact.
   const double r = (x - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;
   const double s = r * r;
   const double sine =

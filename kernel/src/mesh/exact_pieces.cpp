@@ -3,8 +3,8 @@
 #include <cmath>
 #include <map>
 
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/together.h"
 #include "fieldfab/mesh/exact_solid.h"
 
 namespace fieldfab {
@@ -26,17 +26,17 @@ std::optional<std::vector<TriangleMesh>> pieces_of(const TriangleMesh& mesh) {
       sides.push_back({std::min(a, b) << 32U | std::max(a, b), t, a < b});
     }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
-  Together together(mesh.triangles.size());
+  DisjointSets sets(mesh.triangles.size());
   for (std::size_t i = 0; i < sides.size(); i += 2) {
     const bool two =
         i + 1 < sides.size() && sides[i].edge == sides[i + 1].edge && sides[i].forwards != sides[i + 1].forwards;
     if (!two || (i + 2 < sides.size() && sides[i].edge == sides[i + 2].edge)) return std::nullopt;
-    together.join(sides[i].triangle, sides[i + 1].triangle);
+    sets.unite(sides[i].triangle, sides[i + 1].triangle);
   }
   std::map<std::uint32_t, std::size_t> number;
   std::vector<TriangleMesh> pieces;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::size_t piece = number.try_emplace(together.of(t), pieces.size()).first->second;
+    const std::size_t piece = number.try_emplace(sets.find(t), pieces.size()).first->second;
     if (piece == pieces.size()) pieces.emplace_back();
     pieces[piece].triangles.push_back(mesh.triangles[t]);
   }

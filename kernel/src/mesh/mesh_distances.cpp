@@ -9,10 +9,10 @@
 #include <map>
 #include <unordered_map>
 
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 #include "fieldfab/core/parallel.h"
-#include "fieldfab/core/together.h"
 #include "hole_lid.h"
 #include "triangle_tree.h"
 
@@ -248,10 +248,10 @@ class Lattice {
 
 Lids lids_of(const TriangleMesh& mesh) {
   const std::vector<Rim> all = rims_of(mesh);
-  Together together(mesh.vertices.size());
-  for (const Rim& edge : all) together.join(edge.from, edge.to);
+  DisjointSets sets(mesh.vertices.size());
+  for (const Rim& edge : all) sets.unite(edge.from, edge.to);
   std::map<std::uint32_t, std::vector<Rim>> rims;
-  for (const Rim& edge : all) rims[together.of(edge.from)].push_back(edge);
+  for (const Rim& edge : all) rims[sets.find(edge.from)].push_back(edge);
   Lids lids;
   lids.rims = rims.size(), lids.edges = all.size();
   const double slit = 1e-6 * mesh.area();

@@ -124,22 +124,21 @@ const std::vector<OpenOptionInfo>& open_options() {
   using Kind = FormatKind;
   static const std::vector<OpenOptionInfo> options{
       {"threshold", Kind::volume,
-       "the density from which on it is solid: a number, or words: a share of the samples such as 90%, otsu, or "
-       "halfway"},
-      {"below", Kind::volume, "1: solid is what is less dense than the threshold"},
+       "threshold density of the solid: a number, a percentile such as 90%, otsu, or halfway"},
+      {"below", Kind::volume, "1: densities below the threshold are solid"},
       {"dims", Kind::volume, "samples X,Y,Z of a .raw or .vol file"},
-      {"type", Kind::volume, "of its samples: uint8 int8 uint16 int16 uint32 int32 float32 float64"},
-      {"byte_order", Kind::volume, "of its samples: little or big"},
-      {"skip", Kind::volume, "bytes before its samples"},
+      {"type", Kind::volume, "type of the samples: uint8 int8 uint16 int16 uint32 int32 float32 float64"},
+      {"byte_order", Kind::volume, "byte order of the samples: little or big"},
+      {"skip", Kind::volume, "bytes before the samples"},
       {"spacing", Kind::volume, "mm between samples, X,Y,Z"},
       {"series", Kind::volume, "of a DICOM folder with several: its identifier, a part of it, or its number"},
       {"crop", Kind::volume, "only these samples: first X,Y,Z and last X,Y,Z"},
       {"denoise", Kind::volume, "median[:RADIUS in samples], gaussian[:SIGMA in mm] or anisotropic[:CONDUCTANCE]"},
       {"keep_largest", Kind::volume, "1: keep the largest piece only"},
-      {"min_island", Kind::volume, "drop pieces smaller than this many mm3"},
+      {"min_island", Kind::volume, "remove pieces smaller than this many mm3"},
       {"min_hole", Kind::volume, "fill cavities smaller than this many mm3"},
       {"fill_holes", Kind::volume, "1: fill all cavities"},
-      {"level", Kind::distances, "of a file with several resolutions; 0 is the finest"},
+      {"level", Kind::distances, "level of a file with several resolutions; 0 is the finest"},
       {"smooth", Kind::design, "1: true circles and spheres, not faceted as OpenSCAD draws them"},
   };
   return options;

@@ -6,42 +6,34 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/file.h"
 
 namespace fieldfab {
 namespace {
 
-/// Connected pieces of samples of one kind that share faces. Union-find over runs along x would be
-/// faster; this takes a few passes over an array of numbers.
+/// Connected pieces of samples of one kind that share faces: at most 2^32 - 1 samples. Union-find
+/// over runs along x would be faster; this takes a few passes over an array of numbers.
 class Pieces {
  public:
-  Pieces(const std::vector<bool>& solid, const std::array<int, 3>& size) : parent_(solid.size()) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-    const auto row = static_cast<std::size_t>(size[0]), slice = row * static_cast<std::size_t>(size[1]);
-    for (std::size_t at = 0; at < solid.size(); ++at) {
-      if (at % row != 0 && solid[at] == solid[at - 1]) join(at, at - 1);
-      if (at % slice >= row && solid[at] == solid[at - row]) join(at, at - row);
-      if (at >= slice && solid[at] == solid[at - slice]) join(at, at - slice);
+  Pieces(const std::vector<bool>& solid, const std::array<int, 3>& size) : sets_(solid.size()), count_(solid.size()) {
+    const auto row = static_cast<std::uint32_t>(size[0]), slice = row * static_cast<std::uint32_t>(size[1]);
+    const auto end = static_cast<std::uint32_t>(solid.size());
+    for (std::uint32_t at = 0; at < end; ++at) {
+      if (at % row != 0 && solid[at] == solid[at - 1]) sets_.unite(at, at - 1);
+      if (at % slice >= row && solid[at] == solid[at - row]) sets_.unite(at, at - row);
+      if (at >= slice && solid[at] == solid[at - slice]) sets_.unite(at, at - slice);
     }
-    count_.resize(parent_.size());
-    for (std::size_t at = 0; at < parent_.size(); ++at) ++count_[of(at)];
+    for (std::uint32_t at = 0; at < end; ++at) ++count_[sets_.find(at)];
   }
-  [[nodiscard]] std::uint32_t of(std::size_t at) {
-    auto piece = static_cast<std::uint32_t>(at);
-    while (parent_[piece] != piece) piece = parent_[piece] = parent_[parent_[piece]];
-    return piece;
-  }
+  [[nodiscard]] std::uint32_t of(std::size_t at) { return sets_.find(static_cast<std::uint32_t>(at)); }
   [[nodiscard]] std::size_t samples(std::uint32_t piece) const { return count_[piece]; }
 
  private:
-  void join(std::size_t a, std::size_t b) {
-    const std::uint32_t x = of(a), y = of(b);
-    parent_[std::max(x, y)] = std::min(x, y);
-  }
-  std::vector<std::uint32_t> parent_, count_;
+  DisjointSets sets_;
+  std::vector<std::uint32_t> count_;
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ std::vector<Parameter> parameters(const Document& document) {
   std::size_t other = 0;
   if (document.layers.size() > 1 && document.current == 0) other = 1;
   std::vector<Parameter> rows{
-      choice_parameter("Operation", "Operation", "What is made of the two.",
+      choice_parameter("Operation", "Operation", "Boolean operation of the two layers.",
                        {"union", "intersection", "difference (first without second)"}),
-      layer_parameter("First", "First layer", "The one that a difference begins with.", document.current),
-      layer_parameter("Second", "Second layer", "The other one.", other),
+      layer_parameter("First", "First layer", "The layer from which a difference subtracts.", document.current),
+      layer_parameter("Second", "Second layer", "The layer that a difference subtracts.", other),
       length_parameter("Radius", "Smooth (mm)",
                        "How far a fillet reaches where the two surfaces meet; 0 makes a sharp seam.", 0, 0, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
@@ -81,10 +81,9 @@ Result run(const Values& values, Progress& progress) {
 
 Filter combine_layers() {
   return {"Fieldfab: Boolean of two layers",
-          "Union, intersection or difference of the solids of two layers, sharp or with a fillet. Neither has to be "
-          "closed or "
-          "free of self-intersections, "
-          "coplanar faces are no trouble, and the result is always a closed mesh. It is a new layer.",
+          "Union, intersection or difference of the solids of two layers, sharp or with a fillet. The layers may be "
+          "open, intersect themselves or have coplanar faces; the result is always a closed mesh. It is a new "
+          "layer.",
           Filter::Group::remeshing,
           true,
           false,

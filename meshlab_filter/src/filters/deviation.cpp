@@ -19,16 +19,17 @@ std::vector<Parameter> parameters(const Document& document) {
   std::size_t other = document.current;
   if (document.layers.size() > 1) other = document.current == 0 ? 1 : 0;
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
-  return {choice_parameter("Reference", "Measured from", "What the layer should be.", {"a layer", "a formula or file"}),
-          layer_parameter("Layer", "Reference layer", "It may be open; what it winds around is inside.", other),
+  return {choice_parameter("Reference", "Measured from", "The surface that the layer is compared with.",
+                           {"a layer", "a formula or file"}),
+          layer_parameter("Layer", "Reference layer", "May be open; the volume that it encloses is inside.", other),
           text_parameter(
               "Formula", "Formula or file",
               "The language of docs/frep-language.md, or the path of a .frep, .math, .vm, .asdf, mesh or volume file. "
-              "Beyond 10 mm these tell 10 mm.",
+              "Distances to these are limited to 10 mm.",
               ""),
           length_parameter("Range", "Ends of the colour ramp (mm)",
-                           "Dark blue is so far inside, dark red so far outside; 0 takes the largest deviation.", 0, 0,
-                           diagonal)};
+                           "Dark blue is this far inside, dark red this far outside; 0 takes the largest deviation.", 0,
+                           0, diagonal)};
 }
 
 /// Blue inside, nearly white on the target, red outside: the colours of the FreeCAD workbench.
@@ -135,10 +136,9 @@ Result run(const Values& values, Progress& progress) {
 
 Filter deviation() {
   return {"Fieldfab: Deviation from a layer or f-rep",
-          "The signed distance of each vertex to the surface of another layer, a formula or a file: as vertex quality, "
-          "as colour "
-          "(blue inside, white where it should be, orange to red outside) and as a "
-          "histogram in the log. Places and triangles stay as they are.",
+          "The signed distance of each vertex to the surface of another layer, a formula or a file: as vertex "
+          "quality, as vertex colour (blue inside, white on the surface, orange to red outside) and as a histogram "
+          "in the log. Vertices and faces are not changed.",
           Filter::Group::quality,
           true,
           true,

@@ -36,7 +36,7 @@ std::vector<Parameter> parameters(const Document&) {
               "smooth_union(sphere(10), move(box(12, 12, 12), 9, 0, 0), 3)"),
           text_parameter(
               "Bounds", "Bounds (mm)",
-              "x0,y0,z0,x1,y1,z1: of a solid that goes on without end, the part to take. Empty: they are found.", ""),
+              "x0,y0,z0,x1,y1,z1: the region to mesh if the solid is unbounded. Empty: the bounds are computed.", ""),
           number_parameter("Voxel", "Voxel (mm)",
                            "Edge of the smallest cell; 0 takes the file's own, or 1/128 of the longest side.", 0)};
 }
@@ -62,9 +62,9 @@ Result run(const Values& values, Progress& progress) {
 
 Filter frep_solid() {
   return {"Fieldfab: Solid from f-rep expression",
-          "A solid from a formula (a functional representation): below 0 is inside. Edges are sharp, the mesh is "
-          "closed. The "
-          "result is a new layer; of a model of several parts, a layer for each, with its name and colour.",
+          "A solid from a formula (functional representation), which is negative inside. The mesh is closed and has "
+          "sharp edges. The result is a new layer; of a model with several parts, one layer for each, with its name "
+          "and colour.",
           Filter::Group::creation,
           false,
           false,

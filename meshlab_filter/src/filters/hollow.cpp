@@ -9,8 +9,8 @@
 #include "../solids.h"
 #include "all.h"
 #include "fieldfab/contour/contour.h"
+#include "fieldfab/core/disjoint_sets.h"
 #include "fieldfab/core/error.h"
-#include "fieldfab/core/together.h"
 #include "fieldfab/field/operations.h"
 #include "fieldfab/frep/frep_field.h"
 #include "fieldfab/frep/shapes.h"
@@ -22,7 +22,7 @@ namespace {
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
-      length_parameter("Wall", "Wall thickness (mm)", "Everywhere the same.", diagonal / 40, 0, diagonal),
+      length_parameter("Wall", "Wall thickness (mm)", "Constant thickness of the wall.", diagonal / 40, 0, diagonal),
       choice_parameter("Side", "The wall lies", "On both sides it may be an open sheet, which gets that thickness.",
                        {"inside the surface", "outside the surface", "on both sides"}),
       whole_parameter(
@@ -38,11 +38,11 @@ std::vector<Parameter> parameters(const Document& document) {
 
 /// Returns the vertices of each piece of a mesh.
 std::vector<std::vector<Vec3>> pieces_of(const TriangleMesh& mesh) {
-  Together together(mesh.vertices.size());
-  for (const auto& t : mesh.triangles) together.join(t[0], t[1]), together.join(t[0], t[2]);
+  DisjointSets sets(mesh.vertices.size());
+  for (const auto& t : mesh.triangles) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
   std::map<std::uint32_t, std::vector<Vec3>> pieces;
   for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v)
-    pieces[together.of(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
+    pieces[sets.find(v)].emplace_back(mesh.vertices[v][0], mesh.vertices[v][1], mesh.vertices[v][2]);
   std::vector<std::vector<Vec3>> list;
   for (auto& [name, vertices] : pieces) list.push_back(std::move(vertices));
   return list;
@@ -134,9 +134,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter hollow() {
   return {"Fieldfab: Shell (hollow out)",
-          "A wall of even thickness along the surface, hollow within, with drain holes if wanted. Open sheets get a "
-          "thickness "
-          "where the wall lies on both sides. The result is a new layer.",
+          "Hollows the solid: a wall of constant thickness along the surface, with drain holes if wanted. Open "
+          "sheets become walls if the wall lies on both sides. The result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,

@@ -14,10 +14,10 @@ namespace {
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
   std::vector<Parameter> rows{
-      choice_parameter("Lattice", "Lattice", "A surface that repeats along x, y and z, made a wall.",
+      choice_parameter("Lattice", "Lattice", "Kind of periodic surface, thickened to a wall.",
                        {"gyroid", "Schwarz P", "diamond"}),
-      length_parameter("Period", "Period (mm)", "Edge of the lattice's cell.", diagonal / 10, 0, diagonal),
-      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice.", diagonal / 60, 0, diagonal),
+      length_parameter("Period", "Period (mm)", "Edge length of a lattice cell.", diagonal / 10, 0, diagonal),
+      length_parameter("Strut", "Lattice wall (mm)", "Thickness of the lattice's wall.", diagonal / 60, 0, diagonal),
       length_parameter("Wall", "Outer wall (mm)",
                        "Thickness of the wall around it, inwards from the surface; 0 leaves the lattice bare.",
                        diagonal / 60, 0, diagonal)};
@@ -58,9 +58,8 @@ Result run(const Values& values, Progress& progress) {
 
 Filter lattice_infill() {
   return {"Fieldfab: Lattice infill",
-          "The solid made light: a wall of even thickness, and within it a gyroid, Schwarz P or diamond lattice. The "
-          "result is a "
-          "new layer.",
+          "Makes the solid lighter: a wall of constant thickness, filled with a gyroid, Schwarz P or diamond "
+          "lattice. The result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,

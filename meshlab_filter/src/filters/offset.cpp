@@ -13,9 +13,9 @@ namespace {
 
 std::vector<Parameter> parameters(const Document& document) {
   const double diagonal = document.chosen().bounds.valid() ? document.chosen().bounds.diagonal() : 100;
-  std::vector<Parameter> rows{length_parameter("Distance", "Distance (mm)",
-                                               "Above 0 outwards, where edges become round; below 0 inwards.",
-                                               diagonal / 100, -diagonal, diagonal)};
+  std::vector<Parameter> rows{length_parameter(
+      "Distance", "Distance (mm)", "Positive values outwards, where edges become round; negative values inwards.",
+      diagonal / 100, -diagonal, diagonal)};
   for (Parameter& row : fineness_parameters(document)) rows.push_back(std::move(row));
   return rows;
 }
@@ -36,11 +36,9 @@ Result run(const Values& values, Progress& progress) {
 
 Filter offset_layer() {
   return {"Fieldfab: Offset",
-          "The solid grown or shrunk by a distance, everywhere the same, whatever the mesh was like. Outwards, edges "
-          "become round; "
-          "inwards, what is thinner than "
-          "twice the distance goes. Out and in again closes gaps, in and out again removes what is thin. The result is "
-          "a new layer.",
+          "Grows or shrinks the solid by a constant distance, whatever the quality of the mesh. Outwards, edges "
+          "become round; inwards, parts thinner than twice the distance vanish. Outwards and back (closing) fills "
+          "gaps, inwards and back (opening) removes thin parts. The result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,

@@ -12,7 +12,7 @@ std::vector<Parameter> parameters(const Document& document) {
   rows.push_back(
       length_parameter("GapWidth", "Gap width to close (mm)",
                        "Slits and cracks that are narrower than this are filled, also between parts; 0 fills none. "
-                       "Holes of open meshes are closed always.",
+                       "Holes of open meshes are always closed.",
                        0, 0, diagonal));
   return rows;
 }
@@ -47,10 +47,9 @@ Result run(const Values& values, Progress& progress) {
 
 Filter remesh() {
   return {"Fieldfab: Remesh through a distance field",
-          "A closed, manifold mesh without self-intersections from <b>any</b> soup of triangles: open, inside out, "
-          "crossing "
-          "itself, in pieces. "
-          "What the triangles wind around becomes solid; overlaps are solid once. The result is a new layer.",
+          "A closed, manifold mesh without self-intersections from <b>any</b> triangle soup: open, inverted, self- "
+          "intersecting or in pieces. The volume that the triangles enclose becomes solid; overlaps are united. The "
+          "result is a new layer.",
           Filter::Group::remeshing,
           true,
           false,

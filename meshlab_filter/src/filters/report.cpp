@@ -44,9 +44,8 @@ Result run(const Values& values, Progress&) {
 
 Filter validity_report() {
   return {"Fieldfab: Validity report",
-          "Tells in the log whether the layer is closed, manifold, faces outwards, and is free of self-intersections "
-          "(by CGAL, "
-          "exactly). Nothing is changed.",
+          "Reports in the log whether the layer is closed, manifold, oriented outwards and free of self- "
+          "intersections (by CGAL, exactly). Nothing is changed.",
           Filter::Group::measure,
           true,
           false,

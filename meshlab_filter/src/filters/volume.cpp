@@ -29,8 +29,7 @@ Result run(const Values& values, Progress& progress) {
 Filter volume_solid() {
   return {"Fieldfab: Volume import with threshold",
           "The surface of a CT volume at a threshold: a closed mesh, capped where the scan ends. Noise can be "
-          "filtered, and "
-          "pieces left out. The result is a new layer.",
+          "filtered and small pieces removed. The result is a new layer.",
           Filter::Group::creation,
           false,
           false,

@@ -78,7 +78,7 @@ def test_a_cancel_is_a_line(report, monkeypatch):  # noqa: F811
     monkeypatch.setattr(work, "run", stopped)
     document.recompute()
     said = [line for line in report().splitlines() if "Please check" not in line]
-    assert len(said) == 1 and "FrepSolid: cancelled; it is still what it was" in said[0], said
+    assert len(said) == 1 and "FrepSolid: cancelled; it is unchanged" in said[0], said
 
 
 def test_a_python_error_of_ours_keeps_its_traceback(report):  # noqa: F811

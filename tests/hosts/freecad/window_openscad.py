@@ -168,7 +168,7 @@ def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
         wait(lambda: panel.preview.stage == "final", what="the last picture")
         assert panel.preview._refinement.exact and panel.preview._refinement.triangles == 12
         said = [label.text() for label in panel.form.findChildren(QtWidgets.QLabel)]
-        assert "As it will be" in said and not any("cells" in text for text in said)
+        assert "Final mesh" in said and not any("cells" in text for text in said)
     assert seen == [False, True]
     FreeCADGui.ActiveDocument.ActiveView.viewTrimetric()
     FreeCADGui.SendMsgToActiveView("ViewFit")

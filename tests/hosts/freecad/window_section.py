@@ -146,6 +146,6 @@ def test_a_closed_document_takes_its_section_along(document):  # noqa: F811
 
 
 def test_nothing_to_cut_is_told(document):  # noqa: F811
-    with pytest.raises(ValueError, match="No solid"):
+    with pytest.raises(ValueError, match="no solid to cut"):
         section.toggle(document)
     assert section.section_of(document) is None and FreeCAD.ActiveDocument == document

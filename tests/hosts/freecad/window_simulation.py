@@ -107,7 +107,7 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
             QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier))
         live(0.2)
         view_pixels(panel, f"simulation_click_{line}")
-        assert f"line {line} cut this place" in panel.message.text() and playback.program.line() == line
+        assert f"this place was cut by line {line} " in panel.message.text() and playback.program.line() == line
     press(Button.Cancel)
     assert len(document.Objects) == 1
 

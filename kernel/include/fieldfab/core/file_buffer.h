@@ -7,7 +7,8 @@
 
 namespace fieldfab {
 
-/// Writes to a PendingFile and seeks within the bytes written. Holds a reference: the file must outlive this object.
+/// Writes to a PendingFile and seeks within the bytes written; seeking elsewhere returns -1 and moves nothing. Does not
+/// commit the file. Holds a reference: the file must outlive this object.
 /// Throws Error(io); a stream passes the exception on only if its exceptions() include badbit.
 class FileBuffer final : public std::streambuf {
  public:

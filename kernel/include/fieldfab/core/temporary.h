@@ -5,11 +5,12 @@
 
 namespace fieldfab {
 
-/// Owner of a temporary file or folder. The destructor removes it; remove_temporaries() does so if the process ends
-/// without unwinding the stack.
+/// Owner of a temporary file or folder. The destructor removes it, a folder with all that it contains;
+/// remove_temporaries() does so if the process ends without unwinding the stack. A removal that fails is not reported.
+/// Different objects may be created, released and destroyed by several threads.
 class Temporary {
  public:
-  /// Takes ownership of the file or folder `path`. Allocates no memory except for the path.
+  /// Takes ownership of the file or folder `path`, which need not exist yet. Allocates no memory except for the path.
   explicit Temporary(std::filesystem::path path);
   ~Temporary();
   Temporary(const Temporary&) = delete;

@@ -16,14 +16,15 @@ struct Frustum {
   bool cuts = false;              ///< whether this is the cutting part, which may touch the part
 };
 
-/// The complement of a solid. Answers are conservative: they rest on the Field's intervals, not on samples.
+/// The complement of a solid. Answers are conservative: they rest on the Field's intervals, not on samples. All points
+/// are in the Field's coordinates, mm. Member functions may be called by several threads.
 class FreeSpace {
  public:
   /// Examines the part inside `bounds`; the space beyond is free. Shares ownership of `part`. Throws Error(cancelled).
   FreeSpace(FieldPtr part, const Box& bounds, Progress& progress = Progress::none());
 
-  /// Whether a piece of a tool is clear of the part. False if this is not certain: within `tolerance` mm of the part,
-  /// or if a proof would take too long.
+  /// Whether a piece of a tool is clear of the part. `axis` is a unit vector from the tip to the shank. False if this
+  /// is not certain: within `tolerance` mm of the part, or if a proof would take too long.
   [[nodiscard]] bool clear(const Vec3& tip, const Vec3& axis, const Frustum& piece, double tolerance) const;
   [[nodiscard]] const Box& bounds() const { return bounds_; }
 

@@ -30,6 +30,7 @@ struct DeviationScale {
   /// excess is permitted. `full` is a round number between 4 and 20 tolerances, near the deepest gouge or, without
   /// gouges, the highest excess.
   static DeviationScale of(const SimulationResult& result);
+  /// Returns the colour of a deviation in mm, negative in a gouge; the colour within tolerances for NaN.
   [[nodiscard]] Colour colour(double deviation) const;
 };
 
@@ -39,7 +40,8 @@ Colour colour_of_tool(std::size_t place_in_set_up);
 /// Returns the colour of a program line by its relative position between the first (0) and the last (1) that cut.
 Colour colour_of_line(double share);
 
-/// Returns a colour per vertex of the mesh. Throws Error(bad_input) for deviations without a target.
+/// Returns a colour per vertex of the result's surface. A vertex that no line has cut has the colour of tool 0, except
+/// for deviations. Throws Error(bad_input) for deviations without a target.
 std::vector<Colour> vertex_colours(const SimulationResult& result, StockColouring colouring);
 
 /// Returns the indices of the events to mark: the worst of each kind, then the second worst of each, with one per
@@ -67,8 +69,8 @@ TrianglePicture stock_picture(const SimulationResult& result, const StockPicture
 /// Whether the position of an event is visible in such a picture.
 bool shows_event(const SimulationResult& result, const TrianglePicture& picture, const SimulationEvent& event);
 
-/// Writes the picture as .png, with a legend of deviations below it. Throws Error(bad_input) for another extension,
-/// Error(io).
+/// Writes the picture as .png; if it is coloured by deviation, with a legend. Throws Error(bad_input) for another
+/// extension, or as stock_picture() does, Error(io), Error(cancelled).
 void write_stock_picture(const SimulationResult& result, const std::filesystem::path& path,
                          const StockPictureSettings& settings = {}, Progress& progress = Progress::none());
 
