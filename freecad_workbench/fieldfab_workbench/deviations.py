@@ -2,7 +2,8 @@
 
 import numpy as np
 
-STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])  # inside to outside
+# inside to outside
+STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])
 
 
 def deviations(field, vertices, triangles):

@@ -41,7 +41,8 @@ def insert(filename, docname):
             show_all(made.Document)
         return made
     if kind not in ("volume", "distances"):
-        raise ValueError(tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=_ending(filename)))
+        raise ValueError(
+            tr("{filename}: Fieldfab reads no .{ending} files").format(filename=filename, ending=_ending(filename)))
     path = whole_stack(os.path.abspath(filename))
     name = name_of(path)
     if docname in FreeCAD.listDocuments():

@@ -56,6 +56,7 @@ def show(words):
 
     from .shim import QtCore, QtWidgets  # without a window there need be no Qt
 
-    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok, FreeCADGui.getMainWindow())
+    box = QtWidgets.QMessageBox(QtWidgets.QMessageBox.Warning, "Fieldfab", words, QtWidgets.QMessageBox.Ok,
+                                FreeCADGui.getMainWindow())
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
     box.open()

@@ -114,14 +114,16 @@ class OpenScadSource(Source):
         """A message with the label of the object that it is about."""
         match = _PLACE.match(message)
         line = int(match[1]) if match else 0
-        return f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines) else message
+        return (f"{self.text.lines[line - 1][1]}: {message[match.end():]}" if 0 < line <= len(self.text.lines)
+                else message)
 
     def field(self, progress=None):
         return self.design(progress).solid
 
     def solid(self, progress=None):
         """Its Text, of a flat design that of the plate. Raises fieldfab.Error."""
-        return self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat else self.text
+        return (self.text.within(f"linear_extrude(height = {literal(PLATE)})", self.label) if self.design(progress).flat
+                else self.text)
 
     def notes(self):
         """What was left out or mended, one line each."""

@@ -19,7 +19,8 @@ def insert(filename, docname, name):
     the design only shows. Raises ValueError with a line for the user, and then all is as it was."""
     fieldfab, filename = kernel.load(), os.path.abspath(filename)
     try:
-        tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress), tr("Reading {name}").format(name=os.path.basename(filename)))
+        tree = work.run(lambda progress: fieldfab.read_openscad_tree(filename, progress=progress),
+                        tr("Reading {name}").format(name=os.path.basename(filename)))
     except fieldfab.Error as error:
         raise ValueError(str(error)) from None
     except work.Cancelled:
@@ -40,8 +41,9 @@ def _parts(tree, filename):
     except TooLarge:
         root, shown, branches = Part("design", "text", {"Text": tree[0].text(), "Folder": folder}), [], 1
     if branches:
-        FreeCAD.Console.PrintMessage(tr("{filename}: too large for a tree of {most} parts; whole branches are one object each, with their text: {count}").format(
-            filename=filename, most=MOST_PARTS, count=branches) + "\n")
+        FreeCAD.Console.PrintMessage(tr("{filename}: too large for a tree of {most} parts; "
+                                        "whole branches are one object each, with their text: {count}").format(
+                                            filename=filename, most=MOST_PARTS, count=branches) + "\n")
     return (root, shown) if tree[0].dimensions else (None, [])
 
 
@@ -86,7 +88,8 @@ def _show(obj):
 def _create(document, part, made):
     """The objects of a part, those it is made of first; none of them is seen."""
     children = [_create(document, child, made) for child in part.children]
-    kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify, "text": openscad_node.OpenScadText}[part.make]
+    kind = {"node": openscad_node.OpenScadNode, "set": combine.Combine, "scaled": modify.Modify,
+            "text": openscad_node.OpenScadText}[part.make]
     obj = solid.create(kind, document, part.label)
     made.append(obj)
     obj.Label = part.label

@@ -59,7 +59,8 @@ def _words(value):
 
 
 def _points(value):
-    if not isinstance(value, (list, tuple)) or any(not isinstance(point, list) or len(point) not in (2, 3) for point in value):
+    if (not isinstance(value, (list, tuple))
+            or any(not isinstance(point, list) or len(point) not in (2, 3) for point in value)):
         raise Unfit(value)
     return [tuple(map(_number, [*point, 0][:3])) for point in value]
 
@@ -81,12 +82,14 @@ def _paths_of(lines):
 def _matrix(value):
     import FreeCAD
 
-    if not isinstance(value, list) or len(value) not in (3, 4) or any(not isinstance(row, list) or len(row) != 4 for row in value):
+    if (not isinstance(value, list) or len(value) not in (3, 4)
+            or any(not isinstance(row, list) or len(row) != 4 for row in value)):
         raise Unfit(value)
     return FreeCAD.Matrix(*(_number(each) for row in (*value, [0, 0, 0, 1])[:4] for each in row))
 
 
-READERS = {"Length": _number, "Distance": _number, "Angle": _number, "Float": _number, "Bool": _truth, "String": _words, "File": _words,
+READERS = {"Length": _number, "Distance": _number, "Angle": _number, "Float": _number, "Bool": _truth, "String": _words,
+           "File": _words,
            "VectorList": _points, "StringList": _paths, "Matrix": _matrix}
 WRITERS = {"Length": lambda held: held.Value, "Distance": lambda held: held.Value, "Angle": lambda held: held.Value,
            "VectorList": lambda held: [tuple(point) for point in held], "StringList": _paths_of,
@@ -123,18 +126,21 @@ KINDS = {
         Argument("r2", "Length", (described("TopRadius", "Of the upper circle"),), (1,)), CENTRED, *FRAGMENTS)),
     "polyhedron": Kind("polyhedron", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("faces", "StringList", (described("Faces", "The corners of each face, clockwise from outside, counted from 0"),), ((),)))),
+        Argument("faces", "StringList",
+                 (described("Faces", "The corners of each face, clockwise from outside, counted from 0"),), ((),)))),
     "square": Kind("square", (Argument("size", "Length", (LENGTH, WIDTH), (1, 1)), CENTRED)),
     "circle": Kind("circle", (RADIUS, *FRAGMENTS)),
     "polygon": Kind("polygon", (
         Argument("points", "VectorList", (described("Points", "Corners"),), ((),)),
-        Argument("paths", "StringList", (described("Paths", "The corners of each outline, counted from 0; none: all in their order"),), ((),)))),
+        Argument("paths", "StringList", (
+            described("Paths", "The corners of each outline, counted from 0; none: all in their order"),), ((),)))),
     "text": Kind("text", (
         Argument("text", "String", (described("Words", "What is written"),), ("",)),
         Argument("size", "Length", (described("TextSize", "Height of a capital letter"),), (10,)),
         Argument("font", "String", (described("Font", "Its name, and style=..."),), ("",)),
         Argument("halign", "String", (described("HorizontalAlignment", "left, center or right"),), ("left",)),
-        Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),), ("baseline",)),
+        Argument("valign", "String", (described("VerticalAlignment", "baseline, bottom, center or top"),),
+                 ("baseline",)),
         Argument("spacing", "Float", (described("Spacing", "Of letters; 1 is usual"),), (1,)),
         Argument("direction", "String", (described("WritingDirection", "ltr, rtl, ttb or btt"),), ("ltr",)),
         Argument("language", "String", (described("Language", "Of the words: en, de, ..."),), ("en",)),
@@ -142,28 +148,39 @@ KINDS = {
     "linear_extrude": Kind("linear_extrude", (
         Argument("height", "Length", (HEIGHT,), (100,)), CENTRED,
         Argument("twist", "Angle", (described("Twist", "From the lower to the upper end"),), (0,)),
-        Argument("scale", "Float", (described("ScaleX", "Of the upper end along x"), described("ScaleY", "Of the upper end along y")), (1, 1)),
-        Argument("slices", "Float", (described("Slices", "Of what is twisted or scaled; 0: by Fn, Fa and Fs"),), (0,)), *FRAGMENTS), True),
-    "rotate_extrude": Kind("rotate_extrude", (Argument("angle", "Angle", (described("Angle", "Of the turn, from the x axis"),), (360,)), *FRAGMENTS), True),
+        Argument("scale", "Float", (described("ScaleX", "Of the upper end along x"),
+                                    described("ScaleY", "Of the upper end along y")), (1, 1)),
+        Argument("slices", "Float", (described("Slices", "Of what is twisted or scaled; 0: by Fn, Fa and Fs"),), (0,)),
+        *FRAGMENTS), True),
+    "rotate_extrude": Kind("rotate_extrude", (
+        Argument("angle", "Angle", (described("Angle", "Of the turn, from the x axis"),), (360,)), *FRAGMENTS), True),
     "hull": Kind("hull", (), True),
     "minkowski": Kind("minkowski", (), True),
-    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "What lies at z = 0, not the shadow"),), (False,)),), True),
+    "projection": Kind("projection", (Argument("cut", "Bool", (described("Cut", "What lies at z = 0, not the shadow"),),
+                                               (False,)),), True),
     "offset": Kind("offset", (
         Argument("delta", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)),
         Argument("chamfer", "Bool", (described("Chamfered", "Corners are cut off"),), (False,))), True),
-    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Outwards; below 0 inwards"),), (0,)), *FRAGMENTS), True),
+    "round offset": Kind("offset", (Argument("r", "Distance", (described("Distance", "Outwards; below 0 inwards"),),
+                                             (0,)), *FRAGMENTS), True),
     "resize": Kind("resize", (
-        Argument("newsize", "Length", (described("NewLength", "Along x; 0: as it is"), described("NewWidth", "Along y; 0: as it is"),
-                                       described("NewHeight", "Along z; 0: as it is")), (0, 0, 0)),
-        Argument("auto", "Bool", (described("AutoLength", "Where NewLength is 0: in proportion"), described("AutoWidth", "Where NewWidth is 0: in proportion"),
-                                  described("AutoHeight", "Where NewHeight is 0: in proportion")), (False, False, False))), True),
-    "multmatrix": Kind("multmatrix", (Argument("", "Matrix", (described("Matrix", "Where the children are put"),), (None,)),), True),
+        Argument("newsize", "Length",
+                 (described("NewLength", "Along x; 0: as it is"), described("NewWidth", "Along y; 0: as it is"),
+                  described("NewHeight", "Along z; 0: as it is")), (0, 0, 0)),
+        Argument("auto", "Bool", (described("AutoLength", "Where NewLength is 0: in proportion"),
+                                  described("AutoWidth", "Where NewWidth is 0: in proportion"),
+                                  described("AutoHeight", "Where NewHeight is 0: in proportion")),
+                 (False, False, False))), True),
+    "multmatrix": Kind("multmatrix",
+                       (Argument("", "Matrix", (described("Matrix", "Where the children are put"),), (None,)),), True),
     "import": Kind("import", (
         FILE, Argument("layer", "String", (described("Layer", "Of a .dxf file; none: all"),), ("",)),
-        Argument("origin", "Float", (described("OriginX", "Of a .dxf file's drawing"), described("OriginY", "Of a .dxf file's drawing")), (0, 0)),
+        Argument("origin", "Float", (described("OriginX", "Of a .dxf file's drawing"),
+                                     described("OriginY", "Of a .dxf file's drawing")), (0, 0)),
         Argument("scale", "Float", (described("Scale", "Of a .dxf or .svg file's drawing"),), (1,)),
         CENTRED, Argument("dpi", "Float", (described("Dpi", "Dots of an .svg file to an inch"),), (72,)), *FRAGMENTS)),
-    "surface": Kind("surface", (FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Of a picture: dark is high"),), (False,)))),
+    "surface": Kind("surface", (
+        FILE, CENTRED, Argument("invert", "Bool", (described("Inverted", "Of a picture: dark is high"),), (False,)))),
 }
 
 
@@ -180,7 +197,8 @@ def properties_of(node):
     kind, given = KINDS[key_of(node)], node.arguments
     if set(given) - {argument.name for argument in kind.arguments} - IGNORED:
         raise Unfit(node.name)
-    return {name: value for argument in kind.arguments for name, value in argument.to_properties(given.get(argument.name)).items()}
+    return {name: value for argument in kind.arguments
+            for name, value in argument.to_properties(given.get(argument.name)).items()}
 
 
 def values_of(key, obj):

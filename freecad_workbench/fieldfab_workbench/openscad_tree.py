@@ -10,12 +10,14 @@ import FreeCAD
 
 from .openscad_nodes import Unfit, key_of, properties_of
 
-MOST_PARTS = 300  # of a larger design whole branches become one object with their text: a larger tree would be no help, and slow
+# of a larger design whole branches become one object with their text: a larger tree would be no help, and slow
+MOST_PARTS = 300
 DEEPEST = 100  # parts within parts
 MOST_NODES = 20_000  # of the file, groups and moves among them; a larger one is one object
 RIGID = 1e-5  # OpenSCAD writes matrices with six digits
 
-SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union", "difference": "Difference", "intersection": "Intersection"}
+SETS = {"group": "Union", "union": "Union", "render": "Union", "color": "Union", "multmatrix": "Union",
+        "difference": "Difference", "intersection": "Intersection"}
 
 
 class TooLarge(Exception):
@@ -75,7 +77,8 @@ class Design:
         heapq.heapify(waiting)
         while waiting:
             _, _, part, depth = heapq.heappop(waiting)
-            if part.children and part.origin and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS)):
+            if (part.children and part.origin
+                    and (depth >= DEEPEST or (len(part.children) > 1 and kept + len(part.children) > MOST_PARTS))):
                 part.become_text(self.folder)
                 pruned += 1
             if depth > 2 * DEEPEST:
@@ -95,15 +98,19 @@ class Design:
             return None, shown
         try:
             if node.name not in SETS:
-                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))}, children, origin=lambda: _alone(node))
+                part = Part(node.name, "node", {"Node": key_of(node), **self._with_paths(properties_of(node))},
+                            children, origin=lambda: _alone(node))
             elif not children or (node.name == "difference" and counted[0] is None):
                 raise Unfit(node.name)  # nothing at all; others may mind that
             elif len(children) == 1:
                 part = children[0]
             else:
-                part = Part(node.name if node.name in ("difference", "intersection") else "union", "set", {"Operation": SETS[node.name]}, children,
-                            colour=_common([child.colour for child in (children[:1] if node.name == "difference" else children)]),
-                            origin=lambda: "".join(child.text() for child, _, _ in below) if SETS[node.name] == "Union" else _alone(node))
+                part = Part(node.name if node.name in ("difference", "intersection") else "union", "set",
+                            {"Operation": SETS[node.name]}, children,
+                            colour=_common([child.colour
+                                            for child in (children[:1] if node.name == "difference" else children)]),
+                            origin=lambda: "".join(child.text() for child, _, _ in below) if SETS[node.name] == "Union"
+                            else _alone(node))
             if node.name == "multmatrix":
                 part, shown = self._moved(part, node), [self._moved(other, node) for other in shown]
             if node.name == "color":
@@ -126,8 +133,10 @@ class Design:
         matrix = properties_of(node)["Matrix"]
         columns = [FreeCAD.Vector(matrix.A[i], matrix.A[i + 4], matrix.A[i + 8]) for i in range(3)]
         lengths = [column.Length for column in columns]
-        square = all(abs(columns[i] * columns[k]) <= RIGID * lengths[i] * lengths[k] for i, k in ((0, 1), (0, 2), (1, 2)))
-        if matrix.A[12:] != (0, 0, 0, 1) or min(lengths) < 1e-9 or not square or (node.dimensions == 2 and not _in_plane(matrix)):
+        square = all(abs(columns[i] * columns[k]) <= RIGID * lengths[i] * lengths[k]
+                     for i, k in ((0, 1), (0, 2), (1, 2)))
+        if (matrix.A[12:] != (0, 0, 0, 1) or min(lengths) < 1e-9 or not square
+                or (node.dimensions == 2 and not _in_plane(matrix))):
             return Part("multmatrix", "node", {"Node": "multmatrix", "Matrix": matrix}, [part], colour=part.colour)
         mirrored = columns[0].cross(columns[1]) * columns[2] < 0
         factors = [1.0 if abs(length - 1) <= RIGID else length for length in lengths]

@@ -47,7 +47,8 @@ class ScanFile:
         with _lock:
             volume = _open.get(key)
         if volume is None:
-            volume = kernel.load().Volume.open(self.path, dims=self.dims, type=self.type, spacing=self.spacing, series=self.series, progress=progress)
+            volume = kernel.load().Volume.open(self.path, dims=self.dims, type=self.type, spacing=self.spacing,
+                                               series=self.series, progress=progress)
             with _lock:
                 _open[key] = volume
         return volume
@@ -75,8 +76,9 @@ class Cut:
 
     def solid(self, volume, progress=None):
         """The fieldfab.Field, where the volume's file places it. Raises fieldfab.Error."""
-        return self.cropped(volume).solid(self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
-                                          min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
+        return self.cropped(volume).solid(
+            self.threshold, below=self.below, denoise=self.denoise, keep_largest=self.keep_largest,
+            min_island=self.smallest_island or None, min_hole=self.smallest_hole or None, progress=progress)
 
 
 class ScanSource(Source):

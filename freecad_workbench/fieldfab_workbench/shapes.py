@@ -44,7 +44,8 @@ class Shape:
         """A text of its own: its numbers as lines `name = number`, which become properties."""
         if self.text:
             return self.text
-        named = {name: self._variable(name) for name, value in values.items() if is_number(value) and name.isidentifier()}
+        named = {name: self._variable(name) for name, value in values.items()
+                 if is_number(value) and name.isidentifier()}
         lines = [f"{variable} = {values[name]}" for name, variable in named.items()]
         call = f"{self.name}({', '.join(self._argument(n, named.get(n, v)) for n, v in values.items())})"
         return "\n".join([*lines, self.before + call + self.after]) + "\n"
@@ -77,7 +78,8 @@ def designs():
                 text = opened.read()
             name = file[:-5]
             words = text.split("\n")[0].lstrip("# ") if text.startswith("#") else ""
-            made.append(Shape(name, DESIGNS, name.replace("_", " "), words, found("figures", "gallery", f"{name}.png"), text=text))
+            made.append(Shape(name, DESIGNS, name.replace("_", " "), words, found("figures", "gallery", f"{name}.png"),
+                              text=text))
     return made
 
 
@@ -90,7 +92,8 @@ def _of_function(function):
     given = {**defaults, **dict(zip(parameters, arguments))}
     # A list has no names, and all before it goes by its place.
     values = {"…": ", ".join(arguments)} if function["any_number"] else {p: given[p] for p in parameters}
-    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]), found("figures", "shapes", f"{name}.png"),
+    return Shape(name, function["group"], function["signature"], language.meaning(function["help"]),
+                 found("figures", "shapes", f"{name}.png"),
                  values, defaults, example[:start], example[end:])
 
 

@@ -63,7 +63,8 @@ class Source:
         if placement.isIdentity():
             return self
         axis, angle, base = tuple(placement.Rotation.Axis), placement.Rotation.Angle, tuple(placement.Base)
-        return Source(("moved", self.digest, axis, angle, base), lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
+        return Source(("moved", self.digest, axis, angle, base),
+                      lambda progress: self.field(progress).rotate(axis, angle).translate(*base))
 
 
 def with_cell(field, cells=None, **settings):
@@ -92,4 +93,5 @@ def kept(key, make):
 
 def _size(key, made):
     """Bytes of a mesh or of distances; other Fields are taken for small."""
-    return made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES if key[0] == "distances" else 0
+    return (made.vertices.nbytes + made.triangles.nbytes if hasattr(made, "triangles") else DISTANCES_BYTES
+            if key[0] == "distances" else 0)

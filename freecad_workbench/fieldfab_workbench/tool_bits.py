@@ -9,7 +9,8 @@ import FreeCAD
 from .words import tr
 
 SHAPES = {
-    "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v", "drill": "drill",
+    "endmill": "flat", "ballend": "ball", "bullnose": "bull", "v-bit": "v", "vbit": "v", "chamfer": "v",
+    "drill": "drill",
     "taperedballnose": "tapered", "slittingsaw": "flat",
 }
 
@@ -32,7 +33,8 @@ def tool_from(name, shape, parameter):
         values = [parameter(n) for n in names]
         return next((_number(v) for v in values if v is not None), 0.0)
 
-    tool = {"name": name, "shape": known, "diameter": get("Diameter"), "length": get("Length"), "shank": get("ShankDiameter"),
+    tool = {"name": name, "shape": known, "diameter": get("Diameter"), "length": get("Length"),
+            "shank": get("ShankDiameter"),
             "flute": get("CuttingEdgeHeight"), "flutes": int(get("Flutes") or 2)}
     if known == "bull":
         tool["corner_radius"] = get("CornerRadius") or tool["diameter"] / 2 - get("FlatRadius")
@@ -91,6 +93,7 @@ def of_object(bit):
     """The tool of a tool bit in a document, as a Path job's tool controller has it; also of FreeCAD's older tools."""
     shape = getattr(bit, "ShapeName", "") or os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
     if not shape:
-        shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit", "ChamferMill": "chamfer"}.get(
-            getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
+        shape = {"EndMill": "endmill", "BallEndMill": "ballend", "Drill": "drill", "Engraver": "v-bit",
+                 "ChamferMill": "chamfer"}.get(
+                     getattr(bit, "ToolType", ""), str(getattr(bit, "ToolType", "") or "tool"))
     return tool_from(getattr(bit, "Label", "") or bit.Name, shape, lambda name: getattr(bit, name, None))

@@ -9,12 +9,14 @@ from .words import tr
 
 INCH = 25.4  # mm
 SCHEMES_IN_INCHES = (2, 3, 5, 7)  # FreeCAD's numbers: US customary, its decimal form, building and civil engineering
-IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3), "m": ("in", INCH / 1000)}
+IN_INCHES = {"mm": ("in", INCH), "mm/min": ("in/min", INCH), "mm²": ("in²", INCH**2), "mm³": ("in³", INCH**3),
+             "m": ("in", INCH / 1000)}
 QUANTITIES = {"mm": "mm", "mm/min": "mm/min", "mm²": "mm^2", "mm³": "mm^3", "degrees": "deg"}  # as FreeCAD reads them
 KERNELS = {"mm2": "mm²", "mm3": "mm³"}  # units as the kernel spells them
 # In the kernel's texts: numbers with a unit behind the last, and places without one.
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
-LENGTHS = re.compile(rf"({NUMBER}(?: (?:x|×) {NUMBER})*) (mm/min|mm[23²³]?|m)(?!\w)|\({NUMBER}, {NUMBER}, {NUMBER}\)|\b[xyz] {NUMBER}")
+LENGTHS = re.compile(
+    rf"({NUMBER}(?: (?:x|×) {NUMBER})*) (mm/min|mm[23²³]?|m)(?!\w)|\({NUMBER}, {NUMBER}, {NUMBER}\)|\b[xyz] {NUMBER}")
 
 
 def in_inches():
@@ -75,7 +77,8 @@ def read(text, unit="mm"):
         if value.Unit != one.Unit:
             raise ValueError
     except Exception:  # FreeCAD raises several
-        raise ValueError(tr("must be a number in {unit}").format(unit=name) if name else tr("must be a number")) from None
+        raise ValueError(tr("must be a number in {unit}").format(unit=name) if name
+                         else tr("must be a number")) from None
     return round(value.Value / one.Value, 9)
 
 

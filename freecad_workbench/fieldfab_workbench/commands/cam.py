@@ -19,7 +19,8 @@ from .solids import selected
 def chosen_setup():
     """The set-up that is selected, or one of whose children is; else the document's only one; else None."""
     for obj in FreeCADGui.Selection.getSelection():
-        for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj), getattr(getattr(obj, "Program", None), "Setup", None)):
+        for candidate in (obj, getattr(obj, "Setup", None), cam_setup.setup_of(obj),
+                          getattr(getattr(obj, "Program", None), "Setup", None)):
             if candidate is not None and cam_setup.is_setup(candidate):
                 return candidate
     every = [obj for obj in FreeCAD.ActiveDocument.Objects if cam_setup.is_setup(obj)] if FreeCAD.ActiveDocument else []
@@ -112,7 +113,8 @@ class WriteMachineFile(_OfProgram):
 def file_name(program):
     """The part's, where no file system minds; where several set-ups make it, with the set-up's."""
     part = program.Setup.Part
-    others = [obj for obj in program.Document.Objects if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
+    others = [obj for obj in program.Document.Objects
+              if cam_setup.is_setup(obj) and obj != program.Setup and obj.Part == part]
     name = " ".join(filter(None, [part.Label if part else "", program.Setup.Label if others or not part else ""]))
     return re.sub(r'[\\/:*?"<>|\x00-\x1f]+', "_", name).strip(" .") + program.Extension
 
@@ -145,7 +147,8 @@ class ToPath(_OfProgram):
 
         program = chosen_program()
         document = program.Document
-        job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)), None)
+        job = next((obj for obj in [*FreeCADGui.Selection.getSelection(), *document.Objects] if path_shim.is_job(obj)),
+                   None)
         document.openTransaction(self.title)
         try:
             path_jobs.to_job(program, job)
@@ -162,25 +165,28 @@ TITLE = "CAM"
 COMMANDS = {
     "Fieldfab_NewCamSetup": NewSetup(
         "CamSetup", "New CAM job", "Machine the selected solid: stock, tools, operations and a machine",
-        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, the tools, the operations in order and the "
-        "machine, and plans all paths beside the window."),
+        "Adds a job that machines the selected solid, mesh, Part object or body. The panel asks for the stock, "
+        "the tools, the operations in order and the machine, and plans all paths beside the window."),
     "Fieldfab_AddOperation": AddOperation(
         "CamOperation", "Add operation", "Add an operation to the CAM job",
-        "Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, with which tool, and for the "
-        "settings of each stage; what is left empty follows its default."),
+        "Adds an operation at the end of the selected job, or of the document's only one. The panel asks what is done, "
+        "with which tool, and for the settings of each stage; what is left empty follows its default."),
     "Fieldfab_Plan": Plan(
         "Plan", "Plan", "Plan all paths of the CAM job",
-        "Plans the machine program of the selected job, or of the document's only one, with a progress box. A plan that fails or is cancelled keeps the "
-        "last good one."),
+        "Plans the machine program of the selected job, or of the document's only one, with a progress box. "
+        "A plan that fails or is cancelled keeps the last good one."),
     "Separator_Cam": None,
     "Fieldfab_WriteMachineFile": WriteMachineFile(
         "WriteMachineFile", "Post process", "Show the program as the machine takes it, and save it",
-        "Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. Its Save asks for the file's name, which is the part's."),
+        "Shows the planned program of the selected job as the machine takes it, such as G-code, with line numbers. "
+        "Its Save asks for the file's name, which is the part's."),
     "Fieldfab_SetupSheet": SetupSheet(
         "SetupSheet", "Set-up sheet", "Show the page for the person at the machine",
-        "Opens the set-up sheet of the planned program in the browser: stock, zero, tools, times and pictures, ready to be printed."),
+        "Opens the set-up sheet of the planned program in the browser: "
+        "stock, zero, tools, times and pictures, ready to be printed."),
     "Fieldfab_ToPath": ToPath(
-        "ToPath", "To Path job", "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs",
-        "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first one of the document, else into a new "
-        "one with the set-up's stock and tools. The paths follow the program."),
+        "ToPath", "To Path job",
+        "Make the program's operations paths of FreeCAD's own Path workbench, in one of its jobs",
+        "Puts the planned operations as paths into a job of FreeCAD's Path workbench: into the selected or the first "
+        "one of the document, else into a new one with the set-up's stock and tools. The paths follow the program."),
 }

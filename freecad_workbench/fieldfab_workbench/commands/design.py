@@ -36,6 +36,6 @@ TITLE = "Fieldfab design"
 COMMANDS = {
     "Fieldfab_ShapeGallery": ShapeGallery(
         "ShapeGallery", "Shape gallery", "Choose a shape by its picture and make a solid of it",
-        "Shows the pictures of all shapes of the library and of the designs, by groups or by words; nothing needs to be selected. The shape that is chosen "
-        "becomes an f-rep solid whose numbers are its parameters."),
+        "Shows the pictures of all shapes of the library and of the designs, by groups or by words; nothing needs to "
+        "be selected. The shape that is chosen becomes an f-rep solid whose numbers are its parameters."),
 }

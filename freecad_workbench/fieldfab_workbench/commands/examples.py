@@ -46,7 +46,8 @@ def copies():
 
 def folders_of_start_page():
     """The folders whose files FreeCAD's start page shows besides its own."""
-    return [folder for folder in FreeCAD.ParamGet(START_PAGE).GetString("ShowCustomFolder", "").split(BETWEEN) if folder]
+    return [folder
+            for folder in FreeCAD.ParamGet(START_PAGE).GetString("ShowCustomFolder", "").split(BETWEEN) if folder]
 
 
 class OnStartPage(Command):
@@ -66,25 +67,33 @@ class OnStartPage(Command):
             for path in documents():
                 if not os.path.exists(os.path.join(copies(), os.path.basename(path))):
                     shutil.copy(path, copies())
-        FreeCAD.ParamGet(START_PAGE).SetString("ShowCustomFolder", BETWEEN.join([*others, copies()] if wanted else others))
-        FreeCADGui.getMainWindow().statusBar().showMessage(tr("FreeCAD's start page follows when it is opened the next time"), 10000)
+        FreeCAD.ParamGet(START_PAGE).SetString("ShowCustomFolder",
+                                               BETWEEN.join([*others, copies()] if wanted else others))
+        FreeCADGui.getMainWindow().statusBar().showMessage(
+            tr("FreeCAD's start page follows when it is opened the next time"), 10000)
 
 
 TITLE = "Examples"
 COMMANDS = {
     "Fieldfab_ExampleBracket": Example(
-        "bracket.FCStd", "FrepSolid", "Bracket with parameters", "Open a bracket whose measures are parameters, as a new document",
-        "Opens a copy of an example: an angle bracket of .frep text. Its measures are properties; a double-click on it shows text and sliders."),
+        "bracket.FCStd", "FrepSolid", "Bracket with parameters",
+        "Open a bracket whose measures are parameters, as a new document",
+        "Opens a copy of an example: an angle bracket of .frep text. Its measures are properties; "
+        "a double-click on it shows text and sliders."),
     "Fieldfab_ExampleLattice": Example(
-        "lattice.FCStd", "LatticeInfill", "Knob filled with a gyroid", "Open a knob that is filled with a lattice, as a new document",
-        "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. Change the wall or the lattice by a double-click."),
+        "lattice.FCStd", "LatticeInfill", "Knob filled with a gyroid",
+        "Open a knob that is filled with a lattice, as a new document",
+        "Opens a copy of an example: a knob of .frep text, and a solid made of it by Lattice infill. "
+        "Change the wall or the lattice by a double-click."),
     "Fieldfab_ExampleMachining": Example(
-        "machining.FCStd", "CamSetup", "Knob milled in five axes", "Open a CAM job with a planned five-axis program, as a new document",
-        "Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans along the surface, and the planned "
-        "program. A double-click on the set-up shows its stages."),
+        "machining.FCStd", "CamSetup", "Knob milled in five axes",
+        "Open a CAM job with a planned five-axis program, as a new document",
+        "Opens a copy of an example: a knob, a set-up that clears it and finishes it with a ball cutter that leans "
+        "along the surface, and the planned program. A double-click on the set-up shows its stages."),
     "Separator_Examples": None,
     "Fieldfab_ExamplesOnStartPage": OnStartPage(
-        "ShapeGallery", "Show on the start page", "Show copies of the examples on FreeCAD's start page, or take them away",
-        "Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the folders that you have chosen there. A "
-        "second press takes the folder from the page again; the copies stay."),
+        "ShapeGallery", "Show on the start page",
+        "Show copies of the examples on FreeCAD's start page, or take them away",
+        "Copies the examples into your own folder of FreeCAD and shows this folder on the start page, besides the "
+        "folders that you have chosen there. A second press takes the folder from the page again; the copies stay."),
 }

@@ -103,22 +103,28 @@ def _chosen_solids():
 TITLE = "Check and exchange"
 COMMANDS = {
     "Fieldfab_CrossCheck": CrossCheck(
-        "CrossCheck", "Cross-check", "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
-        "Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. The mesh takes the colours of its "
-        "deviations until the panel is closed; nothing of the document is changed."),
+        "CrossCheck", "Cross-check",
+        "Check the selected solid against OpenVDB and CGAL, and show where its mesh deviates",
+        "Checks one selected solid against OpenVDB and CGAL beside the window, and shows each figure with its bound. "
+        "The mesh takes the colours of its deviations until the panel is closed; nothing of the document is changed."),
     "Fieldfab_ShowUncertainPlaces": ShowUncertainPlaces(
-        "UncertainPlaces", "Show uncertain places", "Show where the selected solid's mesh may lack parts of it, or hide these places again",
-        "Draws a box around each place where it is not proved that the mesh shows all of the selected solid, and zooms to the largest. Choose it again to "
-        "take the boxes away. It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
+        "UncertainPlaces", "Show uncertain places",
+        "Show where the selected solid's mesh may lack parts of it, or hide these places again",
+        "Draws a box around each place where it is not proved that the mesh shows all of the selected solid, "
+        "and zooms to the largest. Choose it again to take the boxes away. "
+        "It cannot be chosen where the mesh is certain; smaller cells leave fewer and smaller places."),
     "Fieldfab_Section": SectionPlane(
         "Section", "Section plane", "Cut what the view shows, to see what is inside, or show it whole again",
-        "Cuts all solids of the view, and what panels show (scans, the stock of a simulation), across the axis that points most to you; cut faces are orange. "
-        "Drag the handle on the plane to move it. Choose it again to see all; nothing of the document is changed."),
+        "Cuts all solids of the view, and what panels show (scans, the stock of a simulation), "
+        "across the axis that points most to you; cut faces are orange. Drag the handle on the plane to move it. "
+        "Choose it again to see all; nothing of the document is changed."),
     "Fieldfab_ToMesh": ToMesh(
         "ToMesh", "To mesh", "Make a plain mesh of the selected solid, as it is now",
-        "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. There is no panel."),
+        "Makes a plain copy of the mesh of each selected solid, which does not follow it, and hides the solid. "
+        "There is no panel."),
     "Fieldfab_ToPartShape": ToPartShape(
-        "PartShape", "To Part shape", "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
-        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. Its faces are flat: the mesh is reduced to the number of "
-        "triangles that its property MostTriangles says."),
+        "PartShape", "To Part shape",
+        "Make a Part shape that follows the selected solid, reduced to some thousand flat faces",
+        "Makes an object for Part, Part Design and TechDraw that follows each selected solid. "
+        "Its faces are flat: the mesh is reduced to the number of triangles that its property MostTriangles says."),
 }

@@ -34,17 +34,20 @@ class PlaySimulation(Command):
 
     @staticmethod
     def _chosen():
-        return [obj for obj in FreeCADGui.Selection.getSelection() if isinstance(getattr(obj, "Proxy", None), simulation.Simulation)]
+        return [obj for obj in FreeCADGui.Selection.getSelection()
+                if isinstance(getattr(obj, "Proxy", None), simulation.Simulation)]
 
 
 TITLE = "Simulation"
 COMMANDS = {
     "Fieldfab_SimulateProgram": SimulateProgram(
-        "Simulation", "Simulate program", "Carry out a machine's program on a stock: of a file, or of the selected Path operation, Job or machine program",
-        "Carries a machine's program out on a stock and plays it in the 3D view. Select a machine program, a Path operation or a Job, or name a file in the "
-        "panel, which also asks for the stock, the tools, the machine and what should come out."),
+        "Simulation", "Simulate program", "Carry out a machine's program on a stock: "
+        "of a file, or of the selected Path operation, Job or machine program",
+        "Carries a machine's program out on a stock and plays it in the 3D view. "
+        "Select a machine program, a Path operation or a Job, or name a file in the panel, "
+        "which also asks for the stock, the tools, the machine and what should come out."),
     "Fieldfab_PlaySimulation": PlaySimulation(
         "PlaySimulation", "Play simulation", "Show the selected simulation move by move, its events and deviations",
-        "Opens the panel of the selected simulation: the stock at any moment, tool and axes, the program's lines, events with the worst first, and "
-        "deviations in colours."),
+        "Opens the panel of the selected simulation: the stock at any moment, tool and axes, the program's lines, "
+        "events with the worst first, and deviations in colours."),
 }

@@ -42,61 +42,74 @@ class NewSolid(Command):
 
 def selected():
     """The selected objects that bound something."""
-    return [obj for obj in FreeCADGui.Selection.getSelection() if hasattr(obj, "Mesh") or getattr(getattr(obj, "Shape", None), "Solids", None)]
+    return [obj for obj in FreeCADGui.Selection.getSelection()
+            if hasattr(obj, "Mesh") or getattr(getattr(obj, "Shape", None), "Solids", None)]
 
 
 TITLE = "Fieldfab"
 COMMANDS = {
     "Fieldfab_NewFrepSolid": NewSolid(
         frep_solid.FrepSolid, "New f-rep solid", "Make a solid from a formula, recomputed whenever the formula changes",
-        "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, a slider for each number of the "
-        "text, and the resolution; the solid is seen while it is written."),
+        "Makes a solid from .frep text or a prefix math string; nothing needs to be selected. The panel has an editor, "
+        "a slider for each number of the text, and the resolution; the solid is seen while it is written."),
     "Fieldfab_SolidFromObject": NewSolid(
-        solid_from_object.SolidFromObject, "Solid from object", "Make a solid of the selected mesh, Part object or body",
-        "Makes a solid where a mesh, a Part object or a body is, and follows it. Select the object first. Holes and overlaps of a mesh do no harm; the "
-        "panel asks how far triangles may be from a Part shape.", 1),
+        solid_from_object.SolidFromObject, "Solid from object",
+        "Make a solid of the selected mesh, Part object or body",
+        "Makes a solid where a mesh, a Part object or a body is, and follows it. Select the object first. "
+        "Holes and overlaps of a mesh do no harm; the panel asks how far triangles may be from a Part shape.", 1),
     "Fieldfab_Union": NewSolid(
         combine.Combine, "Union", "Unite the selected solids",
-        "Makes one solid of two or more. Select solids, meshes, Part objects or bodies; the panel lists them and takes others in.", 2, Operation="Union"),
+        "Makes one solid of two or more. Select solids, meshes, Part objects or bodies; "
+        "the panel lists them and takes others in.", 2, Operation="Union"),
     "Fieldfab_Intersection": NewSolid(
         combine.Combine, "Intersection", "Keep what all selected solids share",
-        "Makes a solid of what two or more others have in common. Select solids, meshes, Part objects or bodies; the panel lists them.", 2,
+        "Makes a solid of what two or more others have in common. Select solids, meshes, Part objects or bodies; "
+        "the panel lists them.", 2,
         Operation="Intersection"),
     "Fieldfab_Difference": NewSolid(
         combine.Combine, "Difference", "Take the other selected solids out of the first",
-        "Makes a solid of the first one that was selected, without all the others. Their order can be changed in the panel by dragging.", 2,
+        "Makes a solid of the first one that was selected, without all the others. "
+        "Their order can be changed in the panel by dragging.", 2,
         Operation="Difference"),
     "Fieldfab_Blend": NewSolid(
         combine.Combine, "Blend", "Unite the selected solids with a fillet",
-        "Makes one solid of two or more, with a fillet where they meet. Select them first; the panel asks for the fillet's radius.", 2, Operation="Blend"),
+        "Makes one solid of two or more, with a fillet where they meet. Select them first; "
+        "the panel asks for the fillet's radius.", 2, Operation="Blend"),
     "Fieldfab_Morph": NewSolid(
         combine.Combine, "Morph", "Make what lies between two selected solids",
-        "Makes a solid between two others. Select both; the panel asks for the weight: 0 is the first, 1 the second.", 2, Operation="Morph"),
+        "Makes a solid between two others. Select both; the panel asks for the weight: 0 is the first, 1 the second.",
+        2, Operation="Morph"),
     "Fieldfab_Offset": NewSolid(
         modify.Modify, "Offset", "Grow or shrink the selected solid",
-        "Makes a solid whose surface lies at a distance from that of the selected one. The panel asks for the distance: outwards, below 0 inwards.", 1,
+        "Makes a solid whose surface lies at a distance from that of the selected one. "
+        "The panel asks for the distance: outwards, below 0 inwards.", 1,
         Operation="Offset"),
     "Fieldfab_Shell": NewSolid(
         modify.Modify, "Shell", "Hollow the selected solid",
-        "Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.", 1, Operation="Shell"),
+        "Makes a hollow solid of the selected one; its outside stays. The panel asks for the wall's thickness.", 1,
+        Operation="Shell"),
     "Fieldfab_LatticeInfill": NewSolid(
         modify.Modify, "Lattice infill", "Hollow the selected solid and fill it with a lattice",
-        "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, the kind of lattice, the edge of its cell and "
-        "the thickness of its struts.", 1, Operation="Lattice infill"),
+        "Makes a light solid of the selected one: a wall, and a lattice inside. The panel asks for the wall, "
+        "the kind of lattice, the edge of its cell and the thickness of its struts.", 1, Operation="Lattice infill"),
     "Fieldfab_Mirror": NewSolid(
         modify.Modify, "Mirror", "Mirror the selected solid",
-        "Makes the mirror image of the selected solid, with or without the original. The panel asks for the mirror's normal and a point of it.", 1,
+        "Makes the mirror image of the selected solid, with or without the original. "
+        "The panel asks for the mirror's normal and a point of it.", 1,
         Operation="Mirror"),
     "Fieldfab_LinearArray": NewSolid(
         modify.Modify, "Linear array", "Copies of the selected solid in a row",
-        "Makes one solid of copies of the selected one in a row. The panel asks for the way from one to the next and for their number.", 1,
+        "Makes one solid of copies of the selected one in a row. "
+        "The panel asks for the way from one to the next and for their number.", 1,
         Operation="Linear array"),
     "Fieldfab_PolarArray": NewSolid(
         modify.Modify, "Polar array", "Copies of the selected solid around an axis",
-        "Makes one solid of copies of the selected one around an axis. The panel asks for the axis, the number of copies and the angle that they fill.", 1,
+        "Makes one solid of copies of the selected one around an axis. "
+        "The panel asks for the axis, the number of copies and the angle that they fill.", 1,
         Operation="Polar array"),
     "Fieldfab_Transform": NewSolid(
         modify.Modify, "Transform", "Scale, turn and move the selected solid",
-        "Makes a solid of the selected one, scaled along x, y and z, turned about an axis and moved. The panel asks for all of these.", 1,
+        "Makes a solid of the selected one, scaled along x, y and z, turned about an axis and moved. "
+        "The panel asks for all of these.", 1,
         Operation="Transform"),
 }

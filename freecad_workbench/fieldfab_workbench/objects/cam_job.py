@@ -94,7 +94,8 @@ class Job:
         if problem:
             raise JobError(f"{operation.Label}: {problem[0]} {problem[1]}", operation.Name, problem[0])
         if operation.Tool is not None and operation.Tool not in setup.Tools:
-            raise JobError(tr("{label}: its tool is not one of the set-up's").format(label=operation.Label), operation.Name, "tool")
+            raise JobError(tr("{label}: its tool is not one of the set-up's").format(label=operation.Label),
+                           operation.Name, "tool")
         if operation.Tool is None and len(setup.Tools) > 1:
             raise JobError(tr("{label}: choose a tool").format(label=operation.Label), operation.Name, "tool")
         self._head("[[operation]]", operation)
@@ -133,7 +134,8 @@ class Plan:
 
     def __init__(self, order, job):
         self.text, self.digest, self.extension = order.text, order.digest, order.extension
-        self.moves, self.sections, self.reports, self.notes = list(job.moves), list(job.sections), list(job.reports), list(job.notes)
+        self.moves, self.sections, self.reports, self.notes = (
+            list(job.moves), list(job.sections), list(job.reports), list(job.notes))
         self.zero, self.stock = tuple(job.zero), tuple(job.stock)
         with tempfile.TemporaryDirectory() as folder:
             program, sheet = os.path.join(folder, "program"), os.path.join(folder, "sheet.html")

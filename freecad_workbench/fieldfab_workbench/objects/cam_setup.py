@@ -8,7 +8,8 @@ from .document_object import WithSettings, create_object
 
 NO_MATERIAL = marked("any")
 ZEROS = marked(("model", "corner", "centre"))
-STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"), "Object": ("StockObject",)})
+STOCKS = marked({"Margins": ("Margin", "Top", "Thickness"), "Box": ("StockLower", "StockUpper"),
+                 "Object": ("StockObject",)})
 
 
 class CamSetup(WithSettings):
@@ -18,7 +19,8 @@ class CamSetup(WithSettings):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Part", "Part", "The solid to be made")
-        self.add_choice(obj, "Zero", "Part", "The program's zero: as the model has it, or the corner or centre of the part's top",
+        self.add_choice(obj, "Zero", "Part",
+                        "The program's zero: as the model has it, or the corner or centre of the part's top",
                         ZEROS)
         self.add_choice(obj, "Machine", "Machine", "What it is made with", workflow.machines())
         if "Material" not in obj.PropertiesList:
@@ -28,8 +30,10 @@ class CamSetup(WithSettings):
         self.add(obj, "Length", "Margin", "Stock", "At the part's sides", 2)
         self.add(obj, "Length", "Top", "Stock", "Above the part", 1)
         self.add(obj, "Length", "Thickness", "Stock", "From its top down; 0: to the part's lowest place", 0)
-        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner, in the document's coordinates", FreeCAD.Vector(-20, -20, -20))
-        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner, in the document's coordinates", FreeCAD.Vector(20, 20, 0))
+        self.add(obj, "Vector", "StockLower", "Stock", "Lower corner, in the document's coordinates",
+                 FreeCAD.Vector(-20, -20, -20))
+        self.add(obj, "Vector", "StockUpper", "Stock", "Upper corner, in the document's coordinates",
+                 FreeCAD.Vector(20, 20, 0))
         self.add(obj, "Link", "StockObject", "Stock", "Its bounding box is the stock")
         self.add(obj, "LinkList", "Tools", "CAM", "The cutters")
         self.add(obj, "LinkList", "Operations", "CAM", "What is done, in order")
@@ -45,7 +49,8 @@ class CamSetup(WithSettings):
         return workflow.machine(obj.Machine)["materials"].get(obj.Material, {}).get(setting.name, setting.default)
 
     def onChanged(self, obj, name):
-        if "Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring and not obj.Document.Transacting:
+        if ("Given" in obj.PropertiesList and not self._settling and not obj.Document.Restoring
+                and not obj.Document.Transacting):
             if name == "Machine" and "Material" in obj.PropertiesList:
                 self._offer_materials(obj)
             if name in ("Machine", "Material"):

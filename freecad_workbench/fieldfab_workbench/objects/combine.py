@@ -17,10 +17,12 @@ class Combine(Solid):
 
     def add_own_properties(self, obj):
         if "Operation" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Operation", "Combine", "What is made of the sources").Operation = list(OPERATIONS)
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Combine",
+                            "What is made of the sources").Operation = list(OPERATIONS)
         self.add(obj, "LinkList", "Sources", "Combine", "Solids, meshes, Part objects or bodies, in order")
         self.add(obj, "Length", "Radius", "Combine", "Of a blend's fillet", 2)
-        self.add(obj, "FloatConstraint", "Weight", "Combine", "Of a morph: 0 is the first source, 1 the second", (0.5, 0.0, 1.0, 0.05))
+        self.add(obj, "FloatConstraint", "Weight", "Combine", "Of a morph: 0 is the first source, 1 the second",
+                 (0.5, 0.0, 1.0, 0.05))
         self.show_what_matters(obj)
 
     def onChanged(self, obj, name):
@@ -35,7 +37,8 @@ class Combine(Solid):
 
     def csg(self, obj):
         """Of shapes of OpenSCAD: it knows how their faces meet, and flat ones."""
-        texts = [csg_of(each) for each in obj.Sources] if obj.Operation in ("Union", "Intersection", "Difference") else []
+        texts = ([csg_of(each) for each in obj.Sources]
+                 if obj.Operation in ("Union", "Intersection", "Difference") else [])
         return node(f"{obj.Operation.lower()}()", obj.Label, texts) if len(texts) > 1 and None not in texts else None
 
     def source(self, obj):
@@ -57,7 +60,8 @@ class Combine(Solid):
             "Blend": lambda a, b: a.blend(b, radius),
             "Morph": lambda a, b: a.morph(b, weight),
         }[operation]
-        key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0, *(s.digest for s in sources))
+        key = ("combine", operation, radius if operation == "Blend" else 0, weight if operation == "Morph" else 0,
+               *(s.digest for s in sources))
 
         def make(progress):
             if operation == "Blend":

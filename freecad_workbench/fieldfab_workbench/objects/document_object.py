@@ -80,7 +80,8 @@ class WithSettings(DocumentObject):
             return
         self._settling = True
         try:
-            self.add(obj, "StringList", "Given", "Result", "The settings that are given; the others follow their defaults", mode=4)
+            self.add(obj, "StringList", "Given", "Result",
+                     "The settings that are given; the others follow their defaults", mode=4)
             for stage in self.stages(obj):
                 for setting in stage.settings:
                     self._settle(obj, stage, setting)
@@ -138,7 +139,8 @@ class WithSettings(DocumentObject):
     def effective(self, obj):
         """{name: value} of all settings."""
         given, there = set(obj.Given), set(obj.PropertiesList)
-        return {s.name: s.read(obj) if s.property in given else self.default(obj, s) for s in self.settings(obj) if s.property in there}
+        return {s.name: s.read(obj) if s.property in given else self.default(obj, s)
+                for s in self.settings(obj) if s.property in there}
 
     def problems(self, obj):
         """{name: what is wrong} of the values given."""

@@ -28,12 +28,14 @@ class MachineProgram(DocumentObject):
         self.add(obj, "StringList", "Notes", "Program", "What one should know", mode=1)
         self.add(obj, "Vector", "Zero", "Program", "The program's zero in the document's coordinates", mode=1)
         self.add(obj, "String", "PackedProgram", "Result", "What the machine gets, compressed", mode=4)
-        self.add(obj, "String", "PackedSheet", "Result", "An HTML page for the person at the machine, compressed", mode=4)
+        self.add(obj, "String", "PackedSheet", "Result", "An HTML page for the person at the machine, compressed",
+                 mode=4)
         self.add(obj, "String", "PackedMoves", "Result", "All moves, as numpy writes them, compressed", mode=4)
         self.add(obj, "String", "Sections", "Result", "What each operation's moves are made with, as JSON", mode=4)
         self.add(obj, "String", "Job", "Result", "The job that it was planned from (docs/cam.md)", mode=4)
         self.add(obj, "String", "Extension", "Result", "Of the machine's file", mode=4)
-        self.add(obj, "String", "MadeFrom", "Result", "What it was made from: it is planned anew when this changes", mode=4)
+        self.add(obj, "String", "MadeFrom", "Result", "What it was made from: it is planned anew when this changes",
+                 mode=4)
 
     @staticmethod
     def program(obj):
@@ -70,12 +72,14 @@ def take(obj, plan):
     """Gives the object a cam_job.Plan."""
     moves = io.BytesIO()
     np.save(moves, cam_job.all_moves(plan))
-    obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = packed(plan.program), packed(plan.sheet), packed(moves.getvalue())
+    obj.PackedProgram, obj.PackedSheet, obj.PackedMoves = (
+        packed(plan.program), packed(plan.sheet), packed(moves.getvalue()))
     counts = [len(moves) for moves in plan.moves]
     obj.Sections = json.dumps([{**section, "moves": count} for section, count in zip(plan.sections, counts)])
     obj.Seconds = plan.seconds
     obj.CutLength, obj.RapidLength = (sum(report[name] for report in plan.reports) for name in ("cut", "rapid"))
-    obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, {clock(r['seconds'])}" for r in plan.reports]
+    obj.Reports = [f"{r['name']}: {r['cut'] / 1000:.2f} m cut, {r['rapid'] / 1000:.2f} m of rapids, "
+                   f"{clock(r['seconds'])}" for r in plan.reports]
     obj.Notes = plan.notes
     obj.Zero = FreeCAD.Vector(*plan.zero)
     obj.Job, obj.Extension = plan.text, plan.extension

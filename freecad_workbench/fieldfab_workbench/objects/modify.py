@@ -41,7 +41,8 @@ class Modify(Solid):
 
     def add_own_properties(self, obj):
         if "Operation" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify", "What is made of the source").Operation = list(OPERATIONS)
+            obj.addProperty("App::PropertyEnumeration", "Operation", "Modify",
+                            "What is made of the source").Operation = list(OPERATIONS)
         if "Lattice" not in obj.PropertiesList:
             obj.addProperty("App::PropertyEnumeration", "Lattice", "Modify", "What fills it").Lattice = list(LATTICES)
         add = functools.partial(self.add, obj)

@@ -22,19 +22,22 @@ class PartShape(DocumentObject):
     def add_properties(self, obj):
         add = self.add
         add(obj, "Link", "Source", "Shape", "A solid or a mesh")
-        add(obj, "IntegerConstraint", "MostTriangles", "Shape", "The mesh is reduced to about as many; above some thousands all that is done with the shape is slow",
+        add(obj, "IntegerConstraint", "MostTriangles", "Shape",
+            "The mesh is reduced to about as many; above some thousands all that is done with the shape is slow",
             (2000, 12, 50000, 500))
         add(obj, "Bool", "MergeFaces", "Shape", "Make one face of triangles that lie in a plane", True)
         add(obj, "Integer", "Faces", "Result", "Faces of the shape", mode=1)
         add(obj, "Float", "VolumeChange", "Result", "How many percent the shape's volume is above the solid's", mode=1)
-        add(obj, "String", "MadeFrom", "Result", "What the shape was made from: it is made anew when this changes", mode=4)
+        add(obj, "String", "MadeFrom", "Result", "What the shape was made from: it is made anew when this changes",
+            mode=4)
 
     def execute(self, obj):
         """Makes the shape. What goes wrong is raised: FreeCAD then marks the object, which keeps the shape it had."""
         if obj.Source is None or not hasattr(obj.Source, "Mesh"):
             raise ValueError(tr("{label}: choose a solid or a mesh as its Source").format(label=obj.Label))
         if not obj.Source.isValid():
-            raise ValueError(tr("{label}: {source} has failed; the shape is still what it was").format(label=obj.Label, source=obj.Source.Label))
+            raise ValueError(tr("{label}: {source} has failed; the shape is still what it was").format(
+                label=obj.Label, source=obj.Source.Label))
         made_from = hashlib.sha1(repr((_content(obj.Source), obj.MostTriangles, obj.MergeFaces)).encode()).hexdigest()
         if obj.MadeFrom != made_from:
             mesh = obj.Source.Mesh.copy()
@@ -57,8 +60,9 @@ def shape_of(mesh, most_triangles, merge_faces, label):
     if mesh.CountFacets > most_triangles:
         mesh.decimate(mesh.BoundBox.DiagonalLength / 1000, 1 - most_triangles / mesh.CountFacets)
         if mesh.CountFacets > 1.5 * most_triangles:
-            raise ValueError(tr("{label}: {count} triangles remain where MostTriangles allows {most}; allow more, or make the solid coarser").format(
-                label=label, count=mesh.CountFacets, most=most_triangles))
+            raise ValueError(tr("{label}: {count} triangles remain where MostTriangles allows {most}; "
+                                "allow more, or make the solid coarser").format(
+                                    label=label, count=mesh.CountFacets, most=most_triangles))
     pieces, cavities = [], []
     for piece in mesh.getSeparateComponents():
         shape = Part.Shape()
@@ -66,8 +70,9 @@ def shape_of(mesh, most_triangles, merge_faces, label):
         (pieces if _signed_volume(piece) > 0 else cavities).extend(Part.Solid(shell) for shell in shape.Shells)
     made = _hollowed(pieces, cavities)
     if made is None or not made.isValid():
-        raise ValueError(tr("{label}: the {count} triangles bound no valid Part solid; allow more triangles, or make the solid coarser").format(
-            label=label, count=mesh.CountFacets))
+        raise ValueError(tr("{label}: the {count} triangles bound no valid Part solid; "
+                            "allow more triangles, or make the solid coarser").format(
+                                label=label, count=mesh.CountFacets))
     if merge_faces:
         merged = made.removeSplitter()
         made = merged if merged.isValid() and merged.Solids else made

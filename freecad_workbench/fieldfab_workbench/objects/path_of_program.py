@@ -10,7 +10,8 @@ from .document_object import DocumentObject
 from .machine_program import machine_file, sections_of
 
 
-HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("FinalDepth", "Its lowest place"), described("SafeHeight", "z of rapids"),
+HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("FinalDepth", "Its lowest place"),
+           described("SafeHeight", "z of rapids"),
            described("ClearanceHeight", "z of rapids"))
 
 
@@ -22,7 +23,8 @@ class PathOfProgram(DocumentObject):
 
     def add_properties(self, obj):
         self.add(obj, "Link", "Program", "Path", "The machine program that it follows")
-        self.add(obj, "Integer", "Section", "Path", "Which of its operations; -1: all of them, as the machine's file says", 0)
+        self.add(obj, "Integer", "Section", "Path",
+                 "Which of its operations; -1: all of them, as the machine's file says", 0)
         self.add(obj, "Link", "ToolController", "Path", "What FreeCAD's job uses for it")
         self.add(obj, "Bool", "Active", "Path", "Whether FreeCAD's job takes it", True)
         for name, words in HEIGHTS:  # FreeCAD's dress-ups ask for these
@@ -40,14 +42,16 @@ class PathOfProgram(DocumentObject):
         else:
             sections = sections_of(obj.Program)
             if obj.Section >= len(sections):
-                raise ValueError(tr("{label}: the program has no operation {section} any more").format(label=obj.Label, section=obj.Section + 1))
+                raise ValueError(tr("{label}: the program has no operation {section} any more").format(
+                    label=obj.Label, section=obj.Section + 1))
             section, moves = sections[obj.Section]
             if section["tilted"]:
                 raise ValueError(tr("{label}: its tool leans now: make its path anew").format(label=obj.Label))
             text = gcode_of(moves, obj.Program.Zero)
             heights = moves[:, 2] + obj.Program.Zero.z
             cuts = heights[moves[:, 3] > 0]
-            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = cuts.max(), cuts.min(), heights.max(), heights.max()
+            obj.StartDepth, obj.FinalDepth, obj.SafeHeight, obj.ClearanceHeight = (
+                cuts.max(), cuts.min(), heights.max(), heights.max())
             obj.CoolantMode = section["coolant"].capitalize() or "None"
         obj.Path = Path.Path(text)
 
@@ -58,7 +62,8 @@ def gcode_of(moves, zero=(0, 0, 0)):
     begin = np.vstack([to[:1], to[:-1]])
     with np.errstate(divide="ignore", invalid="ignore"):
         across = np.stack([begin[:, 1] - to[:, 1], to[:, 0] - begin[:, 0]], axis=1)
-        arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across  # from the arc's start to its centre
+        # from the arc's start to its centre
+        arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across
     lines = []
     if len(moves):
         lines.append(f"G0 Z{to[0, 2]:.5f}")  # first up, where it is safe

@@ -24,7 +24,8 @@ def is_planned(obj):
 
 def offers_program(obj):
     """Whether program_of() may find one: a machine program, a Path operation, a Path Job."""
-    return bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj) or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode"))
+    return (bool(getattr(obj, "ProgramFile", "")) or is_planned(obj) or is_job(obj)
+            or (hasattr(obj, "Path") and hasattr(obj.Path, "toGCode")))
 
 
 def program_from_file(path):
@@ -33,7 +34,8 @@ def program_from_file(path):
         with open(path, "rb") as file:
             return Program(file.read(), os.path.basename(path), path)
     except OSError as error:
-        raise ValueError(tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
+        raise ValueError(
+            tr("the program {path} cannot be read: {error}").format(path=path, error=error.strerror)) from None
 
 
 def program_of(obj):

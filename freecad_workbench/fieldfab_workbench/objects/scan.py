@@ -24,8 +24,10 @@ class Scan(Solid):
         add("File", "File", "Scan", "The volume's file, or the folder of its slices")
         add("String", "FileBeside", "Scan", "The same, from the document's folder", mode=HIDDEN | OUTPUT)
         add("String", "FileRead", "Scan", "Size and time of the file that the mesh was made from", mode=HIDDEN | OUTPUT)
-        add("String", "FileState", "Scan", "Whether the file is there, and what it was when it was read", UNREAD, mode=READ_ONLY | OUTPUT)
-        add("Bool", "AutoThreshold", "Scan", "Solid is what is denser than halfway between the two commonest densities", True)
+        add("String", "FileState", "Scan", "Whether the file is there, and what it was when it was read", UNREAD,
+            mode=READ_ONLY | OUTPUT)
+        add("Bool", "AutoThreshold", "Scan", "Solid is what is denser than halfway between the two commonest densities",
+            True)
         add("Float", "Threshold", "Scan", "Solid is what is denser than this, where it is not automatic", 0)
         add("Bool", "Below", "Scan", "Solid is what is less dense", False)
         add("Vector", "Spacing", "Scan", "Distances of the samples along x, y and z, mm; 0 0 0: as the file says")
@@ -45,7 +47,8 @@ class Scan(Solid):
             setattr(obj, name, list(choices))
 
     def onChanged(self, obj, name):
-        if name == "File" and not obj.Document.Restoring and not obj.Document.Transacting and "FileState" in obj.PropertiesList:
+        if (name == "File" and not obj.Document.Restoring and not obj.Document.Transacting
+                and "FileState" in obj.PropertiesList):
             forget(obj, "File")
             self.look(obj)
 
@@ -61,14 +64,17 @@ class Scan(Solid):
         if len(obj.Samples) not in (0, 3):
             raise ValueError(tr("{label}: Samples are three numbers, or none").format(label=obj.Label))
         raw = obj.getEnumerationsOfProperty("SampleType").index(obj.SampleType)
-        return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "", tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
+        return ScanFile(path, tuple(obj.Samples) or None, SAMPLE_TYPES[raw] if raw else "",
+                        tuple(obj.Spacing) if obj.Spacing.Length else None, obj.Series)
 
     def cut(self, obj):
         """The scans.Cut. Raises ValueError."""
         crop = tuple(obj.Crop)
         if crop and (len(crop) != 6 or min(crop) < 0 or any(a >= b for a, b in zip(crop, crop[3:]))):
-            raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(label=obj.Label))
-        return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None, "" if obj.Denoise == "none" else obj.Denoise,
+            raise ValueError(tr("{label}: Crop is the first sample along x, y and z, then the last, or nothing").format(
+                label=obj.Label))
+        return Cut(None if obj.AutoThreshold else obj.Threshold, obj.Below, crop or None,
+                   "" if obj.Denoise == "none" else obj.Denoise,
                    obj.KeepLargest, obj.SmallestIsland.Value, obj.SmallestHole.Value)
 
     def source(self, obj):
@@ -76,7 +82,8 @@ class Scan(Solid):
         try:
             return (AsdfSource if file.path.lower().endswith(".asdf") else ScanSource)(file, cut)
         except ValueError as error:
-            raise ValueError(tr("{label}: {error}; double-click it to find the file").format(label=obj.Label, error=error)) from None
+            raise ValueError(
+                tr("{label}: {error}; double-click it to find the file").format(label=obj.Label, error=error)) from None
 
     def execute(self, obj):
         self.look(obj)

@@ -20,7 +20,8 @@ THREE_AXES = marked("three axes")
 OF_THE_MACHINE = marked("the machine's")
 DIALECTS = (OF_THE_MACHINE, "linuxcnc", "fanuc", "grbl", "mach3")
 # Worst first.
-KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped", "gouge", "excess"))
+KINDS = marked(("fixture contact", "holder contact", "shank contact", "rapid contact", "over-travel", "spindle stopped",
+                "gouge", "excess"))
 CONTACTS = KINDS[:4]
 KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
 
@@ -33,10 +34,12 @@ class Run:
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
         setup, program = (self._file(*given) for given in (task.setup, task.program))
         target, stock, part = (source and source.field(progress) for source in (task.target, task.stock, task.part))
-        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part, cell=task.cell or None, remember=True,
+        self.simulation = kernel.load().stock.Simulation(setup, program, target=target, stock=stock, part=part,
+                                                         cell=task.cell or None, remember=True,
                                                          progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
-        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))  # here, where nobody waits
+        # here, where nobody waits
+        self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
     def _file(self, text, name, path):
@@ -54,8 +57,10 @@ class Task:
     the set-up's."""
 
     def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
-        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = program, setup, target, stock, cell, part, dialect
-        told = ("simulation", program[0], program[1], setup[0], _models_of(setup), *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
+        self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = (
+            program, setup, target, stock, cell, part, dialect)
+        told = ("simulation", program[0], program[1], setup[0], _models_of(setup),
+                *(s and s.digest for s in (target, stock, part)), cell, *([dialect] if dialect else []))
         self.digest = hashlib.sha1(repr(told).encode()).hexdigest()
 
     def run(self, progress=None):
@@ -84,7 +89,8 @@ def _models_of(setup):
 def bounds_of(obj):
     """The box of an object's mesh or shape in the document."""
     box = (obj.Mesh if hasattr(obj, "Mesh") else obj.Shape).BoundBox
-    return box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix()) if hasattr(obj, "getGlobalPlacement") else box
+    return (box.transformed((obj.getGlobalPlacement() * obj.Placement.inverse()).toMatrix())
+            if hasattr(obj, "getGlobalPlacement") else box)
 
 
 def event_order(event):
@@ -97,7 +103,8 @@ def verdict(events, say=str):
     if not events:
         return say(marked("good"))
     worst = events[0]
-    return say(marked("{count} events, the worst: {kind} at line {line}")).format(count=len(events), kind=say(worst["kind"]), line=worst["line"])
+    return say(marked("{count} events, the worst: {kind} at line {line}")).format(
+        count=len(events), kind=say(worst["kind"]), line=worst["line"])
 
 
 def planned_of(simulation):
@@ -115,23 +122,32 @@ class Simulation(Solid):
     def add_own_properties(self, obj):
         add = functools.partial(self.add, obj)
         add("File", "ProgramFile", "Program", "The machine's program: G-code, .sbp, .rml, .hpgl")
-        add("Link", "Program", "Program", "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
-        self.add_choice(obj, "Dialect", "Program", "How its G-code is read; the machine of the set-up decides where nothing is chosen", DIALECTS)
-        add("File", "SetupFile", "Set-up", "A set-up or job file (docs/simulation.md); none: what the properties below say")
+        add("Link", "Program", "Program",
+            "An object that has a program: a machine program, a Path operation or Job. Then there is no file")
+        self.add_choice(obj, "Dialect", "Program",
+                        "How its G-code is read; the machine of the set-up decides where nothing is chosen", DIALECTS)
+        add("File", "SetupFile", "Set-up",
+            "A set-up or job file (docs/simulation.md); none: what the properties below say")
         if "Machine" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
-        add("StringList", "Tools", "Set-up", "A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
+            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries "
+                            "it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
+        add("StringList", "Tools", "Set-up",
+            "A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
             [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])
         add("Vector", "StockLower", "Set-up", "Lower corner of the stock")
         add("Vector", "StockUpper", "Set-up", "Upper corner of the stock")
-        add("Link", "SetupProgram", "Set-up", "A machine program of the document, whose set-up a program file is carried out in: machine, tools, stock, part")
-        add("Link", "Stock", "Set-up", "The stock as a solid: what an earlier simulation left, say. Then the corners do not count")
+        add("Link", "SetupProgram", "Set-up", "A machine program of the document, "
+            "whose set-up a program file is carried out in: machine, tools, stock, part")
+        add("Link", "Stock", "Set-up",
+            "The stock as a solid: what an earlier simulation left, say. Then the corners do not count")
         add("Link", "Target", "Set-up", "What should come out: any solid")
         add("Length", "Gouge", "Set-up", "Deeper cuts into the target are faults", 0.05)
         add("Length", "Excess", "Set-up", "More than this left over it is a fault; 0: any amount may be left", 0)
         add("Length", "Touch", "Set-up", "Contacts of less than this depth are none", 0.02)
-        add("String", "MoreOfSetup", "Set-up", "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
-        add("Length", "Cell", "Sampling", "Distance of samples; 0 means automatic: a 300th of the stock, at most 0.2 mm", 0)
+        add("String", "MoreOfSetup", "Set-up",
+            "Further lines of the set-up: zero, start, [work], [limits], [fixture], ...")
+        add("Length", "Cell", "Sampling",
+            "Distance of samples; 0 means automatic: a 300th of the stock, at most 0.2 mm", 0)
         add("String", "Verdict", "Result", "What came of it", mode=1)
         add("StringList", "Events", "Result", "What went wrong, worst first: a JSON object a line", mode=1)
         add("StringList", "Notes", "Result", "What the program's reader passed over", mode=1)
@@ -159,9 +175,11 @@ class Simulation(Solid):
         if not hasattr(obj, "Stock") or not hasattr(obj, "SetupFile") or not hasattr(obj, "Program"):
             return  # an object that is being made
         there = set(obj.PropertiesList)  # while a document is opened they come one by one
-        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch", "MoreOfSetup"):
+        for name in ("Machine", "Tools", "Stock", "StockLower", "StockUpper", "Gouge", "Excess", "Touch",
+                     "MoreOfSetup"):
             corner = name in ("StockLower", "StockUpper")
-            counts = not (corner and obj.Stock is not None) and (name == "Stock" or not (obj.SetupFile or planned_of(obj)))
+            counts = (not (corner and obj.Stock is not None)
+                      and (name == "Stock" or not (obj.SetupFile or planned_of(obj))))
             if name in there:
                 obj.setEditorMode(name, 0 if counts else 2)
 
@@ -175,14 +193,17 @@ class Simulation(Solid):
         """The Task that the properties describe. Raises ValueError with a line for the user."""
         if obj.Program is None and not obj.ProgramFile:
             raise ValueError(tr("{label}: choose a program").format(label=obj.Label))
-        program = programs.program_of(obj.Program) if obj.Program is not None else programs.program_from_file(obj.ProgramFile)
+        program = (programs.program_of(obj.Program) if obj.Program is not None
+                   else programs.program_from_file(obj.ProgramFile))
         for link in (obj.Target, obj.Stock):
             if link is not None and not link.isValid():
                 raise ValueError(tr("{label}: {other} could not be computed").format(label=obj.Label, other=link.Label))
         target, stock = (link and source_of(link) for link in (obj.Target, obj.Stock))
         planned = planned_of(obj)
-        part = source_of(planned.Setup.Part) if planned and planned.Setup and planned.Setup.Part and not obj.SetupFile else None
-        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part, "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
+        part = (source_of(planned.Setup.Part) if planned and planned.Setup and planned.Setup.Part
+                and not obj.SetupFile else None)
+        return Task(program, self.setup(obj), target, stock, obj.Cell.Value, part,
+                    "" if obj.Dialect == OF_THE_MACHINE else obj.Dialect)
 
     def setup(self, obj):
         """The set-up as (bytes, name, path or None)."""
@@ -199,10 +220,13 @@ class Simulation(Solid):
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)
-            room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)  # so that no face of it lies in the box's own
-            lower, upper = FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room, FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room
+            # so that no face of it lies in the box's own
+            room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)
+            lower, upper = (FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room,
+                            FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room)
         if min(upper - lower) <= 0:
-            raise ValueError(tr("{label}: the stock has no size: give its corners, or a solid as Stock").format(label=obj.Label))
+            raise ValueError(
+                tr("{label}: the stock has no size: give its corners, or a solid as Stock").format(label=obj.Label))
         tools = [set_ups.tool_from_line(line) for line in obj.Tools if line.strip()]
         tolerances = {"gouge": obj.Gouge.Value, "excess": obj.Excess.Value, "touch": obj.Touch.Value}
         machine = "" if obj.Machine == THREE_AXES else obj.Machine
@@ -215,7 +239,8 @@ class Simulation(Solid):
 
     def waits(self, obj):
         """Whether it is carried out anew only once it is shown: while it is hidden nobody looks at it."""
-        return bool(obj.MadeFrom) and not self.edited and not obj.Visibility and all(is_solid(user) for user in obj.InList)
+        return (bool(obj.MadeFrom) and not self.edited and not obj.Visibility
+                and all(is_solid(user) for user in obj.InList))
 
     def has_its_mesh(self, obj):
         return obj.MadeFrom == self.task(obj).digest
@@ -249,7 +274,9 @@ class Simulation(Solid):
         obj.Verdict = verdict(events)
         obj.Events = [json.dumps(event) for event in events]
         obj.Notes = [f"line {note['line']}: {note['message']}" for note in report["notes"]]
-        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"])
-        obj.Contacts, obj.Gouges, obj.OverTravels = sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel")
+        obj.Removed, obj.Seconds, obj.RapidSeconds, obj.AirShare = (
+            report["removed"], report["seconds"], report["rapid_seconds"], round(100 * report["air_share"]))
+        obj.Contacts, obj.Gouges, obj.OverTravels = (
+            sum(k in CONTACTS for k in kinds), kinds.count("gouge"), kinds.count("over-travel"))
         deviation = report.get("deviation", {})
         obj.DeepestGouge, obj.HighestExcess = deviation.get("deepest_gouge", 0), deviation.get("highest_excess", 0)

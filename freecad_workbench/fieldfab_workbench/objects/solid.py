@@ -36,22 +36,32 @@ class Solid(DocumentObject):
     def add_properties(self, obj):
         self.add_own_properties(obj)
         add = self.add
-        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: a scan's own, else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells", 0)
-        add(obj, "Length", "MaxError", "Mesh", "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
-        add(obj, "Bool", "OnlyWhenShown", "Mesh", "While it is hidden, and only other solids are made of it, it gets no mesh", False)
+        add(obj, "Length", "VoxelSize", "Mesh", "Edge of the smallest cell; 0 means automatic: a scan's own, "
+            "else by the preferences' cells along the longest side. OpenSCAD's flat faces need no cells", 0)
+        add(obj, "Length", "MaxError", "Mesh",
+            "How far the mesh may be from the solid; 0 means a tenth of the smallest cell", 0)
+        add(obj, "Bool", "OnlyWhenShown", "Mesh",
+            "While it is hidden, and only other solids are made of it, it gets no mesh", False)
         add(obj, "Bool", "AutoBounds", "Region", "Find the solid's bounds by interval search", True)
-        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found", FreeCAD.Vector(-50, -50, -50))
-        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found", FreeCAD.Vector(50, 50, 50))
+        add(obj, "Vector", "Lower", "Region", "Lower corner of the region, where bounds are not found",
+            FreeCAD.Vector(-50, -50, -50))
+        add(obj, "Vector", "Upper", "Region", "Upper corner of the region, where bounds are not found",
+            FreeCAD.Vector(50, 50, 50))
         self.add_results(obj)
-        add(obj, "String", "Certainty", "Result", "Whether it is proved that the mesh shows all of the solid, else where it is not; empty for a mesh of an earlier version", mode=1)
-        add(obj, "VectorList", "UncertainPlaces", "Result", "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)  # hidden
+        add(obj, "String", "Certainty", "Result", "Whether it is proved that the mesh shows all of the solid, "
+            "else where it is not; empty for a mesh of an earlier version", mode=1)
+        # hidden
+        add(obj, "VectorList", "UncertainPlaces", "Result",
+            "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)
 
     def add_results(self, obj):
         add = self.add
         add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
         add(obj, "Area", "Area", "Result", "Surface of the mesh", mode=1)
         add(obj, "Integer", "Triangles", "Result", "Triangles of the mesh", mode=1)
-        add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes", mode=4)  # hidden
+        # hidden
+        add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes",
+            mode=4)
 
     def mesh_settings(self, obj):
         """The settings of sources.Source.mesh()."""
@@ -72,7 +82,8 @@ class Solid(DocumentObject):
         except work.Cancelled:
             raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
 
-    _ready = (None, None)  # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
+    # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
+    _ready = (None, None)
 
     def ahead(self, obj):
         """A `function(progress)` that makes the mesh for the next recompute, on any thread; None where there is nothing to make, or the recompute

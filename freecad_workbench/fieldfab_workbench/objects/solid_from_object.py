@@ -12,11 +12,13 @@ class SolidFromObject(Solid):
 
     def add_own_properties(self, obj):
         self.add(obj, "Link", "Source", "Solid", "A mesh, a Part object or a body")
-        self.add(obj, "Length", "Deflection", "Solid", "How far triangles may be from a Part shape; 0 means 1/2000 of its size", 0)
+        self.add(obj, "Length", "Deflection", "Solid",
+                 "How far triangles may be from a Part shape; 0 means 1/2000 of its size", 0)
 
     def source(self, obj):
         if obj.Source is None:
-            raise ValueError(tr("{label}: choose a mesh, a Part object or a body as its Source").format(label=obj.Label))
+            raise ValueError(
+                tr("{label}: choose a mesh, a Part object or a body as its Source").format(label=obj.Label))
         if obj.Deflection.Value and hasattr(obj.Source, "Shape"):
             return source_of_geometry(obj.Source, obj.Deflection.Value).moved(obj.Source.getGlobalPlacement())
         return source_of(obj.Source)

@@ -51,7 +51,8 @@ class EditPanel:
 
     def dock(self):
         """The dock that shows the panel; None while there is none."""
-        return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget) if dock.isVisible() and dock.isAncestorOf(self.form)), None)
+        return next((dock for dock in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDockWidget)
+                     if dock.isVisible() and dock.isAncestorOf(self.form)), None)
 
     def take_over(self):
         raise NotImplementedError
@@ -111,7 +112,8 @@ class EditPanel:
     def _set_making(self, on):
         if on:
             kept = (self.bar_of_making, self.message)
-            self._inputs = [each for each in self.form.children() if isinstance(each, QtWidgets.QWidget) and each.isEnabled() and each not in kept]
+            self._inputs = [each for each in self.form.children()
+                            if isinstance(each, QtWidgets.QWidget) and each.isEnabled() and each not in kept]
         for widget in self._inputs:
             widget.setEnabled(not on)
         self.bar_of_making.setVisible(on)

@@ -34,7 +34,8 @@ def lines_of(event):
 
 
 # What each column is sorted by; the worst is first.
-KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]), lambda event: -abs(event["amount"]))
+KEYS = (event_order, lambda event: (event.get("first_line", event["line"]), event["line"]),
+        lambda event: -abs(event["amount"]))
 
 
 def sign(kind):

@@ -96,7 +96,8 @@ class FrepPanel(EditPanel):
         row.changed.connect(lambda number: self._drive(name))
         driven = any(path == property_name(name) for path, expression in self.obj.ExpressionEngine)
         row.setEnabled(not driven)
-        words = tr("{name} is driven by an expression") if driven else tr("{name} of the text: a property of the object, too")
+        words = (tr("{name} is driven by an expression") if driven
+                 else tr("{name} of the text: a property of the object, too"))
         row.setToolTip("\n".join(filter(None, [parameter.comment, words.format(name=name)])))
         self.sliders.addRow(name, row)
         return row
@@ -129,7 +130,8 @@ class FrepPanel(EditPanel):
         self.preview.show(source, settings)
 
     def _source(self):
-        return source_of_text(with_values(self.text.toPlainText(), {name: row.value() for name, row in self.rows.items()}))
+        return source_of_text(with_values(self.text.toPlainText(),
+                                          {name: row.value() for name, row in self.rows.items()}))
 
     def _told(self, words, good):
         if not self.text.message:

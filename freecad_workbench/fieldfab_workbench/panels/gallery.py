@@ -83,7 +83,8 @@ class Gallery(QtWidgets.QDialog):
             if not picture.isNull():
                 picture = picture.scaled(THUMBNAIL, QtCore.Qt.KeepAspectRatio, QtCore.Qt.SmoothTransformation)
                 painter = QtGui.QPainter(canvas)
-                painter.drawPixmap((THUMBNAIL.width() - picture.width()) // 2, THUMBNAIL.height() - picture.height(), picture)
+                painter.drawPixmap((THUMBNAIL.width() - picture.width()) // 2, THUMBNAIL.height() - picture.height(),
+                                   picture)
                 painter.end()
             self.icons[shape.name] = QtGui.QIcon(canvas)
         return self.icons[shape.name]
@@ -131,7 +132,8 @@ class Gallery(QtWidgets.QDialog):
         self.boxes = {name: self._box(value) for name, value in shape.values.items()}
         for name, box in self.boxes.items():
             default = shape.defaults.get(name)
-            box.setToolTip(tr("left out, it is {default}").format(default=default) if default else tr("a number, a shape, or any formula"))
+            box.setToolTip(tr("left out, it is {default}").format(default=default) if default
+                           else tr("a number, a shape, or any formula"))
             self.form.addRow(tr("values") if name == "…" else name, box)
 
     @staticmethod
@@ -146,7 +148,8 @@ class Gallery(QtWidgets.QDialog):
         return box
 
     def values(self):
-        return {name: f"{box.value():.6g}" if isinstance(box, QtWidgets.QDoubleSpinBox) else box.text().strip() for name, box in self.boxes.items()}
+        return {name: f"{box.value():.6g}" if isinstance(box, QtWidgets.QDoubleSpinBox) else box.text().strip()
+                for name, box in self.boxes.items()}
 
     def insert(self):
         if self.chosen:

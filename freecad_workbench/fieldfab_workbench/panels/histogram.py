@@ -17,7 +17,8 @@ class Histogram(QtWidgets.QWidget):
         super().__init__()
         self.setMinimumHeight(120)
         self.setCursor(QtCore.Qt.SplitHCursor)
-        self.setToolTip(tr("How many samples have which density, on a logarithmic scale. Drag the line to move the threshold"))
+        self.setToolTip(
+            tr("How many samples have which density, on a logarithmic scale. Drag the line to move the threshold"))
         self.counts, self.edges, self.threshold, self.below, self.enabled = [], [0.0, 1.0], 0.5, False, False
 
     def set_densities(self, counts, edges):
@@ -62,7 +63,8 @@ class Histogram(QtWidgets.QWidget):
         for i, height in enumerate(self.columns()):
             x = area.left() + i + 0.5
             painter.setPen(solid if (x >= line) != self.below else air)
-            painter.drawLine(QtCore.QPointF(x, area.bottom()), QtCore.QPointF(x, area.bottom() - height * (area.height() - 4)))
+            painter.drawLine(QtCore.QPointF(x, area.bottom()),
+                             QtCore.QPointF(x, area.bottom() - height * (area.height() - 4)))
         painter.setPen(palette.mid().color())
         painter.drawRect(area)
         if not self.enabled:

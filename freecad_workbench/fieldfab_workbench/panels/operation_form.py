@@ -32,7 +32,8 @@ class OperationForm(QtWidgets.QWidget):
         self.active.setToolTip(tr(obj.getDocumentationOfProperty("Active"), PROPERTY))
         self.active.setChecked(obj.Active)
         self.active.clicked.connect(self._activate)
-        for words, widget in ((tr("Name"), self.name), (tr("Operation"), self.type), (tr("Tool"), self.tool), ("", self.active)):
+        for words, widget in ((tr("Name"), self.name), (tr("Operation"), self.type), (tr("Tool"), self.tool),
+                              ("", self.active)):
             head.addRow(words, widget)
         self.column.addLayout(head)
         self.boxes, self.rows = {}, {}

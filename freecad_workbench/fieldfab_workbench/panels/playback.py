@@ -30,7 +30,8 @@ def clock(seconds):
 def _is_in_the_way(obj):
     """Whether it is a solid, a path or a machine program: the stock would be in the same place."""
     kind = getattr(getattr(obj, "Proxy", None), "NAME", "")
-    return kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path")) and hasattr(obj.ViewObject, "Visibility")
+    return (kind == "MachineProgram" or any(hasattr(obj, name) for name in ("Mesh", "Shape", "Path"))
+            and hasattr(obj.ViewObject, "Visibility"))
 
 
 class Playback(QtWidgets.QWidget):
@@ -125,13 +126,19 @@ class Playback(QtWidgets.QWidget):
             return box
 
         self.see_tool = choice(tr("Tool"), tr("Show the cutter"), True, self._show_roles, 0, 0)
-        self.see_holder = choice(tr("Shank and holder"), tr("Show what must not touch anything"), True, self._show_roles, 0, 1)
-        self.see_deviation = choice(tr("Deviation at the end"), tr("Colour the finished stock by its distance from the target"), True,
+        self.see_holder = choice(tr("Shank and holder"), tr("Show what must not touch anything"), True,
+                                 self._show_roles, 0, 1)
+        self.see_deviation = choice(tr("Deviation at the end"),
+                                    tr("Colour the finished stock by its distance from the target"), True,
                                     lambda on: self.go_to(self.seconds), 1, 0)
-        self.turning = choice(tr("Table turns"), tr("Show the stock as the machine's table turns it"), False, lambda on: self._place(), 1, 1)
-        self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True, lambda on: self.scene and self.scene.show_stock(on), 2, 0)
-        self.see_part = choice(tr("Part"), tr("Show the part that should come out"), False, lambda on: self._show_part(), 2, 1)
-        self.see_paths = choice(tr("Paths"), tr("Show where the tools' tips go, each tool in its colour"), False, lambda on: self._show_paths(), 3, 0)
+        self.turning = choice(tr("Table turns"), tr("Show the stock as the machine's table turns it"), False,
+                              lambda on: self._place(), 1, 1)
+        self.see_stock = choice(tr("Stock"), tr("Show the stock as it is at this moment"), True,
+                                lambda on: self.scene and self.scene.show_stock(on), 2, 0)
+        self.see_part = choice(tr("Part"), tr("Show the part that should come out"), False,
+                               lambda on: self._show_part(), 2, 1)
+        self.see_paths = choice(tr("Paths"), tr("Show where the tools' tips go, each tool in its colour"), False,
+                                lambda on: self._show_paths(), 3, 0)
         self.layout_.addLayout(grid)
 
     # Beginning and ending.
@@ -139,7 +146,8 @@ class Playback(QtWidgets.QWidget):
         """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. All else in the view that lies where the
         stock is stays hidden meanwhile."""
         self.end()
-        self.parts, self._hidden = list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility]
+        self.parts, self._hidden = (
+            list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility])
         seen = bool(self._hidden)
         for obj in self._hidden:
             obj.ViewObject.Visibility = False
@@ -162,7 +170,8 @@ class Playback(QtWidgets.QWidget):
         self.line.blockSignals(True)
         self.line.setRange(1, max(1, len(run.lines)))
         self.line.blockSignals(False)
-        self.speed.setCurrentIndex(min(range(len(SPEEDS)), key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / max(self.player.length, 1.0)))))
+        self.speed.setCurrentIndex(min(range(len(SPEEDS)),
+                                       key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / max(self.player.length, 1.0)))))
         box = simulation.stock_box
         self.size = math.dist(box[:3], box[3:])
         self._show_roles()
@@ -333,7 +342,8 @@ class Playback(QtWidgets.QWidget):
                 label.setText(f"{letter} {units.shown(value):9.{4 if units.in_inches() else 3}f}")
             else:
                 label.setText(f"{letter} {value:9.3f}\N{DEGREE SIGN}")
-        self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(tool=self._moment["tool"]))
+        self.doing.setText((tr("tool {tool}, rapid") if self._moment["rapid"] else tr("tool {tool}")).format(
+            tool=self._moment["tool"]))
 
     def _show_line(self, line):
         self.program.mark(line)
@@ -364,7 +374,8 @@ class Playback(QtWidgets.QWidget):
         for place, (tool, points, counts) in enumerate(self.player.ways()):
             colour = RAPID_COLOUR if tool is None else COLOURS[place % len(COLOURS)]
             nodes.append(lines(points, counts, colour, 1.2, 0x0F0F if tool is None else 0xFFFF))
-            entries.append((colour, tr("rapids") if tool is None else tr("cuts of tool {tool}").format(tool=tool), tool is None))
+            entries.append((colour, tr("rapids") if tool is None else tr("cuts of tool {tool}").format(tool=tool),
+                            tool is None))
         self.scene.show_paths(nodes)
         if entries:
             self.colours = ColourLegend(self.view.widget(), entries)

@@ -80,7 +80,8 @@ class ScanPanel(ScanForm):
         if not file.path:
             self.told.setText(tr("Choose a volume's file, or a folder of its slices."))
         elif not os.path.exists(file.path):
-            self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(path=file.path))
+            self.say(tr("The scan {path} is missing: choose where it is now. The solid keeps the mesh it has.").format(
+                path=file.path))
         elif file.path.lower().endswith(".asdf"):
             self.told.setText(tr("A distance field: it is taken as it is."))
         else:
@@ -92,7 +93,8 @@ class ScanPanel(ScanForm):
     def _opened(self, overview):
         self.overview, volume = overview, overview.volume
         self.told.setText(tr("{count} samples of {spacing}, {kind}").format(
-            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "), kind=volume.type))
+            count=" × ".join(map(str, volume.size)), spacing=units.told_all(volume.spacing, between=" × "),
+            kind=volume.type))
         self.histogram.set_densities(overview.counts, overview.edges)
         self.threshold.setSingleStep((overview.edges[-1] - overview.edges[0]) / 200)
         if not self.own_spacing.isChecked():
@@ -145,7 +147,8 @@ class ScanPanel(ScanForm):
         full = self.voxel.value() or min(spacing)
         samples = math.prod(cut.cropped(self.overview.volume).size)
         memory, count = scans.estimate(samples, cut.cleaned(), surface.count, cell / full)
-        self.estimate.setText(tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
+        self.estimate.setText(
+            tr("About {count} triangles, {memory} MB").format(count=_rounded(count), memory=_rounded(memory / 1e6)))
         self.say("" if surface.count else tr("Nothing is solid at this threshold."), surface.count > 0)
 
     def _show_box(self, crop):

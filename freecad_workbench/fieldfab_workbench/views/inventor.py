@@ -18,7 +18,8 @@ def corner_normals(vertices, triangles, slopes):
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
     drawn[triangle, corner] = len(vertices) + np.arange(len(triangle), dtype=np.int32)
-    return np.concatenate([vertices, vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
+    return np.concatenate([vertices,
+                           vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
 
 
 def creased(vertices, triangles):
@@ -49,14 +50,16 @@ def written(vertices, normals, triangles):
     """The three arrays as the bytes of a binary Inventor file; on any thread."""
     corners = np.full((len(triangles), 4), -1, ">i4")
     corners[:, :3] = triangles
-    nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")), node_bytes("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
+    nodes = (node_bytes("Normal", "vector", len(normals), normals.astype(">f4")),
+             node_bytes("Coordinate3", "point", len(vertices), vertices.astype(">f4")),
              node_bytes("IndexedFaceSet", "coordIndex", corners.size, corners))
     return b"".join((HEAD, _name("Separator"), struct.pack(">iii", _GROUP, 0, len(nodes)), *nodes))
 
 
 def node_bytes(kind, field, count, values):
     """A node with one long field; `values` hold big-endian numbers."""
-    return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(), struct.pack(">i", 0)))
+    return b"".join((_name(kind), struct.pack(">ii", 0, 1), _name(field), struct.pack(">i", count), values.tobytes(),
+                     struct.pack(">i", 0)))
 
 
 def _name(word):

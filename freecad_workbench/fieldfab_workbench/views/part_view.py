@@ -50,7 +50,8 @@ class PartView:
     def ray(self, x, y):
         """Origin and direction of what lies below a pixel of the screen, counted from the lower left."""
         width, height = self.view.getSize()
-        near, far = (np.array(p.getValue()) for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
+        near, far = (np.array(p.getValue())
+                     for p in self._volume().projectPointToLine(coin.SbVec2f(x / width, y / height)))
         return near, (far - near) / np.linalg.norm(far - near)
 
     def pixel_of(self, place):

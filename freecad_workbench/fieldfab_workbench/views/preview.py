@@ -27,7 +27,8 @@ PIXELS = 3  # that a cell may fill
 
 
 def _said(stage):
-    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"), "final": tr("As it will be"),
+    return {"coarse": tr("Coarse preview: cells of {cell}"), "finer": tr("Preview: cells of {cell}"),
+            "final": tr("As it will be"),
             "divided": tr("Refining where you look"), "detail": tr("Refined where you look")}[stage]
 
 
@@ -44,11 +45,13 @@ class Preview:
         self.cells, self.guess = 20, self._bounds_of_object()
         self._faces_first = False  # whether the solid's own faces were made within the first picture's time
         self._seen = obj.MadeFrom if obj.isValid() else None
-        self.stage, self.latency = "", None  # of tests: how far the picture is; seconds from the last change to its first picture
+        # of tests: how far the picture is; seconds from the last change to its first picture
+        self.stage, self.latency = "", None
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
         self._paused = None  # what goes on after a pause
-        self._coarse, self._ready = False, None  # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        self._coarse, self._ready = False, None
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0
         self._unseen = self.guess is None  # a new solid, which is nowhere in the picture yet
@@ -76,7 +79,8 @@ class Preview:
         if on:
             complete = self.stage in ("final", "detail") and self._wanted is None
             self._stop()
-            self._paused = None if complete else self._wanted or self._refinement and (self._refinement.source, self._refinement.settings)
+            self._paused = (None if complete else self._wanted
+                            or self._refinement and (self._refinement.source, self._refinement.settings))
             self._wanted = self._ready = None
         else:
             self._wanted, self._paused = self._wanted or self._paused, None
@@ -212,7 +216,8 @@ class Preview:
         while self._waiting and time.monotonic() < end:
             stage, picture = self._waiting[0]
             if self._assembly is None:
-                self._assembly, self._piece = self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator()
+                self._assembly, self._piece = (
+                    self._solid if stage == "detail" else coin.SoSeparator(), coin.SoSeparator())
             piece, parts = next(iter(picture.items()), (None, None))
             if parts:
                 self._piece.addChild(inventor.read(parts.pop()))
@@ -252,7 +257,8 @@ class Preview:
         self._say_stage()
 
     def _say_stage(self):
-        words = _said("final" if self._refinement.exact else self.stage).format(cell=units.told(self._refinement.voxel, digits=3))
+        words = _said("final" if self._refinement.exact else self.stage).format(
+            cell=units.told(self._refinement.voxel, digits=3))
         self.say(*with_doubt(words, self._doubt))
 
     def _watch_camera(self):
@@ -269,14 +275,16 @@ class Preview:
             return None
         at, towards = FreeCAD.Vector(*camera.position.getValue().getValue()), view.getViewDirection()
         if hasattr(camera, "height"):
-            at = at + towards * camera.focalDistance.getValue() - towards * (PIXELS * camera.height.getValue() / height / ANGLE)
+            at = at + towards * camera.focalDistance.getValue() - towards * (
+                PIXELS * camera.height.getValue() / height / ANGLE)
         return tuple(self.obj.getGlobalPlacement().inverse().multVec(at))
 
     def _needs_detail(self):
         still = time.monotonic() - self._eye_moved > STILL
         ready = self._ready and not self._waiting and self._eye is not None
         ready = ready and (not self._task.is_alive() or time.monotonic() - self._ready > PATIENCE)
-        return ready and still and self._refined_for != self._eye and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye))
+        return (ready and still and self._refined_for != self._eye
+                and (self._refinement.in_blocks or self._refinement.is_coarse_for(self._eye)))
 
     # The thread's side.
     @staticmethod

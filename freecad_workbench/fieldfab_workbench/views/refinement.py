@@ -10,7 +10,9 @@ from . import inventor
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
 CELLS = 32  # along each side of a block, which is refined by itself
 BLOCKS = 4  # most blocks along an axis
-NEAR = 4  # times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the picture
+# times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the
+# picture
+NEAR = 4
 PIECE = 10_000  # triangles of a piece
 MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
 
@@ -23,11 +25,13 @@ class Refinement:
         """`settings`: of source.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
         first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
         before all else."""
-        self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = source, settings, guess, cells, most, faces_first
+        self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = (
+            source, settings, guess, cells, most, faces_first)
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self._cell = None, None  # a region, and the smallest cell in it
         self.extent = guess  # of the solid, as far as it is known
-        self.sharp = False  # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        self.sharp = False
         self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
         self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
         self.in_blocks = False  # whether the last picture was one of blocks
@@ -65,7 +69,8 @@ class Refinement:
         if len(mesh.triangles) <= self.most:
             self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
-        elif self._fit_region(mesh) or blocks_are_shown:  # parts outside of the guess were not seen; blocks need replacing
+        # parts outside of the guess were not seen; blocks need replacing
+        elif self._fit_region(mesh) or blocks_are_shown:
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)
 
@@ -75,17 +80,20 @@ class Refinement:
 
     def suffices(self, mesh, eye):
         """Whether the solid's own mesh can be shown, and is fine enough for the eye."""
-        return len(mesh.triangles) <= self.most and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks())
+        return (len(mesh.triangles) <= self.most
+                and not any(self._is_coarse(block, eye, self._wanted()) for block in self._blocks()))
 
     def divided(self, progress):
         """The solid as fine as it is shown, in blocks (i, j, k), each of which can be replaced by a finer one."""
         self.in_blocks, self.shown = True, {}
-        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)], progress) for block in self._blocks()}
+        return {block: self._of_block(block, self.voxel, lambda box: [self._meshed(box, self.voxel, progress)],
+                                      progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
         """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
         Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
-        cell, near = self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)), key=lambda b: self._distance(b, eye))
+        cell, near = (self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)),
+                                             key=lambda b: self._distance(b, eye)))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
             yield self._shown(block, eye, progress)
         pieces = 0
@@ -108,7 +116,8 @@ class Refinement:
     def _detail_of(self, block):
         if block not in self.details:
             box = self._box(block, self._wanted())
-            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE, most_triangles=self.most)
+            self.details[block] = kernel.load().DetailMesh(self.field, box, cells=CELLS, deepest=6, angle=ANGLE,
+                                                           most_triangles=self.most)
         return self.details[block]
 
     # Steps of these.
@@ -169,7 +178,8 @@ class Refinement:
         """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
         merged ones would cut corners then. What is thinner than the cells waits for the solid's own mesh."""
         sharp = self.sharp and cell <= 1.01 * self._wanted()
-        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp, depth=0, progress=progress)
+        return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp,
+                                  depth=0, progress=progress)
 
     def _fit_region(self, mesh):
         """Fits the region to a mesh, unless it is given; True where it became larger."""
@@ -178,13 +188,15 @@ class Refinement:
         before, (first, last) = self.region, extent(mesh)
         self.details, self.shown = {}, {}  # their blocks are no longer these
         self.extent, self.region = (*first, *last), np.concatenate([first - self.voxel, last + self.voxel])
-        return bool((self.region[:3] < before[:3] - self.voxel).any() or (self.region[3:] > before[3:] + self.voxel).any())
+        return bool((self.region[:3] < before[:3] - self.voxel).any()
+                    or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
         """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is worked out once a region."""
         region = tuple(self.region)
         if self._cell[0] != region:
-            self._cell = region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings, "bounds": region})["voxel"]
+            self._cell = (region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings,
+                                                           "bounds": region})["voxel"])
         return self._cell[1]
 
     def _longest(self):
@@ -228,7 +240,8 @@ class Refinement:
 
     def _written(self, vertices, triangles, progress):
         """A mesh as several Inventor files."""
-        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress) for first in range(0, len(triangles), PIECE)]
+        return [self._piece(*compacted(vertices, triangles[first:first + PIECE]), progress)
+                for first in range(0, len(triangles), PIECE)]
 
     def _piece(self, vertices, triangles, progress):
         if not progress(0, ""):

@@ -80,7 +80,8 @@ class SolidView(ObjectView):
     def onChanged(self, view, name):
         if name == "Visibility" and not view.Visibility:
             self.hide_places()
-        if name == "Visibility" and view.Visibility and self.made_when_shown(view.Object) and not view.Object.Document.Restoring:
+        if (name == "Visibility" and view.Visibility and self.made_when_shown(view.Object)
+                and not view.Object.Document.Restoring):
             make_mesh_later(view.Object)
 
     @staticmethod
