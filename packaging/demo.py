@@ -59,7 +59,8 @@ def checked_parts(out, count, cells):
 
 def machine(out, count, voxel):
     """The distance fields of all parts in their colours, mm: mtm_az.frep, .glb and .png."""
-    lines = [f'part(scale(open("part_{i:02d}.asdf"), 25.4), "part {i:02d}", "{COLOURS[i % len(COLOURS)]}")\n' for i in range(count)]
+    lines = [f'part(scale(open("part_{i:02d}.asdf"), 25.4), "part {i:02d}", "{COLOURS[i % len(COLOURS)]}")\n'
+             for i in range(count)]
     (out / "mtm_az.frep").write_text("".join(lines))
     fieldfab("render", out / "mtm_az.frep", "-o", out / "mtm_az.png", "--size", 900, "--alpha", 35, "--beta", -63)
     return fieldfab("mesh", out / "mtm_az.frep", "-o", out / "mtm_az.glb", "--voxel", voxel)
@@ -67,15 +68,18 @@ def machine(out, count, voxel):
 
 def head(out, voxel):
     scan = DATA / "ct" / "cthead"
-    fieldfab("render", scan, "-o", out / "cthead.png", "--threshold", 60, "--keep-largest", "--size", 900, "--alpha", 35, "--beta", -75)
+    fieldfab("render", scan, "-o", out / "cthead.png", "--threshold", 60, "--keep-largest", "--size", 900, "--alpha",
+             35, "--beta", -75)
     return fieldfab("mesh", scan, "-o", out / "cthead.glb", "--threshold", 60, "--keep-largest", "--voxel", voxel)
 
 
 def machined(out, job, frames, cell):
     """A job planned and simulated: program, picture of its ways, report, film and the stock that is left."""
     program = out / "program.ngc"
-    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet", out / "sheet.html")
-    done, t_done = fieldfab("simulate", program, "--setup", job, "-o", out / "stock.glb", "--report", out / "report.html", "--frames", out / "film", "--frame-count", frames,
+    plan, t_plan = fieldfab("cam", job, "-o", program, "--picture", out / "ways.png", "--oblique", "--sheet",
+                            out / "sheet.html")
+    done, t_done = fieldfab("simulate", program, "--setup", job, "-o", out / "stock.glb", "--report",
+                            out / "report.html", "--frames", out / "film", "--frame-count", frames,
                             "--size", 720, "--cell", cell)
     return plan, t_plan, done, t_done
 
@@ -85,11 +89,13 @@ def prospero(out):
     plane = "--bounds=-1,-1,0,1,1,0"
     plate = ["--thickness", 0.04, "--bounds=-1.02,-1.02,-0.02,1.02,1.02,0.06", "--resolution", 100]
     figures = {}
-    figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", out / "prospero.png", "--mode", "bitmap", "--size", 1024, plane)[1]
+    figures["bitmap, 1024 x 1024"] = fieldfab("render", model, "-o", out / "prospero.png", "--mode", "bitmap", "--size",
+                                              1024, plane)[1]
     figures["distance field of a plate"] = fieldfab("build", model, "-o", out / "prospero.asdf", *plate)[1]
     mesh, figures["mesh of a plate"] = fieldfab("mesh", model, "-o", out / "prospero.stl", *plate)
     check, figures["check of the plate"] = fieldfab("check", model, *plate)
-    figures["picture of the plate"] = fieldfab("render", model, "-o", out / "prospero_plate.png", *plate[:3], "--size", 900, "--beta", -35)[1]
+    figures["picture of the plate"] = fieldfab("render", model, "-o", out / "prospero_plate.png", *plate[:3], "--size",
+                                               900, "--beta", -35)[1]
     return figures, mesh, check
 
 
@@ -107,7 +113,8 @@ img { width: 100%; border-radius: 8px; display: block } .wide { display: grid; g
 
 
 def verdict(check):
-    return '<span class="pass">all bounds hold</span>' if check["passed"] else '<span class="fail">a bound is broken</span>'
+    return ('<span class="pass">all bounds hold</span>' if check["passed"]
+            else '<span class="fail">a bound is broken</span>')
 
 
 def scene(name, picture, words, colour=None):
@@ -117,7 +124,8 @@ def scene(name, picture, words, colour=None):
 
 
 def prospero_told(figures, plate, check):
-    rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{seconds:.2f} s</td></tr>" for name, seconds in figures.items())
+    rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{seconds:.2f} s</td></tr>"
+                   for name, seconds in figures.items())
     return f"""<h2>Prospero, 7866 instructions</h2>
 <div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure><figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
 <table>{rows}</table><p>The plate: {plate['triangles']:,} triangles, {verdict(check)}.</p>"""
@@ -125,7 +133,8 @@ def prospero_told(figures, plate, check):
 
 def checks(rows, total, cells):
     parts = "".join(
-        f"<tr><td>part {i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td><td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
+        "<tr><td>part "
+        f"{i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td><td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
         for i, b, tb, m, tm, c, tc in rows
     )
     return f"""<h2 id="checks">Each part, checked against OpenVDB and CGAL</h2>
@@ -159,7 +168,8 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 def with_scripts(out):
     """Each .glb as a script, too: a page that lies on a disk may load no other files."""
     for path in out.glob("*.glb"):
-        (out / f"{path.name}.js").write_text(f'fieldfabModel("{path.stem}", "{base64.b64encode(path.read_bytes()).decode()}")\n')
+        (out / f"{path.name}.js").write_text(
+            f'fieldfabModel("{path.stem}", "{base64.b64encode(path.read_bytes()).decode()}")\n')
     script = BUILD / "web" / "npm" / "demo.js"
     if script.exists():
         shutil.copy(script, out)
@@ -167,7 +177,8 @@ def with_scripts(out):
         print("demo: npm was out of reach when Fieldfab was built: the page has pictures, and nothing turns")
 
 
-def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2, job=ROOT / "examples" / "cam" / "knob_five_axis.toml", frames=FRAMES, cell=0.2):
+def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2,
+         job=ROOT / "examples" / "cam" / "knob_five_axis.toml", frames=FRAMES, cell=0.2):
     """Makes the page in a folder; a test has fewer parts and larger cells."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -177,7 +188,8 @@ def main(out=OUT, parts=35, cells=127, with_prospero=True, voxel=1, head_voxel=2
     with_scripts(out)
     (out / "index.html").write_text(page(rows, cells, mill, scan, cut, frames, plate))
     passed = [row[5]["passed"] for row in rows] + ([plate[2]["passed"]] if plate else [])
-    print(f"\ndemo: {sum(passed)} of {len(passed)} parts passed their checks, prospero's plate among them; see {out}/index.html")
+    print(f"\ndemo: {sum(passed)} of {len(passed)} parts passed their checks, prospero's plate among them; "
+          f"see {out}/index.html")
     return 0 if all(passed) else 1
 
 

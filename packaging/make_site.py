@@ -20,7 +20,8 @@ def made():
     shutil.rmtree(SITE, ignore_errors=True)
     SITE.mkdir(parents=True)
     subprocess.run(["doxygen", "packaging/site/Doxyfile"], cwd=ROOT, check=True)
-    command = ["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", "out/site-cache", "-c", "packaging/site", ".", "out/site"]
+    command = ["sphinx-build", "-q", "-W", "--keep-going", "-b", "html", "-d", "out/site-cache", "-c", "packaging/site",
+               ".", "out/site"]
     subprocess.run(command, cwd=ROOT, check=True)
     (SITE / "index.html").write_text(START)
 

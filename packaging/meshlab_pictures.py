@@ -9,7 +9,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FIGURES = ROOT / "docs" / "figures"
-FIGURE_OF = {"meshlab-menu": "meshlab_menu", "meshlab-dialog": "meshlab_dialog", "meshlab-remesh": "meshlab_remesh", "meshlab-deviation": "meshlab_deviation",
+FIGURE_OF = {"meshlab-menu": "meshlab_menu", "meshlab-dialog": "meshlab_dialog", "meshlab-remesh": "meshlab_remesh",
+             "meshlab-deviation": "meshlab_deviation",
              "meshlab-cancel": "meshlab_cancel"}
 
 
