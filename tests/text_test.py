@@ -52,7 +52,8 @@ def test_a_wide_comment_of_a_header_is_found(check, page):
 
 
 def test_a_row_with_another_number_of_cells_is_found(check, page):
-    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a|b` | c |\n")) == ["page.md:3: a row has 3 cells, the first one has 2"]
+    assert check.form_of_document(page("| a | b |\n|---|---|\n| `a|b` | c |\n")) == [
+        "page.md:3: a row has 3 cells, the first one has 2"]
     assert check.form_of_document(page("| a | b |\n|---|---|\n| `a\\|b` | c |\n")) == []
 
 

@@ -25,7 +25,8 @@ def main(paths):
         looked, after = timed(solid, 6)
         certain += after.certainty.certain
         print(
-            f"{pathlib.Path(path).stem:<24} {plain:8.2f} {looked:8.2f} {looked / plain:6.2f} {len(before.triangles):10} {len(after.triangles):10}  "
+            f"{pathlib.Path(path).stem:<24} {plain:8.2f} {looked:8.2f} {looked / plain:6.2f} "
+            f"{len(before.triangles):10} {len(after.triangles):10}  "
             f"{'yes' if after.certainty.certain else after.certainty}",
             flush=True,
         )

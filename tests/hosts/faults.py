@@ -21,7 +21,8 @@ def run(arguments, folder, timeout=120, threads=2, program=None, **faults):
     environment = {**os.environ, "TMPDIR": str(temporary), "LD_PRELOAD": str(LIBRARY)}
     environment |= {f"FAULT_{name.upper()}": str(value) for name, value in faults.items()}
     words = [*(program or [COMMAND, "--threads", str(threads)]), *map(str, arguments)]
-    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, cwd=folder, env=environment, errors="replace")
+    done = subprocess.run(words, capture_output=True, text=True, timeout=timeout, cwd=folder, env=environment,
+                          errors="replace")
     done.left = sorted(path.name for path in temporary.iterdir())
     shutil.rmtree(temporary)
     return done

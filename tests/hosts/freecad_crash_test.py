@@ -17,7 +17,8 @@ MOMENTS = {"saving": 0.15, "making": 0.3}  # seconds after which the longest of 
 
 
 def freecadcmd(script, home, document, **more):
-    return subprocess.Popen(["freecadcmd", str(HERE / "freecad" / script)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+    return subprocess.Popen(["freecadcmd", str(HERE / "freecad" / script)], stdin=subprocess.DEVNULL,
+                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
                             env=environment(home, QT_QPA_PLATFORM="offscreen", FIELDFAB_DOCUMENT=str(document), **more))
 
 
@@ -59,12 +60,16 @@ def test_a_killed_freecad_leaves_the_old_document_or_the_new_one(home, tmp_path)
     checker = freecadcmd("crash_check.py", home, fresh, FIELDFAB_DOCUMENTS=os.pathsep.join(map(str, expected)))
     checker.communicate(timeout=120)
     seen = json.loads((home / "result.json").read_text())
-    halfway = sum(any(".FCStd." in other.name and other.name.startswith(document.name) for other in tmp_path.iterdir()) for document in expected)
-    print(f"{len(expected)} rounds, {sum(moment == 'saving' for moment, _ in expected.values())} of them at a save; {halfway} left a half-written new file, {len(between)} were between two renames")
+    halfway = sum(any(".FCStd." in other.name and other.name.startswith(document.name) for other in tmp_path.iterdir())
+                  for document in expected)
+    print(f"{len(expected)} rounds, {sum(moment == 'saving' for moment, _ in expected.values())} of them at a save; "
+          f"{halfway} left a half-written new file, {len(between)} were between two renames")
     for document, (moment, radii) in expected.items():
         found = seen[str(document)]
         assert "error" not in found, (moment, found)
         assert found["radius"] in radii, (moment, radii, found)
-        assert found["closed"] and found["triangles"] == found["facets"] and found["valid"] and not found["recomputed"], (moment, found)
-        assert found["volume"] == pytest.approx(4 / 3 * math.pi * found["radius"] ** 3, rel=0.01) == pytest.approx(found["measured"], rel=0.01), (moment, found)
+        assert (found["closed"] and found["triangles"] == found["facets"] and found["valid"]
+                and not found["recomputed"]), (moment, found)
+        assert found["volume"] == pytest.approx(4 / 3 * math.pi * found["radius"] ** 3,
+                                                rel=0.01) == pytest.approx(found["measured"], rel=0.01), (moment, found)
     assert len(expected) >= 8 and len({moment for moment, _ in expected.values()}) == 2

@@ -34,14 +34,16 @@ def home(tmp_path):
 
 def environment(home, **more):
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "PYTHON"))}
-    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1", "LIBGL_ALWAYS_SOFTWARE": "1", **more}
+    return {**kept, "HOME": str(home), "FIELDFAB_RESULT": str(home / "result.json"), "QTWEBENGINE_DISABLE_SANDBOX": "1",
+            "LIBGL_ALWAYS_SOFTWARE": "1", **more}
 
 
 @pytest.fixture
 def screen():
     """An X server of our own; its DISPLAY."""
     read, write = os.pipe()
-    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"], pass_fds=[write], stderr=subprocess.DEVNULL)
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(write), "-screen", "0", "1400x860x24", "-nolisten", "tcp"],
+                              pass_fds=[write], stderr=subprocess.DEVNULL)
     os.close(write)
     yield ":" + os.read(read, 16).decode().strip()
     server.kill()
@@ -53,7 +55,8 @@ def run_inside(home, file, screen=None, timeout=900, **more):
     FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a folder for screenshots."""
     where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}
     env = environment(home, FIELDFAB_INSIDE=str(file), **where, **more)
-    freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")], env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")],
+                               env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                stdin=subprocess.DEVNULL, start_new_session=True)
     try:
         said = freecad.communicate(timeout=timeout)[0].decode(errors="replace")

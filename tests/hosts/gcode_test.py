@@ -14,7 +14,8 @@ from conftest import ROOT
 from gcode_moves import TOOLS, compare, ours, rs274
 
 EXAMPLES = sorted(glob.glob("/usr/share/doc/linuxcnc/examples/nc_files/**/*.ngc", recursive=True))
-REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdir() if p.suffix in (".ngc", ".nc", ".gcode"))
+REAL = sorted(str(p) for p in (ROOT.parent / "shared" / "data" / "gcode").iterdir()
+              if p.suffix in (".ngc", ".nc", ".gcode"))
 MANY_TOOLS = tuple((n, float(n), 0.1) for n in range(1, 100))
 NO_END = "File ended with no percent sign or program end"
 # Cycles G70, G71 and G72 of lathes are not read: a clear error, which a test below wants.
@@ -89,8 +90,10 @@ def test_real_programs(path, tmp_path):
 
 
 def test_counts_of_moves():
-    count = lambda name: sum(m.kind in ("rapid", "feed", "arc") for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
-    assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]  # rs274 counts one more for a G0 without words
+    count = lambda name: sum(m.kind in ("rapid", "feed", "arc")
+                             for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
+    # rs274 counts one more for a G0 without words
+    assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]
 
 
 @pytest.mark.parametrize("kind", gcode_programs.KINDS)

@@ -17,7 +17,8 @@ def canonical(program, tools=((1, 0.0, 0.1),)):
             for number, length, diameter in tools:
                 f.write(f"T{number} P{number} Z{length / 25.4:.8f} D{diameter / 25.4:.8f}\n")
         open(variables, "w").close()
-        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out], capture_output=True, text=True, timeout=300)
+        done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
+                              capture_output=True, text=True, timeout=300)
         assert done.returncode == 0, done.stderr + done.stdout
         calls = []
         for line in open(out):

@@ -54,7 +54,8 @@ VOLUMES = {
     "exact_box": (s.exact_box(2, 1, 1.5), 3),
     "rounded_box": (
         s.rounded_box(2, 1.4, 1.2, 0.3),
-        1.4 * 0.8 * 0.6 + 0.6 * (1.4 * 0.8 + 1.4 * 0.6 + 0.8 * 0.6) + math.pi * 0.09 * (1.4 + 0.8 + 0.6) + 4 / 3 * math.pi * 0.027,
+        1.4 * 0.8 * 0.6 + 0.6 * (1.4 * 0.8 + 1.4 * 0.6 + 0.8 * 0.6) + math.pi * 0.09 * (1.4 + 0.8 + 0.6)
+        + 4 / 3 * math.pi * 0.027,
     ),
     "cylinder": (s.cylinder(1, 1.5), 1.5 * math.pi),
     "exact_cylinder": (s.exact_cylinder(1, 1.5), 1.5 * math.pi),
@@ -118,7 +119,8 @@ def test_triangles_and_outlines_go_either_way_round():
     same(s.triangle(0, 2, 3, 0, -1, -1), at(AREAS["triangle"][0]))
     corners = [(-3, -3), (3, -3), (3, 3), (1, 3), (1, 0), (-1, 0), (-1, 3), (-3, 3)]
     same(s.outline(corners[::-1]), at(s.outline(corners)))
-    spiral = [(0, 0), (3, 0), (3, 3), (-2, 3), (-2, -2), (2, -2), (2, -1.5), (-1.5, -1.5), (-1.5, 2.5), (2.5, 2.5), (2.5, 0.5), (0, 0.5)]
+    spiral = [(0, 0), (3, 0), (3, 3), (-2, 3), (-2, -2), (2, -2), (2, -1.5), (-1.5, -1.5), (-1.5, 2.5), (2.5, 2.5),
+              (2.5, 0.5), (0, 0.5)]
 
     def winding(x, y):
         inside = np.zeros(x.shape, bool)
@@ -169,10 +171,12 @@ def test_threads():
     turn = 0.7
     near = (np.abs(POINTS[2]) < 2.5) & (np.hypot(POINTS[0], POINTS[1]) > 2)  # and far from the ends
     x, y, z = (axis[near] for axis in POINTS)
-    screwed = bolt(x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn), z + turn / (2 * math.pi))
+    screwed = bolt(x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn),
+                   z + turn / (2 * math.pi))
     assert np.allclose(bolt(x, y, z), screwed, atol=1e-3)  # a helix of its pitch, right-handed
     depth = 0.625 * math.sqrt(3) / 2
-    assert (bolt(x, y, z)[np.hypot(x, y) < 3 - depth - 1e-3] < 0).all() and (bolt(x, y, z)[np.hypot(x, y) > 3] > 0).all()
+    assert ((bolt(x, y, z)[np.hypot(x, y) < 3 - depth - 1e-3] < 0).all()
+            and (bolt(x, y, z)[np.hypot(x, y) > 3] > 0).all())
     # ISO 68-1: as much thread as gap at the pitch diameter.
     angle = np.linspace(0, 2 * math.pi, 4001)[:-1]
     pitch_radius = 3 - 3 / 8 * math.sqrt(3) / 2
@@ -201,7 +205,8 @@ def test_blend():
         np.minimum(a(x, y, z), z), np.sqrt(np.abs(a(x, y, z))) + np.sqrt(np.abs(z)) - math.sqrt(0.5)))
 
 
-@covers("smooth_union", "smooth_intersection", "smooth_difference", "chamfer_union", "chamfer_intersection", "chamfer_difference")
+@covers("smooth_union", "smooth_intersection", "smooth_difference", "chamfer_union", "chamfer_intersection",
+        "chamfer_difference")
 def test_fillets_and_chamfers():
     # Two planes at a right angle: the fillet is a cylinder of that radius, the chamfer a plane that cuts off `size` of each.
     a, b = s.plane(1, 0, 0, 0), s.plane(0, 1, 0, 0)

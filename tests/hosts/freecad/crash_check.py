@@ -11,7 +11,8 @@ def look(path):
         document = FreeCAD.openDocument(path)
         ball = document.getObject("FrepSolid")
         before = ball.MadeFrom
-        seen = {"radius": ball.radius, "triangles": ball.Triangles, "facets": ball.Mesh.CountFacets, "closed": ball.Mesh.isSolid(), "volume": ball.Volume.Value, "measured": ball.Mesh.Volume}
+        seen = {"radius": ball.radius, "triangles": ball.Triangles, "facets": ball.Mesh.CountFacets,
+                "closed": ball.Mesh.isSolid(), "volume": ball.Volume.Value, "measured": ball.Mesh.Volume}
         document.recompute()
         seen.update(valid=ball.isValid(), recomputed=ball.MadeFrom != before)
         FreeCAD.closeDocument(document.Name)

@@ -25,11 +25,13 @@ def live(seconds):
 
 def press(button):
     """Clicks OK, Cancel or Apply of the task panel that is open, and waits for the solid that it makes."""
-    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox) if box.isVisible() and box.button(button)]
+    boxes = [box for box in FreeCADGui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+             if box.isVisible() and box.button(button)]
     assert len(boxes) == 1, f"{len(boxes)} button boxes are seen"
     boxes[0].button(button).click()
     live(0.1)
-    wait(lambda: not any(bar.isVisible() for bar in FreeCADGui.getMainWindow().findChildren(QtWidgets.QProgressBar, "Making")), 120, "the solid")
+    wait(lambda: not any(bar.isVisible() for bar in FreeCADGui.getMainWindow().findChildren(
+        QtWidgets.QProgressBar, "Making")), 120, "the solid")
 
 
 def shot(name):
