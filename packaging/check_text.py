@@ -1,4 +1,5 @@
-"""Checks the text of the tree: spelling, columns, tables and links. `./dev lint` runs it, and so does tests/text_test.py.
+"""Checks the text of the tree: spelling, columns, tables and links. `./dev lint` runs it, and so does
+tests/text_test.py.
 
 - Spelling: codespell over sources and documents; packaging/spelling.txt lists words that it does not know and that are
   right here (letters of algorithms, other languages, misspellings that a test needs).

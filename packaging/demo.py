@@ -1,8 +1,9 @@
-"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and on any web page.
+"""The demo: a newcomer's first look, as one page of static files in out/demo/index.html. It works from a disk and on
+any web page.
 
-A machine of 35 parts in colours, the head of a CT scan, a part planned for five axes and simulated (all turned by mouse), prospero, and
-the cross-checks of each part. Run by ./dev demo after the build; uses the command only, as a user would.
-"""
+A machine of 35 parts in colours, the head of a CT scan, a part planned for five axes and simulated (all turned by
+mouse), prospero, and the cross-checks of each part. Run by ./dev demo after the build; uses the command only, as a user
+would. """
 
 import base64
 import html
@@ -45,7 +46,8 @@ def region(bounds, margin):
 
 
 def checked_parts(out, count, cells):
-    """Each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: of an inch, the unit of the files: 25.4 * 5 are 5 a mm."""
+    """Builds, meshes and checks each part of the PCB mill mtm_az (Keeter 4.3.5). `cells`: for each inch, the unit of
+    the files; 25.4 * 5 are 5 for each mm."""
     text = (DATA / "frep" / "mtm_az" / "mtm_az.bounds").read_text()
     rows = []
     for i, box in enumerate(json.loads(text[: text.rindex("]") + 1])[:count]):

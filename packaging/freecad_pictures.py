@@ -1,4 +1,4 @@
-"""Takes the pictures of FreeCAD that the documents show, from the tests that drive its real window: run by ./dev docs."""
+"""Takes the pictures of FreeCAD for the documents, from the tests that drive its real window. Run by ./dev docs."""
 
 import os
 import pathlib

@@ -1,5 +1,6 @@
-"""Makes what is made from the design language's own table and from examples/: the shape library's manual with its pictures, the
-gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the texts are up to date."""
+"""Makes the documents that follow from the design language's own table and from examples/: the shape library's manual
+with its pictures, the gallery, and the type stubs of fieldfab.shapes. Run by ./dev docs; --check only tells whether the
+texts are up to date."""
 
 import pathlib
 import sys

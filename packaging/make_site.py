@@ -1,4 +1,5 @@
-"""Makes the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen, links checked.
+"""Makes the site of ./dev docs in out/site: pages and Python reference by Sphinx, C++ reference by Doxygen, links
+checked.
 
 Any warning of either program, and any link between pages that leads nowhere, is an error.
 """

@@ -1,4 +1,4 @@
-"""Takes the pictures of MeshLab that docs/meshlab.md shows, from the tests that drive its real window: run by ./dev docs."""
+"""Takes the pictures of MeshLab for docs/meshlab.md, from the tests that drive its real window. Run by ./dev docs."""
 
 import os
 import pathlib

@@ -1,10 +1,14 @@
-"""Who may include whom: core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad} <- {cli, python} <- hosts.
+"""Who may include whom:
 
-openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg files, which are
-models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it brings a larger table of formats (openscad::all_formats()).
+    core <- field <- {frep, volume, mesh, asdf} <- contour <- solid <- {render, check} <- {cam, openscad}
+    <- {cli, python} <- hosts
 
-In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the rooms' private
-headers, too, which nothing outside of cam includes.
+openscad_import is below the command and the Python module, unlike the other hosts: it makes Fields of .scad and .csg
+files, which are models like any other, so that every verb and FreeCAD read them. Nothing in the kernel knows it; it
+brings a larger table of formats (openscad::all_formats()).
+
+In cam: base <- {gcode, stock} <- plan <- machine <- job <- simulate, but plan does not know gcode. This goes for the
+rooms' private headers, too, which nothing outside of cam includes.
 
 The FreeCAD workbench in Python: base <- objects <- files <- views <- panels <- commands <- start. Neither the workbench
 nor the Python module has an import cycle, imports inside functions included."""
@@ -237,7 +241,8 @@ def test_the_python_module_has_no_import_cycle():
 
 
 def test_the_web_server_knows_the_module_only():
-    """It is fieldfab.serve where it is installed: it imports the standard library, aiohttp, NumPy, Dask and fieldfab, in layers; nobody else of the house imports it."""
+    """web/server is fieldfab.serve where it is installed. It imports the standard library, aiohttp, NumPy, Dask and
+    fieldfab, in layers. No other part of the project imports it."""
     sources = python_sources(ROOT / "web" / "server")
     assert len(sources) > 10 and python_cycle({f"serve.{name}": text for name, text in sources.items()}) == []
     allowed = sys.stdlib_module_names | {"aiohttp", "distributed", "fieldfab", "numpy"}

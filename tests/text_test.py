@@ -1,4 +1,5 @@
-"""Spelling, columns, tables and links of sources and documents: what packaging/check_text.py finds, which ./dev lint runs, too."""
+"""Spelling, columns, tables and links of sources and documents: the findings of packaging/check_text.py, which ./dev
+lint runs, too."""
 
 import importlib.util
 import pathlib

@@ -1,6 +1,6 @@
-"""Builds the page: build_page.py CLIENT WORK PAGE, and the script of the demo's static page, WORK/demo.js. Packages are installed into WORK
-as the lock file has them; npm runs none of their scripts.
-Without npm, and where its registry is out of reach, it says so in one line, and the rest of the build goes on."""
+"""Builds the page (build_page.py CLIENT WORK PAGE) and the script of the demo's static page, WORK/demo.js. Packages are
+installed into WORK as the lock file has them; npm runs none of their scripts. Without npm, or where its registry is out
+of reach, it says so in one line, and the rest of the build goes on."""
 
 import pathlib
 import shutil

@@ -3,9 +3,10 @@
 
     slotted_ball.py FOLDER [MOVES]
 
-The ball (radius 24 mm) is cut from a block by spirals that come in from outside, ever along its normal and past its equator, so that the
-part has overhangs; then a smaller cutter goes along each slot, leaning all the time. Both axes of the trunnion table turn in nearly
-every move. The part is known in closed form: all that a cutter of radius R touches is R away from where its middle went.
+The ball (radius 24 mm) is cut from a block by spirals that come in from outside, ever along its normal and past its
+equator, so that the part has overhangs; then a smaller cutter goes along each slot, leaning all the time. Both axes of
+the trunnion table turn in nearly every move. The part is known in closed form: all that a cutter of radius R touches is
+R away from where its middle went.
 
 Then: fieldfab simulate FOLDER/slotted_ball.ngc --setup FOLDER/slotted_ball.toml -o part.stl
 """

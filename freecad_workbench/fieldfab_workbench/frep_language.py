@@ -1,4 +1,5 @@
-"""The kernel's grammar of .frep text, for a window: places are counted as Qt counts them, in UTF-16 units. Nothing here needs a window."""
+"""The kernel's grammar of .frep text, for a window: places are counted in UTF-16 units, as Qt does. Needs no window
+itself."""
 
 from bisect import bisect_right
 from dataclasses import dataclass

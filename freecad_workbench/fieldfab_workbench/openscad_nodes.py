@@ -14,7 +14,8 @@ class Unfit(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Argument:
-    """An argument and the properties that hold it: (name, description) each; several hold a list. `kind`: of the properties."""
+    """An argument and the properties that hold it, (name, description) each; several properties hold a list. `kind`:
+    type of the properties."""
 
     name: str
     kind: str

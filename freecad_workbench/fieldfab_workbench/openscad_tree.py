@@ -1,5 +1,5 @@
-"""An OpenSCAD design's tree as parts: what is to become of it in a document. Groups that join nothing are left out, colours and moves are what the parts
-themselves have. Nothing here changes a document."""
+"""The parts of an OpenSCAD design's tree, each as an object of a document to be. Groups that join nothing are left out;
+colours and moves become those of the parts. Changes no document."""
 
 import dataclasses
 import heapq
@@ -26,7 +26,7 @@ class TooLarge(Exception):
 
 @dataclasses.dataclass
 class Part:
-    """An object to be: what it is (`make`: node, set, scaled or text), its properties, what it is made of, where it is, and its looks."""
+    """An object to be made: its kind (`make`: node, set, scaled or text), properties, children, placement and looks."""
 
     label: str
     make: str
@@ -51,8 +51,8 @@ class Part:
 
 
 class Design:
-    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where it draws nothing, and those that are only shown
-    (%). `branches`: how many were too large. Raises TooLarge."""
+    """The parts of a fieldfab.OpenScadTree that was read from a file in `folder`: `root`, None where the design draws
+    nothing, and those that are only shown (%). `branches`: how many branches were too large. Raises TooLarge."""
 
     def __init__(self, tree, folder):
         self.folder = folder
@@ -67,7 +67,8 @@ class Design:
         self.branches = self._prune(([self.root] if self.root else []) + self.shown)
 
     def _prune(self, tops):
-        """Leaves MOST_PARTS: the largest branches are divided first, and those that are left undivided become text. Returns how many those are."""
+        """Leaves MOST_PARTS parts: the largest branches are divided first, and branches that stay undivided become
+        text. Returns how many became text."""
         parts = [part for top in tops for part in top.walk()]
         sizes = {}
         for part in reversed(parts):
@@ -141,7 +142,8 @@ class Design:
         mirrored = columns[0].cross(columns[1]) * columns[2] < 0
         factors = [1.0 if abs(length - 1) <= RIGID else length for length in lengths]
         if mirrored:
-            # Of the axes that could be turned over, the one that leaves the least to turn: mirror([1, 0, 0]) is -1, 1, 1 and no turn.
+            # Of the axes that could be mirrored, the one that leaves the least to turn: mirror([1, 0, 0]) is -1, 1, 1
+            # and no turn.
             turned = min(range(3), key=lambda i: columns[i][i] / lengths[i])
             factors[turned] = -factors[turned]
         placement = _placement(columns, factors, (matrix.A14, matrix.A24, 0 if node.dimensions == 2 else matrix.A34))
@@ -181,7 +183,8 @@ def _in_plane(matrix):
 
 
 def _placement(columns, factors, base):
-    """The turn and the move of a matrix whose columns, over their factors, are at right angles. Six digits are made exact."""
+    """Rotation and translation of a matrix whose columns, divided by their factors, are at right angles. Rounding to
+    six digits is corrected."""
     x = columns[0] / factors[0]
     x.normalize()
     y = columns[1] / factors[1]

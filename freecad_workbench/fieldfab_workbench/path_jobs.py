@@ -22,8 +22,8 @@ ARC_CENTRES = {"G17": "IJ", "G18": "IK", "G19": "JK"}
 
 
 def to_job(program, job=None):
-    """Puts the paths of a machine program into a Path job, with their tools: into a new one, whose stock is the set-up's, where none is given.
-    Returns (job, paths). Recompute then."""
+    """Puts the paths of a machine program with their tools into a Path job. Without a given job it makes a new one,
+    with the set-up's stock. Returns (job, paths); the caller recomputes."""
     paths = path_of_program.create_all(program)
     with path_shim.in_one_step():
         job = job or _new_job(program)
@@ -136,8 +136,9 @@ class Setup:
 
 
 def program_of_job(job, machine=None):
-    """What a Path job does, as (G-code text, Setup): its active operations in order, each with its tool, in millimetres and mm/min, as the document
-    counts. `machine`: an id of ours for jobs that turn rotary axes; found by their letters where none is given. Raises ValueError."""
+    """Program of a Path job as (G-code text, Setup): its active operations in order, each with its tool, in millimetres
+    and mm/min, in the document's coordinates. `machine`: an id of ours for jobs that turn rotary axes; by default it is
+    found by the axes' letters. Raises ValueError."""
     utilities = path_shim.utilities()
     lines, tools, notes, current, letters = ["G21 G17 G90 G94 G40 G49 G80"], {}, [], None, set()
     for operation in job.Operations.Group:

@@ -1,4 +1,5 @@
-"""The gallery's shapes: every function of the library that makes one, and the designs of examples/. Each says what text makes it. No window needed."""
+"""The gallery's shapes: every function of the library that makes one, and the designs of examples/, each with the text
+that makes it. Needs no window."""
 
 import os
 from dataclasses import dataclass, field
@@ -22,8 +23,9 @@ def found(*parts):
 
 @dataclass
 class Shape:
-    """`values`: {parameter: its text}; a plain number becomes a name of its own in the text of a new solid. `before` and `after`: what makes a
-    solid of the call, `extrude(` and `, 1)`."""
+    """A function of the library as a shape. `values`: {parameter: its text}; a plain number becomes a name of its own
+    in the text of a new solid. `before` and `after`: text that makes a solid of the call, such as `extrude(` and `,
+    1)`."""
 
     name: str
     group: str

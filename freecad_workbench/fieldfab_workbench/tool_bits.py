@@ -1,5 +1,5 @@
-"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value} as in job files
-(docs/cam.md)."""
+"""FreeCAD's tool bits (.fctb), tool libraries (.fctl), and the tools of its Path jobs, as tools of ours: {name: value}
+as in job files (docs/cam.md)."""
 
 import json
 import os
@@ -23,8 +23,8 @@ def _number(value):
 
 
 def tool_from(name, shape, parameter):
-    """A tool from a tool bit's name, the stem of its shape's file, and `parameter(name)`: a value or None. Raises ValueError for what is no
-    cutter that we know."""
+    """Makes a tool of a tool bit's name, the stem of its shape's file, and `parameter(name)`, which gives a value or
+    None. Raises ValueError for shapes that are no known cutter."""
     known = SHAPES.get(shape.lower().replace(" ", ""))
     if known is None:
         raise ValueError(tr("{name}: a {shape} is no cutter that Fieldfab knows").format(name=name, shape=shape))

@@ -1,5 +1,6 @@
-"""Lengths, speeds, areas and volumes as FreeCAD's unit scheme shows them: in mm or in inches. What is stored, and what functions here take and return, is
-in mm, mm/min, mm² and mm³: these names are the `unit` below. Other units are the same in every scheme."""
+"""Lengths, speeds, areas and volumes as FreeCAD's unit scheme shows them: in mm or in inches. Stored values, arguments
+and results of functions are in mm, mm/min, mm² and mm³: these names are the `unit` below. Other units are the same in
+every scheme."""
 
 import re
 
@@ -60,8 +61,8 @@ def _digits(number, digits):
 
 
 def read(text, unit="mm"):
-    """What somebody typed, as a number of ours: without a unit it is in the one that users see ("0.2", "1/4"), another may be named ("5 mm", "2 cm/s").
-    Raises ValueError with a line for the user."""
+    """Reads what a user typed, as a number in `unit`. Without a unit it counts in the one that users see ("0.2",
+    "1/4"); another may be named ("5 mm", "2 cm/s"). Raises ValueError with a line for the user."""
     name, text = shown_unit(unit), text.strip().replace(",", ".")
     if name and text.endswith(name):
         text = text[: -len(name)].strip()

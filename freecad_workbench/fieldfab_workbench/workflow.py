@@ -1,4 +1,5 @@
-"""What the kernel's workflow and machines can be told (Keeter 6.1), as properties of document objects: no form is written by hand."""
+"""Settings of the kernel's workflow and machines (Keeter 6.1) as properties of document objects: no form is written by
+hand."""
 
 import functools
 import math
@@ -11,8 +12,8 @@ FOLLOWS = marked("automatic")  # what stands where a default follows from other 
 
 
 class Setting:
-    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows from other things), lower,
-    upper, lower_open, whole, choices, needs, needs_values."""
+    """One setting as the kernel declares it: name, help, unit, kind (flag, number, text), default (None: it follows
+    from other values), lower, upper, lower_open, whole, choices, needs, needs_values."""
 
     def __init__(self, declared):
         self.__dict__.update(declared)
@@ -117,8 +118,8 @@ def _operations():
 
 
 def _share_properties(groups):
-    """Settings of one name share a property, whose documentation then tells what it is for each; but those of another type get one of their own,
-    named after their group. `groups`: {name: [Setting]}."""
+    """Settings of one name share a property, whose documentation then says what it is for each. Settings of another
+    type get a property of their own, named after their group. `groups`: {name: [Setting]}."""
     types, shared = {}, {}
     for name, settings in groups.items():
         for setting in settings:

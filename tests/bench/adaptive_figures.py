@@ -1,4 +1,5 @@
-"""Constant-engagement clearing against FreeCAD's Adaptive2d: time, length and engagement on a pocket of 100 x 80 mm with three islands.
+"""Constant-engagement clearing against FreeCAD's Adaptive2d: time, length and engagement on a pocket of 100 x 80 mm
+with three islands.
 
     /usr/bin/python3 tests/bench/adaptive_figures.py        (PYTHONPATH=build/release/python)
 """

@@ -1,4 +1,5 @@
-"""How many models have certain meshes, and what looking for that costs: the processor time of mesh() against mesh(depth = 0), and triangles.
+"""How many models have certain meshes, and what looking for that costs: the processor time of mesh() against mesh(depth
+= 0), and triangles.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/bench/certainty_figures.py examples/*.frep
 """

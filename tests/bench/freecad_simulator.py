@@ -1,9 +1,9 @@
 """FreeCAD's simulator (PathSimulator, a height field) and ours, on the same jobs, one after the other in one process.
 
-Level and waves: 10,100 moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm, each row at one height, or up and down:
-seconds to cut, and to make the mesh. (Theirs joins what lies level into one triangle.)
-Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second; and how far the middles of
-the groove's triangles are from the true groove, mm.
+Level and waves: 10,100 moves of 1 mm of a 6 mm cutter over a block of 100 x 100 mm at 0.1 mm, each row at one height,
+or up and down: seconds to cut, and to make the mesh. (Theirs joins level triangles into one.)
+Groove: a 6 mm ball goes along a sloping line and back, 101 times in 100 moves each, at 0.1 mm: moves a second, and the
+distance of the middles of the groove's triangles from the true groove, mm.
 
 Figures of one thread: `taskset -c 0 /usr/bin/python3 tests/bench/freecad_simulator.py`."""
 

@@ -1,5 +1,5 @@
-"""How long a drag waits for its picture: from a request with a new text, 800 x 600 pixels, to the coarse and to the fine picture, through
-`fieldfab serve` and its WebSocket on this machine. Then 50 clients at once. Prints percentiles.
+"""How long a drag waits for its picture: from a request with a new text, 800 x 600 pixels, to the coarse and to the
+fine picture, through `fieldfab serve` and its WebSocket on this machine. Then 50 clients at once. Prints percentiles.
 
     PYTHONPATH=build/release/python python3 tests/bench/web_drag.py [SECONDS]
 """
@@ -42,7 +42,8 @@ def told(name, seconds):
 
 
 async def drag(server, name, model, window, comment, seconds):
-    """One picture after the other as the page asks: the next when the coarse one is there; now and then a rest, until the fine one is."""
+    """Asks for one picture after the other, as the page does: the next when the coarse one is there, and now and then a
+    rest until the fine one is."""
     coarse, fine, number, near = [], [], 0, None
     async with Socket(server) as socket:
         end = time.monotonic() + seconds

@@ -223,7 +223,8 @@ def test_every_machine_writes_the_same_part(tmp_path, machine):
 
 
 def test_a_machine_is_one_file(tmp_path):
-    """docs/machines.md promises a machine in ten minutes: this is all of one, with a unit, a template of its own, and a material."""
+    """docs/machines.md promises a machine in ten minutes. This is all of one, with a unit, a template of its own, and a
+    material."""
     (tmp_path / "mine.toml").write_text(
         'name = "My foam cutter"\nextension = ".foam"\ntick = 0.1\ntakes = "flat paths"\n'
         'default_operation = "profile"\nnegative = false\n'
@@ -318,7 +319,8 @@ def turn(axis, degrees):
 
 
 def tip_and_axis(machine, x, y, z, a, b, c, length):
-    """Where the tip is in the work and where the tool points, from axis values: written from what the axes do, apart from the library."""
+    """Returns where the tip is in the work and where the tool points, from axis values. Written from what the axes do,
+    apart from the library."""
     p, up = np.array([x, y, z]), np.array([0.0, 0, 1])
     if machine == "five_axis_ac":  # A tilts the trunnion about x; C turns the plate on it
         work = turn("x", a) @ turn("z", c)
@@ -403,7 +405,8 @@ def test_a_leaning_tool_stays_on_its_way_between_poses(tmp_path, machine):
 
 
 def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
-    """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis, B tilts, A turns by the smaller of two angles."""
+    """Algorithm 6.1 and the pivot of 6.9: tip = pivot - (gauge + bit) * axis. B tilts, A turns by the smaller of two
+    angles."""
     path = job(tmp_path, FIVE.replace("MACHINE", "shopbot5").replace("PLANE", "five"), part_frep=BLOCK)
     run("cam", path, "-o", tmp_path / "out.sbp")
     lines = [line.strip().split(",") for line in open(tmp_path / "out.sbp") if line.startswith("M5")]
@@ -431,7 +434,8 @@ def test_the_shopbot_turns_its_head_as_in_the_thesis(tmp_path):
 
 
 def test_a_smaller_tool_finishes_the_rest(tmp_path):
-    """Round the foot of the dome, where the larger ball does not get; and rest needs something that it is the rest of."""
+    """Rest machining goes round the foot of the dome, where the larger ball does not reach. It needs an operation whose
+    rest it is."""
     dome = "min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-15, max(abs(y)-12, abs(z+1)-1)))"
     rest = '[[operation]]\ntype = "finish"\ntool = 2\nrest = true\n'
     text = SOLID.replace("diameter = 4", "diameter = 6").replace("number = 2\ndiameter = 6",
@@ -515,7 +519,8 @@ def test_a_three_axis_machine_stops_for_turning_the_part(tmp_path):
 
 
 def test_the_examples_run(tmp_path):
-    """All jobs of examples/cam but the head (two minutes of CT): each one command. Programs for LinuxCNC are read by it."""
+    """Runs all jobs of examples/cam except the head (two minutes of CT), each by one command. rs274 reads the programs
+    for LinuxCNC."""
     from conftest import ROOT
 
     jobs = sorted((ROOT / "examples" / "cam").glob("*.toml"))

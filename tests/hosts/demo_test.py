@@ -1,4 +1,5 @@
-"""The demo's page of static files, from a disk: models in colours that are turned by mouse and keys, a film, the table of checks."""
+"""The demo's page of static files, opened from a disk: coloured models that mouse and keys turn, a film, the table of
+checks."""
 
 import sys
 import time

@@ -1,7 +1,9 @@
-"""README.md, CONTRIBUTING.md and docs/*.md: each command is run as it is written there, each session of Python compared with what it prints,
-each model, job, set-up and script read, and each option, file and heading that is named looked for. So is the code in docstrings of Python.
+"""README.md, CONTRIBUTING.md, docs/*.md and the code in docstrings of Python. Each command is run as it is written
+there; each session of Python is compared with what it prints; each model, job, set-up and script is read; each option,
+file and heading that is named must exist.
 
-Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in PLACEHOLDERS."""
+Files that a document names without bringing them (part.scad, scan.nrrd) are in GIVEN; words in capitals are in
+PLACEHOLDERS."""
 
 import ast
 import contextlib
@@ -138,7 +140,8 @@ def given_in(words):
 
 @pytest.fixture(scope="module")
 def folders(tmp_path_factory):
-    """For each document a folder like the source tree, in which commands may write; its commands are run in it in their order."""
+    """Returns for each document a folder like the source tree, which commands may write into. The document's commands
+    run there in their order."""
     made = {}
 
     def folder_of(document):

@@ -1,4 +1,5 @@
-"""README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links; code in docstrings."""
+"""Contents of README.md, CONTRIBUTING.md and docs/*.md: blocks by language, commands, words in backquotes, links. Also
+code in docstrings."""
 
 import inspect
 import re

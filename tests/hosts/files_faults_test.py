@@ -1,7 +1,7 @@
 """Calls that fail one after another, and losses of power at any moment: what was there stays, or what is new is whole.
 
-FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where it is not
-set."""
+FIELDFAB_KILLS: how many moments of a loss of power, and twice as many allocations, are tried for each command; 6 where
+it is not set."""
 
 import os
 import random
@@ -70,8 +70,8 @@ def test_a_failing_call_leaves_the_old_file(name, call, folder):
 @pytest.mark.parametrize("lasting", [False, True])
 @pytest.mark.parametrize("name", COMMANDS)
 def test_a_thread_that_cannot_be_started(name, lasting, folder):
-    """log4cplus, which OpenVDB links to, starts a pool of threads while it is loaded and may wait forever where one of them cannot
-    start. The command tries as many threads before; what fails after that is not tried."""
+    """The command may wait forever while log4cplus, which OpenVDB links to, is loaded: it starts a pool of threads, one
+    of which cannot start. The command tries as many threads before; what fails after that is not tried."""
     for number in range(1, 2 + max(2, len(os.sched_getaffinity(0))) if name == "convert" else 20):
         done = once(name, folder, call="pthread_create", at=number, threads=4, **({"lasting": 1} if lasting else {}))
         if done.returncode == 0:
@@ -96,7 +96,8 @@ def test_memory_that_is_refused(name, lasting, folder, tmp_path):
         if done.returncode == 0:  # libraries do without some
             assert done.replaced
             continue
-        # A library may take a lack of memory for a damaged file. The summary needs memory, too, after the file is there.
+        # A library may report a lack of memory as a damaged file. The summary needs memory, too, after the file is
+        # there.
         assert done.returncode in (2, 3), (number, done.returncode, done.stderr)
         assert not done.replaced or good(name, (folder / COMMANDS[name][1]).read_bytes(), new), number
         assert len([line for line in done.stderr.splitlines() if line.startswith("fieldfab: ")]) == 1, (

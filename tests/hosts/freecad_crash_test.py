@@ -1,4 +1,5 @@
-"""FreeCAD killed while it saves and while it recomputes: what is on the disk afterwards is the old document or the new one, whole."""
+"""FreeCAD killed while it saves and while it recomputes: afterwards the old document or the new one is on the disk,
+whole."""
 
 import json
 import math
@@ -23,7 +24,8 @@ def freecadcmd(script, home, document, **more):
 
 
 def kill_at(moment, victim, chance):
-    """Kills a victim at a random time within one of its saves or recomputes; the radii that its document may have then."""
+    """Kills a victim at a random time within one of its saves or recomputes. Returns the radii that its document may
+    have then."""
     wanted, saved = 1 + chance.randrange(2), 5.0
     for line in victim.stdout:
         doing, radius = (line.split() + ["", ""])[:2]
@@ -52,7 +54,8 @@ def test_a_killed_freecad_leaves_the_old_document_or_the_new_one(home, tmp_path)
         shutil.copy(fresh, document)
         moment = chance.choice(("saving", "saving", "making"))
         expected[document] = (moment, kill_at(moment, freecadcmd("crash_victim.py", home, document), chance))
-    # FreeCAD writes a new file, then renames the old one to .FCStd1, then the new one: killed between the two it leaves the old as .FCStd1.
+    # FreeCAD writes a new file, renames the old one to .FCStd1, and then renames the new one. Killed between the two
+    # renames it leaves the old file as .FCStd1.
     between = [document for document in expected if not document.exists()]
     left = {document: document.with_suffix(".FCStd1") if document in between else document for document in expected}
     for document in between:

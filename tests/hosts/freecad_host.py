@@ -51,8 +51,9 @@ def screen():
 
 
 def run_inside(home, file, screen=None, timeout=900, **more):
-    """Runs a pytest file inside FreeCAD, in its window where there is a screen; asserts that at least one test ran and all passed.
-    FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a folder for screenshots."""
+    """Runs a pytest file inside FreeCAD, in its window where there is a screen. Asserts that at least one test ran and
+    that all passed. FIELDFAB_PYTEST in the environment may hold more options for it (-k ...); FIELDFAB_SHOTS names a
+    folder for screenshots."""
     where = {"DISPLAY": screen} if screen else {"QT_QPA_PLATFORM": "offscreen"}
     env = environment(home, FIELDFAB_INSIDE=str(file), **where, **more)
     freecad = subprocess.Popen(["freecad" if screen else "freecadcmd", str(HERE / "freecad" / "run_inside.py")],

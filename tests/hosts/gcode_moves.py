@@ -1,4 +1,5 @@
-"""A program's motions as Fieldfab's reader gives them and as LinuxCNC's rs274 does, in the same terms: tip in machine coordinates, mm and degrees."""
+"""Motions of a program from Fieldfab's reader and from LinuxCNC's rs274, in the same terms: the tip in machine
+coordinates, mm and degrees."""
 
 import math
 import os
@@ -30,7 +31,8 @@ class Move:
 
 
 def ours(program, tools=TOOLS):
-    """(moves, error or "", notes) of our reader; an AssertionError where it neither ends well nor says what is wrong."""
+    """Returns (moves, error or "", notes) of our reader. Raises AssertionError where it neither ends well nor says what
+    is wrong."""
     with tempfile.NamedTemporaryFile("w") as table:
         table.write("".join(f"{n} {length} {diameter}\n" for n, length, diameter in tools))
         table.flush()
@@ -229,8 +231,8 @@ def still(move, before):
 
 
 def compare(mine, theirs):
-    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing from either; a
-    spline of rs274's is all of our feeds of that line."""
+    """"" where the moves are the same, else the first that is not. What takes no time or goes nowhere may be missing
+    from either; a spline of rs274's is all of our feeds of that line."""
     real = lambda m: m.kind != "end" and not (m.kind == "dwell" and m.seconds == 0)
     mine, theirs = [m for m in mine if real(m)], [m for m in theirs if real(m)]
     last_mine = last_theirs = Move("rapid")

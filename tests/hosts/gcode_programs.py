@@ -52,8 +52,8 @@ def compensation(r):
 
 
 def cycles(r):
-    """G73 and G81 to G89 in all planes. Left out are what rs274 itself gets wrong or leaves open: G74 and G84 outside of G17 (it mixes
-    up the axes), G88 (it does not draw the tool out)."""
+    """G73 and G81 to G89 in all planes. Left out is what rs274 itself gets wrong or leaves open: G74 and G84 outside of
+    G17 (it mixes up the axes), G88 (it does not draw the tool out)."""
     plane = r.choice(["g17", "g18", "g19"])
     start = [r.randint(-5, 25) for _ in range(3)]
     start["g17 g18 g19".split().index(plane) * 2 % 3 - 1] = 20
@@ -128,8 +128,8 @@ def arcs(r):
 
 
 def offsets(r):
-    """Coordinate systems and their rotation, G92, G52, tool lengths, G53, homes, M70. A tool change is followed by a move of all axes: until
-    then rs274, which has no machine, has a wrong idea of where it is."""
+    """Coordinate systems and their rotation, G92, G52, tool lengths, G53, homes, M70. After a tool change all axes
+    move: until then rs274, which has no machine, assumes a wrong place."""
     out = [r.choice(["g21 g90 f100", "g21 g90 f100", "g20\ng90 f10"]), "g0 x1 y2 z3 a0"]
     rotated = r.random() < 0.5
     v = lambda: number(r.uniform(-20, 20))

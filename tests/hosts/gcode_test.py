@@ -1,4 +1,5 @@
-"""Our reader of G-code against LinuxCNC's own, rs274: move for move, over its examples, real programs and random ones."""
+"""Our reader of G-code against LinuxCNC's own, rs274: move for move, over its examples, real programs and random
+ones."""
 
 import glob
 import os
@@ -23,8 +24,9 @@ LATHE_CYCLES = ("lathe_g70_71_demo.ngc", "lathe_g7x_face_boring.ngc", "lathe_g7x
 
 
 def prepared(path, folder):
-    """A copy that rs274 can read, beside links to the files around it, so that subroutines are found. M428 to M430 are taken out. A tool
-    change and its length offset get lines of their own: rs274 alone, without a machine, has a wrong idea of where it is between them."""
+    """Makes a copy that rs274 can read, beside links to the files around it, so that subroutines are found. M428 to
+    M430 are taken out. A tool change and its length offset get lines of their own: between them rs274 alone, without a
+    machine, assumes a wrong place."""
     with open(path, errors="surrogateescape") as f:
         text = f.read()
     text = re.sub(r"(?im)^([^(;\n]*)M4(28|29|30)\b", r"\1", text)
@@ -38,7 +40,8 @@ def prepared(path, folder):
 
 
 def upto_probing(mine, theirs):
-    """rs274 lets probes touch at the end of their way and draws back; ours lets them touch nothing: they agree up to the first."""
+    """rs274 lets probes touch at the end of their way and draws back; ours lets them touch nothing. They agree up to
+    the first probe."""
     end = next((k for k, m in enumerate(theirs) if "PROBE" in m.line), None)
     return (mine, theirs) if end is None else (mine[:end], theirs[:end])
 

@@ -1,7 +1,7 @@
 """Every function of the library that takes a solid, of a formula, a scan, a mesh and a design: valid meshes, by CGAL.
 
-Every function has two of the four leaves in turn. FIELDFAB_FINE=1 takes all of them, with four times as many cells along each
-axis, and looks for all that is thinner."""
+Every function has two of the four leaves in turn. FIELDFAB_FINE=1 takes all of them, with four times as many cells
+along each axis, and looks for all that is thinner."""
 
 import os
 
@@ -44,7 +44,8 @@ CALLS = {
     "array_polar": "array_polar(move(S, 3), 5)",
     "map": "map(S, x + 0.2 * sin(y), y, z)",
 }
-# At the tip of a taper points are moved to infinity, where only formulas tell by intervals that they are outside: bounds are given.
+# At the tip of a taper points are moved to infinity. There only formulas tell by intervals that they are outside, so
+# bounds are given.
 UNBOUNDED = {"taper": (-2.5, -2.5, -2.5, 2.5, 2.5, 2.5)}
 FORMULA = "move(rounded_box(3.6, 3, 2.4, 0.4) - cylinder(0.4, 9), 0.2, 0.1, 0)"
 

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""Fieldfab's Remesh against MeshLab's own Uniform Mesh Resampling, at the same cell size, in the same meshlabserver, one after the other:
-prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/meshlab_bench.py"""
+"""Fieldfab's Remesh against MeshLab's own Uniform Mesh Resampling, with the same size of cells, in the same
+meshlabserver, one after the other. Prints the table of docs/meshlab.md. Run it as PYTHONPATH=build/release/python
+/usr/bin/python3 tests/hosts/meshlab_bench.py"""
 
 import pathlib
 import sys

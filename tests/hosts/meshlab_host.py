@@ -1,4 +1,4 @@
-"""MeshLab with and without a window, for tests and figures: a home folder of its own, scripts, and meshes to give it."""
+"""MeshLab with and without a window, for tests and figures: a home folder of its own, scripts, and meshes for it."""
 
 import os
 import pathlib
@@ -22,7 +22,7 @@ VOLUME = "Fieldfab: Volume import with threshold"
 DEVIATION = "Fieldfab: Deviation from a layer or f-rep"
 REPORT = "Fieldfab: Validity report"
 
-# Every parameter of each filter, in its order: Debian's meshlabserver wants a script to have all of them (it stops at an assertion otherwise).
+# Every parameter of each filter, in its order: Debian's meshlabserver stops at an assertion where a script lacks one.
 PARAMETERS = {
     REMESH: {"Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0), "GapWidth": ("AbsPerc", 0)},
     OFFSET: {"Distance": ("AbsPerc", 1), "Voxel": ("AbsPerc", 1), "Edges": ("Enum", 0)},
@@ -44,7 +44,8 @@ PARAMETERS = {
 
 
 def script(*steps):
-    """The text of an .mlx file: steps are names of filters, or pairs of a name and the parameters that differ from PARAMETERS."""
+    """Returns the text of an .mlx file. Steps are names of filters, or pairs of a name and the parameters that differ
+    from PARAMETERS."""
     lines = ["<!DOCTYPE FilterScript>", "<FilterScript>"]
     for step in steps:
         name, given = (step, None) if isinstance(step, str) else step
@@ -75,7 +76,8 @@ class Said:
 
 
 def serve(folder, meshes, steps, output=None, screen=None, timeout=300, mask=()):
-    """Runs meshlabserver over a script; what it said. `output` is the file of the last layer, or a list of them, for each layer."""
+    """Runs meshlabserver over a script and returns its output. `output`: the file of the last layer, or a list with a
+    file for each layer."""
     folder = pathlib.Path(folder)
     arguments = [str(SERVER)]
     for mesh in meshes:

@@ -1,9 +1,9 @@
-"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel from the other.
+"""Designs read by us and by OpenSCAD: the same volume within 0.5 %, no place of either surface farther than a voxel
+from the other.
 
-    openscad_designs.py            the table of docs/openscad.md: all examples, the three designs of ../shared/data/scad, 200 random trees
-    openscad_designs.py NAME ...   some of them
-    openscad_designs.py 0 50       random trees 0 to 49 only
-"""
+    openscad_designs.py            the table of docs/openscad.md: all examples, the three designs of
+    ../shared/data/scad, 200 random trees openscad_designs.py NAME ...   some of them openscad_designs.py 0 50
+    random trees 0 to 49 only """
 
 import json
 import os
@@ -56,7 +56,8 @@ def places_on(points, triangles, count, seed):
 
 
 def theirs(design, output):
-    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is empty."""
+    """OpenSCAD's own mesh, and the seconds it took; a flat design is made THICKNESS thick. None where the design is
+    empty."""
 
     def run(path):
         started = time.monotonic()
@@ -96,8 +97,9 @@ def contoured(design, folder):
 
 
 def compare(design, folder, refine=0, contour=False):
-    """One row: name, volumes, distances in voxels, times; of the exact faces where there are any, unless a contour is wanted. Where the default cells of a
-    contour are too coarse it is tried with half of them, `refine` times."""
+    """One row: name, volumes, distances in voxels, times. It is of the exact faces where there are any, unless a
+    contour is wanted. Where the default cells of a contour are too coarse, it is tried again with half of them,
+    `refine` times."""
     import fieldfab
 
     folder = pathlib.Path(folder)

@@ -1,4 +1,5 @@
-"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The full table: openscad_designs.py."""
+"""OpenSCAD's designs: read by every verb, the same solids as OpenSCAD's own; and fieldfab.scad within OpenSCAD. The
+full table: openscad_designs.py."""
 
 import json
 import signal
@@ -50,7 +51,7 @@ def test_python_has_the_commands_faces(name, tmp_path):
     for mine in (ff.mesh(field), field.faces()):
         assert (told["exact"] and mine.volume == pytest.approx(told["volume"], rel=1e-7)
                 and mine.area == pytest.approx(told["area"], rel=1e-7))
-        # Which diagonals corefinement takes within a plane, and how many corners are left there, differs from run to run.
+        # Which diagonals corefinement takes within a plane, and how many corners stay there, differs from run to run.
         assert len(mine.triangles) == pytest.approx(told["triangles"], rel=0.1) and ff.inspect(mine).valid
 
 

@@ -1,4 +1,5 @@
-"""Models of several parts through the command: what is said of bad ones, their names and colours in files, and verbs that take a part."""
+"""Models of several parts through the command: messages for bad ones, names and colours in files, and verbs that take a
+part."""
 
 import json
 import math

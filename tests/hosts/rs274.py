@@ -1,4 +1,5 @@
-"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it behaves)."""
+"""LinuxCNC's interpreter as an oracle: the canonical moves of a program, in mm (../shared/data/SOURCES.txt says how it
+behaves)."""
 
 import re
 import shutil
@@ -9,7 +10,8 @@ import numpy as np
 
 
 def canonical(program, tools=((1, 0.0, 0.1),)):
-    """The calls (name, [numbers]) that rs274 makes of a G-code file; an AssertionError with its message where it refuses the file."""
+    """The calls (name, [numbers]) that rs274 makes of a G-code file. Raises AssertionError with its message where it
+    refuses the file."""
     assert shutil.which("rs274"), "rs274 is missing: ./dev setup installs linuxcnc-uspace"
     with tempfile.TemporaryDirectory() as folder:
         table, variables, out = folder + "/tool.tbl", folder + "/v.var", folder + "/out.txt"

@@ -1,4 +1,5 @@
-"""Every function of the library: its volume or area in closed form, its value at points, a symmetry; and what it says of distances."""
+"""Every function of the library: its volume or area in closed form, its value at points, a symmetry, and its promise
+about distances."""
 
 import math
 
@@ -208,7 +209,8 @@ def test_blend():
 @covers("smooth_union", "smooth_intersection", "smooth_difference", "chamfer_union", "chamfer_intersection",
         "chamfer_difference")
 def test_fillets_and_chamfers():
-    # Two planes at a right angle: the fillet is a cylinder of that radius, the chamfer a plane that cuts off `size` of each.
+    # Two planes at a right angle: the fillet is a cylinder of that radius, the chamfer a plane that cuts off `size` of
+    # each.
     a, b = s.plane(1, 0, 0, 0), s.plane(0, 1, 0, 0)
     inside = lambda shape, x, y: shape(x, y, 0) < 0
     assert not inside(s.smooth_union(a, b, 1), 1 - math.sqrt(0.5) + 0.01, 1 - math.sqrt(0.5) + 0.01)
@@ -294,7 +296,8 @@ def test_every_function_is_tested():
 
 @pytest.mark.parametrize("name", sorted(n for n in SHAPES if LIBRARY[n]["distance"]))
 def test_distances_are_what_the_docstring_says(name):
-    """A bound never changes faster than one in one; an exact distance leads, along its gradient, straight to the surface."""
+    """A bound never changes by more than the distance between two points. An exact distance leads, along its gradient,
+    straight to the surface."""
     said = LIBRARY[name]["distance"]
     assert {"exact": "exact distance", "bound": "a bound", "neither": "neither"}[said] in getattr(s, name).__doc__
     shape = VOLUMES.get(name, AREAS.get(name, (s.plane(1, 2, 3, 0.5) if name == "plane" else None, None)))[0]

@@ -1,4 +1,5 @@
-"""`fieldfab simulate` on the programs that the jobs of examples/cam write: clean as they are; faults planted in them are found."""
+"""`fieldfab simulate` on the programs of the jobs in examples/cam: they run clean, and faults planted in them are
+found."""
 
 import json
 import random
@@ -53,8 +54,8 @@ class Example:
         return {**json.loads(report.read_text()), "code": done.returncode}
 
     def cuts(self, least):
-        """Indices of straight feeds that take away more than so many mm3, the next line being one, too. Up to the first stop: then the part
-        is turned over."""
+        """Indices of straight feeds that remove more than so many mm3 and that a straight feed follows. Only up to the
+        first stop: there the part is turned over."""
         end = next((i for i, line in enumerate(self.lines) if line.startswith("M0")), len(self.lines) - 1)
         return [i for i in range(end) if self.removed.get(i + 1, 0) > least and self.lines[i].startswith("G1 ")
                 and self.lines[i + 1].startswith("G1 ")]

@@ -41,7 +41,8 @@ NASTY = '(<script>alert `x`</script> &amp; "so" \'quoted\' \xfcber)'
 
 
 def program(gouge=-1.0, rapid=False, left_out=None):
-    """Faces the plate row by row; the row at y = 1 goes down to `gouge` in its middle, `rapid` makes a rapid of the row at y = 9."""
+    """Faces the plate row by row. The row at y = 1 goes down to `gouge` in its middle; `rapid` makes a rapid of the row
+    at y = 9."""
     lines = ["G21 G90", "T1 M6", "S10000 M3", "G0 Z5", "G0 X-24 Y-15", "G1 Z-1 F600"]
     for number, y in enumerate(range(-15, 18, 4)):
         there, back = (24, -24) if number % 2 == 0 else (-24, 24)

@@ -1,4 +1,5 @@
-"""`fieldfab simulate`: programs of our own CAM run clean, and every planted fault is found, at its line, and nothing else."""
+"""`fieldfab simulate`: programs of our own CAM run clean. Every planted fault is found, at its line, and nothing
+else."""
 
 import json
 import math
@@ -104,7 +105,8 @@ class Program:
                 and "X" in self.at[i]]
 
     def furthest(self, i):
-        """The greatest x that a line goes to; of an arc, where it bulges (an arc may begin further out: that is not its fault)."""
+        """The greatest x that a line goes to; of an arc, the x where it bulges. (An arc may begin further out: that is
+        not its fault.)"""
         start, end = self.at[i - 1], self.at[i]
         most = end.get("X", -9999)
         if self.lines[i][:2] in ("G2", "G3"):
@@ -139,7 +141,8 @@ def where(result, kind):
 
 
 def passes(result, kind):
-    """The lines of the passes that events of a kind are in: each event tells the worst line, and its pass's first and last."""
+    """The lines of the passes with events of a kind: each event names the worst line, and the first and last line of
+    its pass."""
     return {line for e in result["events"] if e["kind"] == kind for line in range(e["first_line"], e["last_line"] + 1)}
 
 
@@ -207,8 +210,8 @@ def test_gouges_are_found_at_their_line(program):
 
 def test_rapids_through_stock_are_found_at_their_line(program):
     rng = random.Random(2)
-    # No ridges thinner than a cell, which may lie between its points, and no shavings thinner than `touch`: both are told by what finer
-    # cells make of their volume.
+    # No ridges thinner than a cell, which may lie between its points, and no shavings thinner than `touch`. Finer cells
+    # tell both by their volume.
     fine = {record["line"]: record["removed"]
             for record in program.simulate(program.lines, program.job, "_fine", cell=0.15)["lines"]}
     candidates = [i for i in program.feeds(1) + program.feeds(2)
@@ -228,7 +231,8 @@ def test_rapids_through_stock_are_found_at_their_line(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_missing_retracts_are_found(program):
-    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is no height.)"""
+    """Without the lift the next rapid goes through what stands in its way. (Where axes turn, machine z is not a
+    height.)"""
     rng = random.Random(3)
     candidates = [i for i in range(len(program.lines) - 1)
                   if re.fullmatch(r"G0 Z[\d.]+", program.lines[i]) and program.tool[i] == 1
@@ -249,7 +253,7 @@ def test_missing_retracts_are_found(program):
 
 
 def test_short_flutes_are_found(program):
-    """Flutes that are shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
+    """Flutes shorter than the cut is deep: the shank meets material, wherever the cutter does, and nowhere else."""
     flutes = [0.4 + 0.1 * k for k in range(12)]
 
     def plant(number, flute):
@@ -317,8 +321,8 @@ def test_over_travel_is_found_at_its_lines(program):
 
 @pytest.mark.parametrize("program", ["dome"], indirect=True)
 def test_fixtures_in_the_way_are_found(program):
-    """A clamp on the stock's edge: lines whose tool comes near it, and no others; the same clamp beside everything is no fault.
-    Lines are told by x, which turns in the other program."""
+    """A clamp on the stock's edge: lines whose tool comes near it are reported, and no others. The same clamp beside
+    everything is no fault. Lines are chosen by x, which turns in the other program."""
 
     def plant(number, inner):
         setup = program.folder / f"{program.name}_c{number}.toml"
@@ -380,7 +384,8 @@ def open_edges(path):
 
 @pytest.mark.parametrize("name", sorted(REAL))
 def test_linuxcnc_five_axis_programs_leave_closed_meshes(name, tmp_path):
-    """Each on its own kinematics. The stocks are larger than what their authors had: rapids may go through them, nothing else is wrong."""
+    """Each program on its own kinematics. The stocks are larger than what their authors had: rapids may go through
+    them, and nothing else is wrong."""
     machine, stock, tools, moves, removed, air = REAL[name]
     setup = tmp_path / "setup.toml"
     setup.write_text(f'cell = 0.5\nmachine = "{machine}"\n[stock]\n{stock}\n' + "".join(
@@ -467,7 +472,8 @@ def test_python_simulates(program):
 
 
 def test_python_shows_any_moment(program, tmp_path):
-    """The stock after half of the lines is what half of the program leaves; the surface changes only where it was cut."""
+    """The stock after half of the lines equals what half of the program leaves. The surface changes only where it was
+    cut."""
     import fieldfab as ff
 
     path = program.folder / f"{program.name}.ngc"
@@ -512,7 +518,8 @@ def test_frames_for_videos(program, tmp_path):
 
 
 def test_the_slotted_ball_ends_as_it_should(tmp_path):
-    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, nothing off by more than 0.05 mm."""
+    """40,000 moves with both rotary axes turning, overhangs and leaning slots: no contact, no deviation of more than
+    0.05 mm."""
     made = subprocess.run(["/usr/bin/python3", str(ROOT / "examples/simulation/slotted_ball.py"), str(tmp_path),
                            "40000"], capture_output=True, text=True)
     assert made.returncode == 0, made.stderr

@@ -1,4 +1,4 @@
-"""Volumes through the command: every format, written here from one ball, and everything that can be wrong with a file."""
+"""Volumes through the command: every format, written here from one ball, and every error that a file can have."""
 
 import gzip
 import json

@@ -1,8 +1,10 @@
-"""Clients with bad manners, for so many seconds: they vanish in the middle, send garbage, flood, hold connections open and read nothing.
+"""Clients with bad manners, for so many seconds: they vanish in the middle, send garbage, flood, hold connections open
+and read nothing.
 
     PYTHONPATH=build/release/python /usr/bin/python3 tests/hosts/web_hostile.py [SECONDS]
 
-A polite client asks for a picture all the while. Prints how long it waited, and how the memory of the server and its workers grew."""
+A polite client asks for a picture all the while. Prints how long it waited, and how the memory of the server and its
+workers grew."""
 
 import asyncio
 import contextlib
@@ -128,8 +130,8 @@ def resident(server):
 
 
 async def siege(server, seconds, crowd=4):
-    """Returns (seconds that the polite client waited, [(seconds since the start, MB of the server, MB of the workers)], what the
-    server said). It ends the server."""
+    """Returns (seconds that the polite client waited, [(seconds since the start, MB of the server, MB of the workers)],
+    the server's output). Ends the server."""
     start = time.monotonic()
     end, waited, memory = start + seconds, [], []
     hostile = [asyncio.create_task(again_and_again(each, server.port, end))

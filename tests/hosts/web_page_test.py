@@ -1,4 +1,5 @@
-"""fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that is killed."""
+"""fabserver's page in a real browser: typing, dragging nodes, changing their code, undo, reloading, and a server that
+is killed."""
 
 import contextlib
 import json
@@ -150,7 +151,8 @@ CIRCLE = ("const [centre] = parents;\n"
 
 
 def test_text_and_picture(page, folder):
-    """Typing shows at once; a mistake is told at its place, and the last picture stays; a slider writes into the text."""
+    """Typing shows at once. A mistake is reported at its place, and the last picture stays. A slider writes into the
+    text."""
     (folder / "part.frep").write_text("r = 5  # 1 to 9, radius\ncircle(r)\n")
     page.open("part.frep")
     page.settled()
@@ -223,7 +225,8 @@ def test_a_sheet_from_nothing(page, folder):
 
 
 def test_nodes(page, folder, server):
-    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is lost."""
+    """Dragging, links, code, undo, a reload, a killed server, an endless loop: the picture follows, and nothing is
+    lost."""
     (folder / "nodes.json").write_text(sheet(("Centre", 0, 0, "return { x, y };", []), ("Circle", 16, 12, CIRCLE, [1])))
     file = folder / "nodes.json"
     page.open("nodes.json")
@@ -397,7 +400,8 @@ def test_a_scan_becomes_a_simulated_program(page, folder, server, tmp_path):
 
 
 def test_panels_of_a_job(page, folder, server, tmp_path):
-    """Operations are added, ordered and removed; settings that do not matter are not shown; mistakes are told; all is there after a reload."""
+    """Operations are added, ordered and removed. Settings that do not matter are hidden. Mistakes are reported. A
+    reload keeps everything."""
     (folder / "plate.frep").write_text("rounded_rectangle(30, 20, 3) - circle(5)\n")
     page.open("plate.frep")
     page.settled()

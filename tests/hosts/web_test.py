@@ -620,8 +620,9 @@ def test_garbage_and_idle_connections_do_no_harm(server):
 
 
 def test_a_short_siege(tmp_path):
-    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A polite client gets its
-    pictures all the while, the server's memory stays, and it leaves and says nothing."""
+    """Clients that vanish, send garbage, flood and hold connections for 15 s; web_hostile.py does it for 10 minutes. A
+    polite client gets its pictures all the while; the server's memory does not grow, and it leaves no file and prints
+    nothing."""
     running = Server(tmp_path)
     try:
         waited, memory, said = asyncio.run(web_hostile.siege(running, 15, crowd=2))

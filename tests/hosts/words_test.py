@@ -1,4 +1,5 @@
-"""The workbench's translations: complete, of the sources as they are, and the same in the files that people edit and that FreeCAD reads."""
+"""The workbench's translations: complete, up to date with the sources, and the same in the files that people edit and
+that FreeCAD reads."""
 
 import importlib.util
 import string

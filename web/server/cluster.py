@@ -1,4 +1,5 @@
-"""Jobs on a Dask cluster that runs elsewhere (`--scheduler ADDRESS`): each in a worker process of its own there, with the limits that it has here."""
+"""Jobs on a Dask cluster that runs elsewhere (`--scheduler ADDRESS`): each in a worker process of its own there, with
+the same limits as here."""
 
 import asyncio
 import os
@@ -53,7 +54,8 @@ class ClusterWorker:
             cluster, topic, f"fieldfab-{secrets.token_hex(8)}", None)
 
     async def ask(self, request, seconds):
-        """Yields (head, b"") of progress and of the result, whose files lie in `request["into"]` then. Raises Refused."""
+        """Yields (head, b"") of progress and of the result, whose files are in `request["into"]` then. Raises
+        Refused."""
         client = await self._cluster.client()
         news = self._cluster.listeners[self._name] = asyncio.Queue()
         inner = {key: value for key, value in request.items() if key != "into"}

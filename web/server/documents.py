@@ -68,7 +68,8 @@ class Documents:
             raise
 
     def write(self, name, data, expected):
-        """Writes it where its version is the expected one ("*": whatever it is; None: there must be none yet). Returns the new version."""
+        """Writes the document if its version is the expected one ("*": any version; None: there must be none yet).
+        Returns the new version."""
         path = self._path(name)
         if len(data) > LIMITS.document:
             raise Refused(413, "too_large", f"the document has {len(data):,} bytes; {LIMITS.document:,} are possible")

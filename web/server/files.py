@@ -30,7 +30,8 @@ def plate(model, thickness):
 
 
 def write(model, request, progress):
-    """Writes the file `model` with the extension into the folder `request["into"]`; returns what there is to tell of it."""
+    """Writes the file `model` with the extension into the folder `request["into"]`. Returns the values to answer
+    with."""
     extension, told = request["extension"], {}
     path = os.path.join(request["into"], "model" + extension)
     if extension in FORMULAS:

@@ -17,7 +17,8 @@ ROLES = ("cutting", "shank", "holder")
 
 
 def tables():
-    """All that panels are made from: machines, operations with the settings of their stages, and what joins their paths."""
+    """Tables that panels are made from: machines, operations with the settings of their stages, and the settings that
+    join their paths."""
     stages = {each["name"]: each for each in ff.cam.stages()}
     operations = [{"name": name, "help": each["help"], "settings": [setting for stage in ff.cam.chain("solid", name)
                                                                     for setting in stages[stage]["settings"]]}
@@ -31,7 +32,8 @@ def toml_value(value):
 
 
 def toml_of(job, model=None):
-    """A job as `fieldfab cam` reads it, of a model's file or of a part that is given. Its names and values were checked: none is a path."""
+    """A job as `fieldfab cam` reads it, of a model's file or of a given part. Its names and values were checked: none
+    is a path."""
     def table(head, values):
         return [head, *(f"{name} = {toml_value(value)}" for name, value in values.items()), ""]
 
@@ -108,7 +110,8 @@ def ways_of(job):
 
 
 def plan(solid, job, into, progress):
-    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' ways as ways.json and .bin. Returns what there is to tell."""
+    """Writes the program, sheet.html, job.toml for `fieldfab cam`, and the tools' ways as ways.json and .bin. Returns
+    the values to answer with."""
     text = toml_of(job)
     for name, content in (("setup.toml", text), ("job.toml", toml_of(job, "part.frep"))):
         with open(os.path.join(into, name), "w", encoding="utf-8") as file:
@@ -141,7 +144,8 @@ def tool_parts(playback, drawing):
 
 
 def simulate(solid, program, into, progress):
-    """Carries the program out. Writes report.html, and the stock while it is cut and the tool as stock.json and .bin. Returns what there is to tell."""
+    """Carries the program out. Writes report.html, and the stock while it is cut and the tool as stock.json and .bin.
+    Returns the values to answer with."""
     done = ff.stock.Simulation(os.path.join(into, "setup.toml"), os.path.join(into, program), part=solid, remember=True,
                                progress=lambda share, words: progress(0.6 * share, words))
     done.html(os.path.join(into, "report.html"))

@@ -82,7 +82,8 @@ def parameters_of(text):
 
 
 def refuse_files_elsewhere(text, root, folder=None, seen=()):
-    """Raises Mistakes where a text of `folder` opens a file that is not below `root`, or of a format that can name further files."""
+    """Raises Mistakes where a text of `folder` opens a file that is not below `root`, or a file whose format can name
+    further files."""
     folder = folder or root
     tokens, data = ff.language.tokens(text), text.encode()
     words = [data[each.offset : each.offset + each.length] for each in tokens]

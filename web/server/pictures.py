@@ -94,7 +94,8 @@ def grown(bounds):
 
 
 def pictures(model, request, progress):
-    """Yields (what is told of a picture, its PNG): a coarse one where asked for, a fine one, and one with smooth edges where asked for."""
+    """Yields (head of a picture, its PNG): a coarse one if asked for, a fine one, and one with smooth edges if asked
+    for."""
     size, window, near = max(request["width"], request["height"]), request["window"], request["near"]
     if window is None or near is None or near[2] == near[5]:
         near = None

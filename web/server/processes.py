@@ -1,4 +1,5 @@
-"""Worker processes as the server sees them: each has one request at a time, limits, and an end when it does not answer."""
+"""Worker processes as the server sees them: each has one request at a time and limits, and is ended when it does not
+answer."""
 
 import asyncio
 import collections
@@ -46,7 +47,8 @@ class Worker:
                                                                  stdout=asyncio.subprocess.PIPE)
 
     async def ask(self, request, seconds):
-        """Yields (head, body) of each answer but the last, which only says that it is one. Raises Refused; returns early where it was stopped."""
+        """Yields (head, body) of each answer except the last, which only marks the end. Raises Refused; returns early
+        where it was stopped."""
         await self.start()
         self.text, self._stopping, self._hurried, done = request.get("text"), False, False, False
         self.since = asyncio.get_running_loop().time()

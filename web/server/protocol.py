@@ -1,4 +1,4 @@
-"""Requests, checked: what reaches a worker has the fields, kinds and sizes that the tables here and in docs/web.md say."""
+"""Checks of requests: what reaches a worker has the fields, types and sizes of the tables here and in docs/web.md."""
 
 import math
 import re

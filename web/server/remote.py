@@ -1,4 +1,5 @@
-"""What runs on the machines of a Dask cluster: one request in a worker process of its own. Knows the worker's side only."""
+"""Code that runs on the machines of a Dask cluster: one request in a worker process of its own. It knows the worker's
+side only."""
 
 import os
 import subprocess
@@ -10,8 +11,8 @@ from .frames import frame, read_frame
 
 
 def run(request, memory, seconds, most, topic, name):
-    """Returns (the answers that are no progress, {name: bytes} of the files it wrote). Tells progress under the topic; ends when the
-    event `name` is set, and after some seconds at the latest. `most`: bytes of its files in all."""
+    """Returns (the answers other than progress, {name: bytes} of the files it wrote). Publishes progress under the
+    topic. Ends when the event `name` is set, after some seconds at the latest. `most`: bytes of its files in all."""
     import distributed  # where this runs, it is there; the server imports it only where there is a cluster
 
     told, stopped, late = distributed.get_worker().log_event, distributed.Event(name), threading.Event()

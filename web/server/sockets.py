@@ -1,4 +1,5 @@
-"""The WebSocket: views of models. Each view has at most one picture in the making, and at most one that waits: a newer request takes its place."""
+"""The WebSocket: views of models. Each view has at most one picture in the making and at most one that waits; a newer
+request replaces it."""
 
 import asyncio
 import contextlib

@@ -1,5 +1,6 @@
-"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and answers on standard
-output, in frames. Texts can ask for any memory, any time and any depth of stack: what goes wrong here ends here."""
+"""A worker process: `python3 -m fieldfab.serve.worker MEMORY`. It takes one request after another on standard input and
+answers on standard output, in frames. A text can ask for any memory, any time and any depth of stack: what goes wrong
+here ends here."""
 
 import ctypes
 import math

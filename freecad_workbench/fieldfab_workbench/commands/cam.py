@@ -1,4 +1,5 @@
-"""Machining: set-ups, operations, plans, and what is made of them. What needs numpy is imported where it is used: the workbench must load quickly."""
+"""Commands of machining: set-ups, operations, plans and their results. The workbench must load quickly: modules that
+need numpy are imported where they are used."""
 
 import os
 import re

@@ -10,7 +10,8 @@ from .command import Command
 
 
 class ShapeGallery(Command):
-    """Opens the gallery; the shape chosen there becomes a solid whose numbers are properties, with its task panel open: one undo step."""
+    """Opens the gallery. The chosen shape becomes a solid whose numbers are properties, with its task panel open: one
+    undo step."""
 
     def Activated(self):
         self.gallery = Gallery(FreeCADGui.getMainWindow(), whole=True)

@@ -1,4 +1,5 @@
-"""Documents to begin with. They are opened as new documents, so that the files that came with the workbench stay as they are."""
+"""Example documents. Each is opened as a new document, so that the files that came with the workbench stay
+unchanged."""
 
 import os
 import shutil
@@ -51,7 +52,8 @@ def folders_of_start_page():
 
 
 class OnStartPage(Command):
-    """Adds the user's own copies of the examples to the folders of FreeCAD's start page, or takes them away again; the user's other folders stay."""
+    """Adds the user's own copies of the examples to the folders of FreeCAD's start page, or removes them. The user's
+    other folders stay."""
 
     def __init__(self, *texts):
         super().__init__(*texts)

@@ -65,7 +65,8 @@ class CrossCheck(Command):
 
 
 class ShowUncertainPlaces(Command):
-    """Shows the boxes of the selected solids, and the largest place of the first; takes them away where all of them are shown."""
+    """Shows the boxes of the selected solids, and zooms to the largest box of the first. Hides them where all of them
+    are shown."""
 
     def ready(self):
         return any(uncertain_places(obj) for obj in _chosen_solids())

@@ -9,7 +9,8 @@ from .command import Command
 
 
 class NewSolid(Command):
-    """Adds a solid of one kind, made from what is selected, and opens its task panel: one undo step, which Cancel takes back."""
+    """Adds a solid of one kind, made from the selection, and opens its task panel: one undo step, which Cancel takes
+    back."""
 
     def __init__(self, kind, words, tip, help, needs=0, **properties):
         super().__init__(properties.get("Operation", kind.NAME), words, tip, help)

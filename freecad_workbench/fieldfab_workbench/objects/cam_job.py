@@ -1,4 +1,5 @@
-"""A set-up as a job for the kernel (docs/cam.md), and what comes of it. Texts are made on the GUI thread, plans anywhere."""
+"""A set-up as a job for the kernel (docs/cam.md), and its results. Texts are made on the GUI thread, plans on any
+thread."""
 
 import hashlib
 import json
@@ -16,7 +17,7 @@ from .solid import source_of
 
 
 class JobError(ValueError):
-    """What is wrong with a job, and with which setting: `object` (its name in the document) and `setting` where known."""
+    """An error in a job. `object`: name of the object in the document; `setting`: name of the setting, where known."""
 
     def __init__(self, words, object=None, setting=""):
         super().__init__(words)
@@ -24,7 +25,8 @@ class JobError(ValueError):
 
 
 class Job:
-    """`text`: the job file. `places`: {line of it: (name of an object, name of a setting)}. `source`: the part, a sources.Source."""
+    """A job for the kernel. `text`: the job file. `places`: {line of it: (name of an object, name of a setting)}.
+    `source`: the part, a sources.Source."""
 
     def __init__(self, setup):
         """Raises JobError."""
@@ -107,7 +109,8 @@ class Job:
             self._add(name, value, operation)
 
     def plan(self, progress=None):
-        """Plans all paths; a Plan. Raises JobError for what cannot be done, fieldfab.Error for what went wrong or was cancelled."""
+        """Plans all paths and returns a Plan. Raises JobError for a job that cannot be planned, and fieldfab.Error
+        where planning failed or was cancelled."""
         fieldfab = kernel.load()
         try:
             job = fieldfab.cam.Job.parse(self.text, self.source.field(progress), "job", progress)

@@ -86,7 +86,8 @@ def name_of(obj):
 
 
 def _names(obj):
-    """The same in the user's language and unit, in English, in mm and in inches, and as documents of earlier versions have it."""
+    """Names that a tool may have: in the user's language and unit, in English, in mm and in inches, and as documents of
+    earlier versions have it."""
     diameter, form = obj.Diameter.Value, NAMES[obj.Shape]
     sizes, forms = ((units.told(diameter, digits=6), f"{diameter:g} mm", f"{diameter / units.INCH:.6g} in"),
                     (tr(form), form))

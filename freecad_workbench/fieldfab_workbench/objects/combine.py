@@ -11,7 +11,8 @@ OPERATIONS = marked(("Union", "Intersection", "Difference", "Blend", "Morph"))
 
 
 class Combine(Solid):
-    """Union, intersection, difference (the first without the others), blend (a union with a fillet) and morph of other objects' solids."""
+    """Union, intersection, difference (the first without the others), blend (a union with a fillet) or morph of other
+    objects' solids."""
 
     NAME = "Combine"
 

@@ -43,7 +43,8 @@ class MachineProgram(DocumentObject):
         return machine_file(obj)
 
     def onDocumentRestored(self, obj):
-        """Documents of earlier versions hold files, which FreeCAD loses when such an object is copied or deleted and that is undone."""
+        """Documents of earlier versions hold files. FreeCAD loses these when such an object is copied or deleted and
+        that is undone."""
         super().onDocumentRestored(obj)
         for before, name in (("MachineFile", "PackedProgram"), ("SetupSheet", "PackedSheet"), ("Moves", "PackedMoves")):
             if before in obj.PropertiesList:
@@ -112,8 +113,8 @@ def _held(obj, name):
 
 
 def sections_of(obj):
-    """[(section, moves)]: what each operation's moves are made with, and an (n, 8) array of them: x, y, z (mm, as the program counts), feed
-    (mm/min, 0 for rapids), bulge, the tool's axis."""
+    """Moves of each operation as [(section, moves)]: the section they are made with, and an (n, 8) array of x, y, z
+    (mm, in the program's coordinates), feed (mm/min, 0 for rapids), bulge and the tool's axis."""
     if not obj.PackedMoves:
         return []
     told, moves = json.loads(obj.Sections), np.load(io.BytesIO(unpacked(obj.PackedMoves)))

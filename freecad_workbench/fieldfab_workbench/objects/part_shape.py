@@ -13,9 +13,9 @@ SEWING = 1e-4  # mm
 
 
 class PartShape(DocumentObject):
-    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, where the Source is. Making one takes about a
-    millisecond a triangle, and more than in proportion beyond some thousands; so triangles are first reduced to MostTriangles, and then
-    those that lie in a plane become one face. Curved surfaces stay facets."""
+    """Proxy of a Part::FeaturePython object: the boundary of its Source as flat faces, in the Source's place. Making
+    one takes about a millisecond a triangle, and more than in proportion beyond some thousands. So the triangles are
+    first reduced to MostTriangles; then those that lie in a plane become one face. Curved surfaces stay facets."""
 
     NAME = "PartShape"
 

@@ -1,4 +1,5 @@
-"""One operation of a machine program as a path of FreeCAD's own Path workbench, so that its posts, simulator and dress-ups take it."""
+"""One operation of a machine program as a path of FreeCAD's own Path workbench, for its post processors, simulator and
+dress-ups."""
 
 import re
 
@@ -16,8 +17,8 @@ HEIGHTS = (described("StartDepth", "z where it begins to cut"), described("Final
 
 
 class PathOfProgram(DocumentObject):
-    """Follows the program. Straight cuts from above are told in the document's coordinates, as FreeCAD's jobs do; those of tilting tools are the
-    words of the machine's own file, since only they tell how the machine turns."""
+    """A path that follows the program. Three-axis cuts are in the document's coordinates, as in FreeCAD's jobs. Cuts of
+    tilting tools are the words of the machine's own file, since only they say how the machine turns."""
 
     NAME = "PathOfProgram"
 
@@ -81,8 +82,8 @@ _WORDS = re.compile(r"^(?:G0?[0123]\b|(?=[XYZABCF][-.\d]))", re.MULTILINE)
 
 
 def words_of_file(text):
-    """The moves of a machine's G-code for Path.Path: without its header, tool changes and comments; feeds in mm/s. Raises ValueError for files
-    that are no G-code in millimetres."""
+    """Moves of a machine's G-code for Path.Path: without header, tool changes and comments; feeds in mm/s. Raises
+    ValueError for files that are not G-code in millimetres."""
     if not re.search(r"^G0?[01]\b", text, re.MULTILINE) or re.search(r"\bG20\b", text):
         raise ValueError(tr("FreeCAD's Path takes G-code in millimetres: choose such a machine"))
     lines, mode = [], "G0"

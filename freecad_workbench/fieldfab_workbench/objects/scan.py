@@ -14,8 +14,8 @@ MISSING, CHANGED, AS_READ, UNREAD = marked(("missing", "changed since it was rea
 
 
 class Scan(Solid):
-    """What is denser than a threshold in a CT volume. The file stays outside of the document, which remembers where it is (beside the
-    document, where it is there) and what it was like when it was read."""
+    """Solid of what is denser than a threshold in a CT volume. The file stays outside of the document, which remembers
+    its path (relative to the document where it lies beside it) and its state when it was read."""
 
     NAME = "Scan"
 

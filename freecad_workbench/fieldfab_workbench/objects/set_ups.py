@@ -32,8 +32,8 @@ def tool_from_line(line):
 
 
 def text(tools, lower, upper, machine="", tolerances=None, more=""):
-    """The text of a set-up. `tools`: tables; `lower`, `upper`: the stock's corners, mm; `machine`: an id, or nothing for three axes;
-    `tolerances`: gouge, excess and touch, mm; `more`: further lines for its top, and tables of their own."""
+    """Text of a set-up. `tools`: tables; `lower`, `upper`: corners of the stock, mm; `machine`: an id, or nothing for
+    three axes; `tolerances`: gouge, excess and touch, mm; `more`: further lines for the top, and further tables."""
     top = [f"machine = {_value(machine)}"] if machine else []
     stock = {"lower": [float(v) for v in lower], "upper": [float(v) for v in upper]}
     tables = [_table("[stock]", stock), _table("[target]", tolerances or {}),

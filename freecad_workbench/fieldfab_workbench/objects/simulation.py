@@ -27,8 +27,8 @@ KEPT_RUNS = 2  # a run holds its stock at up to 64 moments
 
 
 class Run:
-    """A simulation that was carried out and remembers it; it can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its
-    report; `lines`: the program's text."""
+    """A finished simulation that can be played back. `simulation`: fieldfab.stock.Simulation; `report`: its report;
+    `lines`: the program's text."""
 
     def __init__(self, task, progress):
         self.folder = tempfile.TemporaryDirectory(prefix="fieldfab_")
@@ -52,9 +52,9 @@ class Run:
 
 
 class Task:
-    """Everything that a simulation depends on, taken from the document: from here on any thread may work. `program` and `setup` are
-    (bytes, name, path or None); `target`, `stock` and `part` (what a job of ours was planned for) Sources or None; `cell` mm, 0 for automatic; `dialect`: of its G-code, "" for
-    the set-up's."""
+    """All inputs of a simulation, taken from the document, so that any thread may work with them. `program` and
+    `setup`: (bytes, name, path or None). `target`, `stock` and `part` (the one a job of ours was planned for): Sources
+    or None. `cell`: mm, 0 for automatic. `dialect`: that of its G-code, "" for the set-up's."""
 
     def __init__(self, program, setup, target=None, stock=None, cell=0.0, part=None, dialect=""):
         self.program, self.setup, self.target, self.stock, self.cell, self.part, self.dialect = (
@@ -114,8 +114,8 @@ def planned_of(simulation):
 
 
 class Simulation(Solid):
-    """What a program leaves of its stock. Its coordinates are the part's, which are the document's. The stock's mesh, the figures and the
-    events are saved with the document."""
+    """The stock that a program leaves. Its coordinates are the part's, which are the document's. The stock's mesh, the
+    figures and the events are saved with the document."""
 
     NAME = "Simulation"
 
@@ -246,11 +246,11 @@ class Simulation(Solid):
         return obj.MadeFrom == self.task(obj).digest
 
     def kept_run(self, obj):
-        """The Run of what the object shows, where it was carried out in this session; else None. Raises as task() does."""
+        """The Run that the object shows, if it was carried out in this session; else None. Raises as task() does."""
         return _runs.get(obj.MadeFrom) if obj.MadeFrom == self.task(obj).digest else None
 
     def execute(self, obj):
-        """Carries the program out. What goes wrong is raised: FreeCAD then marks the object, which keeps the result that it had."""
+        """Carries the program out. Raises errors: FreeCAD then marks the object, which keeps its last result."""
         if self.waits(obj):
             return
         fieldfab = kernel.load()

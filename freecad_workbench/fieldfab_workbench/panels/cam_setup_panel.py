@@ -1,4 +1,5 @@
-"""The task panel of a CAM set-up: a stack of panels, one a stage, from the part to the machine (Keeter, Fig. 6-2), and the plan."""
+"""The task panel of a CAM set-up: a stack of panels, one for each stage from the part to the machine (Keeter, Fig.
+6-2), and the plan."""
 
 from .. import kernel, units, work, workflow
 from ..objects import cam_job, cam_operation, cam_setup, machine_program
@@ -71,7 +72,8 @@ class SetupPanel(EditPanel):
     _write_quantity = PropertyPanel._write_quantity
 
     def changed(self, *_):
-        """Of the makers of rows: here the rows are written by _written, and nothing is planned before it is asked for."""
+        """Called by the makers of rows. It does nothing here: _written writes the rows, and nothing is planned before
+        the user asks."""
 
     def _tools(self):
         box = Box(tr("Tools"), opened=not self.obj.Tools)

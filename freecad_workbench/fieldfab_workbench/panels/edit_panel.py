@@ -77,8 +77,9 @@ class EditPanel:
 
     # Making a solid's mesh beside the window.
     def after_making(self, then):
-        """Takes the values over, makes what the recompute will need, and returns what `then()` does. Where that takes longer than a moment it returns
-        False: the window goes on, the panel shows progress, and `then` follows once the mesh is there."""
+        """Takes the values over, makes what the recompute will need, and returns what `then()` does. If that takes
+        longer than a moment it returns False: the window stays responsive, the panel shows progress, and `then` follows
+        once the mesh is there."""
         if self.making is not None:
             return False
         try:

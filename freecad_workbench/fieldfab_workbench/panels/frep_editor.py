@@ -1,4 +1,4 @@
-"""The editor of .frep text: colours, completion, the meaning of names, line numbers, and all mistakes in their places."""
+"""The editor of .frep text: colours, completion, meanings of names, line numbers, and all mistakes at their places."""
 
 from html import escape
 
@@ -45,8 +45,8 @@ class LineNumbers(QtWidgets.QWidget):
 
 
 class FrepEditor(QtWidgets.QPlainTextEdit):
-    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is in order. Without a kernel it is the reason,
-    and the editor knows nothing of the text."""
+    """`checked(node_count, message)` is emitted after each check; the message is empty where the text is valid. Without
+    a kernel the message is the reason, and the editor offers no help with the text."""
 
     checked = QtCore.Signal(int, str)
 

@@ -1,4 +1,5 @@
-"""The shape gallery: pictures of all shapes of the library and of the designs, searched by words, put into a text with their parameters."""
+"""The shape gallery: pictures of all shapes of the library and of the designs. It is searched by words; a chosen shape
+is put into a text with its parameters."""
 
 from .. import shapes
 from ..shim import QtCore, QtGui, QtWidgets

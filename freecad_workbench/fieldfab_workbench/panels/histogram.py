@@ -9,7 +9,8 @@ MARGIN = 8
 
 
 class Histogram(QtWidgets.QWidget):
-    """Counts are drawn by their logarithms: what is solid is blue, the rest grey. `dragged` tells the density under the mouse."""
+    """Counts on a logarithmic scale: blue where the volume is solid, else grey. `dragged` tells the density under the
+    mouse."""
 
     dragged = QtCore.Signal(float)
 

@@ -11,7 +11,8 @@ OPENED = (workflow.JOINING,)  # besides the operation's own
 
 
 class OperationForm(QtWidgets.QWidget):
-    """What an operation does, with which tool, and a box for each stage that leads to its moves (`boxes`, `rows` by the stages' names)."""
+    """Name, type and tool of an operation, and a box for each stage that leads to its moves (`boxes` and `rows`, by the
+    stages' names)."""
 
     def __init__(self, obj, changed=lambda: None):
         super().__init__()

@@ -1,4 +1,4 @@
-"""Playing a simulation in the 3D view: stock, tool and axes at any moment, the program beside it, and what went wrong."""
+"""Playback of a simulation in the 3D view: stock, tool and axes at any moment, the program's lines, and the events."""
 
 import math
 import time
@@ -35,8 +35,8 @@ def _is_in_the_way(obj):
 
 
 class Playback(QtWidgets.QWidget):
-    """The controls; `show(run, events)` begins, `end()` takes everything out of the 3D view again. `said` tells lines for the user, and whether they are
-    good news."""
+    """The controls of the playback. `show(run, events)` begins, `end()` removes everything from the 3D view. `said`
+    emits a line for the user, and whether it is good news."""
 
     said = QtCore.Signal(str, bool)
 
@@ -143,8 +143,8 @@ class Playback(QtWidgets.QWidget):
 
     # Beginning and ending.
     def show(self, run, events, parts=()):
-        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. All else in the view that lies where the
-        stock is stays hidden meanwhile."""
+        """Plays an objects.simulation.Run from now on, its end first. `parts`: the objects that should come out. Other
+        visible objects that lie where the stock is are hidden meanwhile."""
         self.end()
         self.parts, self._hidden = (
             list(parts), [obj for obj in self.document.Objects if _is_in_the_way(obj) and obj.ViewObject.Visibility])

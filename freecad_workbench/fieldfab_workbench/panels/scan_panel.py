@@ -1,4 +1,5 @@
-"""The task panel of a scan: its file, the threshold over the histogram, what is kept, with a coarse solid in the view meanwhile."""
+"""The task panel of a scan: its file, the threshold over the histogram, and what is kept. Meanwhile the view shows a
+coarse solid."""
 
 import math
 import os
@@ -177,7 +178,8 @@ class ScanPanel(ScanForm):
         return super().accept()
 
     def reject(self):
-        """A scan that was never computed goes: FreeCAD's import may have ended its undo step before the panel could take it back."""
+        """Removes a scan that was never computed: FreeCAD's import may have ended its undo step before the panel could
+        take it back."""
         document, name = self.document, self.obj.Name
         document.abortTransaction()
         self.close()

@@ -1,4 +1,5 @@
-"""A form made from the settings of a workflow stage. What is not given shows its default in grey; what is wrong is said below the setting."""
+"""A form made from the settings of a workflow stage. A setting that is not given shows its default in grey; an error is
+shown below its setting."""
 
 from .. import units
 from ..shim import QtCore, QtWidgets

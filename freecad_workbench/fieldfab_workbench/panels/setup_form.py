@@ -191,7 +191,8 @@ class SetupForm(QtWidgets.QWidget):
         return self.obj.Document.getObject(self.of_object.currentData()) if self.of_object.currentData() else None
 
     def _chosen(self):
-        """Tools, stock and target of a Path Job are taken over. A file after a machine program, such as what somebody made of it, keeps its set-up."""
+        """Takes over tools, stock and target of a Path Job. A file that follows a machine program, such as an edited
+        copy of it, keeps the program's set-up."""
         source, before = self._program_object(), self.obj.Document.getObject(self._before) if self._before else None
         self._before = self.of_object.currentData()
         if source is None and programs.is_planned(before):

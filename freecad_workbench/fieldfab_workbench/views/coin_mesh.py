@@ -1,5 +1,5 @@
-"""Meshes and boxes as Coin nodes: what panels show in the 3D view beside the objects. Arrays go into Coin whole, as the bytes of a
-binary Inventor file."""
+"""Meshes and boxes as Coin nodes, shown by panels in the 3D view beside the objects. Arrays go into Coin whole, as the
+bytes of a binary Inventor file."""
 
 import numpy as np
 from pivy import coin
@@ -8,8 +8,8 @@ from . import inventor
 
 
 class MeshBytes:
-    """Triangles ready for Coin: made on any thread, `node()` in the window's. Flat: edges look sharp; else all looks smooth. `colours`: one
-    a vertex, rows of red, green, blue in 0 to 1."""
+    """Triangles ready for Coin: made on any thread; `node()` is called in the window's thread. `flat`: edges look
+    sharp; else all looks smooth. `colours`: one for each vertex, rows of red, green, blue in 0 to 1."""
 
     def __init__(self, vertices, triangles, flat=False, colours=None):
         self.count, self.flat = len(triangles), flat

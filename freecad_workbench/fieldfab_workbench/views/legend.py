@@ -46,7 +46,8 @@ class Legend(QtWidgets.QWidget):
 
 
 class ReachLegend(Legend):
-    """A bar from `reach` at the top to -`reach` at its foot, mm, over the active 3D view. It shows the user's unit, as the title has it for {unit}."""
+    """A bar over the active 3D view, from `reach` at its top to -`reach` at its foot, mm. It shows the user's unit,
+    which replaces {unit} in the title."""
 
     def __init__(self, title, reach):
         super().__init__(view_widget(), 150, 210)
@@ -70,7 +71,8 @@ class ReachLegend(Legend):
 
 
 class ColourLegend(Legend):
-    """A line for each colour, in the left upper corner. `entries`: (colour of three numbers from 0 to 1, words, whether it is dashed)."""
+    """A line for each colour, in the upper left corner. `entries`: (colour of three numbers from 0 to 1, words, whether
+    the line is dashed)."""
 
     def __init__(self, over, entries):
         self.entries = entries

@@ -68,7 +68,8 @@ class PartView:
         return volume
 
     def tell_clicks(self, function):
-        """From now on `function(origin, direction)` hears of clicks with the left button that move nothing; None: no more."""
+        """Calls `function(origin, direction)` from now on at each click of the left button that drags nothing; None
+        ends this."""
         kind = coin.SoMouseButtonEvent.getClassTypeId()
         if self._clicked is not None:
             self.view.removeEventCallbackPivy(kind, self._callback)

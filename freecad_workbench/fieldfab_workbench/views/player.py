@@ -12,7 +12,8 @@ MOVING = 2  # blocks of so many cells are one while it moves
 
 
 class Frame:
-    """The stock at a moment. `pieces`: {index: (arrays, colours)} of what has changed since the frame that was taken before."""
+    """The stock at a moment. `pieces`: {index: (arrays, colours)} of what has changed since the last frame that was
+    taken."""
 
     def __init__(self, seconds, pieces, whole=None):
         self.seconds, self.pieces, self.whole = seconds, pieces, whole

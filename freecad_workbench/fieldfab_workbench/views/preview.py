@@ -1,4 +1,5 @@
-"""What a solid will look like, shown in its place while a panel is open: computed beside the window, coarse at once, then finer."""
+"""Preview of a solid, shown in its place while a panel is open: computed beside the window, coarse at once, then
+finer."""
 
 import queue
 import re
@@ -33,8 +34,9 @@ def _said(stage):
 
 
 class Preview:
-    """`show(source, settings)` whenever something has changed; the newest wins. `close()` gives the object its own look back. `say(text, good)`, where
-    given, is told what is going on: the error of a solid that cannot be made (the last good one stays), or how fine the picture is."""
+    """`show(source, settings)` is called whenever something has changed; the newest wins. `close()` gives the object
+    its own look back. `say(text, good)`, if given, gets the state: the error of a solid that cannot be made (the last
+    good one stays), or how fine the picture is."""
 
     most = 50_000  # triangles that are shown; all previews learn from how long drawing takes
 
@@ -65,8 +67,8 @@ class Preview:
             form.destroyed.connect(self.close)
 
     def show(self, source, settings):
-        """Starts at once, unless this is what is seen already; a first mesh on its way is let through, so that a slider that moves always shows
-        something."""
+        """Starts at once, unless this is shown already. A first mesh on its way is finished, so that a slider that
+        moves always shows something."""
         key = key_of(source, settings)
         if key == self._seen:
             return
@@ -75,7 +77,8 @@ class Preview:
         self._look()
 
     def pause(self, on):
-        """While it is on the picture stays as it is, and nothing is computed before the next change. One that was complete stays."""
+        """While paused the picture stays as it is, and nothing is computed before the next change. A complete picture
+        stays."""
         if on:
             complete = self.stage in ("final", "detail") and self._wanted is None
             self._stop()
@@ -267,7 +270,8 @@ class Preview:
             self._eye, self._eye_moved = eye, time.monotonic()
 
     def _find_eye(self):
-        """Where the camera is, in the object's own coordinates; for a camera without perspective, where one with would see as much. None: no view."""
+        """Place of the camera in the object's own coordinates. For a camera without perspective, the place from which
+        one with perspective would see as much. None: no view."""
         try:
             view = FreeCADGui.getDocument(self.obj.Document.Name).ActiveView
             camera, height = view.getCameraNode(), view.getSize()[1]

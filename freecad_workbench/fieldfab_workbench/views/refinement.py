@@ -1,4 +1,5 @@
-"""Meshes of a solid for looking at: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a window."""
+"""Meshes of a solid for viewing: coarse within a moment, then finer, then finest where the eye is. Nothing here needs a
+window."""
 
 import numpy as np
 
@@ -18,13 +19,14 @@ MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are 
 
 
 class Refinement:
-    """One solid on its way from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary Inventor file, ...]}, none of
-    which takes long to be taken into the scene. Its methods raise fieldfab.Error and work.Cancelled."""
+    """Refines one solid from coarse to fine; one thread at a time may use it. Pictures are {piece: [bytes of a binary
+    Inventor file, ...]}; no piece takes long to be added to the scene. Methods raise fieldfab.Error and
+    work.Cancelled."""
 
     def __init__(self, source, settings, guess=None, cells=20, most=100_000, faces_first=False):
-        """`settings`: of source.mesh(), as the solid will be made. `guess`: bounds that it may have, (x0, y0, z0, x1, y1, z1), mm. `cells`: of the
-        first mesh, along its longest side. `most`: triangles that can be shown. `faces_first`: whether the solid's own faces, where it has them, are made
-        before all else."""
+        """`settings`: those of source.mesh(), as the solid will be made. `guess`: bounds that the solid may have, (x0,
+        y0, z0, x1, y1, z1), mm. `cells`: those of the first mesh, along its longest side. `most`: how many triangles
+        can be shown. `faces_first`: whether the solid's own faces, where it has them, are made first."""
         self.source, self.settings, self.guess, self.cells, self.most, self.faces_first = (
             source, settings, guess, cells, most, faces_first)
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
@@ -39,7 +41,8 @@ class Refinement:
 
     # The whole solid.
     def coarse(self, progress):
-        """The first mesh, within the guess where that holds the solid: a search for its bounds would take longer than the mesh."""
+        """The first mesh, within the guess where the guess contains the solid: a search for its bounds would take
+        longer than the mesh."""
         if self.faces_first and (mesh := self._faces(progress)) is not None:
             return self._picture(mesh, progress)
         mesh = self._in_the_guess(progress) if self.guess and "bounds" not in self.settings else None
@@ -50,7 +53,8 @@ class Refinement:
         return self._picture(mesh, progress)
 
     def finer(self, progress):
-        """Yields meshes of smaller and smaller cells, down to the solid's own or to as many triangles as can be shown; none where final() has its faces."""
+        """Yields meshes of smaller and smaller cells, down to the solid's own cells or to as many triangles as can be
+        shown; none where final() has its faces."""
         if self._faces(progress) is not None:
             return
         wanted = self._wanted()
@@ -60,7 +64,8 @@ class Refinement:
             yield self._picture(mesh, progress)
 
     def final(self, progress):
-        """Makes the solid's own mesh, which its source keeps, and yields it, or as much of its detail as can be shown."""
+        """Makes the solid's own mesh, which its source keeps. Yields the mesh, or as much of its detail as can be
+        shown."""
         mesh = self._faces(progress)
         if mesh is None:
             mesh = self.source.mesh(progress, **self.settings)
@@ -90,8 +95,9 @@ class Refinement:
                                       progress) for block in self._blocks()}
 
     def detail(self, eye, progress):
-        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are as many triangles as can be shown.
-        Blocks begin about as fine as the solid's own mesh: sharp edges of a solid that is thinner than its cells would take long to find."""
+        """Yields {block: [bytes, ...]}, the nearest blocks first, until cells are small enough for the eye or there are
+        as many triangles as can be shown. Blocks begin about as fine as the solid's own mesh: in coarser cells, sharp
+        edges of a solid that is thinner than the cells would take long to find."""
         cell, near = (self._wanted(), sorted((b for b in self._blocks() if self._is_coarse(b, eye, self.voxel)),
                                              key=lambda b: self._distance(b, eye)))
         for block in list(self.shown):  # what another eye wanted may be finer than this one needs
@@ -175,8 +181,9 @@ class Refinement:
         return mesh
 
     def _meshed(self, box, cell, progress):
-        """What is in a box. Sharp edges take long, and very long in cells larger than the solid is thick; without them all cells are kept, since
-        merged ones would cut corners then. What is thinner than the cells waits for the solid's own mesh."""
+        """Mesh of a box. Sharp edges take long, and very long in cells larger than the solid is thick. Without sharp
+        edges all cells are kept, since merged cells would cut corners. Parts thinner than the cells wait for the
+        solid's own mesh."""
         sharp = self.sharp and cell <= 1.01 * self._wanted()
         return kernel.load().mesh(self.field, bounds=box, voxel=cell, max_error=None if sharp else 0, features=sharp,
                                   depth=0, progress=progress)
@@ -192,7 +199,8 @@ class Refinement:
                     or (self.region[3:] > before[3:] + self.voxel).any())
 
     def _wanted(self):
-        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is worked out once a region."""
+        """Edge of the smallest cell of the solid's own mesh, mm. The window asks often: it is computed once for each
+        region."""
         region = tuple(self.region)
         if self._cell[0] != region:
             self._cell = (region, with_cell(self.field, **{"cells": kernel.load().default_cells, **self.settings,
@@ -211,7 +219,8 @@ class Refinement:
         return list(np.ndindex(*self._grid())) if self.voxel else []
 
     def _box(self, block, reach=0.0):
-        """(x0, y0, z0, x1, y1, z1) of a block; inside the solid it may reach into its neighbours, so that no gap shows."""
+        """Bounds (x0, y0, z0, x1, y1, z1) of a block. Inside the solid it may reach into its neighbours, so that no gap
+        shows."""
         grid, place = self._grid(), np.array(block)
         size = (self.region[3:] - self.region[:3]) / grid
         lower = self.region[:3] + place * size
@@ -225,7 +234,8 @@ class Refinement:
         return cell > ANGLE * max(self._distance(block, eye), cell)
 
     def _of_block(self, block, cell, make, progress):
-        """The meshes that `make` makes of a block's box as one, without what closes them where the block ends and the solid goes on."""
+        """Joins the meshes that `make` makes of a block's box, without the triangles that close them where the block
+        ends and the solid goes on."""
         box, place, grid = self._box(block, cell), np.array(block), self._grid()
         vertices, triangles = joined(make(box))
         for axis in range(3):

@@ -1,4 +1,5 @@
-"""What a scan's panel shows in the 3D view: a coarse surface and the box of what is kept, in place of the object's own mesh."""
+"""Picture of a scan's panel in the 3D view: a coarse surface and the box of the crop, in place of the object's own
+mesh."""
 
 from pivy import coin
 
@@ -26,7 +27,8 @@ class ScanPreview:
         self._switch.whichChild = -1
 
     def show_box(self, volume, lower, upper):
-        """The box of what is kept of a volume, in lattice coordinates; all that is shown goes where the volume's file places it."""
+        """Sets the box of the crop of a volume, in lattice coordinates. All that is shown gets the place that the
+        volume's file says."""
         shown = (volume, *lower, *upper)
         if shown == self._shown:
             return  # each change draws the view anew

@@ -100,7 +100,8 @@ class SolidView(ObjectView):
 
 
 def make_mesh_later(obj):
-    """Gives a solid that is shown the mesh that it had no need of while it was hidden: once the change that shows it is done."""
+    """Makes the mesh of a solid that becomes visible, if it had none while it was hidden. This waits until the change
+    of visibility is done."""
     document, name = obj.Document.Name, obj.Name
 
     def make():

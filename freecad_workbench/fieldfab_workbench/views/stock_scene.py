@@ -149,7 +149,8 @@ class StockScene:
         self.mark.whichChild = -1 if place is None else 0
 
     def cut_hit_by(self, origin, direction):
-        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it does not."""
+        """The place and the cut where a ray, in part coordinates, first meets the stock from outside; None where it
+        misses."""
         best = None
         for piece in self.pieces.values():
             vertices, _, corners, cuts = piece.arrays
@@ -160,7 +161,8 @@ class StockScene:
 
 
 def first_hit(vertices, corners, origin, direction):
-    """How far along a ray its first triangle is, and that triangle's corner next to the place; None where there is none."""
+    """Distance along a ray to its first triangle, and that triangle's corner nearest to the place; None where there is
+    none."""
     if not len(corners):
         return None
     origin, direction = np.asarray(origin, float), np.asarray(direction, float)

@@ -110,7 +110,8 @@ def _smaller(picture):
 
 
 def _with_picture(path, picture):
-    """Puts a picture into a saved document, where FreeCAD's start page looks for it: drawn without a graphics card, FreeCAD's own shows its logo only."""
+    """Puts a picture into a saved document, where FreeCAD's start page looks for it. FreeCAD's own picture shows only
+    its logo when drawn without a graphics card."""
     with zipfile.ZipFile(path) as saved:
         held = {name: saved.read(name) for name in saved.namelist()}
     with open(picture, "rb") as file:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Collects what users read from the workbench's sources into every fieldfab_*.ts beside this file, which keeps the translations it has, and makes the .qm
-files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts."""
+"""Collects the workbench's texts for users from its sources into every fieldfab_*.ts beside this file, which keep their
+translations, and makes the .qm files that FreeCAD reads. A new language begins as an empty file: fieldfab_fr.ts."""
 
 import ast
 import pathlib
@@ -19,7 +19,8 @@ PROPERTY_CALLS = {"add": (1, 3), "addProperty": (1, 3), "add_choice": (0, 2), "_
 
 
 def collected():
-    """[(context, text)] of all sources, each once, context by context. The contexts are those where FreeCAD and words.py look."""
+    """Texts of all sources as [(context, text)], each once, sorted by context. The contexts are those where FreeCAD and
+    words.py look."""
     found = {}
     for path in sorted(PACKAGE.rglob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):

@@ -1,4 +1,5 @@
-"""Drives the real window of `fieldfab edit` on a model file: argv[1] the file, argv[2] where the screenshot goes. Prints what it saw."""
+"""Drives the real window of `fieldfab edit` on a model file. argv[1]: the file; argv[2]: the file of the screenshot.
+Prints what it saw."""
 
 import json
 import os

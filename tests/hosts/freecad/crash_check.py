@@ -1,4 +1,5 @@
-"""Run by freecadcmd after crashes: opens each document of FIELDFAB_DOCUMENTS and leaves what is in them, as JSON, in FIELDFAB_RESULT."""
+"""Run by freecadcmd after crashes: opens each document of FIELDFAB_DOCUMENTS and writes its contents, as JSON, to
+FIELDFAB_RESULT."""
 
 import json
 import os

@@ -1,4 +1,5 @@
-"""Runs inside freecadcmd: OpenSCAD's designs as trees of objects, compared with OpenSCAD's own meshes and with the kernel's reading of the same file."""
+"""Runs inside freecadcmd: OpenSCAD's designs as trees of objects, compared with OpenSCAD's own meshes and with the
+kernel's reading of the same file."""
 
 import importlib
 import math

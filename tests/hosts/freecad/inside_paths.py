@@ -96,7 +96,8 @@ def test_freecads_job_post_and_simulator_take_them(document, tmp_path):
     posted = positions(text)
     distinct = lambda rows: rows[np.r_[True, (np.abs(np.diff(rows, axis=0)) > 2e-5).any(axis=1)]]  # noqa: E731
     assert np.allclose(distinct(posted[1:]), distinct(np.round(ours, 5)), atol=2e-5)
-    # FreeCAD's simulator leaves the dome with its allowance: the frame of 2 mm around it is gone, what is less than a level above it is not.
+    # FreeCAD's simulator leaves the dome with its allowance: the frame of 2 mm around it is gone; what is less than a
+    # level above the dome stays.
     import PathSimulator
 
     simulator = PathSimulator.PathSim()
@@ -219,7 +220,8 @@ def test_a_job_of_freecads_can_be_simulated_by_us(document, tmp_path):
     assert np.allclose([*setup.lower, *setup.upper], [-3, -3, 0, 43, 33, 10])
     (tmp_path / "job.ngc").write_text(text)
     simulation = kernel.load().stock.Simulation(setup.write(str(tmp_path)), str(tmp_path / "job.ngc"), cell=0.5)
-    # FreeCAD's profile cuts the plate out of its frame of 3 mm: the ring of 4 mm around it goes, and so the whole frame.
+    # FreeCAD's profile cuts the plate out of its frame of 3 mm: it removes the ring of 4 mm around the plate, and so
+    # the whole frame.
     assert simulation.mesh.volume == pytest.approx(40 * 30 * 10 - math.pi * 64 * 6, rel=0.02)
 
 

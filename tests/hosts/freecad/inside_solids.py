@@ -25,7 +25,8 @@ def frep(document, text, voxel=0.5, **placement):
 def sane(obj):
     assert obj.isValid(), obj.getStatusString()
     assert obj.Mesh.isSolid() and obj.Triangles == obj.Mesh.CountFacets > 11
-    # CGAL's exact predicates; FreeCAD's own test, in single precision, sees intersections where two spheres meet that are none.
+    # CGAL's predicates are exact. FreeCAD's own test, in single precision, finds false intersections where two spheres
+    # meet.
     assert solids.kernel.load().inspect(meshes.from_bms(meshes.bms_of(obj.Mesh))).valid
     assert obj.Volume.Value == pytest.approx(obj.Mesh.Volume, rel=1e-3)  # FreeCAD adds up in single precision
     return obj.Volume.Value

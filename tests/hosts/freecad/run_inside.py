@@ -1,4 +1,5 @@
-"""Run by freecadcmd, or by FreeCAD's window: runs the pytest file FIELDFAB_INSIDE in there and leaves what it said in FIELDFAB_RESULT."""
+"""Run by freecadcmd, or by FreeCAD's window: runs the pytest file FIELDFAB_INSIDE there and writes its output to
+FIELDFAB_RESULT."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: the state of solids whose mesh is valid, but not certain, and the places where it is not."""
+"""Runs inside FreeCAD's window: the state of solids whose mesh is valid but not certain, and the uncertain places."""
 
 import FreeCAD
 import FreeCADGui

@@ -1,4 +1,5 @@
-"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and visibility."""
+"""Runs inside FreeCAD's window: solids as plain meshes and as Part shapes, with their places, colours and
+visibility."""
 
 import FreeCAD
 import FreeCADGui

@@ -1,5 +1,5 @@
-"""Runs inside FreeCAD's window: what becomes of every kind of object when its document is saved, closed, opened, goes back and forth in its history, and
-when it is copied and deleted. FreeCAD's report view has no line to say about it."""
+"""Runs inside FreeCAD's window: every kind of object, when its document is saved, closed, opened, undone and redone,
+and when it is copied and deleted. FreeCAD's report view stays empty."""
 
 import pathlib
 

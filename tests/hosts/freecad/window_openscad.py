@@ -1,4 +1,4 @@
-"""Runs inside FreeCAD's window: an OpenSCAD design by File > Import, its tree, its parts, its colours, and cancelling."""
+"""Runs inside FreeCAD's window: an OpenSCAD design by File > Import, its tree, parts and colours, and cancelling."""
 
 import math
 import pathlib
@@ -157,7 +157,8 @@ CORNER = ("difference() { cube(size = [10, 10, 10]); "
 
 
 def test_faces_are_seen_while_a_part_is_edited(document, tmp_path, opened):
-    """A coarse contour first, since nobody knows how long faces take; from then on the faces at once, if they were quick."""
+    """The preview shows a coarse contour first, since nobody knows how long faces take. From then on it shows the faces
+    at once, if they were quick."""
     (tmp_path / "corner.csg").write_text(CORNER)
     root = files.insert(str(tmp_path / "corner.csg"), document.Name)
     assert root.Triangles == 24 and root.Volume.Value == 875

@@ -105,7 +105,8 @@ def test_the_window_answers_and_the_newest_wins(document, panels):
         beats.append(beat)
     print("longest beats", [round(1000 * b.longest) for b in beats], "ms, of which busy",
           [round(1000 * b.busiest) for b in beats], "ms")
-    # Software draws here, on processors that others use, too: the wall clock has their share in it, and its bound is wider.
+    # The view is drawn by software, on processors that others use, too: these add to the wall clock, so its bound is
+    # wider.
     assert max(b.busiest for b in beats) < 0.1 and min(b.longest for b in beats) < 0.3
     row.box.setValue(1.5)
     panels[-1].voxel.setValue(1.5)
@@ -158,7 +159,8 @@ def test_combining_and_modifying_is_seen_at_once(document, panels):
 
 
 def test_a_million_triangles_are_seen_soon(document):
-    """From the mesh to the object and its first picture. The bound is generous: software draws here, on shared processors."""
+    """From the mesh to the object and its first picture. The bound is generous: the view is drawn by software, on
+    shared processors."""
     solid = frep(document, "sphere(r = 5)")
     fieldfab = solids.kernel.load()
     mesh = fieldfab.mesh(fieldfab.parse("sphere(r = 50)"), voxel=0.42, max_error=0, features=False)

@@ -97,7 +97,8 @@ def test_the_window_answers_while_a_scan_is_read_and_its_threshold_dragged(docum
         while not ended:
             overview.surface(scans.Cut())
 
-    # What it takes to draw the view, by software here, while the processors are as busy: no thread can take that off the window.
+    # The time to draw the view, by software here, while the processors are as busy: no thread can take that off the
+    # window.
     other = threading.Thread(target=busy)
     other.start()
     with Heartbeat() as drawing:

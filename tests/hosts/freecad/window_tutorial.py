@@ -1,4 +1,5 @@
-"""Runs inside FreeCAD's window: does what docs/tutorial.md says, step by step, types what its boxes say, and makes its pictures."""
+"""Runs inside FreeCAD's window: follows docs/tutorial.md step by step, types what its boxes say, and takes its
+pictures."""
 
 import pathlib
 import re
@@ -20,7 +21,8 @@ WIDTH = 430  # of the panel, pixels
 
 
 def step(number):
-    """What the boxes say under a heading of the tutorial, in order: a formula's text, the columns of a tool, or names and values."""
+    """Contents of the boxes under a heading of the tutorial, in order: a formula's text, the columns of a tool, or
+    names and values."""
     [words] = re.findall(rf"^## {number}\. .*?(?=^## |\Z)", TUTORIAL, re.M | re.S)
     boxes = re.findall(r"^```(\w+)\n(.*?)^```", words, re.M | re.S)
     return [text if kind == "frep" else text.strip().split(", ") if kind == "tool"
