@@ -102,15 +102,23 @@ def prospero(out):
 
 
 STYLE = """
-body { font: 16px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff; max-width: 1080px; margin: 2.5rem auto; padding: 0 1rem }
+body { font: 16px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff;
+  max-width: 1080px; margin: 2.5rem auto; padding: 0 1rem }
 h1, h2 { font-weight: 600; letter-spacing: -.01em } h2 { margin-top: 2.5rem } a { color: #0f6a63 }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; width: 100% } td, th { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #dde5ee }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; width: 100% }
+td, th { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #dde5ee }
 th:first-child, td:first-child { text-align: left } .pass { color: #1b7f46 } .fail { color: #b3261e; font-weight: 600 }
 figure { margin: 0 } figcaption { font-size: 14px; color: #4d5c6c; margin-top: .3rem }
-img { width: 100%; border-radius: 8px; display: block } .wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem }
-.scene { height: min(560px, 76vh); border-radius: 8px; overflow: hidden; background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
-.scene:active { cursor: grabbing } .scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y } .scene img { height: 100%; object-fit: cover; border-radius: 0 }
-.wide .scene { height: 400px } .film { display: flex; gap: .6rem; align-items: center; margin-top: .4rem } .film input { flex: 1 } button { font: inherit; padding: .1rem .8rem }
+img { width: 100%; border-radius: 8px; display: block }
+.wide { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 400px), 1fr)); gap: 1rem }
+.scene { height: min(560px, 76vh); border-radius: 8px; overflow: hidden;
+  background: radial-gradient(120% 100% at 50% 0, #fff 0, #e9eeee 60%, #d3dcde 100%); cursor: grab }
+.scene:active { cursor: grabbing }
+.scene canvas { width: 100%; height: 100%; display: block; touch-action: pan-y }
+.scene img { height: 100%; object-fit: cover; border-radius: 0 }
+.wide .scene { height: 400px }
+.film { display: flex; gap: .6rem; align-items: center; margin-top: .4rem } .film input { flex: 1 }
+button { font: inherit; padding: .1rem .8rem }
 """
 
 
@@ -121,34 +129,40 @@ def verdict(check):
 
 def scene(name, picture, words, colour=None):
     """A model that is turned; without WebGL or scripts its picture."""
-    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}><div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
-<figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked. <a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
+    return f"""<figure data-model="{name}"{f' data-colour="{colour}"' if colour else ""}>
+<div class="scene" role="img" aria-label="{words}"><img src="{picture}" alt="{words}"></div>
+<figcaption>{words}. Drag to turn; arrow keys and the wheel work once it is clicked.
+<a href="{name}.glb" download>{name}.glb</a></figcaption></figure>"""
 
 
 def prospero_told(figures, plate, check):
     rows = "".join(f"<tr><td>{html.escape(name)}</td><td>{seconds:.2f} s</td></tr>"
                    for name, seconds in figures.items())
     return f"""<h2>Prospero, 7866 instructions</h2>
-<div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure><figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
+<div class="wide"><figure><img src="prospero.png" alt="prospero as a bitmap"></figure>
+<figure><img src="prospero_plate.png" alt="prospero as a plate"></figure></div>
 <table>{rows}</table><p>The plate: {plate['triangles']:,} triangles, {verdict(check)}.</p>"""
 
 
 def checks(rows, total, cells):
     parts = "".join(
-        "<tr><td>part "
-        f"{i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td><td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
+        f"<tr><td>part {i:02d}</td><td>{b['cells']:,}</td><td>{b['bytes'] / b['cells']:.1f}</td><td>{tb:.2f}</td>"
+        f"<td>{m['triangles']:,}</td><td>{tm:.2f}</td><td>{verdict(c)}</td><td>{tc:.2f}</td></tr>"
         for i, b, tb, m, tm, c, tc in rows
     )
     return f"""<h2 id="checks">Each part, checked against OpenVDB and CGAL</h2>
-<p>{cells / 25.4:.0f} cells a mm: {sum(r[1]['cells'] for r in rows):,} cells in {total(2):.1f} s, {sum(r[3]['triangles'] for r in rows):,} triangles in {total(4):.1f} s.
+<p>{cells / 25.4:.0f} cells a mm: {sum(r[1]['cells'] for r in rows):,} cells in {total(2):.1f} s,
+{sum(r[3]['triangles'] for r in rows):,} triangles in {total(4):.1f} s.
 Cross-checked in {total(6):.1f} s: {sum(r[5]['passed'] for r in rows)} of {len(rows)} parts pass every bound.</p>
-<table><tr><th>part</th><th>cells</th><th>bytes a cell</th><th>build, s</th><th>triangles</th><th>mesh, s</th><th>check</th><th>s</th></tr>{parts}</table>"""
+<table><tr><th>part</th><th>cells</th><th>bytes a cell</th><th>build, s</th><th>triangles</th><th>mesh, s</th>
+<th>check</th><th>s</th></tr>{parts}</table>"""
 
 
 def page(rows, cells, mill, scan, cut, frames, plate):
     total = lambda column: sum(row[column] for row in rows)  # noqa: E731: shorter than a function
     plan, t_plan, done, t_done = cut
-    return f"""<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
+    return f"""<!doctype html><html lang="en"><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1"><title>Fieldfab demo</title><style>{STYLE}</style>
 <h1>Fieldfab: a solid from a formula, to the machine</h1>
 <p>Everything on this page was made by the <code>fieldfab</code> command; times are whole commands, start to end.</p>
 <h2>MTM A-Z, a PCB mill of {len(rows)} parts</h2>
@@ -158,9 +172,14 @@ def page(rows, cells, mill, scan, cut, frames, plate):
 {scene("cthead", "cthead.png", "The skin of a scanned head, 256 x 256 x 99 samples", "#d8b9a0")}
 <p>{scan[0]['triangles']:,} triangles in {scan[1]:.1f} s.</p>
 <h2>A plan for five axes, and its simulation</h2>
-<div class="wide"><figure><img src="ways.png" alt="The ways of the tools"><figcaption>The ways of the tools, planned in {t_plan:.1f} s. <a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
-<figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined"><div class="film"><button hidden>Play</button><input type="range" min="1" max="{frames}" value="{frames}" aria-label="Time" hidden></div>
-<figcaption>The program, carried out on the stock in {t_done:.1f} s. <a href="report.html">Report</a></figcaption></figure></div>
+<div class="wide"><figure><img src="ways.png" alt="The ways of the tools">
+<figcaption>The ways of the tools, planned in {t_plan:.1f} s.
+<a href="program.ngc" download>Program</a>, <a href="sheet.html">set-up sheet</a></figcaption></figure>
+<figure data-film="film"><img src="film/frame_{frames:04d}.png" alt="The stock while it is machined">
+<div class="film"><button hidden>Play</button>
+<input type="range" min="1" max="{frames}" value="{frames}" aria-label="Time" hidden></div>
+<figcaption>The program, carried out on the stock in {t_done:.1f} s.
+<a href="report.html">Report</a></figcaption></figure></div>
 {scene("stock", f"film/frame_{frames:04d}.png", "What is left of the stock")}
 {prospero_told(*plate) if plate else ""}
 {checks(rows, total, cells)}

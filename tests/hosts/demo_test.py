@@ -33,7 +33,8 @@ def page(folder):
 
 # What a canvas shows, as text to compare, and how many of its pixels have a colour.
 PIXELS = """
-    const canvas = arguments[0].querySelector("canvas"), copy = new OffscreenCanvas(canvas.width, canvas.height), context = copy.getContext("2d");
+    const canvas = arguments[0].querySelector("canvas"), copy = new OffscreenCanvas(canvas.width, canvas.height);
+    const context = copy.getContext("2d");
     context.drawImage(canvas, 0, 0);
     const data = context.getImageData(0, 0, copy.width, copy.height).data;
     let seen = 0, coloured = 0, sum = 0;

@@ -480,8 +480,8 @@ def interrupted(words, folder, seconds, number=signal.SIGINT):
     """How the command ended, and how long it took to, after a signal."""
     temporary = folder.parent / "tmp"
     temporary.mkdir(exist_ok=True)
-    # noqa: E731: nohup leaves one ignored
-    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]
+    # nohup leaves one of them ignored.
+    taken = lambda: [signal.signal(each, signal.SIG_DFL) for each in (signal.SIGINT, signal.SIGHUP)]  # noqa: E731
     process = subprocess.Popen([COMMAND, *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                preexec_fn=taken,
                                env={**os.environ, "TMPDIR": str(temporary)})

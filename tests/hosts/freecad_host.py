@@ -24,8 +24,12 @@ def home(tmp_path):
     (config / "user.cfg").write_text(
         """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
-<FCParamGroup Name="General"><FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/></FCParamGroup>
-<FCParamGroup Name="Mod"><FCParamGroup Name="Start"><FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/></FCParamGroup></FCParamGroup>
+<FCParamGroup Name="General">
+<FCText Name="AutoloadModule">FieldfabWorkbench</FCText><FCBool Name="ShowSplasher" Value="0"/>
+</FCParamGroup>
+<FCParamGroup Name="Mod"><FCParamGroup Name="Start">
+<FCBool Name="ShowOnStartup" Value="0"/><FCBool Name="closeStart" Value="1"/>
+</FCParamGroup></FCParamGroup>
 </FCParamGroup></FCParamGroup></FCParamGroup></FCParameters>
 """
     )

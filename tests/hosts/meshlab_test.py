@@ -54,8 +54,10 @@ def test_remesh_makes_a_valid_solid_of_any_soup(tmp_path, kind):
         "holes": (with_holes(ball), ball_volume(20)),
         "inverted": ((vertices, triangles[:, ::-1]), ball_volume(20)),
         # Two balls, 20 apart, the second inside out: what they share is wound around 1 - 1 = 0 times.
-        "overlapping": (joined(ball, sphere(48, at=(20, 0, 0))), 2 * ball_volume(20) - math.pi / 12 * (4 * 20 + 20) * (2 * 20 - 20) ** 2),
-        "split": ((vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)), ball_volume(20)),  # no vertex is shared
+        "overlapping": (joined(ball, sphere(48, at=(20, 0, 0))),
+                        2 * ball_volume(20) - math.pi / 12 * (4 * 20 + 20) * (2 * 20 - 20) ** 2),
+        # No vertex is shared.
+        "split": ((vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)), ball_volume(20)),
     }[kind]
     result, _, said = result_of(tmp_path, soup, (REMESH, {"Voxel": 0.5}))
     assert result.volume == pytest.approx(expected, rel=0.015), said.text

@@ -120,8 +120,9 @@ def test_designs_become_formulas(tmp_path):
     (tmp_path / "a.scad").write_text(
         "difference() { cube(10, center = true); cylinder(h = 20, r = 3, center = true, $fn = 12); }")
     assert run("convert", tmp_path / "a.scad", "-o", tmp_path / "a.frep").returncode == 0
-    volumes = [json.loads(run("--json", "mesh", tmp_path / f, "-o", tmp_path / "a.stl", "--voxel", 0.2).stdout)[
-        "volume"] for f in ("a.scad", "a.frep")]
+    summaries = [run("--json", "mesh", tmp_path / f, "-o", tmp_path / "a.stl", "--voxel", 0.2).stdout
+                 for f in ("a.scad", "a.frep")]
+    volumes = [json.loads(each)["volume"] for each in summaries]
     assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)
     (tmp_path / "b.scad").write_text("rotate_extrude() translate([5, 0]) circle(2);")
     done = run("convert", tmp_path / "b.scad", "-o", tmp_path / "b.frep")
@@ -130,7 +131,10 @@ def test_designs_become_formulas(tmp_path):
 
 DESIGN = """use <fieldfab.scad>
 difference() {
-  union() { frep("sphere(5) - 0.3 * sin(2 * x)", voxel = 0.7); translate([12, 0, 0]) smooth_union(r = 2, voxel = 0.7) { cube(6); sphere(4, $fn = 20); } }
+  union() {
+    frep("sphere(5) - 0.3 * sin(2 * x)", voxel = 0.7);
+    translate([12, 0, 0]) smooth_union(r = 2, voxel = 0.7) { cube(6); sphere(4, $fn = 20); }
+  }
   cylinder(h = 30, r = 1, center = true);
 }
 """

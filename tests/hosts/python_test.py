@@ -199,7 +199,9 @@ def test_freecads_mesh_bytes_name_all_neighbours():
 DESIGN = """%sphere(r = 9);
 difference() {
   cube(size = [10, 20, 30], center = true);
-  #multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cylinder($fn = 4, h = 40, r1 = 3, r2 = 3, center = true); }
+  #multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+    cylinder($fn = 4, h = 40, r1 = 3, r2 = 3, center = true);
+  }
   *cube(size = [1, 1, 1]);
   text(text = "a \\"b\\"", size = 5);
 }

@@ -110,8 +110,8 @@ async def polite(server, end, waited):
                 started = time.monotonic()
                 await socket.send({"number": number, **PAGE, "text": f"{PAGE['text']} # {random.random()}",
                                    "coarse": True})
-                # noqa: B023: it is awaited within the turn
-                await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)
+                # The turn awaits it, so that the number is still the turn's.
+                await socket.until(lambda told: told["type"] == "picture" and told["number"] == number)  # noqa: B023
                 waited.append(time.monotonic() - started)
                 if time.monotonic() > end:
                     return

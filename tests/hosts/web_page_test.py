@@ -84,11 +84,12 @@ class Page:
         """The area that has the colour of flat models, mm2."""
         count = """
             const host = document.querySelector(arguments[0]), canvas = host.querySelector('canvas');
-            const [r, g, b] = getComputedStyle(document.documentElement).getPropertyValue('--flat').split(',').map(Number);
+            const flat = getComputedStyle(document.documentElement).getPropertyValue('--flat');
+            const [r, g, b] = flat.split(',').map(Number), near = (a, b) => Math.abs(a - b) < 8;
             const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
             let count = 0;
             for (let i = 0; i < data.length; i += 4)
-              if (Math.abs(data[i] - r) < 8 && Math.abs(data[i + 1] - g) < 8 && Math.abs(data[i + 2] - b) < 8 && data[i + 3] > 200) ++count;
+              if (near(data[i], r) && near(data[i + 1], g) && near(data[i + 2], b) && data[i + 3] > 200) ++count;
             return count * Number(host.dataset.scale) ** 2;"""
         return self.script(count, host)
 
@@ -453,7 +454,8 @@ def test_documents_that_cannot_be_shown_are_left_as_they_are(page, folder):
 
 def test_a_link_holds_a_model(page, folder, server):
     link = page.script("""return (async () => {
-      const stream = new Blob([JSON.stringify({ name: 'shared.frep', text: 'circle(6)' })]).stream().pipeThrough(new CompressionStream('deflate-raw'));
+      const blob = new Blob([JSON.stringify({ name: 'shared.frep', text: 'circle(6)' })]);
+      const stream = blob.stream().pipeThrough(new CompressionStream('deflate-raw'));
       const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
       return btoa(String.fromCharCode(...bytes)).replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');
     })()""")

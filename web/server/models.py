@@ -185,8 +185,8 @@ class Models:
         self._kept = collections.OrderedDict()
 
     def of(self, request):
-        # noqa: E731: shorter than a function
-        made = lambda: make(request["text"], request["language"], request["values"], request["folder"])
+        made = lambda: make(request["text"], request["language"], request["values"],  # noqa: E731: shorter
+                            request["folder"])
         opened = opened_files(request)
         if opened is None:
             return made()

@@ -19,9 +19,9 @@ class Section:
     """Cuts all that a document's active view shows, across the axis that points most to the viewer. The plane is in the
     middle at first; a handle moves it.
 
-    Where a closed surface is cut, its back faces are visible exactly where the plane is inside the solid. They are drawn
-    apart from the front faces, without light: that is the cut face, also of previews and of a stock while it is cut.
-    `close()` leaves the view as it was. Raises ValueError where nothing is visible."""
+    Where a closed surface is cut, its back faces are visible exactly where the plane is inside the solid. They are
+    drawn apart from the front faces, without light: that is the cut face, also of previews and of a stock while it is
+    cut. `close()` leaves the view as it was. Raises ValueError where nothing is visible."""
 
     def __init__(self, document):
         self._document, self._view = document, FreeCADGui.getDocument(document.Name).ActiveView

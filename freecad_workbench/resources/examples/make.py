@@ -31,7 +31,8 @@ wall = move(rotate_y(plate(height, width, thick), 90), dx = (thick - length) / 2
 bore(px, py) = move(cylinder(r = hole / 2, h = 4 * thick), px, py, thick / 2)
 side(py, pz) = move(rotate_y(cylinder(r = hole / 2, h = 4 * thick), 90), (thick - length) / 2, py, pz)
 inside = smooth_union(base, wall, corner)
-difference(inside, bore(length / 4, width / 4), bore(length / 4, -width / 4), side(width / 4, 0.75 * height), side(-width / 4, 0.75 * height))
+difference(inside, bore(length / 4, width / 4), bore(length / 4, -width / 4),
+           side(width / 4, 0.75 * height), side(-width / 4, 0.75 * height))
 """
 KNOB = """# a knob with grips around it. mm
 size = 20

@@ -159,7 +159,9 @@ def test_random_trees_are_openscads_own_solids(document, tmp_path, seed):
 
 TREE = """difference() {
   cube(size = [10, 20, 30], center = true);
-  multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cylinder($fn = 12, h = 40, r1 = 3, r2 = 3, center = true); }
+  multmatrix([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) {
+    cylinder($fn = 12, h = 40, r1 = 3, r2 = 3, center = true);
+  }
   %multmatrix([[0, -1, 0, 20], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) { cube(size = [1, 2, 3], center = true); }
   *sphere(r = 100);
 }

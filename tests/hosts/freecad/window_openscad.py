@@ -25,7 +25,10 @@ EXAMPLES = pathlib.Path("/usr/share/openscad/examples")
 DESIGN = """$fn = 48;
 difference() {
   union() {
-    color("SteelBlue") hull() { translate([-20, 0, 0]) cylinder(h = 8, r = 9); translate([20, 0, 0]) cylinder(h = 8, r = 14); }
+    color("SteelBlue") hull() {
+      translate([-20, 0, 0]) cylinder(h = 8, r = 9);
+      translate([20, 0, 0]) cylinder(h = 8, r = 14);
+    }
     color("SteelBlue") translate([20, 0, 0]) cylinder(h = 24, r1 = 12, r2 = 9);
   }
   translate([20, 0, -1]) cylinder(h = 40, r = 5);

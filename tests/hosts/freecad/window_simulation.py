@@ -6,8 +6,8 @@ import time
 import FreeCADGui
 import numpy as np
 import pytest
-# noqa: F401
-from simulating import DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated, view_pixels
+from simulating import (DEEP_LINE, PROGRAM, RAPID_LINE, ROOT, Button, document, opened, simulated,  # noqa: F401
+                        view_pixels)
 from window import Heartbeat, live, press, wait
 
 from fieldfab_workbench.objects import simulation

@@ -62,8 +62,8 @@ def test_the_stock_is_seen_alone_and_part_and_paths_by_switches(document, opened
     stock = view_pixels(panel, "plan_stock")
     pointer.click(playback.see_paths, QtCore.QPoint(8, playback.see_paths.height() // 2))
     paths = view_pixels(panel, "plan_paths")
-    # noqa: E731
-    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90) & (picture[..., 2] < 90)).sum())
+    red = lambda picture: int(((picture[..., 0] > 180) & (picture[..., 1] < 90)  # noqa: E731
+                               & (picture[..., 2] < 90)).sum())
     assert (red(paths) > red(stock) + 50 and playback.colours.isVisible()
             and [words for _, words, _ in playback.colours.entries] == ["cuts of tool 1", "rapids"])
     playback.see_paths.click()
