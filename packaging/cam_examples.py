@@ -23,8 +23,8 @@ def run(job, folder):
                *pictures]
     print(subprocess.run([str(c) for c in command], check=True, capture_output=True, text=True).stdout.strip())
     if program.stat().st_size > LARGEST:
-        with open(str(program) + ".gz",
-                  "wb") as out, gzip.GzipFile(filename="", fileobj=out, mode="wb", mtime=0) as packed:
+        with (open(str(program) + ".gz", "wb") as out,
+              gzip.GzipFile(filename="", fileobj=out, mode="wb", mtime=0) as packed):
             packed.write(program.read_bytes())
         program.unlink()
 

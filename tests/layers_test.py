@@ -82,8 +82,8 @@ def cam_violation(path, name):
     if path.parts[0] != "cam":
         return ""
     room = cam_room_of(path.parts)
-    return ("" if other == room
-            or other in CAM.get(room, ()) else f"{path}: {room or 'no room'} must not include {other} ({name})")
+    return ("" if other == room or other in CAM.get(room, ())
+            else f"{path}: {room or 'no room'} must not include {other} ({name})")
 
 
 def is_of_meshlab(name):
@@ -248,12 +248,12 @@ def test_the_web_server_knows_the_module_only():
     allowed = sys.stdlib_module_names | {"aiohttp", "distributed", "fieldfab", "numpy"}
     for name, text in sources.items():
         for node in ast.walk(ast.parse(text)):
-            names = ([alias.name for alias in node.names] if isinstance(node, ast.Import) else [node.module]
-                     if isinstance(node, ast.ImportFrom) and not node.level else [])
+            names = ([alias.name for alias in node.names] if isinstance(node, ast.Import)
+                     else [node.module] if isinstance(node, ast.ImportFrom) and not node.level else [])
             assert [each for each in names if each.split(".")[0] not in allowed] == [], name
             if isinstance(node, ast.ImportFrom) and node.level and name in WORKER_SIDE:
-                assert {node.module or each for each in (
-                    [node.module] if node.module else [alias.name for alias in node.names])} <= WORKER_SIDE, name
+                known = {node.module} if node.module else {alias.name for alias in node.names}
+                assert known <= WORKER_SIDE, name
     others = [path for folder in ("python", "freecad_workbench") for path in (ROOT / folder).rglob("*.py")
               if "fieldfab.serve" in path.read_text()]
     assert others == []

@@ -106,12 +106,12 @@ class Design:
             elif len(children) == 1:
                 part = children[0]
             else:
-                part = Part(node.name if node.name in ("difference", "intersection") else "union", "set",
-                            {"Operation": SETS[node.name]}, children,
-                            colour=_common([child.colour
-                                            for child in (children[:1] if node.name == "difference" else children)]),
-                            origin=lambda: "".join(child.text() for child, _, _ in below) if SETS[node.name] == "Union"
-                            else _alone(node))
+                named = node.name if node.name in ("difference", "intersection") else "union"
+                coloured = children[:1] if node.name == "difference" else children
+                part = Part(named, "set", {"Operation": SETS[node.name]}, children,
+                            colour=_common([child.colour for child in coloured]),
+                            origin=lambda: ("".join(child.text() for child, _, _ in below)
+                                            if SETS[node.name] == "Union" else _alone(node)))
             if node.name == "multmatrix":
                 part, shown = self._moved(part, node), [self._moved(other, node) for other in shown]
             if node.name == "color":

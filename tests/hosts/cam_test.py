@@ -209,8 +209,8 @@ def test_every_machine_writes_the_same_part(tmp_path, machine):
         points = re.findall(r"VERTEX\n8\n0\n10\n(\S+)\n20\n(\S+)", data)
     elif machine == "svg":
         points = re.findall(r"[ML](\S+?) (\S+?)(?=[MLAZ\"])", data)
-    elif (".ngc" in machine or "X" in data and machine in ("linuxcnc", "grbl", "mach3", "marlin", "gcode_inch",
-                                                           "othermill", "oxford") or machine.startswith("five")):
+    elif (".ngc" in machine or machine.startswith("five")
+          or "X" in data and machine in ("linuxcnc", "grbl", "mach3", "marlin", "gcode_inch", "othermill", "oxford")):
         xs, ys = re.findall(r"X(-?[\d.]+)", data), re.findall(r"Y(-?[\d.]+)", data)
         points = [(x, ys[0]) for x in xs] + [(xs[0], y) for y in ys if machine != "oxford" or y != "0"]
     else:
@@ -362,8 +362,8 @@ def test_five_axis_programs_put_the_tip_where_it_was_planned(tmp_path, machine, 
         tip, axis = tip_and_axis(machine, *row, length=40)
         assert np.abs(axis - planned_row[5:8]).max() < 2e-5
         # four decimals of a degree, seen from the pivot
-        assert np.abs(tip - planned_row[:3]).max() < (6e-4
-                                                      if machine in ("five_axis_head", "five_axis_mixed") else 3e-4)
+        bound = 6e-4 if machine in ("five_axis_head", "five_axis_mixed") else 3e-4
+        assert np.abs(tip - planned_row[:3]).max() < bound
     assert len({tuple(np.round(a, 3)) for a in ours[:, 5:8]}) >= 5
 
 
@@ -438,8 +438,8 @@ def test_a_smaller_tool_finishes_the_rest(tmp_path):
     rest it is."""
     dome = "min(max(sqrt(x*x+y*y+(z+4)*(z+4)) - 10, -z-2), max(abs(x)-15, max(abs(y)-12, abs(z+1)-1)))"
     rest = '[[operation]]\ntype = "finish"\ntool = 2\nrest = true\n'
-    text = SOLID.replace("diameter = 4", "diameter = 6").replace("number = 2\ndiameter = 6",
-                                                                 'number = 2\nshape = "ball"\ndiameter = 2')
+    text = SOLID.replace("diameter = 4", "diameter = 6").replace(
+        "number = 2\ndiameter = 6", 'number = 2\nshape = "ball"\ndiameter = 2')
     path = job(tmp_path, text + '[[operation]]\ntype = "finish"\ntool = 1\n' + rest, part_frep=dome)
     planned = ff.cam.Job(path)
     planned.run()

@@ -42,8 +42,8 @@ def once(name, folder, old=OLD, **injected):
     after = faults.files_of(folder)
     assert done.returncode not in faults.CRASHES, (injected, done.stderr)
     assert done.left == [], (injected, "temporary files are left")
-    assert {path: data for path, data in after.items() if path != out} == {path: data for path, data in before.items()
-                                                                           if path != out}, injected
+    assert ({path: data for path, data in after.items() if path != out}
+            == {path: data for path, data in before.items() if path != out}), injected
     done.replaced = after.get(out) != before.get(out)
     return done
 

@@ -172,8 +172,8 @@ def expressions(r):
             return "[" + value(depth - 1) + first + "".join(operator() + value(depth - 1)
                                                             for chance in (0.5, 0.3) if r.random() < chance) + "]"
         if kind < 0.66:
-            return "[abs[" + value(depth - 1) + "]**" + r.choice(["2", ".5",
-                                                                  "3"]) + r.choice(["", "*2", "**2", "+1"]) + "]"
+            return ("[abs[" + value(depth - 1) + "]**" + r.choice(["2", ".5", "3"])
+                    + r.choice(["", "*2", "**2", "+1"]) + "]")
         if kind < 0.95:
             function = r.choice(["abs[", "sin[", "cos[", "fix[", "fup[", "round[", "sqrt[abs[", "ln[1+abs[",
                                  "acos[sin[", "asin[cos[", "exp[sin[", "tan[sin["])

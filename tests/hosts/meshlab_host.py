@@ -164,8 +164,9 @@ def figure_eight(radius=20.0, tube=5.0, around=240, across=48):
                  for t in ((index(i, j), index(i + 1, j), index(i + 1, j + 1)),
                            (index(i, j), index(i + 1, j + 1), index(i, j + 1)))]
     triangles = np.array(triangles)
-    return vertices.reshape(-1, 3), triangles if fieldfab.Mesh(np.float32(vertices.reshape(-1, 3)),
-                                                               np.uint32(triangles)).volume > 0 else triangles[:, ::-1]
+    vertices = vertices.reshape(-1, 3)
+    outward = fieldfab.Mesh(np.float32(vertices), np.uint32(triangles)).volume > 0
+    return vertices, triangles if outward else triangles[:, ::-1]
 
 
 def joined(*meshes):

@@ -129,15 +129,15 @@ def dicom(number, series="1.2.3", rows=None, slope=1, intercept=0, z=None, direc
     body = element(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2") + element(8, 0x18, "UI", f"{series}.{number + 1}")
     body += element(8, 0x60, "CS", "CT") + element(0x20, 0xD, "UI", "1.2") + element(0x20, 0xE, "UI", series)
     body += element(0x20, 0x13, "IS", str(number + 1))
-    body += element(0x20, 0x32, "DS",
-                    f"1\\2\\{3 + number * SPACING[2] if z is None else z}") + element(0x20, 0x37, "DS", directions)
+    body += (element(0x20, 0x32, "DS", f"1\\2\\{3 + number * SPACING[2] if z is None else z}")
+             + element(0x20, 0x37, "DS", directions))
     body += element(0x28, 2, "US", short(1)) + element(0x28, 4, "CS", "MONOCHROME2")
     body += element(0x28, 0x10, "US", short(rows.shape[0])) + element(0x28, 0x11, "US", short(rows.shape[1]))
     body += element(0x28, 0x30, "DS", f"{SPACING[1]}\\{SPACING[0]}")
-    body += element(0x28, 0x100, "US", short(16)) + element(0x28, 0x101, "US",
-                                                            short(16)) + element(0x28, 0x102, "US", short(15))
-    body += element(0x28, 0x103, "US", short(0)) + element(0x28, 0x1052, "DS",
-                                                           str(intercept)) + element(0x28, 0x1053, "DS", str(slope))
+    body += (element(0x28, 0x100, "US", short(16)) + element(0x28, 0x101, "US", short(16))
+             + element(0x28, 0x102, "US", short(15)))
+    body += (element(0x28, 0x103, "US", short(0)) + element(0x28, 0x1052, "DS", str(intercept))
+             + element(0x28, 0x1053, "DS", str(slope)))
     body += element(0x7FE0, 0x10, "OW", rows.astype("<u2").tobytes())
     return b"\0" * 128 + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(start))) + start + body
 

@@ -67,8 +67,9 @@ async def floods(port):
     """Requests as fast as they go, and reads no answer."""
     async with aiohttp.ClientSession() as session, session.ws_connect(f"http://127.0.0.1:{port}/api/socket") as socket:
         for number in range(2000):
-            await socket.send_str(json.dumps({"number": number, "view": str(
-                number % 12), **PAGE, "text": f"sphere({5 + number % 100 / 100})", "width": 400, "height": 300}))
+            text = f"sphere({5 + number % 100 / 100})"
+            await socket.send_str(json.dumps({"number": number, "view": str(number % 12), **PAGE, "text": text,
+                                              "width": 400, "height": 300}))
         await asyncio.sleep(2)
 
 

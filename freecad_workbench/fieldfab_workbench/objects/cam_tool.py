@@ -54,8 +54,8 @@ class CamTool(DocumentObject):
 
     def onBeforeChange(self, obj, name):
         if name in ("Shape", "Diameter"):
-            self._follows = (_in_its_own_history(obj) and bool(
-                re.fullmatch("|".join(re.escape(each) + r"\d*" for each in _names(obj)), obj.Label)))
+            pattern = "|".join(re.escape(each) + r"\d*" for each in _names(obj))
+            self._follows = _in_its_own_history(obj) and bool(re.fullmatch(pattern, obj.Label))
 
     def onChanged(self, obj, name):
         if name == "Shape":

@@ -129,8 +129,9 @@ class Simulation(Solid):
         add("File", "SetupFile", "Set-up",
             "A set-up or job file (docs/simulation.md); none: what the properties below say")
         if "Machine" not in obj.PropertiesList:
-            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up", "The machine that carries "
-                            "it out").Machine = [THREE_AXES, *sorted(kernel.load().cam.machines())]
+            obj.addProperty("App::PropertyEnumeration", "Machine", "Set-up",
+                            "The machine that carries it out").Machine = [
+                                THREE_AXES, *sorted(kernel.load().cam.machines())]
         add("StringList", "Tools", "Set-up",
             "A tool a line, as JSON: number, shape, diameter, flute, length, shank, holder_diameter, ...",
             [set_ups.tool_to_line(set_ups.DEFAULT_TOOL)])

@@ -170,8 +170,8 @@ class Playback(QtWidgets.QWidget):
         self.line.blockSignals(True)
         self.line.setRange(1, max(1, len(run.lines)))
         self.line.blockSignals(False)
-        self.speed.setCurrentIndex(min(range(len(SPEEDS)),
-                                       key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / max(self.player.length, 1.0)))))
+        length = max(self.player.length, 1.0)
+        self.speed.setCurrentIndex(min(range(len(SPEEDS)), key=lambda i: abs(math.log(SPEEDS[i] * ABOUT / length))))
         box = simulation.stock_box
         self.size = math.dist(box[:3], box[3:])
         self._show_roles()

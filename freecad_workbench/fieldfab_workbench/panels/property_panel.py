@@ -57,8 +57,11 @@ class PropertyPanel(EditPanel):
         while self.rows.rowCount():
             self.rows.removeRow(0)
         self.writers.clear()
-        for name in sorted(self.names(), key=lambda n: (self.obj.getTypeIdOfProperty(n) != "App::PropertyEnumeration"
-                                                        or n != "Operation")):
+
+        def comes_later(name):
+            return self.obj.getTypeIdOfProperty(name) != "App::PropertyEnumeration" or name != "Operation"
+
+        for name in sorted(self.names(), key=comes_later):
             widget, self.writers[name] = MAKERS[self.obj.getTypeIdOfProperty(name)](self, name)
             widget.setToolTip(tr(self.obj.getDocumentationOfProperty(name), PROPERTY))
             self.rows.addRow(property_label(name), widget)

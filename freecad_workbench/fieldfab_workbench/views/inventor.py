@@ -19,8 +19,8 @@ def corner_normals(vertices, triangles, slopes):
     triangle, corner = np.nonzero(apart)
     drawn = triangles.astype(np.int32)
     drawn[triangle, corner] = len(vertices) + np.arange(len(triangle), dtype=np.int32)
-    return np.concatenate([vertices,
-                           vertices[triangles[triangle, corner]]]), np.concatenate([normals, facets[triangle]]), drawn
+    return (np.concatenate([vertices, vertices[triangles[triangle, corner]]]),
+            np.concatenate([normals, facets[triangle]]), drawn)
 
 
 def creased(vertices, triangles):

@@ -264,8 +264,8 @@ def test_tool_bits_of_freecad(document):
     for tool in found:
         made = cam_tool.add(setup, tool)
         told = cam_tool.described(made)
-        assert {name: told[name] for name in tool if name in told} == {name: value
-                                                                       for name, value in tool.items() if name in told}
+        assert ({name: told[name] for name in tool if name in told}
+                == {name: value for name, value in tool.items() if name in told})
     assert [t.Number for t in setup.Tools] == [t["number"] for t in found]
     with pytest.raises(ValueError, match="no tool bit"):
         path = os.path.join(os.environ["HOME"], "broken.fctb")

@@ -18,8 +18,9 @@ _seen, _watching = [], []
 
 
 def _watch(event, arguments):
-    if (_watching and (event in RUNS or (event == "exec" and not getattr(arguments[0], "co_filename", "").startswith(
-            ("<frozen", sys.prefix, "/usr/lib"))))):
+    installed = ("<frozen", sys.prefix, "/usr/lib")
+    if _watching and (event in RUNS or (
+            event == "exec" and not getattr(arguments[0], "co_filename", "").startswith(installed))):
         _seen.append((event, str(arguments)))
 
 

@@ -17,8 +17,9 @@ def frep(document, text, voxel=0.5, **placement):
     solid = solids.create(frep_solid.FrepSolid, document)
     solid.Expression, solid.VoxelSize = text, voxel
     if placement:
-        solid.Placement = FreeCAD.Placement(FreeCAD.Vector(*placement.get("at", (0, 0, 0))), FreeCAD.Rotation(
-            FreeCAD.Vector(*placement.get("axis", (0, 0, 1))), placement.get("turn", 0)))
+        axis = FreeCAD.Vector(*placement.get("axis", (0, 0, 1)))
+        solid.Placement = FreeCAD.Placement(FreeCAD.Vector(*placement.get("at", (0, 0, 0))),
+                                            FreeCAD.Rotation(axis, placement.get("turn", 0)))
     return solid
 
 

@@ -118,10 +118,8 @@ def test_from_a_solid_to_a_machine_file(document, tmp_path, monkeypatch):
     setup = new_setup(solid)
     assert setup.Part == solid and len(setup.Operations) == 1
     boxes = [b.text() for b in seen(QtWidgets.QToolButton) if b.isCheckable() and b.text()]
-    assert [b for b in boxes if b in ("Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves",
-                                      "Machine")] == [
-                                          "Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves",
-                                          "Machine"], "one panel a stage, in the chain's order"
+    stages = ["Part", "Stock", "Tools", "Operations", "Height map", "Rough", "Moves", "Machine"]
+    assert [b for b in boxes if b in stages] == stages, "one panel a stage, in the chain's order"
     window.shot("cam_setup")
     type_into("Stepdown", "0.2 in")
     assert setup.Operations[0].Proxy.given(setup.Operations[0])["stepdown"] == pytest.approx(5.08)
