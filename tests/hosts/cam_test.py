@@ -252,8 +252,8 @@ def test_height_maps_and_meshes_are_machines_too(tmp_path):
         out = tmp_path / ("out." + machine)
         run("cam", path, "-o", out)
         assert out.read_bytes().startswith(start) and out.stat().st_size > 1000
-    assert ff.Mesh.load(tmp_path / "out.stl").volume == pytest.approx(ff.mesh(ff.parse(DOME), voxel=0.1).volume,
-                                                                      rel=0.01)
+    assert ff.Mesh.load(tmp_path / "out.stl").volume == pytest.approx(
+        ff.mesh(ff.parse(DOME), voxel=0.1).volume, rel=0.01)
 
 
 def test_pictures_and_set_up_sheets(tmp_path):

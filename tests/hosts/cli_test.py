@@ -160,8 +160,8 @@ def test_bad_input_leaves_files_alone(ball, tmp_path):
     ):
         refused(*arguments)
     assert kept.read_text() == "mine"
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["ball.frep", "broken.frep", "garbage.vm",
-                                                          "kept.stl"], "nothing half made is left"
+    assert sorted(p.name for p in tmp_path.iterdir()) == [
+        "ball.frep", "broken.frep", "garbage.vm", "kept.stl"], "nothing half made is left"
 
 
 def test_full_disk(ball):
@@ -229,13 +229,13 @@ def test_meshes_are_models(tmp_path):
     made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
     # its edges are sharp, its sides flat
     assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100
-    assert summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel",
-                   0.5)["volume"] == pytest.approx(1000, rel=1e-3)
+    turned = summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)
+    assert turned["volume"] == pytest.approx(1000, rel=1e-3)
     holed = write("holed.off", sides[1:])
     closed = summary("mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5)
     assert closed["volume"] == pytest.approx(1000, rel=1e-6) and closed["triangles"] < 100
-    assert "holed.off is open: 1 rim is closed by lids of 100 mm2" in run("mesh", holed, "-o", tmp_path / "b.stl",
-                                                                          "--voxel", 0.5).stderr
+    assert "holed.off is open: 1 rim is closed by lids of 100 mm2" in run(
+        "mesh", holed, "-o", tmp_path / "b.stl", "--voxel", 0.5).stderr
     assert summary("check", holed, "--voxel", 0.5)["passed"]
     built = summary("build", whole, "-o", tmp_path / "c.asdf", "--voxel", 0.5)
     assert built["leafs"] > 0

@@ -169,8 +169,8 @@ def expressions(r):
                                      " and ", " or ", " xor "])
         if kind < 0.6:
             first = operator() + value(depth - 1) if r.random() < 0.8 else " mod " + number(r.uniform(-5, 5))
-            return "[" + value(depth - 1) + first + "".join(operator() + value(depth - 1)
-                                                            for chance in (0.5, 0.3) if r.random() < chance) + "]"
+            return ("[" + value(depth - 1) + first
+                    + "".join(operator() + value(depth - 1) for chance in (0.5, 0.3) if r.random() < chance) + "]")
         if kind < 0.66:
             return ("[abs[" + value(depth - 1) + "]**" + r.choice(["2", ".5", "3"])
                     + r.choice(["", "*2", "**2", "+1"]) + "]")

@@ -52,8 +52,8 @@ def test_an_empty_part_is_told_and_the_others_are_kept(tmp_path, model):
     assert done.returncode == 0 and f"{model}:4:1: part 'none': the solid is empty" in done.stderr
     parts = {part["name"]: part for part in json.loads(done.stdout)["parts"]}
     assert {name: part["volume"] for name, part in parts.items()} == pytest.approx(VOLUMES, rel=0.01)
-    assert {name: part["colour"] for name, part in parts.items()} == {"ball": "#ff6347", "cube": "#204060",
-                                                                      "plain": None}
+    assert {name: part["colour"] for name, part in parts.items()} == {
+        "ball": "#ff6347", "cube": "#204060", "plain": None}
     (tmp_path / "none.frep").write_text("".join(f'part(intersection(sphere(1), move(sphere(1), 9)), "{name}")\n'
                                                 for name in "ab"))
     done = run("mesh", tmp_path / "none.frep", "-o", tmp_path / "none.3mf")
@@ -97,8 +97,8 @@ def test_names_of_parts_may_have_quotes_backslashes_and_line_ends(tmp_path):
     (tmp_path / "one.frep").write_text(r'open("of \"all\".3mf", part = "6\" pipe") | move(sphere(1), 9)')
     run("convert", tmp_path / "one.frep", "-o", tmp_path / "two.frep", check=True)
     for name in ("one", "two"):
-        assert summary("info", tmp_path / f"{name}.frep")["bounds"] == [pytest.approx(b, abs=0.1)
-                                                                        for b in ([-1, 10], [-1, 1], [-1, 1])]
+        assert summary("info", tmp_path / f"{name}.frep")["bounds"] == [
+            pytest.approx(b, abs=0.1) for b in ([-1, 10], [-1, 1], [-1, 1])]
     (tmp_path / "bad.frep").write_text('part(sphere(1), "a\\")')
     assert "bad.frep:1:17: the quotes opened here are not closed on this line" in refused("info", tmp_path / "bad.frep")
 

@@ -276,8 +276,8 @@ def test_holders_that_reach_the_stock_are_found(program):
     top = {"dome": 0.5, "knob": 5.9}[program.name]  # of the stock: the part's bounds may be found a little loose
 
     def plant(number, length):
-        setup = program.with_job(f"_h{number}", lambda text: text.replace("flute = 16\nlength = 30",
-                                                                          f"flute = {length}\nlength = {length}"))
+        setup = program.with_job(f"_h{number}", lambda text: text.replace(
+            "flute = 16\nlength = 30", f"flute = {length}\nlength = {length}"))
         result = program.simulate(program.lines, setup, f"_h{number}")
         lines = where(result, "holder contact")
         if lowest + length > top + 0.2:

@@ -20,8 +20,9 @@ def tables():
     """Tables that panels are made from: machines, operations with the settings of their stages, and the settings that
     join their paths."""
     stages = {each["name"]: each for each in ff.cam.stages()}
-    operations = [{"name": name, "help": each["help"], "settings": [setting for stage in ff.cam.chain("solid", name)
-                                                                    for setting in stages[stage]["settings"]]}
+    operations = [{"name": name, "help": each["help"],
+                   "settings": [setting for stage in ff.cam.chain("solid", name)
+                                for setting in stages[stage]["settings"]]}
                   for name, each in stages.items() if each["operation"]]
     return {"machines": [ff.cam.machine(each) for each in ff.cam.machines()], "operations": operations,
             "joining": ff.cam.joining_settings()}

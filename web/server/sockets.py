@@ -39,8 +39,8 @@ class View:
 
     async def _run(self):
         while self._next is not None:
-            async with self._session.turn, self._session.pool.worker(self._next[2]["text"],
-                                                                     self._session.rank()) as self._worker:
+            async with (self._session.turn,
+                        self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker):
                 # the newest, after what may have been a long wait
                 (number, name, request), self._next = self._next, None
                 head = {"number": number, "view": name}
@@ -53,8 +53,8 @@ class View:
                 await asyncio.wait([self._finer])
 
     async def _fine(self, head, request):
-        async with self._session.turn, self._session.pool.worker(request["text"],
-                                                                 1 + self._session.rank()) as self._worker:
+        async with (self._session.turn,
+                    self._session.pool.worker(request["text"], 1 + self._session.rank()) as self._worker):
             if self._next is None:
                 await self._answer(head, {**request, "coarse": False})
             self._worker = None

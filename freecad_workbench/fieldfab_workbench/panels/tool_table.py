@@ -155,8 +155,8 @@ class ToolTable(QtWidgets.QWidget):
             self.changed()
 
     def ask(self):
-        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(self, tr("Tools"), "",
-                                                             tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
+        paths, kind = QtWidgets.QFileDialog.getOpenFileNames(
+            self, tr("Tools"), "", tr("FreeCAD's tool bits and libraries (*.fctb *.fctl)"))
         self.take_files(paths)
 
     def take_files(self, paths):

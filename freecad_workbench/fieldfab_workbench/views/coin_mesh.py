@@ -16,8 +16,8 @@ class MeshBytes:
         normals = (_flat_normals if flat else _smooth_normals)(vertices, triangles)
         index = np.full((len(triangles), 4), -1, ">i4")
         index[:, :3] = triangles
-        self._material = (None if colours is None else inventor.node_bytes("Material", "diffuseColor", len(colours),
-                                                                           np.asarray(colours, ">f4")))
+        self._material = (None if colours is None else inventor.node_bytes(
+            "Material", "diffuseColor", len(colours), np.asarray(colours, ">f4")))
         self._rest = [inventor.node_bytes("Coordinate3", "point", len(vertices), np.asarray(vertices, ">f4")),
                       inventor.node_bytes("Normal", "vector", len(normals), np.asarray(normals, ">f4")),
                       inventor.node_bytes("IndexedFaceSet", "coordIndex", index.size, index)]

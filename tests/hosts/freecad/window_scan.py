@@ -45,8 +45,8 @@ def drag(histogram, share):
     """Moves the mouse, pressed, to a place of the histogram."""
     at = QtCore.QPointF(share * histogram.width(), histogram.height() / 2)
     for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonRelease):
-        QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton,
-                                                                      QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
+        QtWidgets.QApplication.sendEvent(histogram, QtGui.QMouseEvent(
+            kind, at, QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier))
 
 
 def pixels(picture, colour, reach=40):
@@ -315,8 +315,8 @@ def test_a_script_runs_only_after_yes(document, tmp_path, monkeypatch):
     script.write_text("import fieldfab as ff\nff.part(ff.shapes.sphere(5), 'ball', 'red')\n"
                       "ff.part(ff.shapes.box(1, 2, 3), 'box')\n")
     group = commands.add_script(str(script))
-    assert [(part.Label, round(part.Volume.Value)) for part in group.Group] == [("ball", pytest.approx(524, abs=5)),
-                                                                                ("box", 6)]
+    assert [(part.Label, round(part.Volume.Value)) for part in group.Group] == [
+        ("ball", pytest.approx(524, abs=5)), ("box", 6)]
     assert group.Group[0].ViewObject.ShapeColor[:3] == (1.0, 0.0, 0.0)
     script.write_text("import fieldfab\nsolid = 1 / 0\n")
     with pytest.raises(ValueError, match=r"part.py:2: ZeroDivisionError"):

@@ -109,8 +109,8 @@ def test_events_lines_and_clicks_find_each_other(document, opened, tmp_path):
         at = QtCore.QPoint(round(x / scale), round(widget.height() - y / scale))
         for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
             buttons = QtCore.Qt.LeftButton if kind == QtCore.QEvent.MouseButtonPress else QtCore.Qt.NoButton
-            QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(kind, at, QtCore.Qt.LeftButton, buttons,
-                                                                       QtCore.Qt.NoModifier))
+            QtWidgets.QApplication.sendEvent(widget, QtGui.QMouseEvent(
+                kind, at, QtCore.Qt.LeftButton, buttons, QtCore.Qt.NoModifier))
         live(0.2)
         view_pixels(panel, f"simulation_click_{line}")
         assert f"line {line} cut this place" in panel.message.text() and playback.program.line() == line
