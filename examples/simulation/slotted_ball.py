@@ -18,7 +18,7 @@ import sys
 BALL, REACH = 24.0, math.radians(118)  # mm; how far from the pole the spirals go
 BIG, SMALL = 3.0, 1.5  # radii of the cutters, mm
 SLOTS, SLOT_RADIUS, LEAN = 12, 14.0, math.radians(35)  # the slots' bottoms are lines at this distance from the middle
-# distance of the cutter's middle, and between turns
+# The distance of the cutter's middle, and that between turns.
 SPIRALS = [(48 - 3 * i, 3.0) for i in range(7)] + [(BALL + BIG, 0.45)]
 DEPTHS = [10.0 - i for i in range(11)]  # of the slots' passes, above their bottoms
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-# inside to outside
+# From inside to outside.
 STOPS = np.array([[0.10, 0.25, 0.80], [0.35, 0.70, 0.95], [0.92, 0.95, 0.92], [0.98, 0.70, 0.25], [0.80, 0.10, 0.08]])
 
 

@@ -10,7 +10,7 @@ import FreeCAD
 
 from .openscad_nodes import Unfit, key_of, properties_of
 
-# of a larger design whole branches become one object with their text: a larger tree would be no help, and slow
+# In larger designs whole branches become one object with their text: a larger tree would be slow and no help.
 MOST_PARTS = 300
 DEEPEST = 100  # parts within parts
 MOST_NODES = 20_000  # of the file, groups and moves among them; a larger one is one object

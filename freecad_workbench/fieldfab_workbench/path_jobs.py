@@ -47,7 +47,7 @@ def _new_job(program):
     document, setup = program.Document, program.Setup
     lower, upper = cam_setup.stock_box(setup)
     model = setup.Part
-    # a job's model must have a shape, and meshes have none
+    # A job's model must have a shape, and meshes have none.
     if not getattr(getattr(model, "Shape", None), "Solids", None):
         model = document.addObject("Part::Box", "Block")
         model.Label = f"Block of {setup.Label}"
@@ -88,7 +88,7 @@ def _controller(job, tool, section):
          "parameter": _known(parameter, tool.Shape), "attribute": {}}, "ToolBit")
     controller = path_shim.controllers().Create(f"TC: {tool.Label}", bit, tool.Number, False)
     controller.SpindleSpeed = section["spindle"]
-    # mm/s; the path has its own
+    # mm/s. The path has feeds of its own.
     controller.HorizFeed, controller.VertFeed = tool.Feed.Value or 10, tool.Plunge.Value or 3
     if FreeCAD.GuiUp:
         controller.ViewObject.Proxy = bit.ViewObject.Proxy = 0

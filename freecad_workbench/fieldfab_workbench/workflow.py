@@ -19,7 +19,7 @@ class Setting:
         self.__dict__.update(declared)
         self.property = _words_joined(self.name)
         self.unit = {"1/min": "rpm"}.get(self.unit, self.unit)  # as it is shown; numbers are the same
-        # the property's documentation
+        # The property's documentation.
         self.words = f"{self.help[:1].upper()}{self.help[1:]}" + (f" ({self.unit})" if self.unit else "")
 
     @property

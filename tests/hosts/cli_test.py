@@ -227,7 +227,7 @@ def test_meshes_are_models(tmp_path):
 
     whole = write("whole.off", sides)
     made = summary("mesh", whole, "-o", tmp_path / "a.stl", "--voxel", 0.5)
-    # its edges are sharp, its sides flat
+    # Its edges are sharp, its sides flat.
     assert made["volume"] == pytest.approx(1000, rel=1e-6) and made["triangles"] < 100
     turned = summary("mesh", write("turned.off", sides, True), "-o", tmp_path / "a.stl", "--voxel", 0.5)
     assert turned["volume"] == pytest.approx(1000, rel=1e-3)

@@ -62,7 +62,7 @@ def rs274(program, tools=TOOLS):
         open(variables, "w").close()
         done = subprocess.run(["rs274", "-g", "-n", "2", "-t", table, "-v", variables, str(program), out],
                               capture_output=True, text=True, errors="replace",
-                              # it keeps a file there
+                              # It keeps a file there.
                               timeout=TIMEOUT, cwd=os.path.dirname(os.path.abspath(str(program))),
                               env={**os.environ, "HOME": folder})
         with open(out, errors="replace") as f:

@@ -24,7 +24,7 @@ def compensation(r):
     for k in range(r.randint(2, 9)):
         angle += r.choice([0, math.pi / 2, -math.pi / 2, r.uniform(-2.5, 2.5), r.uniform(-0.1, 0.1)])
         what = r.random()
-        # entries along arcs are left to the unit tests: rs274 is micrometres off at an inner corner behind one
+        # Entries along arcs are left to the unit tests: rs274 is micrometres off at an inner corner behind one.
         if what < 0.55 or k == 0:
             length = r.choice([5, 10, 20, r.uniform(3, 30)])
             x, y = x + length * math.cos(angle), y + length * math.sin(angle)

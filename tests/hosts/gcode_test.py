@@ -95,7 +95,7 @@ def test_real_programs(path, tmp_path):
 def test_counts_of_moves():
     count = lambda name: sum(m.kind in ("rapid", "feed", "arc")
                              for m in ours(next(p for p in REAL if name in p), MANY_TOOLS)[0])
-    # rs274 counts one more for a G0 without words
+    # rs274 counts one more for a G0 without words.
     assert [count("impeller"), count("boat-xyzac"), count("boat-xyzbc")] == [4492, 1832, 1821]
 
 

@@ -126,7 +126,7 @@ def test_drain_holes_make_one_surface_with_handles(tmp_path):
         result, found, said = result_of(tmp_path, sphere(48),
                                         (SHELL, {"Wall": 2, "DrainHoles": count, "HoleDiameter": 4, "Voxel": 0.7}))
         assert found.components == 1 and euler(result) == 4 - 2 * count, said.text
-        # between two spheres, along their axis
+        # Between two spheres, along their axis.
         rod = 2 * math.pi / 3 * ((20**3 - (20**2 - 2**2) ** 1.5) - (18**3 - (18**2 - 2**2) ** 1.5))
         if count < 3:  # the third is where the wall is askew
             assert closed.volume - result.volume == pytest.approx(count * rod, rel=0.2)
@@ -229,7 +229,7 @@ def test_a_file_of_parts_is_one_layer_in_their_colours(tmp_path):
 def test_the_log_tells_how_certain_a_mesh_is(tmp_path):
     box = result_of(tmp_path, None, (FREP, {"Formula": "box(10, 10, 10)", "Voxel": 0.5}))[2]
     assert "the mesh is certain" in box, box.text
-    # no size of cells tells balls that touch from balls that do not
+    # No size of cells tells balls that touch from balls that do not.
     touching = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
     balls = serve(tmp_path, [], [(FREP, {"Formula": touching, "Voxel": 0.25})], tmp_path / "balls.ply")
     assert "the mesh is not certain at 1 place, the largest " in balls and "the mesh is certain" not in balls, (
@@ -256,7 +256,7 @@ def test_a_volume_by_its_threshold(tmp_path):
     result, _, said = result_of(tmp_path, None, (VOLUME, {"File": path}))
     assert "threshold" in said
     assert result.volume == pytest.approx(ball_volume(12), rel=0.01)
-    # where the distance is 0.6 inside
+    # The threshold where the distance is 0.6 inside.
     inner, _, _ = result_of(tmp_path, None, (VOLUME, {"File": path, "Threshold": 1000 / (1 + math.exp(-0.75))}))
     assert inner.volume == pytest.approx(ball_volume(12 - 0.6), rel=0.01)
 

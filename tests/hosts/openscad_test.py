@@ -96,7 +96,7 @@ def test_what_is_wrong_is_said_in_one_line(tmp_path):
         "teapot();": "the design is empty",
         "intersection() { cube(4); translate([4, 0, 0]) cube(4); }": "the design is empty",
         "difference() { cube(4); cube(4); }": "the solid is empty",
-        # its intervals leave room for one everywhere on the sphere
+        # Its intervals leave room for a surface everywhere on the sphere.
         "difference() { sphere(3, $fn=10); sphere(3, $fn=10); }": "no surface was found",
         'import("gone.stl");': "no such file",
         "assert(false);": "Assertion",

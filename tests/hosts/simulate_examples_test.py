@@ -82,7 +82,7 @@ def test_gouges(example):
     deeper = 0.4
     cuts = example.cuts(0.002)
     if example.name == "knob_five_axis":
-        # its twin in simulate_test.py has them: here the part under a leaning tool is not known in closed form
+        # Its twin in simulate_test.py has cuts; here the part under a leaning tool is not known in closed form.
         cuts = []
     if example.name == "bearing":
         cuts = [i for i in rng.sample(cuts, 300) if example.tool[i] == 2

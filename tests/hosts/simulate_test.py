@@ -361,7 +361,8 @@ def test_a_wrong_length_offset_is_found(program):
 
 
 BOX = "lower = [-60, -30, -40]\nupper = [60, 30, 0]"
-# of LinuxCNC's five-axis machines: machine, stock, tools, moves, mm3 that are removed, greatest share of feed in air
+# Programs of LinuxCNC's five-axis machines: machine, stock, tools, moves, bounds of the removed mm3, greatest share of
+# feed in air.
 REAL = {
     "5ax_boat-xyzac": ("five_axis_ac", BOX, ((10, "flat"), (6, "ball")), 1832, (60e3, 70e3), 0.15),
     "5ax_boat-xyzbc": ("five_axis_bc", BOX, ((10, "flat"), (6, "ball")), 1821, (50e3, 60e3), 0.05),

@@ -12,7 +12,7 @@ from .frames import frame, read_frame_later
 from .limits import LIMITS
 
 KEPT_TEXTS = 100
-# seconds in which a worker that is asked to stop may go on: killing one costs more than that on a busy machine
+# Seconds that a worker may go on when it is asked to stop: on a busy machine killing one costs more.
 GRACE = 4.0
 
 

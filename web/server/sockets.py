@@ -41,13 +41,13 @@ class View:
         while self._next is not None:
             async with (self._session.turn,
                         self._session.pool.worker(self._next[2]["text"], self._session.rank()) as self._worker):
-                # the newest, after what may have been a long wait
+                # The newest request: the wait may have been long.
                 (number, name, request), self._next = self._next, None
                 head = {"number": number, "view": name}
                 first = {**request, "fine": not request["coarse"],
                          "smooth": request["smooth"] and not request["coarse"]}
                 good = await self._answer(head, first, parameters=True)
-            # the coarse pictures of all go before the fine ones of any
+            # The coarse pictures of all clients go before the fine ones of any.
             if good and request["coarse"] and self._next is None:
                 self._finer = asyncio.create_task(self._fine(head, request))
                 await asyncio.wait([self._finer])

@@ -63,7 +63,7 @@ def gcode_of(moves, zero=(0, 0, 0)):
     begin = np.vstack([to[:1], to[:-1]])
     with np.errstate(divide="ignore", invalid="ignore"):
         across = np.stack([begin[:, 1] - to[:, 1], to[:, 0] - begin[:, 0]], axis=1)
-        # from the arc's start to its centre
+        # From the arc's start to its centre.
         arm = (to - begin)[:, :2] / 2 + ((1 - bulge**2) / (4 * bulge))[:, None] * across
     lines = []
     if len(moves):

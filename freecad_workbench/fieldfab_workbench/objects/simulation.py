@@ -38,7 +38,7 @@ class Run:
                                                          cell=task.cell or None, remember=True,
                                                          progress=progress, dialect=task.dialect or None)
         self.report = self.simulation.report
-        # here, where nobody waits
+        # Written here, where nobody waits for it.
         self.mesh_file = meshes.write_bms(self.simulation.mesh, os.path.join(self.folder.name, "mesh.bms"))
         self.lines = task.program[0].decode("utf-8", "replace").splitlines()
 
@@ -221,7 +221,7 @@ class Simulation(Solid):
         lower, upper = obj.StockLower, obj.StockUpper
         if obj.Stock is not None:
             box = bounds_of(obj.Stock)
-            # so that no face of it lies in the box's own
+            # The room keeps its faces off those of the box.
             room = FreeCAD.Vector(1, 1, 1) * max(0.01, box.DiagonalLength / 1000)
             lower, upper = (FreeCAD.Vector(box.XMin, box.YMin, box.ZMin) - room,
                             FreeCAD.Vector(box.XMax, box.YMax, box.ZMax) + room)

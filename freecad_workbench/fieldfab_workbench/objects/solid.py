@@ -52,7 +52,7 @@ class Solid(DocumentObject):
         self.add_results(obj)
         add(obj, "String", "Certainty", "Result", "Whether it is proved that the mesh shows all of the solid, "
             "else where it is not; empty for a mesh of an earlier version", mode=1)
-        # hidden
+        # Hidden.
         add(obj, "VectorList", "UncertainPlaces", "Result",
             "Lower and upper corners of boxes in which parts may be missing, the largest first", mode=4)
 
@@ -61,7 +61,7 @@ class Solid(DocumentObject):
         add(obj, "Volume", "Volume", "Result", "Volume of the mesh", mode=1)
         add(obj, "Area", "Area", "Result", "Surface of the mesh", mode=1)
         add(obj, "Integer", "Triangles", "Result", "Triangles of the mesh", mode=1)
-        # hidden
+        # Hidden.
         add(obj, "String", "MadeFrom", "Result", "What the mesh was made from: it is made anew when this changes",
             mode=4)
 
@@ -84,7 +84,7 @@ class Solid(DocumentObject):
         except work.Cancelled:
             raise ValueError(tr("{label}: cancelled; it is still what it was").format(label=obj.Label)) from None
 
-    # what MadeFrom will be, and a function that gives the mesh that was made ahead, or raises what went wrong
+    # What MadeFrom will be, and a function that returns the mesh that was made ahead, or raises its error.
     _ready = (None, None)
 
     def ahead(self, obj):

@@ -233,7 +233,7 @@ class SetupForm(QtWidgets.QWidget):
         if (found := programs.extent(program)) is not None:
             (x0, y0, z0), (x1, y1, z1) = found
             highest = programs.highest_cut(program)
-            # mostly z = 0 is the stock's upper side
+            # In most programs z = 0 is the stock's upper side.
             top = z1 if highest is None else max(highest, 0.0) if z0 < 0 else highest
             self._set_corners((x0 - MARGIN, y0 - MARGIN, min(z0, top) - MARGIN), (x1 + MARGIN, y1 + MARGIN, top))
 

@@ -47,12 +47,12 @@ class Preview:
         self.cells, self.guess = 20, self._bounds_of_object()
         self._faces_first = False  # whether the solid's own faces were made within the first picture's time
         self._seen = obj.MadeFrom if obj.isValid() else None
-        # of tests: how far the picture is; seconds from the last change to its first picture
+        # For tests: how far the picture is; seconds from the last change to its first picture.
         self.stage, self.latency = "", None
         self._wanted, self._changed, self._began = None, 0.0, 0.0
         self._task, self._refinement, self._said = None, None, queue.SimpleQueue()
         self._paused = None  # what goes on after a pause
-        # whether the first mesh of a change is on its way; since when all is as fine as can be shown
+        # Whether the first mesh of a change is on its way; since when all is as fine as can be shown.
         self._coarse, self._ready = False, None
         self._waiting, self._assembly, self._piece = [], None, None  # pictures to come, and what of the first is there
         self._drawing, self._undrawn, self._triangles = None, False, 0

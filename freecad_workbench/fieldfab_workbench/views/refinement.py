@@ -11,8 +11,7 @@ from . import inventor
 ANGLE = 0.004  # radians that a cell may fill in the eye: about three pixels
 CELLS = 32  # along each side of a block, which is refined by itself
 BLOCKS = 4  # most blocks along an axis
-# times as many triangles as are shown of a whole solid may be made where the eye is: most of them are then out of the
-# picture
+# How many times the triangles of a whole solid may be made where the eye is: most of them are then out of the picture.
 NEAR = 4
 PIECE = 10_000  # triangles of a piece
 MARGIN = 1 / 8  # of a solid's size: how much it may grow before its bounds are looked for again
@@ -32,7 +31,7 @@ class Refinement:
         self.region, self.voxel, self.triangles = None, None, 0  # of the mesh that was made last
         self._cell = None, None  # a region, and the smallest cell in it
         self.extent = guess  # of the solid, as far as it is known
-        # whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too
+        # Whether the solid's own mesh has been made: then sharp edges are soon found in its blocks, too.
         self.sharp = False
         self.doubt = ""  # where the solid's own mesh may lack parts, once it has been made
         self.exact = False  # whether the solid's own faces are there, and nothing finer can be had
@@ -74,7 +73,7 @@ class Refinement:
         if len(mesh.triangles) <= self.most:
             self.voxel, self.triangles = self._wanted(), len(mesh.triangles)
             yield self._picture(mesh, progress)
-        # parts outside of the guess were not seen; blocks need replacing
+        # Parts outside of the guess were not seen, or blocks have to be replaced.
         elif self._fit_region(mesh) or blocks_are_shown:
             self.voxel, self.triangles = self._longest() / self.cells, 0
             yield from self.finer(progress)

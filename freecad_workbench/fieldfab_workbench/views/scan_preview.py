@@ -10,7 +10,7 @@ class ScanPreview:
     """Under the object's own placement. `close()` leaves the view as it was."""
 
     def __init__(self, obj):
-        # the object itself may be gone at the end
+        # The object itself may be gone at the end.
         self._parent, self._switch = obj.ViewObject.RootNode, obj.ViewObject.SwitchNode
         self._root, self._frame, self._surface, self._box = (coin.SoSeparator() for _ in range(4))
         for part in (self._frame, self._surface, self._box):

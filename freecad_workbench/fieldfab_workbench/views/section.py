@@ -37,7 +37,7 @@ class Section:
         self._front = _overriding(coin.SoShapeHints, vertexOrdering=coin.SoShapeHints.COUNTERCLOCKWISE,
                                   shapeType=coin.SoShapeHints.SOLID)
         self._front.creaseAngle.setIgnored(True)
-        # the handle is before the plane, which cuts all that follows
+        # The handle comes before the plane, which cuts all that follows.
         for place, node in enumerate((self._nodes, self._clip)):
             self._scene.insertChild(node, place)
         self._scene.addChild(self._caps)

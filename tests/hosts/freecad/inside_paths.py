@@ -155,7 +155,7 @@ def test_freecads_dress_ups_take_them_and_are_simulated(document, tmp_path):
     lower, upper = cam_setup.stock_box(program.Setup)
     size, height = upper - lower, 7
     removed = size.x * size.y * height - simulation.mesh.volume
-    # what of a disc of 16 mm is on one side of the stock, which ends at 14
+    # The part of a disc of 16 mm beyond one side of the stock, which ends at 14.
     beyond = 16**2 * math.acos(14 / 16) - 14 * math.sqrt(16**2 - 14**2)
     ring = (math.pi * (16**2 - 12**2) - 4 * beyond) * height
     assert removed == pytest.approx(ring, rel=0.04), "a ring as wide as the tool, where there is stock"

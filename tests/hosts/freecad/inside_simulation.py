@@ -95,7 +95,7 @@ def test_what_is_left_is_a_solid_and_the_next_stock(document, slot, tmp_path):
     across.write_text(SLOT.replace("X-25 Y0", "X0 Y-15").replace("G1 X25", "G1 Y25") + "M2\n")
     second = simulated(document, str(across), Stock=first, Cell=0.5)
     assert second.isValid(), second.getStatusString()
-    # its edges are as coarse as its cells
+    # Its edges are as coarse as its cells.
     assert second.Volume.Value == pytest.approx(first.Volume.Value - (2 * 6 * 30 - 2 * 36), rel=5e-3)
 
 

@@ -59,7 +59,7 @@ def test_sets_are_those_of_the_placed_sources(document):
     assert sane(combined(document, "Morph", a, c, Weight=1.0)) == pytest.approx(4 / 3 * math.pi * 64, rel=0.02)
 
 
-# no size of cells tells balls that touch from balls that do not
+# No size of cells tells balls that touch from balls that do not.
 TOUCHING = "union(move(sphere(2), dx = -2), move(sphere(2), dx = 2))"
 
 

@@ -83,7 +83,7 @@ def test_ok_computes_beside_the_window(document, panels, slow):  # noqa: F811
     assert not panel.text.isEnabled() and not dialogs() and QtWidgets.QApplication.activeModalWidget() is None
     with Heartbeat() as beat:
         live(1)
-    # a window that waited would be silent until the mesh is there
+    # A window that waited would be silent until the mesh is there.
     assert beat.longest < SECONDS / 5 and len(beat.gaps) > 5, beat.gaps[-5:]
     direction = FreeCADGui.ActiveDocument.ActiveView.getViewDirection()
     FreeCADGui.ActiveDocument.ActiveView.viewTop()

@@ -67,7 +67,7 @@ def test_stop_ends_the_work_and_mistakes_are_told(document, opened, tmp_path):
     assert "choose a program" in panel.message.text()
     form.program.line.setText(str(path))
     form.program.line.editingFinished.emit()
-    # around the program
+    # The box around the program.
     assert [box.value() for box in form.lower + form.upper] == pytest.approx([-17, -17, -8, 16.9, 16.8, 0])
     form.tools.item(0, 2).setText("wide")
     button("Simulate").click()
