@@ -455,6 +455,10 @@ std::optional<Patch> sample_block(const Field& field, const Lattice& lattice, co
   return BlockSampler(field, lattice, lower, settings).run(block);
 }
 
+double permitted_error(const ContourSettings& settings, double side) {
+  return settings.max_error * std::min(1.0, side / settings.voxel);
+}
+
 bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& vertex) {
   const Eigen::Vector3f origin = points[0].position, normal = points[0].normal;
   const auto tolerance = static_cast<float>(1e-3 * max_error);
@@ -515,7 +519,7 @@ static double off_straight(const std::vector<SurfacePoint>& points, int axis, co
 
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings,
                 Vec3& vertex) {
-  const double max_error = settings.max_error;
+  const double max_error = permitted_error(settings, cell.size().minCoeff());
   if (is_flat(points, max_error, vertex)) return true;
   const PlacedVertex placed = place_vertex(points, cell);
   if (placed.error > max_error) return false;

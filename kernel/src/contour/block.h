@@ -43,8 +43,12 @@ bool is_flat(const std::vector<SurfacePoint>& points, double max_error, Vec3& ve
 /// Removes points in one plane except those at which the plane leaves `cell`: two on each face.
 void thin(std::vector<SurfacePoint>& points, const Box& cell);
 
+/// Returns the permitted surface deviation in a cell with edges of `side`, mm. In parts of a voxel it is smaller in
+/// proportion: what is thinner than a voxel must not shrink by as much as the whole may deviate.
+double permitted_error(const ContourSettings& settings, double side);
+
 /// Returns whether one vertex in `cell`, and with `features` one more on each face, reproduces all
-/// `points` within `max_error`. Sets `vertex`.
+/// `points` within the permitted error. Sets `vertex`.
 bool reproduces(const std::vector<SurfacePoint>& points, const Box& cell, const ContourSettings& settings,
                 Vec3& vertex);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "block.h"
 #include "fieldfab/core/error.h"
 #include "fieldfab/core/parallel.h"
 
@@ -34,8 +35,7 @@ class CellFiller {
       : solid_(solid),
         lattice_(lattice),
         curves_(curves),
-        flat_(0.5 * settings.max_error),
-        features_(settings.features),
+        settings_(settings),
         piece_(piece) {}
 
   /// Fills one leaf, given the curves on its faces.
@@ -47,7 +47,7 @@ class CellFiller {
     else if (!fill_flat(leaf, around))
       fill_fan(leaf, around);
     // The edges in divided cells are close enough to the surface already.
-    if (features_ && leaf.level >= lattice_.voxel_level() && is_creased(leaf, around) && !is_smooth(leaf))
+    if (settings_.features && leaf.level >= lattice_.voxel_level() && is_creased(leaf, around) && !is_smooth(leaf))
       for (auto t = first; t < piece_.triangles.size(); ++t) piece_.creased.push_back(t);
   }
 
@@ -106,11 +106,12 @@ class CellFiller {
     if (loop.size() > 4) return false;
     for (const CellCurve& curve : loop)
       if (curve.bend != no_vertex) return false;
+    const double flat = 0.5 * permitted_error(settings_, lattice_.side(leaf.level));
     for (const CellCurve& one : loop)
       for (const CellCurve& other : loop) {
         const SurfacePoint& p = curves_.points[one.from];
         const SurfacePoint& q = curves_.points[other.from];
-        if (p.normal.dot(q.normal) < 0.97F || std::abs(p.normal.dot(q.position - p.position)) > flat_) return false;
+        if (p.normal.dot(q.normal) < 0.97F || std::abs(p.normal.dot(q.position - p.position)) > flat) return false;
       }
     if (loop.size() == 3) {
       piece_.triangles.push_back({loop[2].from, loop[1].from, loop[0].from});
@@ -248,8 +249,7 @@ class CellFiller {
   const Field& solid_;
   const Lattice& lattice_;
   const Curves& curves_;
-  const double flat_;  ///< greatest distance of a loop from a plane that permits filling without a vertex inside, mm
-  const bool features_;
+  const ContourSettings& settings_;
   Piece& piece_;
   std::vector<SurfacePoint> scratch_;
 };

@@ -33,6 +33,8 @@ class BlockInspector {
   // With this many folded cells, half of the block, the surface is no sheet, and smaller cells
   // would be folded too.
   static constexpr int rough = 256;
+  // So many normals of a large part give the direction in which the Field grows as well as all of them.
+  static constexpr std::size_t enough_normals = 24;
 
   [[nodiscard]] LatticePoint point(const Corner& at) const {
     const int step = lattice_.voxel_level();
@@ -78,7 +80,8 @@ class BlockInspector {
     if (failures_ > rough) return leave_open_cells(at, side);
     const Box box = cube(at, side);
     normals_.clear();
-    for (const std::uint32_t i : points) add_normal(samples_.points[i], normals_);
+    const std::size_t step = 1 + points.size() / enough_normals;
+    for (std::size_t i = 0; i < points.size(); i += step) add_normal(samples_.points[points[i]], normals_);
     const SurfaceProof proof = prove_sheet(field, box, normals_, lattice_.voxel(), 0);
     known_ = known_ || proof.known;
     if (proof.one_sheet) return;
